@@ -1,0 +1,75 @@
+"""Exact values of fixed angles and of square roots of numbers."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from functools import lru_cache
+
+from derive.algebra.angles import PI, Form
+from derive.algebra.ring import Root, ring
+from derive.algebra.scalar import Scalar, trig
+
+
+@lru_cache(maxsize=256)
+def square_root(value: Fraction) -> Scalar:
+    """The root of a number that is not negative; one generator for each prime below it."""
+    if value < 0:
+        raise ValueError(f"the square root of {value} is not real")
+    outside, primes = _split(value.numerator * value.denominator)
+    result = Scalar.of(Fraction(outside, value.denominator))
+    for prime in primes:
+        result = result * _prime_root(prime)
+    return result
+
+
+@lru_cache(maxsize=256)
+def fixed_trig(turns: Fraction) -> tuple[Scalar, Scalar]:
+    """(cosine, sine) of `turns * pi`: with square roots for multiples of 15 degrees.
+
+    Any other fixed angle becomes a generator pair of its own: still exact, but relations between
+    several such angles are not all known.
+    """
+    turns %= 2
+    if (12 * turns).denominator == 1:
+        return _fifteenths(int(12 * turns))
+    quarter, rest = divmod(turns, Fraction(1, 2))
+    c, s = trig(Form.of({PI: rest}))
+    return ((c, s), (-s, c), (-c, -s), (s, -c))[int(quarter)]
+
+
+def _fifteenths(steps: int) -> tuple[Scalar, Scalar]:
+    """Multiples of 15 degrees by the addition theorem from their quarter, 30 and 45 degrees."""
+    half = Scalar.of(Fraction(1, 2))
+    base = {
+        0: (Scalar.of(1), Scalar.of(0)),
+        2: (square_root(Fraction(3, 4)), half),
+        3: (square_root(Fraction(1, 2)), square_root(Fraction(1, 2))),
+        4: (half, square_root(Fraction(3, 4))),
+    }
+    quarter, rest = divmod(steps, 6)
+    if rest in base:
+        c, s = base[rest]
+    else:
+        (c1, s1), (c2, s2) = base[3], base[2]
+        sign = 1 if rest == 5 else -1
+        c, s = c1 * c2 - sign * s1 * s2, s1 * c2 + sign * c1 * s2
+    return ((c, s), (-s, c), (-c, -s), (s, -c))[quarter]
+
+
+def _prime_root(prime: int) -> Scalar:
+    name = f"sqrt({prime})"
+    home = ring().with_root(Root(name, (((), Fraction(prime)),)))
+    return Scalar(home, home.gen(name))
+
+
+def _split(n: int) -> tuple[int, tuple[int, ...]]:
+    """n = outside^2 * product of the distinct primes."""
+    outside, primes, p = 1, [], 2
+    while p * p <= n:
+        while n % (p * p) == 0:
+            n, outside = n // (p * p), outside * p
+        if n % p == 0:
+            n //= p
+            primes.append(p)
+        p += 1
+    return (outside, (*primes, n)) if n > 1 else (outside, tuple(primes))

@@ -1,0 +1,129 @@
+"""Trees and normal forms as floating-point numbers: for `evaluate`, and for the second route of checks."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from typing import Any, TypeAlias
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.scalar import Scalar
+from derive.errors import NotDerivable
+from derive.expression import (
+    Approximate,
+    Call,
+    Degrees,
+    Expr,
+    Matrix,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+)
+
+Point: TypeAlias = Mapping[str, float]
+
+FUNCTIONS: dict[str, Callable[..., float]] = {
+    "cos": math.cos,
+    "sin": math.sin,
+    "tan": math.tan,
+    "sqrt": math.sqrt,
+    "atan2": math.atan2,
+    "acos": math.acos,
+    "asin": math.asin,
+    "atan": math.atan,
+    "exp": math.exp,
+    "log": math.log,
+    "abs": abs,
+    "sign": lambda x: float((x > 0) - (x < 0)),
+}
+
+
+def number(expr: Expr, point: Point) -> float:
+    """The value of a scalar expression where each symbol has a value.
+
+    Raises KeyError for a symbol without one, ValueError or ZeroDivisionError where it is not real.
+    """
+    match expr:
+        case Number(value):
+            return float(value)
+        case Approximate(approximate):
+            return approximate
+        case Degrees(value):
+            return math.radians(float(value))
+        case Symbol(name):
+            return math.pi if name == "pi" else point[name]
+        case Sum(terms):
+            return math.fsum(number(term, point) for term in terms)
+        case Product(factors):
+            return math.prod(number(factor, point) for factor in factors)
+        case Quotient(top, bottom):
+            return number(top, point) / number(bottom, point)
+        case Power(base, exponent):
+            return float(number(base, point) ** number(exponent, point))
+        case Call(function, arguments) if function in FUNCTIONS:
+            return float(FUNCTIONS[function](*(number(a, point) for a in arguments)))
+        case _:
+            raise NotDerivable(f"no number for {type(expr).__name__}")
+
+
+def numbers(expr: Expr, point: Point) -> Any:
+    """A float; of a matrix a list of rows; of a column a flat list."""
+    if not isinstance(expr, Matrix):
+        return number(expr, point)
+    if expr.shape[1] == 1:
+        return [number(entry, point) for (entry,) in expr.rows]
+    return [[number(entry, point) for entry in row] for row in expr.rows]
+
+
+def scalar_number(value: Scalar, point: Point) -> float:
+    """The value of a normal form where each symbol has a value. Raises KeyError for one without."""
+    gens = generator_numbers(value, point)
+    top = _polynomial(value.numerator, gens)
+    return top if value.denominator is None else top / _polynomial(value.denominator, gens)
+
+
+def matrix_numbers(value: ScalarMatrix, point: Point) -> list[list[float]]:
+    """Rows of floats."""
+    return [[scalar_number(entry, point) for entry in row] for row in value.rows]
+
+
+def generator_numbers(value: Scalar, point: Point) -> list[float]:
+    """The value of each generator of a scalar's ring that occurs in it (0 for the others)."""
+    home, used = value.ring, set(value.generators())
+    table: dict[str, float] = {}
+    for name in home.symbols:
+        if name in used:
+            table[name] = math.pi if name == "pi" else point[name]
+    for form in home.angles:
+        c, s = f"cos({form})", f"sin({form})"
+        if c in used or s in used:
+            angle = sum(float(n) * _atom(atom, point) for atom, n in form.parts)
+            table[c], table[s] = math.cos(angle), math.sin(angle)
+    for root in reversed(home.roots):
+        if root.name in used:
+            square = Scalar(home, home.polynomial(root.radicand))
+            table[root.name] = math.sqrt(scalar_number(square, point))
+    return [table.get(name, 0.0) for name in home.names]
+
+
+def _atom(atom: str, point: Point) -> float:
+    """pi, one radian, an angle, or a product of powers of symbols."""
+    value = {"pi": math.pi, "1": 1.0}.get(atom)
+    if value is not None:
+        return value
+    factors = (factor.partition("^") for factor in atom.split("*"))
+    return math.prod(point[name] ** int(power or 1) for name, _, power in factors)
+
+
+def _polynomial(polynomial: Any, gens: list[float]) -> float:
+    total = 0.0
+    for exponents, coefficient in polynomial.terms():
+        term = int(coefficient.p) / int(coefficient.q)
+        for gen, power in zip(gens, exponents, strict=True):
+            if power:
+                term *= gen ** int(power)
+        total += term
+    return total

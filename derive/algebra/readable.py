@@ -1,0 +1,95 @@
+"""From a normal form to what a person would write.
+
+The normal form decides; this only finds a short way of saying it. Angles are tried in several
+bases (theta1, theta1 + theta2, ... or theta2, theta2 + theta3, ...), contracted to sums of angles,
+and nested by common factors.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from flint import fmpq_mpoly
+
+from derive.algebra.angles import Form, combination
+from derive.algebra.contraction import contracted
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.nesting import Nesting
+from derive.algebra.ring import Ring, ring
+from derive.algebra.scalar import Scalar
+from derive.algebra.terms import Alphabet, Style, Terms, terms_of
+from derive.expression import ONE, Expr, Matrix, Product, Quotient, multiply, negate
+
+# Above this many terms other bases cost more than a reader gains.
+MOST_REBASED = 400
+
+
+def readable(scalar: Scalar, style: Style = Style()) -> Expr:
+    """A short expression equal to the scalar."""
+    return Reading(style).scalar(scalar)
+
+
+def readable_matrix(matrix: ScalarMatrix, style: Style = Style()) -> Matrix:
+    """Entry by entry."""
+    reading = Reading(style)
+    return Matrix(tuple(tuple(map(reading.scalar, row)) for row in matrix.rows))
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """Reads scalars in one style."""
+
+    style: Style = Style()
+
+    def scalar(self, scalar: Scalar) -> Expr:
+        top = self._polynomial(scalar.ring, scalar.numerator)
+        if scalar.denominator is None:
+            return top
+        return self._quotient(top, self._polynomial(scalar.ring, scalar.denominator))
+
+    @staticmethod
+    def _quotient(top: Expr, bottom: Expr) -> Expr:
+        if isinstance(bottom, Product) and bottom.factors[0] == negate(ONE):
+            top, bottom = negate(top), multiply(*bottom.factors[1:])
+        return Quotient(top, bottom)
+
+    def _polynomial(self, home: Ring, polynomial: fmpq_mpoly) -> Expr:
+        alphabet = Alphabet(self.style)
+        best = min(
+            (contracted(terms, alphabet) for terms in self._bases(home, polynomial, alphabet)),
+            key=lambda terms: (len(terms), _weight(terms)),
+        )
+        return Nesting(alphabet).form(best).expr
+
+    def _bases(self, home: Ring, polynomial: fmpq_mpoly, alphabet: Alphabet) -> Iterator[Terms]:
+        """The terms in each basis of the angles worth trying."""
+        scalar = Scalar(home, polynomial)
+        yield terms_of(scalar, alphabet)
+        if len(polynomial) > MOST_REBASED:
+            return
+        for angles in other_bases(home.angles):
+            yield terms_of(scalar.into(ring(home.roots, angles, home.symbols)), alphabet)
+
+
+def other_bases(angles: tuple[Form, ...]) -> Iterator[tuple[Form, ...]]:
+    """Single angles; and for sums that begin with the same angle, the sums without it."""
+    atoms = sorted({atom for form in angles for atom, _ in form.parts})
+    singles = tuple(Form.of({atom: 1}) for atom in atoms)
+    if len(atoms) != len(angles) or set(singles) == set(angles):
+        return
+    if all(_whole(form, singles) for form in angles):
+        yield singles
+    for first in singles:
+        sums = [form for form in angles if form != first and dict(form.parts).get(first.parts[0][0]) == 1]
+        if first in angles and sums:
+            yield tuple(form + first.scaled(-1) if form in sums else form for form in angles)
+
+
+def _whole(form: Form, basis: tuple[Form, ...]) -> bool:
+    multiples = combination(form, basis)
+    return multiples is not None and all(n.denominator == 1 for n in multiples)
+
+
+def _weight(terms: Terms) -> int:
+    return sum(power for monomial in terms for _, power in monomial)

@@ -1,0 +1,205 @@
+"""The ring of the normal form: polynomials over the rationals, modulo what sines and roots obey.
+
+Generators are the parameters and prismatic variables, a pair (c, s) for each independent angle
+with s^2 = 1 - c^2, and a root r for each square root with r^2 = radicand. Reduced by these
+relations a polynomial is unique, so two expressions are equal exactly when their reduced
+polynomials are. The polynomials are FLINT's sparse ones (python-flint, `fmpq_mpoly`).
+
+The order of generators is lexicographic with roots first (nested ones outermost first), then
+sines, cosines and symbols: the leading terms of the relations are then r^2 and s^2, and reduction
+is one division each.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property, lru_cache
+
+from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+
+from derive.algebra.angles import Form, combination
+
+Pair = tuple[fmpq_mpoly, fmpq_mpoly]
+
+
+@dataclass(frozen=True, slots=True)
+class Root:
+    """A square root; `radicand` is a polynomial as sorted text-keyed terms, so that it can be a key."""
+
+    name: str
+    radicand: tuple[tuple[tuple[tuple[str, int], ...], Fraction], ...]
+
+
+@dataclass(frozen=True)
+class Ring:
+    """The generators; rings with the same ones are the same object (see `ring`)."""
+
+    roots: tuple[Root, ...]
+    angles: tuple[Form, ...]
+    symbols: tuple[str, ...]
+
+    def __hash__(self) -> int:
+        return id(self)
+
+    def __eq__(self, other: object) -> bool:
+        return self is other
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """Every generator by name, in the order of the context."""
+        return (
+            *(root.name for root in self.roots),
+            *(f"sin({form})" for form in self.angles),
+            *(f"cos({form})" for form in self.angles),
+            *self.symbols,
+        )
+
+    @cached_property
+    def context(self) -> fmpq_mpoly_ctx:
+        return fmpq_mpoly_ctx.get(self.names, Ordering.lex)
+
+    @cached_property
+    def index(self) -> dict[str, int]:
+        return {name: i for i, name in enumerate(self.names)}
+
+    @cached_property
+    def zero(self) -> fmpq_mpoly:
+        return self.constant(0)
+
+    @cached_property
+    def one(self) -> fmpq_mpoly:
+        return self.constant(1)
+
+    def constant(self, value: Fraction | int) -> fmpq_mpoly:
+        return self.context.constant(_fmpq(value))
+
+    def gen(self, name: str) -> fmpq_mpoly:
+        return self.context.gen(self.index[name])
+
+    def pair(self, k: int) -> Pair:
+        """(cosine, sine) of the k-th angle generator."""
+        first = len(self.roots)
+        return self.context.gen(first + len(self.angles) + k), self.context.gen(first + k)
+
+    @cached_property
+    def relations(self) -> tuple[tuple[int, fmpq_mpoly], ...]:
+        """(index of the leading generator, relation), outermost first."""
+        found = [
+            (i, self.gen(root.name) ** 2 - self.polynomial(root.radicand))
+            for i, root in enumerate(self.roots)
+        ]
+        for k in range(len(self.angles)):
+            c, s = self.pair(k)
+            found.append((len(self.roots) + k, s * s + c * c - 1))
+        return tuple(found)
+
+    def polynomial(self, terms: Iterable[tuple[tuple[tuple[str, int], ...], Fraction]]) -> fmpq_mpoly:
+        """The polynomial of terms keyed by generator names."""
+        entries = {}
+        for powers, coefficient in terms:
+            exponents = [0] * len(self.names)
+            for name, power in powers:
+                exponents[self.index[name]] = power
+            entries[tuple(exponents)] = _fmpq(coefficient)
+        return self.context.from_dict(entries)
+
+    def reduce(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
+        """The unique representative: no root and no sine to a power above one."""
+        degrees = polynomial.degrees()
+        for i, relation in self.relations:
+            if degrees[i] > 1:
+                polynomial = divmod(polynomial, relation)[1]
+                degrees = polynomial.degrees()
+        return polynomial
+
+    def trig(self, form: Form) -> Pair | None:
+        """(cosine, sine) of a form that is an integer combination of the angles; else None."""
+        return _trig(self, form)
+
+    def with_symbols(self, names: Iterable[str]) -> Ring:
+        new = [name for name in dict.fromkeys(names) if name not in self.index]
+        return ring(self.roots, self.angles, (*self.symbols, *new)) if new else self
+
+    def with_root(self, root: Root) -> Ring:
+        """Outermost first: a later root may have earlier ones in its radicand."""
+        return self if root in self.roots else ring((root, *self.roots), self.angles, self.symbols)
+
+    def with_angle(self, form: Form) -> Ring:
+        """A ring in which the form's sine and cosine are polynomials."""
+        multiples = combination(form, self.angles)
+        if multiples is None:
+            return ring(self.roots, (*self.angles, form), self.symbols)
+        finer = tuple(
+            angle.scaled(Fraction(1, n.denominator)) for angle, n in zip(self.angles, multiples, strict=True)
+        )
+        return ring(self.roots, finer, self.symbols)
+
+    def union(self, other: Ring) -> Ring:
+        """A ring that holds the elements of both."""
+        if self is other:
+            return self
+        return _union(self, other)
+
+
+@lru_cache(maxsize=None)
+def ring(roots: tuple[Root, ...] = (), angles: tuple[Form, ...] = (), symbols: tuple[str, ...] = ()) -> Ring:
+    """The ring with these generators; always the same object, so that `is` compares rings."""
+    return Ring(roots, angles, symbols)
+
+
+@lru_cache(maxsize=4096)
+def _trig(home: Ring, form: Form) -> Pair | None:
+    multiples = combination(form, home.angles)
+    if multiples is None or any(n.denominator != 1 for n in multiples):
+        return None
+    cosine, sine = home.one, home.zero
+    for k, n in enumerate(multiples):
+        c, s = home.pair(k)
+        s = s if n > 0 else -s
+        for _ in range(abs(int(n))):  # one addition theorem a turn
+            cosine, sine = cosine * c - sine * s, sine * c + cosine * s
+    return home.reduce(cosine), home.reduce(sine)
+
+
+@lru_cache(maxsize=1024)
+def _union(left: Ring, right: Ring) -> Ring:
+    both = left.with_symbols(right.symbols)
+    for form in right.angles:
+        if both.trig(form) is None:
+            both = both.with_angle(form)
+    for root in reversed(right.roots):
+        both = both.with_root(root)
+    return both
+
+
+@lru_cache(maxsize=1024)
+def images(source: Ring, target: Ring) -> tuple[fmpq_mpoly, ...] | None:
+    """Where the generators of `source` go in `target`; None where each keeps its name."""
+    if all(name in target.index for name in source.names):
+        return None
+    pairs = [target.trig(form) for form in source.angles]
+    if None in pairs:
+        raise ValueError(f"{target.angles} cannot express {source.angles}")
+    return (
+        *(target.gen(root.name) for root in source.roots),
+        *(pair[1] for pair in pairs if pair),
+        *(pair[0] for pair in pairs if pair),
+        *(target.gen(name) for name in source.symbols),
+    )
+
+
+def carry(polynomial: fmpq_mpoly, source: Ring, target: Ring) -> fmpq_mpoly:
+    """The same element in a larger ring."""
+    if source is target:
+        return polynomial
+    moved = images(source, target)
+    if moved is None:
+        return polynomial.project_to_context(target.context)
+    return target.reduce(polynomial.compose(*moved, ctx=target.context))
+
+
+def _fmpq(value: Fraction | int) -> fmpq:
+    value = Fraction(value)
+    return fmpq(value.numerator, value.denominator)

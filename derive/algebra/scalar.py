@@ -1,0 +1,242 @@
+"""Exact scalars in normal form: a polynomial of a ring, over another where there is a fraction.
+
+`==` decides equality: both sides over a common denominator have the same reduced polynomial.
+Scalars of different rings mix; the result lives in the union of the rings.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from fractions import Fraction
+from typing import Union
+
+from flint import fmpq_mpoly
+
+from derive.algebra.angles import Form
+from derive.algebra.ring import Ring, carry, ring
+
+Like = Union["Scalar", int, Fraction]
+
+
+class Scalar:
+    """numerator / denominator in a ring; `denominator` is None for 1. Immutable."""
+
+    __slots__ = ("denominator", "numerator", "ring")
+
+    def __init__(self, ring: Ring, numerator: fmpq_mpoly, denominator: fmpq_mpoly | None = None) -> None:
+        self.ring = ring
+        self.numerator = numerator
+        self.denominator = denominator
+
+    # -- where scalars come from ------------------------------------------------------------------
+
+    @staticmethod
+    def of(value: Like) -> Scalar:
+        if isinstance(value, Scalar):
+            return value
+        base = ring()
+        return Scalar(base, base.constant(value))
+
+    @staticmethod
+    def symbol(name: str) -> Scalar:
+        home = ring(symbols=(name,))
+        return Scalar(home, home.gen(name))
+
+    # -- arithmetic -------------------------------------------------------------------------------
+
+    def __add__(self, other: Like) -> Scalar:
+        a, b = _together(self, other)
+        if a.denominator is None and b.denominator is None:
+            return Scalar(a.ring, a.numerator + b.numerator)
+        if a.denominator == b.denominator:
+            return fraction(a.ring, a.numerator + b.numerator, a.denominator)
+        p, q = a.denominator or a.ring.one, b.denominator or b.ring.one
+        return fraction(a.ring, a.numerator * q + b.numerator * p, p * q)
+
+    def __neg__(self) -> Scalar:
+        return Scalar(self.ring, -self.numerator, self.denominator)
+
+    def __sub__(self, other: Like) -> Scalar:
+        return self + (-Scalar.of(other))
+
+    def __mul__(self, other: Like) -> Scalar:
+        a, b = _together(self, other)
+        product = a.ring.reduce(a.numerator * b.numerator)
+        if a.denominator is None and b.denominator is None:
+            return Scalar(a.ring, product)
+        return fraction(a.ring, product, _times(a.denominator, b.denominator))
+
+    def __truediv__(self, other: Like) -> Scalar:
+        a, b = _together(self, other)
+        if b.numerator == 0:
+            raise ZeroDivisionError("division by an expression that is identically zero")
+        top = a.numerator if b.denominator is None else a.numerator * b.denominator
+        return fraction(a.ring, top, _times(a.denominator, b.numerator))
+
+    def __pow__(self, exponent: int) -> Scalar:
+        if exponent < 0:
+            return Scalar.of(1) / self**-exponent
+        result, base = Scalar(self.ring, self.ring.one), self
+        while exponent:
+            result = result * base if exponent & 1 else result
+            exponent >>= 1
+            base = base * base if exponent else base
+        return result
+
+    def __radd__(self, other: Like) -> Scalar:
+        return self + other
+
+    def __rmul__(self, other: Like) -> Scalar:
+        return self * other
+
+    def __rsub__(self, other: Like) -> Scalar:
+        return Scalar.of(other) - self
+
+    def __rtruediv__(self, other: Like) -> Scalar:
+        return Scalar.of(other) / self
+
+    # -- comparison -------------------------------------------------------------------------------
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Scalar | int | Fraction):
+            return NotImplemented
+        a, b = _together(self, other)
+        if a.denominator is None and b.denominator is None:
+            return bool(a.numerator == b.numerator)
+        left = a.numerator if b.denominator is None else a.numerator * b.denominator
+        right = b.numerator if a.denominator is None else b.numerator * a.denominator
+        return bool(a.ring.reduce(left - right) == 0)
+
+    def __hash__(self) -> int:
+        raise TypeError("scalars are equal across rings and have no hash")
+
+    def __bool__(self) -> bool:
+        return bool(self.numerator != 0)
+
+    def __repr__(self) -> str:
+        bottom = "" if self.denominator is None else f" / ({self.denominator})"
+        return f"{self.numerator}{bottom}"
+
+    # -- parts ------------------------------------------------------------------------------------
+
+    @property
+    def constant(self) -> Fraction | None:
+        """The value of a scalar without generators; None for any other."""
+        if self.denominator is not None or not self.numerator.is_constant():
+            return None
+        return as_fraction(self.numerator.leading_coefficient()) if self else Fraction(0)
+
+    def generators(self) -> Iterator[str]:
+        """The names of the generators that occur."""
+        degrees = list(self.numerator.degrees())
+        if self.denominator is not None:
+            degrees = [max(pair) for pair in zip(degrees, self.denominator.degrees(), strict=True)]
+        return (name for name, degree in zip(self.ring.names, degrees, strict=True) if degree)
+
+    def into(self, home: Ring) -> Scalar:
+        """The same scalar in a larger ring."""
+        if self.ring is home:
+            return self
+        bottom = None if self.denominator is None else carry(self.denominator, self.ring, home)
+        return Scalar(home, carry(self.numerator, self.ring, home), bottom)
+
+    # -- calculus ---------------------------------------------------------------------------------
+
+    def diff(self, name: str) -> Scalar:
+        """The partial derivative by a symbol or an angle."""
+        top = _derivative(self.numerator, self.ring, name)
+        if self.denominator is None:
+            return Scalar(self.ring, top)
+        bottom = _derivative(self.denominator, self.ring, name)
+        square = self.denominator * self.denominator
+        return fraction(self.ring, top * self.denominator - self.numerator * bottom, square)
+
+    def substitute(self, values: Mapping[str, Scalar]) -> Scalar:
+        """With symbols replaced. The names must not stand inside sines, cosines or roots."""
+        names = [name for name in self.ring.symbols if name in values]
+        if not names:
+            return self
+        home = common_ring([self, *(values[name] for name in names)])
+        top = _replaced(self.numerator, self.ring, home, values)
+        return top if self.denominator is None else top / _replaced(self.denominator, self.ring, home, values)
+
+
+def trig(form: Form) -> tuple[Scalar, Scalar]:
+    """(cosine, sine) of a form without a fixed part."""
+    home = ring().with_angle(form)
+    pair = home.trig(form)
+    if pair is None:
+        raise ValueError(f"no ring for {form}")
+    return Scalar(home, pair[0]), Scalar(home, pair[1])
+
+
+def fraction(home: Ring, top: fmpq_mpoly, bottom: fmpq_mpoly | None) -> Scalar:
+    """top / bottom, reduced: common factors cancelled, the leading coefficient of the bottom 1."""
+    top = home.reduce(top)
+    if bottom is None or top == 0:
+        return Scalar(home, top)
+    bottom = home.reduce(bottom)
+    common = top.gcd(bottom)
+    if not common.is_constant():
+        top, bottom = divmod(top, common)[0], divmod(bottom, common)[0]
+    lead = bottom.leading_coefficient()
+    if bottom.is_constant():
+        return Scalar(home, top / lead)
+    return Scalar(home, top / lead, bottom / lead)
+
+
+def common_ring(scalars: Iterable[Scalar]) -> Ring:
+    """The smallest ring built from those of the scalars, in their order."""
+    home = ring()
+    for scalar in scalars:
+        home = home.union(scalar.ring)
+    return home
+
+
+def as_fraction(value: object) -> Fraction:
+    """FLINT's rational as Python's."""
+    return Fraction(int(value.p), int(value.q))  # type: ignore[attr-defined]
+
+
+def _together(left: Scalar, right: Like) -> tuple[Scalar, Scalar]:
+    if not isinstance(right, Scalar):
+        return left, Scalar(left.ring, left.ring.constant(right))
+    if left.ring is right.ring:
+        return left, right
+    home = left.ring.union(right.ring)
+    return left.into(home), right.into(home)
+
+
+def _times(left: fmpq_mpoly | None, right: fmpq_mpoly | None) -> fmpq_mpoly | None:
+    if left is None or right is None:
+        return right if left is None else left
+    return left * right
+
+
+def _derivative(polynomial: fmpq_mpoly, home: Ring, name: str) -> fmpq_mpoly:
+    """By the chain rule through symbols, angles and roots."""
+    result = polynomial.derivative(home.index[name]) if name in home.index else home.zero
+    for k, form in enumerate(home.angles):
+        rate = form.of_atom(name)
+        if rate:
+            c, s = home.pair(k)
+            along = polynomial.derivative(str(s)) * c - polynomial.derivative(str(c)) * s
+            result = result + along * home.constant(rate)
+    return home.reduce(result)
+
+
+def _replaced(polynomial: fmpq_mpoly, source: Ring, home: Ring, values: Mapping[str, Scalar]) -> Scalar:
+    """Term by term, powers of each replaced symbol collected."""
+    total = Scalar(home, home.zero)
+    places = {source.index[name]: values[name].into(home) for name in source.symbols if name in values}
+    groups: dict[tuple[int, ...], dict[tuple[int, ...], object]] = {}
+    for exponents, coefficient in polynomial.to_dict().items():
+        key = tuple(exponents[i] for i in places)
+        rest = tuple(0 if i in places else e for i, e in enumerate(exponents))
+        groups.setdefault(key, {})[rest] = coefficient
+    for key, rest_terms in groups.items():
+        term = Scalar(home, carry(source.context.from_dict(rest_terms), source, home))
+        for value, power in zip(places.values(), key, strict=True):
+            term = term * value**power if power else term
+        total = total + term
+    return total

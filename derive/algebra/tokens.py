@@ -1,0 +1,138 @@
+"""The words of a formula: numbers, names and signs, each with its place in the text."""
+
+from __future__ import annotations
+
+import keyword
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Literal
+
+from derive.errors import FormulaError
+
+MAX_TEXT = 2000
+MAX_DIGITS = 40
+MAX_EXPONENT = 99
+
+_GREEK_NAMES = (
+    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma tau"
+    " upsilon phi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega phi theta epsilon"
+    " sigma"
+)
+GREEK = dict(zip("αβγδεζηθικλμνξοπρστυφχψωΓΔΘΛΞΠΣΥΦΨΩϕϑϵς", _GREEK_NAMES.split(), strict=True))
+SUBSCRIPTS = dict(zip("₀₁₂₃₄₅₆₇₈₉", "0123456789", strict=True))
+SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789", strict=True))
+SIGNS = {sign: sign for sign in "+-*/^(),="} | {
+    "\N{MULTIPLICATION SIGN}": "*",
+    "\N{MIDDLE DOT}": "*",
+    "\N{DOT OPERATOR}": "*",
+    "\N{MINUS SIGN}": "-",
+    "\N{EN DASH}": "-",
+    "\N{DIVISION SIGN}": "/",
+}
+# Words of programming languages: two of them side by side would read as a product of names.
+# `lambda` stays a name, as it is a Greek letter.
+CODE_WORDS = frozenset(keyword.kwlist) - {"lambda"} | {"eval", "exec", "open", "print", "getattr"}
+NOT_A_FORMULA = "this is not a formula"
+ALLOWED = "numbers, names, + - * / ^, parentheses and functions such as cos and sqrt"
+
+
+@dataclass(frozen=True, slots=True)
+class Token:
+    """`text` is normalised (Greek letters spelled out, `**` as `^`); `offset` counts from 0."""
+
+    kind: Literal["number", "name", "sign", "end"]
+    text: str
+    offset: int
+    end: int
+
+
+def tokens(text: str) -> tuple[Token, ...]:
+    """The tokens of a formula with an end token last. Raises FormulaError."""
+    if len(text) > MAX_TEXT:
+        raise FormulaError(f"a formula of {len(text)} characters is too long (at most {MAX_TEXT})", 0)
+    found = []
+    at = 0
+    while at < len(text):
+        if text[at].isspace():
+            at += 1
+            continue
+        found.extend(read := _read(text, at))
+        at = read[-1].end
+    return (*found, Token("end", "", len(text), len(text)))
+
+
+def value_of(token: Token) -> tuple[Fraction, bool]:
+    """The exact value of a number token, and whether it was typed as a decimal."""
+    return Fraction(token.text), not token.text.isdigit()
+
+
+def _read(text: str, at: int) -> list[Token]:
+    """The token at this place (a superscript is two: the sign `^` and its digits)."""
+    char = text[at]
+    if _digit(char) or (char == "." and _digit(text[at + 1 : at + 2])):
+        return [_number(text, at)]
+    if _letter(char):
+        return [_name(text, at)]
+    if char == "°":
+        return [Token("name", "deg", at, at + 1)]
+    if char in SUPERSCRIPTS:
+        return _superscript(text, at)
+    if text[at : at + 2] == "**":
+        return [Token("sign", "^", at, at + 2)]
+    if char in SIGNS:
+        return [Token("sign", SIGNS[char], at, at + 1)]
+    raise FormulaError(f"{NOT_A_FORMULA}: {char!r} cannot stand in one", at, f"use {ALLOWED}")
+
+
+def _number(text: str, at: int) -> Token:
+    end = _digits(text, at)
+    if text[end : end + 1] == ".":
+        end = _digits(text, end + 1)
+    mantissa = end
+    if text[end : end + 1] in ("e", "E"):
+        sign = end + 1 + (text[end + 1 : end + 2] in ("+", "-"))
+        if (after := _digits(text, sign)) > sign:
+            end = after
+    if mantissa - at > MAX_DIGITS:
+        raise FormulaError(f"a number of more than {MAX_DIGITS} digits", at, "shorten it")
+    if end - mantissa > 5 or (end > mantissa and abs(int(text[mantissa + 1 : end])) > MAX_EXPONENT):
+        raise FormulaError(f"a power of ten beyond {MAX_EXPONENT}", mantissa, "use a smaller exponent")
+    if text[end : end + 1] == ".":
+        raise FormulaError("a number has one decimal point", end)
+    return Token("number", text[at:end], at, end)
+
+
+def _name(text: str, at: int) -> Token:
+    end = at
+    while end < len(text) and (_letter(text[end]) or _digit(text[end]) or text[end] in SUBSCRIPTS):
+        end += 1
+    name = "".join(GREEK.get(char) or SUBSCRIPTS.get(char) or char for char in text[at:end])
+    if name.startswith("_") or "__" in name or name in CODE_WORDS:
+        raise FormulaError(f"{NOT_A_FORMULA}: '{name}' is no name", at, f"use {ALLOWED}")
+    if name.endswith("_"):
+        raise FormulaError(f"the name '{name}' ends in an underscore", at, f"write {name.rstrip('_')}")
+    if text[end : end + 1] == ".":
+        raise FormulaError(f"{NOT_A_FORMULA}: nothing can follow a name after a point", end, f"use {ALLOWED}")
+    return Token("name", name, at, end)
+
+
+def _superscript(text: str, at: int) -> list[Token]:
+    end = at
+    while end < len(text) and text[end] in SUPERSCRIPTS:
+        end += 1
+    digits = "".join(SUPERSCRIPTS[char] for char in text[at:end])
+    return [Token("sign", "^", at, at), Token("number", digits, at, end)]
+
+
+def _digits(text: str, at: int) -> int:
+    while at < len(text) and _digit(text[at]):
+        at += 1
+    return at
+
+
+def _digit(char: str) -> bool:
+    return char.isascii() and char.isdigit()
+
+
+def _letter(char: str) -> bool:
+    return (char.isascii() and char.isalpha()) or char == "_" or char in GREEK

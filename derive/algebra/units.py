@@ -1,0 +1,119 @@
+"""Units of measurement: each name with its dimension and its exact size in SI base units."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Literal, TypeAlias
+
+# Exponents of metre, kilogram, second, ampere, radian. The radian counts in what is said to the
+# author ("an angle is wanted"), not in arithmetic: an arc is an angle times a radius.
+Dimension: TypeAlias = tuple[int, int, int, int, int]
+# What a field takes: one dimension, any unit at all, or (None) no unit but deg and rad.
+Wanted: TypeAlias = Dimension | Literal["any"] | None
+
+PLAIN: Dimension = (0, 0, 0, 0, 0)
+LENGTH: Dimension = (1, 0, 0, 0, 0)
+MASS: Dimension = (0, 1, 0, 0, 0)
+TIME: Dimension = (0, 0, 1, 0, 0)
+ANGLE: Dimension = (0, 0, 0, 0, 1)
+SPEED: Dimension = (1, 0, -1, 0, 0)
+ACCELERATION: Dimension = (1, 0, -2, 0, 0)
+FORCE: Dimension = (1, 1, -2, 0, 0)
+TORQUE: Dimension = (2, 1, -2, 0, 0)
+INERTIA: Dimension = (2, 1, 0, 0, 0)
+ANY: Literal["any"] = "any"
+
+BASE_UNITS = ("m", "kg", "s", "A", "rad")
+SPOKEN: dict[Dimension, str] = {
+    PLAIN: "a plain number",
+    LENGTH: "a length (m)",
+    MASS: "a mass (kg)",
+    TIME: "a time (s)",
+    ANGLE: "an angle (rad or deg)",
+    SPEED: "a speed (m/s)",
+    ACCELERATION: "an acceleration (m/s^2)",
+    FORCE: "a force (N)",
+    TORQUE: "a torque (N m)",
+    INERTIA: "a moment of inertia (kg m^2)",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """`size` in SI base units; `degrees` is the power of pi/180 that comes on top of it."""
+
+    dimension: Dimension
+    size: Fraction = Fraction(1)
+    degrees: int = 0
+
+
+UNITS: dict[str, Unit] = {
+    "m": Unit(LENGTH),
+    "mm": Unit(LENGTH, Fraction(1, 1000)),
+    "cm": Unit(LENGTH, Fraction(1, 100)),
+    "km": Unit(LENGTH, Fraction(1000)),
+    "kg": Unit(MASS),
+    "g": Unit(MASS, Fraction(1, 1000)),
+    "s": Unit(TIME),
+    "ms": Unit(TIME, Fraction(1, 1000)),
+    "rad": Unit(ANGLE),
+    "deg": Unit(ANGLE, Fraction(1), 1),
+    "N": Unit(FORCE),
+    "A": Unit((0, 0, 0, 1, 0)),
+    "V": Unit((2, 1, -3, -1, 0)),
+    "ohm": Unit((2, 1, -3, -2, 0)),
+    "H": Unit((2, 1, -2, -2, 0)),
+    "Hz": Unit((0, 0, -1, 0, 0)),
+}
+ANGLE_UNITS = frozenset({"deg", "rad"})
+# Units that are also the usual names of quantities: mass m, gravity g, Laplace s, current A.
+LETTERS = frozenset(name for name in UNITS if len(name) == 1)
+
+
+def compound(parts: Iterable[tuple[str, int]]) -> Unit:
+    """The unit made of named units raised to powers, as `[("m", 1), ("s", -2)]`."""
+    dimension, size, degrees = PLAIN, Fraction(1), 0
+    for name, exponent in parts:
+        unit = UNITS[name]
+        dimension = times(dimension, power(unit.dimension, exponent))
+        size *= unit.size**exponent
+        degrees += unit.degrees * exponent
+    return Unit(dimension, size, degrees)
+
+
+def times(left: Dimension, right: Dimension) -> Dimension:
+    """The dimension of a product."""
+    m, kg, s, a, rad = (x + y for x, y in zip(left, right, strict=True))
+    return m, kg, s, a, rad
+
+
+def power(dimension: Dimension, exponent: int) -> Dimension:
+    """The dimension of a power."""
+    m, kg, s, a, rad = (x * exponent for x in dimension)
+    return m, kg, s, a, rad
+
+
+def agree(left: Dimension, right: Dimension) -> bool:
+    """Whether quantities of these dimensions may be added or stand for each other.
+
+    A plain number stands for anything (a length of 2 is 2 m), and radians do not count.
+    """
+    return PLAIN in (left, right) or left[:4] == right[:4]
+
+
+def spoken(dimension: Dimension) -> str:
+    """What an author calls it: "a length (m)"; for an unusual one its unit, "m^3/s"."""
+    return SPOKEN.get(dimension) or f"a quantity in {_unit_text(dimension)}"
+
+
+def _unit_text(dimension: Dimension) -> str:
+    named = list(zip(BASE_UNITS, dimension, strict=True))
+    above = " ".join(_raised(unit, n) for unit, n in named if n > 0) or "1"
+    below = "".join("/" + _raised(unit, -n) for unit, n in named if n < 0)
+    return above + below
+
+
+def _raised(unit: str, exponent: int) -> str:
+    return unit if exponent == 1 else f"{unit}^{exponent}"

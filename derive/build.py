@@ -1,0 +1,265 @@
+"""The pipeline at a glance: load -> derive -> verify -> render -> write."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from shutil import copyfile
+from tempfile import TemporaryDirectory
+from typing import Any
+
+from derive.derivation import Branch, Derivation, Result
+from derive.errors import NotDerivable, SheetError, SheetErrors
+from derive.expression import Expr
+from derive.kinds.problem import Problem as Working
+from derive.render.document import Document, ProblemPage, QuestionPage, Worked
+from derive.render.notation import Notation
+from derive.sheet.load import load_sheet
+from derive.sheet.model import Problem, Question, Sheet
+
+Progress = Callable[[str], None]
+TEXT_FORMATS = ("md", "tex", "json")
+FORMATS = (*TEXT_FORMATS, "pdf", "html", "docx")
+
+
+def build(
+    paths: Sequence[Path],
+    formats: Sequence[str],
+    output: Path | None,
+    problems: bool = False,
+    pdf_engine: str = "typst",
+    progress: Progress = lambda _: None,
+) -> tuple[Path | str, ...]:
+    """Builds every sheet and says what was written; without `output` it gives the pages as texts.
+
+    Raises SheetErrors, before anything is written, with the faults of all the sheets.
+    """
+    sheets = load_all(paths, progress)
+    documents = derive_all(sheets, not problems, progress)
+    if output is None:
+        return tuple(render(document, kind) for document in documents for kind in formats)
+    return write(sheets, documents, formats, output, pdf_engine, progress)
+
+
+def load_all(paths: Sequence[Path], progress: Progress) -> list[Sheet]:
+    """Every sheet. Raises SheetErrors with the faults of all of them."""
+    return _each(paths, load_sheet, lambda path: progress(f"reading {path.name}"))
+
+
+def derive_all(sheets: Sequence[Sheet], solutions: bool, progress: Progress) -> list[Document]:
+    """A document for every sheet, each answer derived and verified. Raises SheetErrors."""
+    return _each(
+        sheets,
+        lambda sheet: assemble(sheet, solutions),
+        lambda sheet: progress(f"deriving {sheet.path.stem}"),
+    )
+
+
+def _each(items: Sequence[Any], work: Callable[[Any], Any], say: Callable[[Any], None]) -> list[Any]:
+    done: list[Any] = []
+    faults: list[SheetError] = []
+    for item in items:
+        say(item)
+        try:
+            done.append(work(item))
+        except SheetErrors as errors:
+            faults.extend(errors.errors)
+    if faults:
+        raise SheetErrors(faults)
+    return done
+
+
+def assemble(sheet: Sheet, solutions: bool = True) -> Document:
+    """The sheet with its answers, ready to be printed. Raises SheetErrors where there is no answer."""
+    notation = Notation(sheet.notation.atan2, sheet.notation.trig, sheet.notation.digits)
+    folder = _name(sheet, solutions)
+    pages = _each(sheet.problems, lambda problem: _page(sheet, problem, folder, solutions), lambda _: None)
+    return Document(
+        title=sheet.title,
+        problems=tuple(pages),
+        course=sheet.course,
+        author=sheet.author,
+        date=sheet.date,
+        language=sheet.language,
+        notation=notation,
+        figures=folder,
+        solutions=solutions,
+    )
+
+
+def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool) -> ProblemPage:
+    working = Working(problem.subject_name, problem.subject, problem.where, problem.assumptions)
+    answers = _each(problem.questions, lambda question: _answer(question, working), lambda _: None)
+    asked = [answer for answer in answers if solutions]
+    printed: list[Derivation] = []
+    questions = []
+    for question, answer in zip(problem.questions, answers, strict=True):
+        order = tuple(_order(answer, asked, printed, working.name)) if solutions else ()
+        questions.append(_question(sheet, question, answer if solutions else None, order, problem.where))
+    figure = f"{folder}/{problem.figure.name}" if isinstance(problem.figure, Path) else None
+    return ProblemPage(problem.number, tuple(questions), problem.title, problem.text, figure)
+
+
+def _answer(question: Question, working: Working) -> Derivation:
+    try:
+        derivation = working.answer(question.find, question.options)
+    except NotDerivable as error:
+        raise SheetErrors([SheetError(str(error), question.place)]) from error
+    failed = [claim for claim in derivation.claims if not claim.holds]
+    if failed:
+        message = f"the answer failed its own check: {failed[0].claim} (by {failed[0].by})"
+        raise SheetErrors([SheetError(message, question.place, "please report this with the sheet")])
+    return derivation
+
+
+def _order(
+    answer: Derivation, asked: Sequence[Derivation], printed: list[Derivation], subject: str
+) -> Iterator[Worked]:
+    """What to print for a question: what it rests on first, nothing that stands on the page already."""
+    for used in answer.uses:
+        yield from _order(used, asked, printed, subject)
+    if not any(answer is done for done in printed):
+        printed.append(answer)
+        yield Worked(answer, _folder(answer, subject), any(answer is one for one in asked))
+
+
+def _folder(answer: Derivation, subject: str) -> str:
+    from derive.kinds.registry import kinds_of
+
+    return kinds_of(subject)[answer.kind].split(".")[-2]
+
+
+def _question(
+    sheet: Sheet,
+    question: Question,
+    answer: Derivation | None,
+    order: tuple[Worked, ...],
+    where: Mapping[str, Any],
+) -> QuestionPage:
+    if answer and question.evaluate is not None and not answer.evaluated:
+        answer = _evaluated(answer, question, where)
+    marks = question.marks if sheet.marks else None
+    at = question.evaluate or {}
+    return QuestionPage(
+        question.number, question.find, question.text, marks, question.hint, answer, order, at
+    )
+
+
+def _evaluated(answer: Derivation, question: Question, where: Mapping[str, Any]) -> Derivation:
+    """The answer with its results in numbers at the point its author gave. Raises SheetErrors."""
+    from derive.algebra.numeric import number
+
+    try:
+        point = {name: number(value, {}) for name, value in (question.evaluate or {}).items()}
+        point |= {name: number(value, point) for name, value in where.items()}
+        values = {name: _numbers(result, point) for name, result in answer.results.items()}
+    except KeyError as error:
+        hint = f"give {error.args[0]} a value under evaluate: or where:"
+        raise SheetErrors(
+            [SheetError(f"no value is known for {error.args[0]}", question.place, hint)]
+        ) from error
+    return replace(answer, evaluated=values)
+
+
+def _numbers(result: Result | Branch | tuple[Expr, ...], point: Mapping[str, float]) -> Any:
+    """A result in floats, in the shape it has in the JSON."""
+    from derive.algebra.numeric import numbers
+
+    match result:
+        case Branch(values, when):
+            return {**{name: _numbers(value, point) for name, value in values.items()}, "when": when}
+        case tuple():
+            return [_numbers(part, point) for part in result]
+        case float() | int() | str():
+            return result
+        case _:
+            return numbers(result, point)
+
+
+def _name(sheet: Sheet, solutions: bool) -> str:
+    return sheet.path.stem if solutions else f"{sheet.path.stem}-problems"
+
+
+def render(document: Document, kind: str) -> str:
+    """The page as text, in one of the text formats."""
+    if kind == "json":
+        from derive.render.json_result import render_json
+
+        return render_json(document)
+    from derive.render.page import render_latex, render_markdown
+
+    return render_latex(document) if kind == "tex" else render_markdown(document)
+
+
+def write(
+    sheets: Sequence[Sheet],
+    documents: Sequence[Document],
+    formats: Sequence[str],
+    output: Path,
+    pdf_engine: str,
+    progress: Progress,
+) -> tuple[Path, ...]:
+    """Writes pages and pictures: all are made aside, then each is put in its place at once.
+
+    Raises SheetErrors, with nothing written, where a page cannot be made into a PDF.
+    """
+    output.mkdir(parents=True, exist_ok=True)
+    with TemporaryDirectory(dir=output, prefix=".derive-") as folder:
+        aside = Path(folder)
+        pages = []
+        for sheet, document in zip(sheets, documents, strict=True):
+            progress(f"writing {sheet.path.stem}")
+            _draw(sheet, document, aside)
+            for kind in formats:
+                pages.append(aside / f"{document.figures}.{kind}")
+                _make(document, kind, pages[-1], pdf_engine)
+        pictures = [path for path in sorted(aside.glob("*/**/*")) if path.is_file()]
+        return tuple(_put(path, aside, output) for path in (*pictures, *pages))
+
+
+def _draw(sheet: Sheet, document: Document, folder: Path) -> None:
+    for problem in sheet.problems:
+        if isinstance(problem.figure, Path):
+            (folder / document.figures).mkdir(exist_ok=True)
+            copyfile(problem.figure, folder / document.figures / problem.figure.name)
+    if plots := document.plots():
+        from derive.render.figures import draw
+
+        for path, plot in plots.items():
+            draw(plot, folder / path)
+
+
+def _make(document: Document, kind: str, target: Path, pdf_engine: str) -> None:
+    if kind in TEXT_FORMATS:
+        target.write_text(render(document, kind), encoding="utf-8")
+    elif kind == "pdf" and pdf_engine == "latex":
+        _typeset(document, target)
+    elif kind == "pdf":
+        from derive.render.pdf import write_pdf
+
+        write_pdf(document, target)
+    else:
+        from derive.render import web
+
+        (web.write_html if kind == "html" else web.write_docx)(document, target)
+
+
+def _typeset(document: Document, target: Path) -> None:
+    from derive.render.pdf import PdfFailed, write_pdf_with_latex
+
+    source = target.with_suffix(".tex")
+    source.write_text(render(document, "tex"), encoding="utf-8")
+    try:
+        write_pdf_with_latex(source, target)
+    except PdfFailed as error:
+        hint = "leave --pdf-engine out to do without a TeX installation"
+        raise SheetErrors([SheetError(str(error), None, hint)]) from error
+
+
+def _put(path: Path, aside: Path, output: Path) -> Path:
+    target = output / path.relative_to(aside)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    os.replace(path, target)
+    return target

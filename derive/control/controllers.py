@@ -1,0 +1,58 @@
+"""The controllers of a course: P, PI, PD and PID, in parallel form."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, TypeAlias, get_args
+
+from derive.control.linear import term
+from derive.control.ratios import Ratio, total
+from derive.expression import Expr, Quotient, Symbol, add, multiply
+
+S = Symbol("s")
+Family: TypeAlias = Literal["P", "PI", "PD", "PID"]
+FAMILIES: tuple[Family, ...] = get_args(Family)
+GAINS = {"P": "K_p", "I": "K_i", "D": "K_d"}
+
+
+@dataclass(frozen=True, slots=True)
+class Controller:
+    """K_p + K_i/s + K_d s, of which a family has some; `gains` in the order of its letters."""
+
+    family: Family
+    gains: tuple[Expr, ...]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return tuple(GAINS[letter] for letter in self.family)
+
+    @property
+    def terms(self) -> tuple[Expr, ...]:
+        """K_p, K_i/s, K_d s: what is added up."""
+        return tuple(_term(letter, gain) for letter, gain in zip(self.family, self.gains, strict=True))
+
+    @property
+    def sum(self) -> Expr:
+        return add(*self.terms)
+
+    def ratio(self, decimals: bool = False) -> Ratio:
+        """Over one denominator."""
+        return total((Ratio.of(part) for part in self.terms), decimals)
+
+    @property
+    def integrates(self) -> bool:
+        return "I" in self.family
+
+    @property
+    def differentiates(self) -> bool:
+        return "D" in self.family
+
+
+def _term(letter: str, gain: Expr) -> Expr:
+    match letter:
+        case "I":
+            return Quotient(gain, S)
+        case "D":
+            return term(Ratio.of(gain), S) if not isinstance(gain, Symbol) else multiply(gain, S)
+        case _:
+            return gain

@@ -1,0 +1,77 @@
+"""Trees read as linear forms: a coefficient for each signal, kept unexpanded."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import TypeAlias
+
+from derive.algebra.text import text
+from derive.control.ratios import Ratio, total
+from derive.errors import NotDerivable
+from derive.expression import Expr, Power, Product, Quotient, Sum, Symbol, add, free_symbols, multiply, negate
+
+Form: TypeAlias = Mapping[Symbol, Ratio]  # signal -> its coefficient; zero coefficients left out
+UNIT = Symbol("1")  # stands for the part without a signal
+
+
+def form_of(expr: Expr, signals: Iterable[Symbol], decimals: bool = False) -> Form:
+    """The linear form of a tree. Raises NotDerivable where a term has no signal, or a product two."""
+    found = _read(expr, frozenset(signals), decimals)
+    if UNIT in found:
+        raise NotDerivable(f"{text(expr)} has a term without a signal")
+    return found
+
+
+def combined(parts: Iterable[tuple[Ratio, Form]], decimals: bool = False) -> Form:
+    """The sum of multiples of forms."""
+    collected: dict[Symbol, list[Ratio]] = {}
+    for scale, form in parts:
+        for signal, coefficient in form.items():
+            collected.setdefault(signal, []).append(scale * coefficient)
+    sums = {signal: total(each, decimals) for signal, each in collected.items()}
+    return {signal: coefficient for signal, coefficient in sums.items() if coefficient}
+
+
+def term(coefficient: Ratio, signal: Expr, decimals: bool = False) -> Expr:
+    """A coefficient times a signal, as it is written."""
+    if coefficient.scale < 0:
+        return negate(term(-coefficient, signal, decimals))
+    if coefficient.bottom and not coefficient.top:
+        top, bottom = coefficient.parts(decimals)
+        return Quotient(multiply(top, signal), bottom)
+    written = coefficient.expr(decimals)
+    factors = written.factors if isinstance(written, Product) else (written,)
+    return multiply(*factors, signal)
+
+
+def tree(form: Form, decimals: bool = False) -> Expr:
+    """A form as it is written."""
+    return add(*(term(coefficient, signal, decimals) for signal, coefficient in form.items()))
+
+
+def _read(expr: Expr, signals: frozenset[Symbol], decimals: bool) -> Form:
+    inside = free_symbols(expr) & {signal.name for signal in signals}
+    if not inside:
+        value = Ratio.of(expr)
+        return {UNIT: value} if value else {}
+    match expr:
+        case Symbol():
+            return {expr: Ratio()}
+        case Sum(terms):
+            return combined(((Ratio(), _read(part, signals, decimals)) for part in terms), decimals)
+        case Product(factors):
+            return _of_product(factors, signals, decimals)
+        case Quotient(top, bottom) if not free_symbols(bottom) & inside:
+            return combined([(Ratio.of(bottom).inverse(), _read(top, signals, decimals))], decimals)
+        case Power(base, exponent) if exponent == multiply():
+            return _read(base, signals, decimals)
+    raise NotDerivable(f"{text(expr)} is not linear in {', '.join(sorted(inside))}")
+
+
+def _of_product(factors: tuple[Expr, ...], signals: frozenset[Symbol], decimals: bool) -> Form:
+    names = {signal.name for signal in signals}
+    holders = [factor for factor in factors if free_symbols(factor) & names]
+    if len(holders) > 1:
+        raise NotDerivable(f"{text(Product(factors))} is a product of signals")
+    scale = Ratio.of(multiply(*(factor for factor in factors if factor is not holders[0])))
+    return combined([(scale, _read(holders[0], signals, decimals))], decimals)

@@ -1,0 +1,180 @@
+"""Rational functions of s as two polynomials with exact coefficients, highest power first."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import reduce
+from math import lcm
+from typing import TypeAlias
+
+from flint import fmpq
+
+from derive.algebra.normal import normal
+from derive.algebra.numeric import scalar_number
+from derive.algebra.readable import readable
+from derive.algebra.scalar import Scalar, as_fraction, common_ring
+from derive.algebra.terms import Style
+from derive.control.ratios import Ratio
+from derive.expression import ONE, ZERO, Expr, Power, Product, Quotient, Symbol, add, multiply, number
+
+S = Symbol("s")
+Polynomial: TypeAlias = tuple[Scalar, ...]  # coefficients, highest power first, the first not zero
+
+
+@dataclass(frozen=True, slots=True)
+class Rational:
+    """num / den. Not reduced unless it says so: what cancels is a mode that the output does not show."""
+
+    num: Polynomial
+    den: Polynomial
+
+    @staticmethod
+    def of(ratio: Ratio) -> Rational:
+        """An unexpanded ratio multiplied out; common factors stay."""
+        top, bottom = ratio.parts()
+        value = normal(top) / normal(bottom)
+        if not value:
+            return Rational((), (Scalar.of(1),))
+        return Rational(polynomial(normal(top)), polynomial(normal(bottom)))
+
+    @property
+    def proper(self) -> bool:
+        return len(self.num) <= len(self.den)
+
+    @property
+    def strictly_proper(self) -> bool:
+        return len(self.num) < len(self.den)
+
+    @property
+    def value(self) -> Scalar:
+        return scalar(self.num) / scalar(self.den)
+
+    def reduced(self) -> Rational:
+        """Without common factors; itself where there are none."""
+        top, bottom = scalar(self.num), scalar(self.den)
+        both = top + bottom  # lives in a ring that holds the two
+        common = top.into(both.ring).numerator.gcd(bottom.into(both.ring).numerator)
+        if not self.num:
+            return Rational((), (Scalar.of(1),))
+        if common.is_constant():
+            return self
+        value = top / bottom
+        below = Scalar.of(1) if value.denominator is None else Scalar(value.ring, value.denominator)
+        return Rational(*_cleared(polynomial(Scalar(value.ring, value.numerator)), polynomial(below)))
+
+    @property
+    def cancelled(self) -> int:
+        """How many poles zeros cancel."""
+        return len(self.den) - len(self.reduced().den)
+
+    def at(self, names: Mapping[Expr, Expr]) -> Rational:
+        """With names replaced by what they stand for."""
+        values = {name.name: normal(name, names) for name in names if isinstance(name, Symbol)}
+        num = tuple(coefficient.substitute(values) for coefficient in self.num)
+        den = tuple(coefficient.substitute(values) for coefficient in self.den)
+        return Rational(_stripped(num), _stripped(den))
+
+    def expr(self, style: Style = Style()) -> Expr:
+        """Both polynomials collected by powers of s."""
+        top, bottom = written(self.num, style), written(self.den, style)
+        return top if bottom == ONE else Quotient(top, bottom)
+
+    def numbers(self) -> tuple[list[float], list[float]]:
+        """The coefficients as floats. Raises KeyError where a symbol is left."""
+        return _floats(self.num), _floats(self.den)
+
+    def symbols(self) -> frozenset[str]:
+        """The names of the coefficients."""
+        return frozenset(name for c in (*self.num, *self.den) if c for name in c.generators())
+
+
+def polynomial(value: Scalar) -> Polynomial:
+    """The coefficients of a polynomial in s."""
+    if S.name not in value.ring.index:
+        return (value,) if value else ()
+    place = value.ring.index[S.name]
+    groups: dict[int, dict[tuple[int, ...], fmpq]] = {}
+    for exponents, coefficient in value.numerator.to_dict().items():
+        rest = (*exponents[:place], 0, *exponents[place + 1 :])
+        groups.setdefault(int(exponents[place]), {})[rest] = coefficient
+    top = max(groups, default=-1)
+    below = 1 if value.denominator is None else Scalar(value.ring, value.denominator)
+    return tuple(
+        Scalar(value.ring, value.ring.context.from_dict(groups.get(power, {}))) / below
+        for power in range(top, -1, -1)
+    )
+
+
+def scalar(coefficients: Sequence[Scalar]) -> Scalar:
+    """The polynomial of coefficients."""
+    s = Scalar.symbol(S.name)
+    value = Scalar.of(0)
+    for coefficient in coefficients:
+        value = value * s + coefficient
+    return value
+
+
+def times(left: Polynomial, right: Polynomial) -> Polynomial:
+    return polynomial(scalar(left) * scalar(right))
+
+
+def plus(left: Polynomial, right: Polynomial) -> Polynomial:
+    return polynomial(scalar(left) + scalar(right))
+
+
+def written(coefficients: Sequence[Scalar], style: Style = Style()) -> Expr:
+    """Collected: `J L_a s^3 + (J R_a + L_a b) s^2 + ...`; what all coefficients share comes first."""
+    common = shared(coefficients)
+    if common.constant is None:
+        inner = written([coefficient / common for coefficient in coefficients], style)
+        return multiply(*_factors(readable(common, style)), inner)
+    degree = len(coefficients) - 1
+    terms = [
+        _term(readable(coefficient, style), degree - place)
+        for place, coefficient in enumerate(coefficients)
+        if coefficient
+    ]
+    return add(*terms) if terms else ZERO
+
+
+def shared(coefficients: Sequence[Scalar]) -> Scalar:
+    """The symbols common to two coefficients or more; else 1."""
+    several = [coefficient for coefficient in coefficients if coefficient]
+    if len(several) < 2 or any(coefficient.denominator is not None for coefficient in several):
+        return Scalar.of(1)
+    home = common_ring(several)
+    polynomials = [coefficient.into(home).numerator for coefficient in several]
+    common = reduce(lambda left, right: left.gcd(right), polynomials)
+    return Scalar.of(1) if common.is_constant() else Scalar(home, common)
+
+
+def _factors(expr: Expr) -> tuple[Expr, ...]:
+    return expr.factors if isinstance(expr, Product) else (expr,)
+
+
+def _term(coefficient: Expr, power: int) -> Expr:
+    if power == 0:
+        return coefficient
+    return multiply(*_factors(coefficient), S if power == 1 else Power(S, number(power)))
+
+
+def _floats(coefficients: Polynomial) -> list[float]:
+    return [scalar_number(c, {}) if c else 0.0 for c in coefficients]
+
+
+def _stripped(coefficients: Polynomial) -> Polynomial:
+    first = next((place for place, c in enumerate(coefficients) if c), len(coefficients))
+    return coefficients[first:]
+
+
+def _cleared(num: Polynomial, den: Polynomial) -> tuple[Polynomial, Polynomial]:
+    """Both multiplied so that no coefficient has a fraction."""
+    below = lcm(*(_denominator(c) for c in (*num, *den)))
+    return tuple(c * below for c in num), tuple(c * below for c in den)
+
+
+def _denominator(value: Scalar) -> int:
+    fractions = (as_fraction(c) for _, c in value.numerator.terms())
+    return lcm(*(Fraction(f).denominator for f in fractions))

@@ -1,0 +1,109 @@
+"""A worked answer as a value: what was found, by which steps, and what was verified about it.
+
+Frozen values and no behaviour beyond reading them. There is no English and no LaTeX here: the
+sentences live in `templates/words/` and refer to the steps by name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any, TypeAlias
+
+from derive.expression import Expr
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One move of a derivation.
+
+    `chain` holds expressions each equal to the next, the answer of the step last. `rule` is the
+    law that justifies it, by name. `facts` are plain values the words need to choose a sentence
+    ("world", "prismatic", an index); `steps` are the smaller moves inside this one.
+    """
+
+    name: str
+    chain: tuple[Expr, ...] = ()
+    rule: str = ""
+    facts: Mapping[str, Any] = field(default_factory=dict)
+    steps: tuple[Step, ...] = ()
+
+    @property
+    def result(self) -> Expr:
+        return self.chain[-1]
+
+
+@dataclass(frozen=True, slots=True)
+class Claim:
+    """Something verified about a derivation: what, by which means, and whether it holds."""
+
+    claim: str
+    by: str
+    holds: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Branch:
+    """One solution among several: the value of each unknown, and when it is the one."""
+
+    values: Mapping[str, Expr]
+    when: str
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Rows under headings; an entry is mathematics or plain text."""
+
+    headings: tuple[Expr | str, ...]
+    rows: tuple[tuple[Expr | str, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Plot:
+    """Curves to draw: labels of the axes and named series of points. Data only, no drawing."""
+
+    name: str
+    x_label: str
+    y_label: str
+    series: Mapping[str, tuple[tuple[float, ...], tuple[float, ...]]]
+    marks: Mapping[str, float] = field(default_factory=dict)  # horizontal lines
+
+
+Result: TypeAlias = Expr | tuple[Branch, ...] | tuple[tuple[Expr, ...], ...] | float | str
+
+
+@dataclass(frozen=True, slots=True)
+class Derivation:
+    """The answer to one question.
+
+    `results` and `evaluated` are named as in the JSON contract. `definitions` says what each name
+    in the chains stands for, so that every chain can be checked from end to end. `uses` are the
+    derivations this one rests on, printed before it unless an earlier question printed them.
+    """
+
+    kind: str
+    steps: tuple[Step, ...]
+    results: Mapping[str, Result]
+    claims: tuple[Claim, ...] = ()
+    definitions: Mapping[Expr, Expr] = field(default_factory=dict)
+    evaluated: Mapping[str, Any] = field(default_factory=dict)
+    uses: tuple[Derivation, ...] = ()
+    plots: tuple[Plot, ...] = ()
+    facts: Mapping[str, Any] = field(default_factory=dict)
+
+    def step(self, name: str) -> Step:
+        """The step of this name, however deep. Raises KeyError."""
+        for step in self.all_steps():
+            if step.name == name:
+                return step
+        raise KeyError(name)
+
+    def all_steps(self) -> Iterator[Step]:
+        """Every step, outer ones first, in the order of the page."""
+        yield from _walk(self.steps)
+
+
+def _walk(steps: tuple[Step, ...]) -> Iterator[Step]:
+    for step in steps:
+        yield step
+        yield from _walk(step.steps)

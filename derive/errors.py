@@ -1,0 +1,60 @@
+"""The only errors a user meets: each says what is wrong, where, and what to write instead."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A spot in a sheet. Lines and columns count from 1; `text` is the whole line."""
+
+    file: str
+    line: int
+    column: int
+    text: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line}:{self.column}"
+
+
+class SheetError(Exception):
+    """One fault of a sheet: what is wrong, where (if known), and a hint what to write."""
+
+    def __init__(self, message: str, place: Place | None = None, hint: str = "") -> None:
+        super().__init__(message)
+        self.message = message
+        self.place = place
+        self.hint = hint
+
+    def at(self, place: Place) -> SheetError:
+        """The same fault with its place, unless it already knows a closer one."""
+        return self if self.place else SheetError(self.message, place, self.hint)
+
+
+class SheetErrors(Exception):
+    """Every fault of a sheet at once, in the order of the file."""
+
+    def __init__(self, errors: Iterable[SheetError]) -> None:
+        self.errors = tuple(sorted(errors, key=_position))
+        super().__init__(f"{len(self.errors)} fault(s)")
+
+
+class FormulaError(ValueError):
+    """A formula that cannot be read. `offset` is where in its text, from 0."""
+
+    def __init__(self, message: str, offset: int = 0, hint: str = "") -> None:
+        super().__init__(message)
+        self.message = message
+        self.offset = offset
+        self.hint = hint
+
+
+class NotDerivable(Exception):
+    """What was asked has no answer this program can derive; the message says why."""
+
+
+def _position(error: SheetError) -> tuple[str, int, int]:
+    place = error.place
+    return (place.file, place.line, place.column) if place else ("", 0, 0)

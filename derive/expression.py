@@ -1,0 +1,286 @@
+"""Mathematics as it is written: immutable trees that keep the order and the form they were given.
+
+A tree is what a page shows and what an author typed. Nothing here is evaluated, reordered or
+cancelled: `2*(a + b)` stays a product and `0.10` stays a decimal. Meaning is given elsewhere:
+`derive.algebra` brings a tree to its normal form (equality is `==` there) and finds the readable
+tree of a normal form; `derive.render` prints it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import TypeAlias
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """An exact rational. `decimal` prints it as a decimal fraction, as its author typed it."""
+
+    value: Fraction
+    decimal: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Approximate:
+    """A number known only to floating point; printed to the digits the sheet asks for."""
+
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
+class Degrees:
+    """An angle given in degrees. Its value is `value * pi / 180`."""
+
+    value: Fraction
+
+
+@dataclass(frozen=True, slots=True)
+class Symbol:
+    """A name as typed or as in the results: `theta1`, `L_c`, `theta1_dot`, `T_1^0`, `c_111`; `pi`."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Indexed:
+    """A name with mathematics in its indices: `R_{z, 30 deg}`."""
+
+    base: str
+    lower: tuple[Expr, ...] = ()
+    upper: tuple[Expr, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Sum:
+    """Terms added in this order; a term with a negative leading number prints as a difference."""
+
+    terms: tuple[Expr, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Product:
+    """Factors in this order, of numbers, matrices or both; a leading -1 prints as a sign."""
+
+    factors: tuple[Expr, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Quotient:
+    """A fraction."""
+
+    numerator: Expr
+    denominator: Expr
+
+
+@dataclass(frozen=True, slots=True)
+class Power:
+    """A power; the base may be a square matrix where the exponent is an integer."""
+
+    base: Expr
+    exponent: Expr
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A function by name: `cos`, `sin`, `tan`, `sqrt`, `atan2`, `acos`, `asin`, `atan`, `abs`, `sign`,
+    `exp`, `log`; of matrices `transpose`, `inverse`, `cross`, `det`."""
+
+    function: str
+    arguments: tuple[Expr, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Matrix:
+    """Rows of entries; a column vector has rows of one. Entries may be blocks."""
+
+    rows: tuple[tuple[Expr, ...], ...]
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        return len(self.rows), len(self.rows[0])
+
+
+@dataclass(frozen=True, slots=True)
+class Derivative:
+    """A partial derivative, as yet to be taken."""
+
+    of: Expr
+    by: Symbol
+
+
+Expr: TypeAlias = (
+    Number
+    | Approximate
+    | Degrees
+    | Symbol
+    | Indexed
+    | Sum
+    | Product
+    | Quotient
+    | Power
+    | Call
+    | Matrix
+    | Derivative
+)
+
+ZERO = Number(Fraction(0))
+ONE = Number(Fraction(1))
+MINUS_ONE = Number(Fraction(-1))
+PI = Symbol("pi")
+
+
+def number(value: int | str | Fraction, decimal: bool = False) -> Number:
+    """`number("1/2")`, `number(3)`."""
+    return Number(Fraction(value), decimal)
+
+
+def symbols(names: str) -> tuple[Symbol, ...]:
+    """`a, b = symbols("a b")`."""
+    return tuple(Symbol(name) for name in names.split())
+
+
+def add(*terms: Expr) -> Expr:
+    """The sum of terms, with zeros left out."""
+    kept = tuple(term for term in terms if term != ZERO)
+    return Sum(kept) if len(kept) > 1 else kept[0] if kept else ZERO
+
+
+def multiply(*factors: Expr) -> Expr:
+    """The product of factors, with ones left out; zero if a scalar factor is zero."""
+    if ZERO in factors:
+        return ZERO
+    kept = tuple(factor for factor in factors if factor != ONE)
+    return Product(kept) if len(kept) > 1 else kept[0] if kept else ONE
+
+
+def negate(expr: Expr) -> Expr:
+    """The opposite, written with a leading minus; a minus that is there already is dropped."""
+    match expr:
+        case Number(value, decimal):
+            return Number(-value, decimal)
+        case Approximate(value):
+            return Approximate(-value)
+        case Degrees(value):
+            return Degrees(-value)
+        case Quotient(top, bottom):
+            return Quotient(negate(top), bottom)
+        case Product((Number(value, decimal), *rest)):
+            return multiply(Number(-value, decimal), *rest)
+        case Product(factors):
+            return Product((MINUS_ONE, *factors))
+        case _:
+            return Product((MINUS_ONE, expr))
+
+
+def is_negative(expr: Expr) -> bool:
+    """Whether it prints with a leading minus sign."""
+    match expr:
+        case Number(value) | Degrees(value):
+            return value < 0
+        case Approximate(approximate):
+            return approximate < 0
+        case Product((first, *_)):
+            return is_negative(first)
+        case Quotient(top, _):
+            return is_negative(top)
+        case _:
+            return False
+
+
+def subtract(left: Expr, right: Expr) -> Expr:
+    """`left - right`."""
+    return add(left, negate(right))
+
+
+def squared(expr: Expr) -> Expr:
+    """`expr^2`."""
+    return Power(expr, number(2))
+
+
+def cos(angle: Expr) -> Call:
+    return Call("cos", (angle,))
+
+
+def sin(angle: Expr) -> Call:
+    return Call("sin", (angle,))
+
+
+def sqrt(expr: Expr) -> Call:
+    return Call("sqrt", (expr,))
+
+
+def atan2(y: Expr, x: Expr) -> Call:
+    """Always y first here; the notation of a sheet decides how it is printed."""
+    return Call("atan2", (y, x))
+
+
+def transpose(expr: Expr) -> Call:
+    return Call("transpose", (expr,))
+
+
+def cross(left: Expr, right: Expr) -> Call:
+    return Call("cross", (left, right))
+
+
+def column(entries: Iterable[Expr]) -> Matrix:
+    """A column vector."""
+    return Matrix(tuple((entry,) for entry in entries))
+
+
+def children(expr: Expr) -> tuple[Expr, ...]:
+    """The parts of a tree, in the order they are written."""
+    match expr:
+        case Indexed(_, lower, upper):
+            return lower + upper
+        case Sum(parts) | Product(parts) | Call(_, parts):
+            return parts
+        case Quotient(left, right) | Power(left, right):
+            return left, right
+        case Matrix(rows):
+            return tuple(entry for row in rows for entry in row)
+        case Derivative(of, by):
+            return of, by
+        case _:
+            return ()
+
+
+def walk(expr: Expr) -> Iterator[Expr]:
+    """Every node of a tree, parents first."""
+    yield expr
+    for child in children(expr):
+        yield from walk(child)
+
+
+def rebuild(expr: Expr, change: Callable[[Expr], Expr]) -> Expr:
+    """The same node with `change` applied to each of its parts."""
+    match expr:
+        case Sum(terms):
+            return Sum(tuple(map(change, terms)))
+        case Product(factors):
+            return Product(tuple(map(change, factors)))
+        case Quotient(top, bottom):
+            return Quotient(change(top), change(bottom))
+        case Power(base, exponent):
+            return Power(change(base), change(exponent))
+        case Call(function, arguments):
+            return Call(function, tuple(map(change, arguments)))
+        case Matrix(rows):
+            return Matrix(tuple(tuple(map(change, row)) for row in rows))
+        case Derivative(of, by):
+            return Derivative(change(of), by)
+        case _:
+            return expr
+
+
+def replace(expr: Expr, values: Mapping[Expr, Expr]) -> Expr:
+    """The tree with each node that is a key of `values` replaced, outermost first."""
+    if expr in values:
+        return values[expr]
+    return rebuild(expr, lambda part: replace(part, values))
+
+
+def free_symbols(expr: Expr) -> frozenset[str]:
+    """The names in a tree, `pi` apart."""
+    return frozenset(node.name for node in walk(expr) if isinstance(node, Symbol) and node != PI)

@@ -1,0 +1,101 @@
+"""What every derivation is held to: links between the steps, laws, and a second route in numbers."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import Names, Value, Walk
+from derive.derivation import Claim, Step
+from derive.expression import Approximate, Expr, Indexed, Symbol, walk
+
+NORMAL_FORM = "normal form"
+SECOND_ROUTE = "independent route"
+TOLERANCE = 1e-9
+
+
+def links(steps: Iterable[Step], names: Names) -> tuple[Claim, ...]:
+    """Each chain equal from end to end; one claim a step, inner steps included.
+
+    A step by rule "law" states what holds in general and has nothing to compare.
+    """
+    walk_of = Walk(names)
+    return tuple(_link(step, walk_of) for step in _all(steps) if len(step.chain) > 1 and step.rule != "law")
+
+
+def law(claim: str, holds: bool) -> Claim:
+    """A law decided by normal form: `law("R^T R = 1", R.T @ R == identity)`."""
+    return Claim(claim, NORMAL_FORM, holds)
+
+
+def agreement(
+    claim: str,
+    symbols: Iterable[str],
+    ours: Callable[[Mapping[str, float]], Any],
+    other: Callable[[Mapping[str, float]], Any],
+    tolerance: float = TOLERANCE,
+    points: int = 3,
+) -> Claim:
+    """Two routes to the same numbers at random points of the symbols."""
+    names = sorted(symbols)
+    holds = all(close(ours(at), other(at), tolerance) for at in random_points(names, points))
+    return Claim(claim, SECOND_ROUTE, holds)
+
+
+def random_points(names: Iterable[str], count: int) -> Iterator[dict[str, float]]:
+    """Points anyone gets again: the same names give the same numbers."""
+    names = list(names)
+    draw = random.Random(" ".join(names))
+    for _ in range(count):
+        yield {name: draw.uniform(0.2, 1.9) for name in names}
+
+
+def close(left: Any, right: Any, tolerance: float = TOLERANCE) -> bool:
+    """Whether floats or nested lists of them agree, relative to their size."""
+    a, b = list(flat(left)), list(flat(right))
+    scale = max([1.0, *map(abs, a), *map(abs, b)])
+    return len(a) == len(b) and all(abs(x - y) <= tolerance * scale for x, y in zip(a, b, strict=True))
+
+
+def flat(value: Any) -> Iterator[float]:
+    """The numbers in nested lists or arrays, in order."""
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, list | tuple):
+        for part in value:
+            yield from flat(part)
+    else:
+        yield float(value)
+
+
+def is_rotation(R: ScalarMatrix, name: str = "R") -> tuple[Claim, ...]:
+    """R^T R = 1 and det R = 1."""
+    return (
+        law(f"{name}^T {name} = 1", R.T @ R == ScalarMatrix.identity(3)),
+        law(f"det {name} = 1", R.det() == 1),
+    )
+
+
+def _link(step: Step, walk_of: Walk) -> Claim:
+    names_itself = isinstance(step.chain[0], Symbol | Indexed) and step.chain[0] not in walk_of.names
+    chain = step.chain[1:] if names_itself else step.chain
+    values = [_plain(walk_of.value(expr)) for expr in chain if not _rounded(expr)]
+    holds = all(a == b for a, b in zip(values, values[1:], strict=False))
+    return Claim(f"{step.name}: every link of the chain", NORMAL_FORM, holds)
+
+
+def _plain(value: Value) -> Value:
+    """A product such as g^T o is a scalar, though a matrix of one entry."""
+    return value[0, 0] if isinstance(value, ScalarMatrix) and value.shape == (1, 1) else value
+
+
+def _rounded(expr: Expr) -> bool:
+    return any(isinstance(node, Approximate) for node in walk(expr))
+
+
+def _all(steps: Iterable[Step]) -> Iterator[Step]:
+    for step in steps:
+        yield step
+        yield from _all(step.steps)

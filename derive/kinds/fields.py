@@ -1,0 +1,149 @@
+"""The types of fields an author fills in: formulas with their units, names, points and vectors.
+
+Each takes text as typed (or an `Expr`, where a program asks) and gives a tree in SI units. The
+names declared under `symbols:` come with the validation context, as `{"names": frozenset}`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Annotated, Any, TypeAlias, get_args
+
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    GetCoreSchemaHandler,
+    PlainValidator,
+    ValidationInfo,
+    WithJsonSchema,
+)
+from pydantic_core import CoreSchema, core_schema
+
+from derive.algebra.grammar import parse, parse_equation, parse_starred
+from derive.algebra.spelling import ARGUMENTS
+from derive.algebra.tokens import tokens
+from derive.algebra.units import (
+    ACCELERATION,
+    ANGLE,
+    ANY,
+    FORCE,
+    INERTIA,
+    LENGTH,
+    MASS,
+    SPEED,
+    TIME,
+    TORQUE,
+    Wanted,
+    spoken,
+)
+from derive.control.system import Equation
+from derive.errors import FormulaError
+from derive.expression import Expr
+
+TREES = get_args(Expr)
+
+
+class OptionsModel(BaseModel):
+    """What stands beside `find`. Fields that are Python words take `Field(alias="from")`."""
+
+    model_config = ConfigDict(
+        frozen=True, extra="forbid", populate_by_name=True, arbitrary_types_allowed=True
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class Starred:
+    """A formula and the joint variable marked in it by a star, if one is."""
+
+    expr: Expr
+    variable: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class _Reader:
+    """How a field of one dimension reads its text; the annotation that makes it a pydantic type."""
+
+    dimension: Wanted
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        return core_schema.with_info_plain_validator_function(self.read)
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: Any) -> dict[str, Any]:
+        what = spoken(self.dimension) if isinstance(self.dimension, tuple) else "a formula"
+        return {"type": ["string", "number"], "description": what}
+
+    def read(self, typed: Any, info: ValidationInfo) -> Any:
+        if isinstance(typed, TREES):
+            return typed
+        return parse(text_of(typed), dimension=self.dimension, names=declared(info))
+
+
+class _StarredReader(_Reader):
+    """The same, with a star allowed."""
+
+    def read(self, typed: Any, info: ValidationInfo) -> Any:
+        if isinstance(typed, Starred):
+            return typed
+        return Starred(*parse_starred(text_of(typed), dimension=self.dimension, names=declared(info)))
+
+
+def declared(info: ValidationInfo) -> frozenset[str]:
+    """The names declared under `symbols:`."""
+    return frozenset((info.context or {}).get("names", ()))
+
+
+def text_of(typed: Any) -> str:
+    """The text of a scalar. Raises FormulaError for anything else."""
+    if isinstance(typed, str):
+        return typed
+    if isinstance(typed, int | Fraction) and not isinstance(typed, bool):
+        return f"({typed})" if isinstance(typed, Fraction) else str(typed)
+    if isinstance(typed, float):
+        return repr(typed)
+    if typed is None:
+        raise FormulaError("a formula is missing")
+    raise FormulaError("a formula is wanted here", hint="write one formula, not a list or a mapping")
+
+
+def read_name(typed: Any) -> str:
+    """One name, normalised (a Greek letter is spelled out). Raises FormulaError."""
+    found = tokens(text_of(typed))
+    if len(found) != 2 or found[0].kind != "name":
+        raise FormulaError("a name is wanted here", hint="use letters, digits and _, as theta1 or L_c")
+    if found[0].text in ARGUMENTS or found[0].text == "pi":
+        raise FormulaError(f"'{found[0].text}' has a meaning of its own", hint="choose another name")
+    return found[0].text
+
+
+def _read_equation(typed: Any, info: ValidationInfo) -> Equation:
+    return (
+        typed
+        if isinstance(typed, Equation)
+        else Equation(*parse_equation(text_of(typed), names=declared(info)))
+    )
+
+
+Formula: TypeAlias = Annotated[Expr, _Reader(None)]  # no units but angles: an entry of a rotation
+Quantity: TypeAlias = Annotated[Expr, _Reader(ANY)]  # any unit
+Length: TypeAlias = Annotated[Expr, _Reader(LENGTH)]
+Angle: TypeAlias = Annotated[Expr, _Reader(ANGLE)]
+Mass: TypeAlias = Annotated[Expr, _Reader(MASS)]
+InertiaMoment: TypeAlias = Annotated[Expr, _Reader(INERTIA)]
+Time: TypeAlias = Annotated[Expr, _Reader(TIME)]
+Speed: TypeAlias = Annotated[Expr, _Reader(SPEED)]
+Acceleration: TypeAlias = Annotated[Expr, _Reader(ACCELERATION)]
+Force: TypeAlias = Annotated[Expr, _Reader(FORCE)]
+Torque: TypeAlias = Annotated[Expr, _Reader(TORQUE)]
+StarredLength: TypeAlias = Annotated[Starred, _StarredReader(LENGTH)]
+StarredAngle: TypeAlias = Annotated[Starred, _StarredReader(ANGLE)]
+StarredQuantity: TypeAlias = Annotated[Starred, _StarredReader(ANY)]
+Name: TypeAlias = Annotated[
+    str, PlainValidator(read_name), WithJsonSchema({"type": "string", "description": "a name, as theta1"})
+]
+EquationField: TypeAlias = Annotated[
+    Equation,
+    PlainValidator(_read_equation),
+    WithJsonSchema({"type": "string", "description": "left = right"}),
+]
+Point: TypeAlias = tuple[Length, Length, Length]

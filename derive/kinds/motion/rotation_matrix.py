@@ -1,0 +1,35 @@
+"""The rotation matrix of a sequence of rotations about world and current axes."""
+
+from __future__ import annotations
+
+from derive.derivation import Derivation
+from derive.kinds.evaluation import Evaluation
+from derive.kinds.fields import OptionsModel
+from derive.kinds.motion._product import composed
+from derive.kinds.problem import Problem
+from derive.mechanics.motion import Motion
+
+RESULTS = {
+    "R": "the rotation matrix (3 by 3)",
+    "R_1, R_2, ...": "each factor, in the order in which the rotations are made",
+}
+EXAMPLE = """\
+title: Two rotations
+problems:
+- motion:
+  - {rotate: x, by: phi, about: world}
+  - {rotate: z, by: psi, about: current}
+  find: rotation-matrix
+"""
+
+
+class Options(OptionsModel):
+    """`evaluate: true` writes a motion of numbers in decimals."""
+
+    evaluate: Evaluation = None
+
+
+def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
+    """R (3 by 3); translations do not turn anything and are left out (Spong et al., section 2.4)."""
+    rotations = tuple(move for move in motion.moves if move.kind == "rotate")
+    return composed("rotation-matrix", rotations, problem, 3, options.evaluate == ())

@@ -1,0 +1,34 @@
+"""The homogeneous transform of a sequence of rotations and translations."""
+
+from __future__ import annotations
+
+from derive.derivation import Derivation
+from derive.kinds.evaluation import Evaluation
+from derive.kinds.fields import OptionsModel
+from derive.kinds.motion._product import composed
+from derive.kinds.problem import Problem
+from derive.mechanics.motion import Motion
+
+RESULTS = {
+    "T": "the homogeneous transform (4 by 4)",
+    "A_1, A_2, ...": "each factor, in the order in which the moves are made",
+}
+EXAMPLE = """\
+title: A rotation and a translation
+problems:
+- motion:
+  - {rotate: x, by: alpha, about: world}
+  - {translate: z, by: b, about: world}
+  find: transform
+"""
+
+
+class Options(OptionsModel):
+    """`evaluate: true` writes a motion of numbers in decimals."""
+
+    evaluate: Evaluation = None
+
+
+def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
+    """T (4 by 4) (Spong et al., section 2.6)."""
+    return composed("transform", motion.moves, problem, 4, options.evaluate == ())

@@ -1,0 +1,35 @@
+"""Names for entries too long to stand in their matrix: r_11, r_12, ... listed below it."""
+
+from __future__ import annotations
+
+from derive.algebra.operations import operations
+from derive.derivation import Step
+from derive.expression import Expr, Matrix, Symbol, number
+
+# A row with more operations than this would not fit on a line of a page.
+LONGEST_ROW = 24
+
+
+def with_named_entries(matrix: Matrix) -> tuple[Matrix, tuple[Step, ...]]:
+    """A pose (4 by 4) with its long blocks named: the rotation r_11, ..., the position p_x, p_y, p_z.
+
+    The rotation is named as a whole, so that a reader need not look which entry is short.
+    """
+    if all(sum(map(operations, row)) <= LONGEST_ROW for row in matrix.rows):
+        return matrix, ()
+    named = {(i, j): Symbol(f"r_{i + 1}{j + 1}") for i in range(3) for j in range(3)}
+    if any(operations(matrix.rows[i][3]) > LONGEST_ROW // 2 for i in range(3)):
+        named |= {(i, 3): Symbol(f"p_{axis}") for i, axis in enumerate("xyz")}
+    named = {place: name for place, name in named.items() if not _plain(matrix.rows[place[0]][place[1]])}
+    return _with(matrix, named), tuple(
+        Step(name.name, (name, matrix.rows[i][j]), "entry") for (i, j), name in sorted(named.items())
+    )
+
+
+def _plain(expr: Expr) -> bool:
+    return expr in (number(0), number(1), number(-1))
+
+
+def _with(matrix: Matrix, named: dict[tuple[int, int], Symbol]) -> Matrix:
+    rows = enumerate(matrix.rows)
+    return Matrix(tuple(tuple(named.get((i, j), e) for j, e in enumerate(row)) for i, row in rows))

@@ -1,0 +1,39 @@
+"""Trees in numbers where `where` gives names their values."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from derive.algebra.normal import normal
+from derive.algebra.numeric import Point, number
+from derive.expression import Approximate, Expr, Matrix, free_symbols
+from derive.kinds.problem import Problem
+
+
+def completed(point: Point, where: Mapping[str, Expr]) -> Point:
+    """The point with the values of `where` added, those that rest on others after them. Names whose
+    value is not decided by the point are left out."""
+    found = dict(point)
+    pending = dict(where)
+    while ready := [name for name, value in pending.items() if free_symbols(value) <= found.keys()]:
+        found.update({name: number(pending.pop(name), found) for name in ready})
+    return found
+
+
+def value_of(expr: Expr, problem: Problem) -> float | None:
+    """The number a tree without symbols stands for; None where symbols are left."""
+    known = completed({}, problem.where)
+    return number(expr, known) if free_symbols(expr) <= known.keys() else None
+
+
+def rounded(entry: Expr, problem: Problem) -> Expr:
+    """A number without symbols as a decimal, unless it is 0, 1 or -1; anything else as it is."""
+    value = value_of(entry, problem)
+    if value is None or normal(entry, problem.names).constant in (0, 1, -1):
+        return entry
+    return Approximate(value)
+
+
+def rounded_matrix(matrix: Matrix, problem: Problem) -> Matrix:
+    """Entry by entry."""
+    return Matrix(tuple(tuple(rounded(entry, problem) for entry in row) for row in matrix.rows))

@@ -1,0 +1,98 @@
+"""A problem while its questions are answered: what is given, and what has been derived already."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, fields, is_dataclass
+from typing import Any, get_args
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import Names, normal, normal_matrix
+from derive.algebra.readable import readable, readable_matrix
+from derive.algebra.scalar import Scalar
+from derive.algebra.terms import Style
+from derive.derivation import Derivation
+from derive.expression import Degrees, Expr, Matrix, Number, Symbol, free_symbols, walk
+from derive.kinds.registry import load
+
+TREES = get_args(Expr)
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """One subject and the derivations about it. `where` are names kept while working and replaced
+    at the end; `assumptions` say what is known of a name ("positive", ...)."""
+
+    name: str  # of the subject: "robot", "motion", ...
+    subject: Any
+    where: Mapping[str, Expr] = field(default_factory=dict)
+    assumptions: Mapping[str, str] = field(default_factory=dict)
+    derived: dict[tuple[str, Any], Derivation] = field(default_factory=dict)
+
+    def ask(self, kind: str, **options: Any) -> Derivation:
+        """The derivation of a question about this subject, made once however often it is asked.
+
+        Raises NotDerivable where the answer is beyond this program.
+        """
+        module = load(self.name, kind)
+        return self.answer(kind, module.Options(**options))
+
+    def answer(self, kind: str, options: Any) -> Derivation:
+        """The same with the options as the kind's own model."""
+        key = (kind, options)
+        if key not in self.derived:
+            self.derived[key] = load(self.name, kind).derive(self.subject, options, self)
+        return self.derived[key]
+
+    @property
+    def symbols(self) -> frozenset[str]:
+        """Every name the answer can depend on; those of `where` stand for others and are left out."""
+        trees = [*expressions(self.subject), *self.where.values()]
+        return frozenset().union(*map(free_symbols, trees)) - set(self.where)
+
+    # -- from trees to normal forms and back ------------------------------------------------------
+
+    @property
+    def names(self) -> Names:
+        """`where` as definitions."""
+        return {Symbol(name): value for name, value in self.where.items()}
+
+    @property
+    def style(self) -> Style:
+        """Decimals and degrees where the author typed them; joint variables in their order."""
+        trees = [node for tree in expressions(self.subject) for node in walk(tree)]
+        trees += [node for tree in self.where.values() for node in walk(tree)]
+        return Style(
+            decimals=any(isinstance(node, Number) and node.decimal for node in trees),
+            degrees=any(isinstance(node, Degrees) for node in trees),
+            order=getattr(self.subject, "variables", ()),
+        )
+
+    def readable(self, value: Scalar) -> Expr:
+        """As a person would write it, names of `where` kept."""
+        return readable(value, self.style)
+
+    def readable_matrix(self, value: ScalarMatrix) -> Matrix:
+        return readable_matrix(value, self.style)
+
+    def final(self, expr: Expr, names: Names | None = None) -> Expr:
+        """A scalar or a matrix with `where` (and `names`) replaced by their values; the same tree
+        where nothing is to be replaced."""
+        known = {**self.names, **(names or {})}
+        if not any(node in known for node in walk(expr)):
+            return expr
+        if isinstance(expr, Matrix):
+            return readable_matrix(normal_matrix(expr, known), self.style)
+        return readable(normal(expr, known), self.style)
+
+
+def expressions(value: Any) -> Iterator[Expr]:
+    """Every tree inside a frozen subject."""
+    if isinstance(value, TREES):
+        yield value
+    elif isinstance(value, tuple):
+        for part in value:
+            yield from expressions(part)
+    elif is_dataclass(value):
+        for each in fields(value):
+            yield from expressions(getattr(value, each.name))

@@ -1,0 +1,73 @@
+"""From the pose of each centre of mass to its Jacobian and its inertia, as steps."""
+
+from __future__ import annotations
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.operations import operations
+from derive.derivation import Step
+from derive.expression import Expr, Indexed, Matrix, Product, Symbol
+from derive.kinds.naming import LONGEST_ROW
+from derive.kinds.problem import Problem
+from derive.kinds.robot._bodies import Weighted
+from derive.kinds.robot._chain import pose_name
+from derive.kinds.robot._columns import jacobian_steps
+from derive.mechanics.chain import Chain
+from derive.mechanics.poses import homogeneous
+
+
+def com_steps(problem: Problem, found: Chain, body: Weighted) -> tuple[Step, ...]:
+    """T_c1, where it fits on a line, and o_c1."""
+    name, origin = Symbol(f"T_c{body.i}"), Symbol(f"o_c{body.i}")
+    pose = homogeneous(body.motion.R, body.motion.com.entries)
+    written = problem.readable_matrix(pose)
+    o = Step(origin.name, (origin, problem.readable_matrix(body.motion.com)), "extract", {"from": name.name})
+    if any(sum(map(operations, row)) > LONGEST_ROW for row in written.rows):
+        return (o,)
+    shift = _shift(problem, body.com)
+    route = (pose_name(body.i),) if shift is None else (Product((pose_name(body.i), shift)),)
+    return Step(name.name, (name, *route, written), "com-pose", {"i": body.i}), o
+
+
+def com_jacobian_steps(problem: Problem, found: Chain, body: Weighted) -> tuple[Step, ...]:
+    """J_c1 (6 by n) in the names of its vectors and written out."""
+    i = body.i
+    return jacobian_steps(problem, found, body.J, Symbol(f"J_c{i}"), Symbol(f"o_c{i}"), i)
+
+
+def inertia_steps(body: Weighted) -> tuple[Step, ...]:
+    """I_1 about the com in the link's frame; what the names of a shape's moments stand for."""
+    if not body.turns:
+        return ()
+    named = [
+        Step(str(name.name), (name, value), "moment")
+        for name, value in body.named.items()
+        if isinstance(name, Symbol)
+    ]
+    return Step(f"I_{body.i}", (Symbol(f"I_{body.i}"), body.matrix), "inertia", {"i": body.i}), *named
+
+
+def body_definitions(problem: Problem, found: Chain, body: Weighted) -> dict[Expr, Expr]:
+    """What the names of those steps and of D_i stand for."""
+    i, motion = body.i, body.motion
+    J_v, J_w = map(problem.readable_matrix, (motion.J_v, motion.J_w))
+    names: dict[Expr, Expr] = {
+        Symbol(f"T_{i}^0"): problem.readable_matrix(found.T[i]),
+        Symbol(f"R_{i}^0"): problem.readable_matrix(motion.R),
+        Symbol(f"J_v{i}"): J_v,
+        Symbol(f"J_w{i}"): J_w,
+        Symbol(f"J_c{i}"): Matrix((*J_v.rows, *J_w.rows)),
+        Symbol(f"I_{i}"): body.matrix,
+        Symbol(f"o_c{i}"): problem.readable_matrix(motion.com),
+    }
+    shift = _shift(problem, body.com)
+    if shift is not None:
+        pose = homogeneous(ScalarMatrix.identity(3), body.com.entries)
+        names[shift] = problem.readable_matrix(pose)
+    return names
+
+
+def _shift(problem: Problem, com: ScalarMatrix) -> Indexed | None:
+    """Trans(x, y, z): the translation to the com, by its coordinates."""
+    if not com:
+        return None
+    return Indexed("Trans", tuple(problem.readable(entry) for entry in com.entries))

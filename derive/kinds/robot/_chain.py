@@ -1,0 +1,80 @@
+"""What the kinds of a robot share: its chain, and the names its frames, axes and origins go by."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.derivation import Derivation, Step
+from derive.expression import Expr, Symbol
+from derive.kinds.problem import Problem
+from derive.mechanics.chain import Chain, chain
+from derive.mechanics.oracle import Oracle
+from derive.mechanics.poses import position_part, rotation_part
+from derive.mechanics.robot import DHRow, Robot
+
+TOOL = "e"  # the end-effector's frame where a tool follows the last row
+
+
+def chain_of(problem: Problem) -> Chain:
+    """The chain of the problem's robot, `where` names kept."""
+    return chain(problem.subject)
+
+
+def oracle_of(problem: Problem) -> Oracle:
+    return Oracle(problem.subject, problem.where)
+
+
+def pose_name(i: int, reference: int = 0) -> Symbol:
+    """T_2^0."""
+    return Symbol(f"T_{i}^{reference}")
+
+
+def axis_names(found: Chain, robot: Robot, i: int) -> tuple[Symbol, Symbol]:
+    """(axis, point) of joint i: z_{i-1}, o_{i-1} after Denavit and Hartenberg, z_i, o_i in the modified
+    convention; k_i, p_i where a free row puts its axis elsewhere."""
+    if robot.convention == "modified" and isinstance(robot.links[i - 1].row, DHRow):
+        return Symbol(f"z_{i}"), Symbol(f"o_{i}")
+    joint = found.joint(i)
+    if joint.before == ScalarMatrix.identity(4) and joint.axis == ScalarMatrix.column((0, 0, 1)):
+        return Symbol(f"z_{i - 1}"), Symbol(f"o_{i - 1}")
+    return Symbol(f"k_{i}"), Symbol(f"p_{i}")
+
+
+def axis_and_point(found: Chain, robot: Robot, i: int) -> tuple[ScalarMatrix, ScalarMatrix]:
+    """The vectors those names stand for (3 by 1, base frame)."""
+    _, point = axis_names(found, robot, i)
+    if point.name == f"o_{i}":
+        return rotation_part(found.T[i]).columns(2), position_part(found.T[i])
+    return found.axis(i), found.point(i)
+
+
+def axis_steps(problem: Problem, found: Chain, last: int) -> tuple[Step, ...]:
+    """z and o of every joint up to frame `last`, each vector once."""
+    steps: dict[str, Step] = {}
+    for i, _ in found.moving:
+        if i <= last:
+            values = axis_and_point(found, problem.subject, i)
+            for name, value in zip(axis_names(found, problem.subject, i), values, strict=True):
+                facts = {"joint": i, "from": name.name[2:]}
+                steps.setdefault(
+                    name.name, Step(name.name, (name, problem.readable_matrix(value)), "extract", facts)
+                )
+    return tuple(steps.values())
+
+
+def closing(step: Step, result: Expr) -> Step:
+    """The step ended by its result with every name replaced, where that says anything new."""
+    if step.chain and step.result == result:
+        return step
+    return replace(step, chain=(*step.chain, result))
+
+
+def moment_names(inertia: Derivation) -> dict[Expr, Expr]:
+    """The names of shapes' moments used while working, and what they stand for."""
+    names = {step.name for step in inertia.steps if step.rule == "moment"}
+    return {
+        name: value
+        for name, value in inertia.definitions.items()
+        if isinstance(name, Symbol) and name.name in names
+    }

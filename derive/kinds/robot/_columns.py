@@ -1,0 +1,66 @@
+"""How the columns of a Jacobian are written: z x (o - o_i) over z, or z over 0."""
+
+from __future__ import annotations
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.operations import operations
+from derive.derivation import Step
+from derive.expression import ZERO, Expr, Matrix, Product, Symbol, cross, subtract
+from derive.kinds.naming import LONGEST_ROW
+from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import axis_names, pose_name
+from derive.mechanics.chain import Chain
+from derive.mechanics.robot import Robot
+
+MOST_BLOCKS = 3  # columns; more would not stand side by side
+
+
+def column_blocks(found: Chain, robot: Robot, i: int, point: Symbol, last: int) -> tuple[Expr, Expr]:
+    """The linear and the angular part of a column, in the names of its vectors."""
+    if i > last:
+        return ZERO, ZERO
+    z, o = axis_names(found, robot, i)
+    if found.joint(i).type == "prismatic":
+        return z, ZERO
+    return cross(z, subtract(point, o)), z
+
+
+def jacobian_steps(
+    problem: Problem, found: Chain, J: ScalarMatrix, name: Symbol, point: Symbol, last: int
+) -> tuple[Step, ...]:
+    """J as a block matrix and written out; column by column where it is too wide for that."""
+    robot = problem.subject
+    blocks = [column_blocks(found, robot, i, point, last) for i, _ in found.moving]
+    written = problem.readable_matrix(J)
+    if len(blocks) <= MOST_BLOCKS:
+        block = Matrix(tuple(zip(*blocks, strict=True)))
+        return (Step(name.name, (name, block, written), "jacobian-columns"),)
+    return _by_columns(written, blocks, name)
+
+
+def _by_columns(written: Matrix, blocks: list[tuple[Expr, Expr]], name: Symbol) -> tuple[Step, ...]:
+    columns = []
+    for k, (linear, angular) in enumerate(blocks, 1):
+        column_name = Symbol(f"{name.name}_{k}")
+        entries = Matrix(tuple((row[k - 1],) for row in written.rows))
+        block = Matrix(((linear,), (angular,)))
+        chain = (column_name, block, entries) if linear != ZERO else (column_name, entries)
+        columns.append(Step(column_name.name, chain, "jacobian-column"))
+    side_by_side = Matrix((tuple(Symbol(step.name) for step in columns),))
+    fits = all(sum(map(operations, row)) <= LONGEST_ROW for row in written.rows)
+    whole = Step(name.name, (name, side_by_side, written) if fits else (name, side_by_side), "jacobian")
+    return (*columns, whole)
+
+
+def pose_steps(problem: Problem, found: Chain, last: int) -> tuple[Step, ...]:
+    """T_2^0, T_3^0, ... on the way to frame `last`, those that fit on a line.
+
+    T_1^0 is a local pose, and the last of all belongs to the forward kinematics.
+    """
+    steps = []
+    for i in range(2, min(last + 1, len(found.T_local))):
+        written = problem.readable_matrix(found.T[i])
+        if all(sum(map(operations, row)) <= LONGEST_ROW for row in written.rows):
+            product = Product((pose_name(i - 1), pose_name(i, i - 1)))
+            steps.append(Step(f"T_{i}^0", (pose_name(i), product, written), "compose"))
+    return tuple(steps)

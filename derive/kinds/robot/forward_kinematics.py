@@ -1,0 +1,128 @@
+"""The poses of the frames of an arm, one in the other and in the base."""
+
+from __future__ import annotations
+
+from pydantic import Field
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.numeric import matrix_numbers
+from derive.algebra.readable import readable_matrix
+from derive.derivation import Claim, Derivation, Step
+from derive.errors import NotDerivable
+from derive.expression import Expr, Product, Symbol
+from derive.kinds.checks import agreement, is_rotation, links
+from derive.kinds.fields import OptionsModel
+from derive.kinds.naming import with_named_entries
+from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import chain_of, oracle_of, pose_name
+from derive.mechanics.chain import Chain
+from derive.mechanics.dh import CONVENTIONS
+from derive.mechanics.motion import Move
+from derive.mechanics.poses import composed, rotation_part
+from derive.mechanics.robot import DHRow, Robot
+
+RESULTS = {
+    "T_1^0, T_2^1, ...": "each frame in the one before (4 by 4)",
+    "T_n^0": "the last frame in the base (4 by 4), the tool included where there is one",
+}
+EXAMPLE = """\
+title: A planar arm
+problems:
+- robot:
+    links:
+    - {theta: theta1*, d: 0, a: a1, alpha: 0}
+    - {theta: theta2*, d: 0, a: a2, alpha: 0}
+  find: forward-kinematics
+"""
+
+
+class Options(OptionsModel):
+    """`to`: the last frame wanted; all of them if left out."""
+
+    to: int | None = Field(None, ge=1)
+
+
+def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
+    """T_1^0, T_2^1, ... and their product (Spong et al., eq. 3.11; Siciliano et al., eq. 2.52)."""
+    last = options.to or len(robot.links)
+    if last > len(robot.links):
+        raise NotDerivable(f"frame {last} is asked for, but the arm has {len(robot.links)} rows")
+    found, whole = chain_of(problem), options.to is None or last == len(robot.links)
+    local = _local(problem, found, last)
+    base, tool = _ends(problem, whole)
+    T = found.T_tool if whole else found.T[last]
+    parts = [*base, *local, *tool]
+    steps = (*_law(robot, local), *parts, *_product(problem, T, parts, last))
+    definitions: dict[Expr, Expr] = {Symbol(s.name): s.result for s in steps if s.rule != "law"}
+    written = problem.readable_matrix(T)
+    results: dict[str, Expr] = {s.name: problem.final(s.result) for s in local}
+    name = pose_name(last)
+    results[name.name] = problem.final(written)
+    definitions[name] = written
+    claims = (
+        *links(steps, {**problem.names, **definitions}),
+        *is_rotation(rotation_part(T), f"R_{last}^0"),
+        _second_route(problem, T, last, whole),
+    )
+    facts = {
+        "convention": robot.convention,
+        "dh_rows": [step.facts["i"] for step in local if step.rule == "dh-row"],
+        "free_rows": [step.facts["i"] for step in local if step.rule == "motion"],
+        "locals": [step.name for step in local],
+        "base": bool(base),
+        "tool": bool(tool),
+        "product": name.name if len(parts) > 1 else "",
+    }
+    return Derivation("forward-kinematics", steps, results, claims, definitions, facts=facts)
+
+
+def _local(problem: Problem, found: Chain, last: int) -> list[Step]:
+    steps = []
+    for i, T in enumerate(found.T_local[:last], 1):
+        name = pose_name(i, i - 1)
+        row = problem.subject.links[i - 1].row
+        rule = "dh-row" if isinstance(row, DHRow) else "motion"
+        steps.append(Step(name.name, (name, problem.readable_matrix(T)), rule, {"i": i}))
+    return steps
+
+
+def _law(robot: Robot, local: list[Step]) -> tuple[Step, ...]:
+    """A_i, the transformation of any row of the table."""
+    if not any(step.rule == "dh-row" for step in local):
+        return ()
+    before = "i" if robot.convention == "standard" else "i-1"
+    row = DHRow(*map(Symbol, ("theta_i", "d_i", f"a_{before}", f"alpha_{before}")))
+    A = readable_matrix(composed(CONVENTIONS[robot.convention](row)))
+    return (Step("A_i", (Symbol("A_i"), A), "law"),)
+
+
+def _ends(problem: Problem, whole: bool) -> tuple[list[Step], list[Step]]:
+    """The fixed motions before the first row and after the last, where there are any."""
+    robot = problem.subject
+    base = [_fixed(problem, "T_base", robot.base)] if robot.base else []
+    tool = [_fixed(problem, "T_tool", robot.tool)] if robot.tool and whole else []
+    return base, tool
+
+
+def _fixed(problem: Problem, name: str, moves: tuple[Move, ...]) -> Step:
+    return Step(name, (Symbol(name), problem.readable_matrix(composed(moves))), "motion")
+
+
+def _product(problem: Problem, T: ScalarMatrix, factors: list[Step], last: int) -> tuple[Step, ...]:
+    if len(factors) < 2:
+        return ()
+    name = pose_name(last)
+    matrix, entries = with_named_entries(problem.readable_matrix(T))
+    product = Product(tuple(Symbol(step.name) for step in factors))
+    facts = {"entries": [step.name for step in entries]}
+    return Step(name.name, (name, product, matrix), "compose", facts), *entries
+
+
+def _second_route(problem: Problem, T: ScalarMatrix, last: int, whole: bool) -> Claim:
+    oracle = oracle_of(problem)
+    return agreement(
+        f"T_{last}^0 agrees with the poses composed in numbers",
+        problem.symbols,
+        lambda at: matrix_numbers(T, oracle.at(at)),
+        lambda at: oracle.tool(oracle.at(at)) if whole else oracle.poses(oracle.at(at))[last],
+    )

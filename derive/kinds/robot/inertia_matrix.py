@@ -1,0 +1,151 @@
+"""The inertia matrix of an arm from the Jacobians of its centres of mass."""
+
+from __future__ import annotations
+
+from derive.algebra import numeric
+from derive.algebra.common import factored_matrix
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal_matrix
+from derive.algebra.operations import operations
+from derive.derivation import Claim, Derivation, Step
+from derive.expression import Expr, Matrix, Product, Sum, Symbol, transpose
+from derive.kinds.checks import agreement, law, links
+from derive.kinds.fields import OptionsModel
+from derive.kinds.naming import LONGEST_ROW
+from derive.kinds.problem import Problem
+from derive.kinds.robot._bodies import Weighted, weighted
+from derive.kinds.robot._body_steps import body_definitions, com_jacobian_steps, com_steps, inertia_steps
+from derive.kinds.robot._chain import axis_steps, chain_of, oracle_of
+from derive.kinds.robot._columns import pose_steps
+from derive.mechanics.chain import Chain
+from derive.mechanics.dynamics import inertia_matrix, link_inertia
+from derive.mechanics.robot import Robot
+
+RESULTS = {
+    "D": "the inertia matrix (n by n)",
+    "J_v1, J_w1, ...": "for each link, the linear and angular Jacobian of its com (3 by n)",
+}
+EXAMPLE = """\
+title: The inertia matrix of a planar arm
+problems:
+- robot:
+    links:
+    - {theta: theta1*, d: 0, a: a1, alpha: 0, mass: m1, com: [-a1/2, 0, 0], inertia: {rod: a1, axis: x}}
+    - {theta: theta2*, d: 0, a: a2, alpha: 0, mass: m2, com: [-a2/2, 0, 0], inertia: {rod: a2, axis: x}}
+  find: inertia-matrix
+"""
+
+
+class Options(OptionsModel):
+    """None."""
+
+
+def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
+    """D = sum of m J_v^T J_v + J_w^T R I R^T J_w (Spong et al., eq. 6.30)."""
+    found = chain_of(problem)
+    bodies = weighted(problem, found)
+    poses = problem.ask("forward-kinematics")
+    D = inertia_matrix([body.motion for body in bodies])
+    written = problem.readable_matrix(D)
+    named = {name: value for body in bodies for name, value in body.named.items()}
+    steps = (*_motion(problem, found, bodies), *_sum(problem, bodies, written, named))
+    definitions = dict(poses.definitions)
+    for body in bodies:
+        definitions |= body_definitions(problem, found, body)
+    definitions |= {Symbol(s.name): s.result for s in steps} | _entries(written) | named
+    results = _results(problem, bodies, written, named)
+    claims = (
+        *links(steps, {**problem.names, **definitions}),
+        law("D = D^T", D == D.T),
+        *_second_routes(problem, written, named),
+    )
+    facts = {"bodies": [body.i for body in bodies], "turning": [body.i for body in bodies if body.turns]}
+    facts |= {"shapes": bool(named), "axes": [s.name for s in steps if s.rule == "extract"]}
+    return Derivation("inertia-matrix", steps, results, claims, definitions, uses=(poses,), facts=facts)
+
+
+def _motion(problem: Problem, found: Chain, bodies: tuple[Weighted, ...]) -> tuple[Step, ...]:
+    """Frames, axes, coms, Jacobians and inertias; the same name once."""
+    last = max(body.i for body in bodies)
+    steps = [
+        *pose_steps(problem, found, last - 1),
+        *(step for body in bodies for step in com_steps(problem, found, body)),
+        *axis_steps(problem, found, last),
+        *(step for body in bodies for step in com_jacobian_steps(problem, found, body)),
+        *(step for body in bodies for step in inertia_steps(body)),
+    ]
+    return tuple({step.name: step for step in steps}.values())
+
+
+def _sum(
+    problem: Problem, bodies: tuple[Weighted, ...], written: Matrix, named: dict[Expr, Expr]
+) -> tuple[Step, ...]:
+    """What each link brings, and D."""
+    parts = []
+    for body in bodies:
+        name, own = Symbol(f"D_{body.i}"), problem.readable_matrix(link_inertia(body.motion))
+        chain = (name, _formula(body), own) if _fits(own) else (name, _formula(body))
+        parts.append(Step(name.name, chain, "link-inertia"))
+    total = Sum(tuple(Symbol(step.name) for step in parts)) if len(parts) > 1 else Symbol(parts[0].name)
+    if not _fits(written):
+        entries = [Step(str(name.name), (name, value), "entry") for name, value in _upper(written).items()]
+        return (*parts, Step("D", (Symbol("D"), total), "sum"), *entries)
+    final = problem.final(written, named)
+    closed = () if final == written else (factored_matrix(normal_matrix(final), problem.style),)
+    return (*parts, Step("D", (Symbol("D"), total, written, *closed), "sum"))
+
+
+def _formula(body: Weighted) -> Expr:
+    """m J_v^T J_v + J_w^T R I R^T J_w in names."""
+    i = body.i
+    J_v, J_w, R = Symbol(f"J_v{i}"), Symbol(f"J_w{i}"), Symbol(f"R_{i}^0")
+    linear = Product((body.body.mass, transpose(J_v), J_v))
+    if not body.turns:
+        return linear
+    return Sum((linear, Product((transpose(J_w), R, Symbol(f"I_{i}"), transpose(R), J_w))))
+
+
+def _fits(matrix: Matrix) -> bool:
+    return all(sum(map(operations, row)) <= LONGEST_ROW for row in matrix.rows)
+
+
+def _entries(D: Matrix) -> dict[Expr, Expr]:
+    """d_11, d_12, ...: every entry by its name."""
+    return {Symbol(f"d_{i}{j}"): entry for i, row in enumerate(D.rows, 1) for j, entry in enumerate(row, 1)}
+
+
+def _upper(D: Matrix) -> dict[Symbol, Expr]:
+    """d_ij with i <= j; the others by symmetry."""
+    return {
+        Symbol(f"d_{i + 1}{j + 1}"): D.rows[i][j] for i in range(len(D.rows)) for j in range(i, len(D.rows))
+    }
+
+
+def _results(
+    problem: Problem, bodies: tuple[Weighted, ...], written: Matrix, named: dict[Expr, Expr]
+) -> dict[str, Expr]:
+    results: dict[str, Expr] = {"D": problem.final(written, named)}
+    for body in bodies:
+        results[f"J_v{body.i}"] = problem.final(problem.readable_matrix(body.motion.J_v))
+        results[f"J_w{body.i}"] = problem.final(problem.readable_matrix(body.motion.J_w))
+    return results
+
+
+def _second_routes(problem: Problem, written: Matrix, named: dict[Expr, Expr]) -> tuple[Claim, ...]:
+    """D against the torques of unit accelerations by Newton and Euler, and D positive definite."""
+    oracle, names = oracle_of(problem), problem.subject.variables
+    D = normal_matrix(problem.final(written, named))
+
+    def columns(at: dict[str, float]) -> list[list[float]]:
+        still = {f"{name}_dot": 0.0 for name in names} | {f"{name}_ddot": 0.0 for name in names}
+        rest = oracle.torques({**at, **still})
+        return [list(oracle.torques({**at, **still, f"{name}_ddot": 1.0}) - rest) for name in names]
+
+    return (
+        agreement(
+            "D agrees with the torques of unit accelerations (Newton-Euler)",
+            problem.symbols,
+            lambda at: numeric.matrix_numbers(D, oracle.at(at)),
+            columns,
+        ),
+    )

@@ -1,0 +1,134 @@
+"""The geometric Jacobian of any point of an arm, column by column."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra import numeric
+from derive.derivation import Claim, Derivation, Step
+from derive.expression import Indexed, Symbol, number
+from derive.kinds.checks import agreement, law, links
+from derive.kinds.fields import OptionsModel
+from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import axis_steps, chain_of, closing, oracle_of
+from derive.kinds.robot._columns import jacobian_steps, pose_steps
+from derive.kinds.robot._point import PointOn, Tracked, tracked
+from derive.mechanics.chain import Chain
+from derive.mechanics.jacobian import jacobian
+from derive.mechanics.poses import rotation_part, skew
+from derive.mechanics.robot import Robot
+
+RESULTS = {"J": "6 by n, linear rows first; only the `rows` asked for, in their order"}
+EXAMPLE = """\
+title: The Jacobian of a planar arm
+problems:
+- robot:
+    links:
+    - {theta: theta1*, d: 0, a: a1, alpha: 0}
+    - {theta: theta2*, d: 0, a: a2, alpha: 0}
+  questions:
+  - {find: jacobian}
+  - {find: jacobian, point: {link: 2, at: [-a2/2, 0, 0]}, rows: [vx, vy]}
+"""
+ROWS = ("vx", "vy", "vz", "wx", "wy", "wz")
+RowName = Literal["vx", "vy", "vz", "wx", "wy", "wz"]
+DIFFERENCES = 1e-6  # what central differences leave
+
+
+class Options(OptionsModel):
+    """`point`: where (the end-effector if left out); `rows`: some rows only; `in`: the frame of the
+    vectors."""
+
+    point: PointOn | None = None
+    rows: tuple[RowName, ...] = ()
+    frame: Literal["base", "tool"] = Field("base", alias="in")
+
+
+def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
+    """z x (o - o_i) over z for each revolute joint, z over 0 for each prismatic one
+    (Spong et al., eq. 4.56 and 4.57; Siciliano et al., eq. 3.30)."""
+    found = chain_of(problem)
+    point = tracked(problem, found, options.point)
+    poses = problem.ask("forward-kinematics")
+    J = jacobian(found, point.position, point.last)
+    columns = jacobian_steps(problem, found, J, Symbol("J"), point.name, point.last)
+    asked, more = _asked_for(problem, found, J, point, options)
+    steps = (*pose_steps(problem, found, point.last), *_vectors(problem, found, point), *columns, *more)
+    result = problem.final(problem.readable_matrix(asked))
+    steps = (*steps[:-1], closing(steps[-1], result))
+    definitions = {**point.definitions, **{Symbol(s.name): s.result for s in steps}}
+    definitions[Symbol("J")] = problem.readable_matrix(J)
+    names = {**problem.names, **poses.definitions, **definitions}
+    claims = (*links(steps, names), *_laws(found, point, J), _second_route(problem, point, J))
+    return Derivation(
+        "jacobian", steps, {"J": result}, claims, definitions, uses=(poses,), facts=_facts(found, point)
+    )
+
+
+def _vectors(problem: Problem, found: Chain, point: Tracked) -> tuple[Step, ...]:
+    """The axes, their points, and the point itself unless it is one of them."""
+    steps = axis_steps(problem, found, point.last)
+    return steps if any(s.name == point.name.name for s in steps) else (*steps, point.step)
+
+
+def _asked_for(
+    problem: Problem, found: Chain, J: ScalarMatrix, point: Tracked, options: Options
+) -> tuple[ScalarMatrix, tuple[Step, ...]]:
+    """The Jacobian in the frame and with the rows asked for, and the steps there."""
+    steps: list[Step] = []
+    if options.frame == "tool":
+        R_T = rotation_part(_pose(found, point)).T
+        J = ScalarMatrix.stacked([R_T @ J.block(rows, slice(None)) for rows in (slice(0, 3), slice(3, 6))])
+        steps.append(Step("J^e", (Symbol("J^e"), problem.readable_matrix(J)), "other-frame"))
+    if options.rows:
+        name = Indexed("J", tuple(Symbol(row) for row in options.rows))
+        J = ScalarMatrix(tuple(J.rows[ROWS.index(row)] for row in options.rows))
+        steps.append(Step("rows", (name, problem.readable_matrix(J)), "rows"))
+    return J, tuple(steps)
+
+
+def _pose(found: Chain, point: Tracked) -> ScalarMatrix:
+    """Of the frame the point is fixed in."""
+    return found.T_tool if point.frame > len(found.T_local) else found.T[point.frame]
+
+
+def _facts(found: Chain, point: Tracked) -> dict[str, object]:
+    moving = [(joint, i) for i, joint in found.moving if i <= point.last]
+    return {
+        "point": point.name,
+        "link": number(point.frame),
+        "carried": point.step.rule == "carry",
+        "revolute": [number(i) for joint, i in moving if joint.type == "revolute"],
+        "prismatic": [number(i) for joint, i in moving if joint.type == "prismatic"],
+        "still": [number(i) for i, _ in found.moving if i > point.last],
+    }
+
+
+def _laws(found: Chain, point: Tracked, J: ScalarMatrix) -> tuple[Claim, ...]:
+    """Each column is the velocity that its joint alone gives."""
+    R = rotation_part(_pose(found, point))
+    linear = angular = True
+    for k, name in enumerate(found.variables):
+        column = J.columns(k)
+        linear &= point.position.diff(name) == column.block(slice(0, 3), slice(0, 1))
+        angular &= R.diff(name) @ R.T == skew(column.block(slice(3, 6), slice(0, 1)))
+    return law("J_v = do/dq", linear), law("S(J_w e_i) = dR/dq_i R^T", angular)
+
+
+def _second_route(problem: Problem, point: Tracked, J: ScalarMatrix) -> Claim:
+    oracle = oracle_of(problem)
+
+    def differences(at: dict[str, float]) -> object:
+        known = oracle.at(at)
+        return oracle.jacobian(known, point.frame, [numeric.number(part, known) for part in point.offset])
+
+    return agreement(
+        "J agrees with differences of the poses",
+        problem.symbols,
+        lambda at: numeric.matrix_numbers(J, oracle.at(at)),
+        differences,
+        DIFFERENCES,
+    )

@@ -1,0 +1,129 @@
+"""An open chain in normal form: its local poses, its joint axes, and the poses of its frames."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import reduce
+
+from derive.algebra.angles import Form
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import Names
+from derive.algebra.ring import Ring, ring
+from derive.expression import Symbol, walk
+from derive.mechanics.dh import moves
+from derive.mechanics.motion import Move
+from derive.mechanics.poses import composed, position_part, rotation_part, unit_vector
+from derive.mechanics.robot import JointType, Robot
+
+
+@dataclass(frozen=True, slots=True)
+class Joint:
+    """A joint and where it acts: frame i-1, then `before` (4 by 4), then about or along `axis`
+    (3 by 1, in the frame reached so far). `variable` is its name."""
+
+    variable: str
+    type: JointType
+    before: ScalarMatrix
+    axis: ScalarMatrix
+
+
+@dataclass(frozen=True, slots=True)
+class Chain:
+    """T_local[i] takes frame i+1 to frame i; T[i] frame i to the base, T[n] the last row's, the base
+    motion included. T_tool is the pose of the end-effector. joints[i] belongs to row i+1."""
+
+    T_local: tuple[ScalarMatrix, ...]
+    T: tuple[ScalarMatrix, ...]
+    T_tool: ScalarMatrix
+    joints: tuple[Joint | None, ...]
+
+    @property
+    def variables(self) -> tuple[str, ...]:
+        return tuple(joint.variable for joint in self.joints if joint)
+
+    @property
+    def moving(self) -> Iterator[tuple[int, Joint]]:
+        """(row, joint) of the rows that move, rows from 1."""
+        return ((i, joint) for i, joint in enumerate(self.joints, 1) if joint)
+
+    def axis(self, i: int) -> ScalarMatrix:
+        """The axis of the joint of row i in the base frame (3 by 1)."""
+        joint = self.joint(i)
+        return rotation_part(self.T[i - 1]) @ rotation_part(joint.before) @ joint.axis
+
+    def point(self, i: int) -> ScalarMatrix:
+        """A point on the axis of the joint of row i in the base frame (3 by 1)."""
+        return position_part(self.T[i - 1] @ self.joint(i).before)
+
+    def joint(self, i: int) -> Joint:
+        joint = self.joints[i - 1]
+        if joint is None:
+            raise ValueError(f"row {i} has no joint")
+        return joint
+
+
+def chain(robot: Robot, names: Names | None = None) -> Chain:
+    """The robot in one ring whose angles are the sums over parallel axes."""
+    rows = [moves(link, robot) for link in robot.links]
+    joints = tuple(
+        _joint(row, link.variable, link.joint, names) for row, link in zip(rows, robot.links, strict=True)
+    )
+    local = [composed(row, names) for row in rows]
+    base, tool = composed(robot.base, names), composed(robot.tool, names)
+    home = _home([base, *local, tool], _sums(rows, joints, names))
+    T_local = tuple(T.into(home) for T in local)
+    T = _products(base.into(home), T_local)
+    return Chain(T_local, T, T[-1] @ tool.into(home), joints)
+
+
+def _products(base: ScalarMatrix, local: Sequence[ScalarMatrix]) -> tuple[ScalarMatrix, ...]:
+    poses = [base]
+    for T in local:
+        poses.append(poses[-1] @ T)
+    return tuple(poses)
+
+
+def _home(matrices: Sequence[ScalarMatrix], sums: tuple[Form, ...]) -> Ring:
+    return reduce(Ring.union, (matrix.ring for matrix in matrices), ring(angles=sums))
+
+
+def _joint(
+    row: tuple[Move, ...], variable: str | None, type_: JointType, names: Names | None
+) -> Joint | None:
+    if variable is None:
+        return None
+    k = acting(row, variable)
+    axis = ScalarMatrix.column(unit_vector(row[k].axis, names))
+    return Joint(variable, type_, composed(row[:k], names), axis)
+
+
+def acting(row: tuple[Move, ...], variable: str) -> int:
+    """Which of the motions of a row the joint variable drives."""
+    return next(k for k, move in enumerate(row) if Symbol(variable) in walk(move.by))
+
+
+def _sums(
+    rows: Sequence[tuple[Move, ...]], joints: Sequence[Joint | None], names: Names | None
+) -> tuple[Form, ...]:
+    """One form for each revolute joint: its angle, added to that before where the axes are parallel."""
+    forms: list[Form] = []
+    carried = ScalarMatrix.identity(3)  # fixed rotation since the last revolute axis
+    axis: ScalarMatrix | None = None
+    for row, joint in zip(rows, joints, strict=True):
+        if joint is None or joint.type != "revolute":
+            carried = carried @ rotation_part(composed(row, names))
+            continue
+        k = acting(row, joint.variable)
+        here = carried @ rotation_part(joint.before) @ joint.axis
+        own = Form.of({joint.variable: 1})
+        sign = 1 if axis == here else -1 if axis == -here else 0
+        forms.append(forms[-1] + own.scaled(sign * _side(forms[-1])) if axis is not None and sign else own)
+        carried, axis = rotation_part(composed(row[k + 1 :], names)), joint.axis
+    return tuple(forms)
+
+
+def _side(form: Form) -> Fraction:
+    """The sign of the last angle of a sum, for antiparallel axes."""
+    return Fraction(1) if form.parts[-1][1] > 0 else Fraction(-1)

@@ -1,0 +1,209 @@
+"""The second route: the same answers in plain NumPy, from the trees of the sheet, sharing no formula
+with the symbolic derivations.
+
+Poses by Rodrigues' formula, Jacobians by differences, torques by Newton's and Euler's equations for
+each body. Arrays: T 4 by 4, vectors of 3, q of n.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from derive.algebra.numeric import Point, number
+from derive.expression import Expr, Symbol, free_symbols
+from derive.mechanics.bodies import Body, moments
+from derive.mechanics.dh import moves
+from derive.mechanics.motion import Move
+from derive.mechanics.robot import Robot, gravity_of
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Array = NDArray[Any]
+
+STEP = 1e-6  # of differences; their error is about 1e-10
+
+
+@dataclass(frozen=True, slots=True)
+class Oracle:
+    """A robot in numbers; `where` gives the names the sheet defines."""
+
+    robot: Robot
+    where: Mapping[str, Expr]
+
+    def at(self, point: Point) -> Point:
+        """The point with the values of `where` added."""
+        found = dict(point)
+        pending = dict(self.where)
+        while pending:
+            ready = [n for n, e in pending.items() if all(s in found for s in free_symbols(e))]
+            found.update({name: number(pending.pop(name), found) for name in ready})
+        return found
+
+    def local(self, point: Point) -> list[Array]:
+        """T from each row to the one before."""
+        return [compose(moves(link, self.robot), point) for link in self.robot.links]
+
+    def poses(self, point: Point) -> list[Array]:
+        """T_00, T_01, ..., T_0n, base motion included."""
+        found = [compose(self.robot.base, point)]
+        for T in self.local(point):
+            found.append(found[-1] @ T)
+        return found
+
+    def tool(self, point: Point) -> Array:
+        """T of the end-effector."""
+        return self.poses(point)[-1] @ compose(self.robot.tool, point)
+
+    def jacobian(self, point: Point, frame: int, offset: Array) -> Array:
+        """J (6 by n) by central differences: of a point fixed in a frame (n+1: the tool's)."""
+        import numpy as np
+
+        def pose(at: Point) -> Array:
+            return self.tool(at) if frame > len(self.robot.links) else self.poses(at)[frame]
+
+        R = pose(point)[:3, :3]
+        columns = []
+        for name in self.robot.variables:
+            ahead, behind = (pose({**point, name: point[name] + h}) for h in (STEP, -STEP))
+            rate = (ahead - behind) / (2 * STEP)
+            S = rate[:3, :3] @ R.T
+            v = rate[:3, :3] @ offset + rate[:3, 3]
+            columns.append([*v, S[2, 1], S[0, 2], S[1, 0]])
+        return np.array(columns).T
+
+    def torques(self, point: Point) -> Array:
+        """tau (n) by the motion of each body; rates and accelerations in the point by their names."""
+        import numpy as np
+
+        motion = _Sweep(self, self.at(point)).bodies()
+        torques = []
+        for name in self.robot.variables:
+            axis, origin, first, revolute = next(j for j in motion.joints if j[0] == name)[1:]
+            total = 0.0
+            for i, (c, F, N) in motion.loads.items():
+                if i >= first:
+                    total += axis @ (N + np.cross(c - origin, F) if revolute else F)
+            torques.append(total)
+        return np.array(torques)
+
+
+@dataclass(frozen=True, slots=True)
+class _Motion:
+    """(name, axis, point, row, revolute) of each joint; (com, force, moment) of each body by row."""
+
+    joints: list[tuple[str, Any, Any, int, bool]]
+    loads: dict[int, tuple[Any, Any, Any]]
+
+
+@dataclass(frozen=True, slots=True)
+class _Sweep:
+    """From base to tip: how every link turns and accelerates, in base coordinates."""
+
+    oracle: Oracle
+    point: Point
+
+    def bodies(self) -> _Motion:
+        import numpy as np
+
+        robot, at = self.oracle.robot, self.point
+        gravity = np.array([number(part, at) for part in gravity_of(robot)])
+        poses = self.oracle.poses(at)
+        w = alpha = acc = np.zeros(3)
+        reference = poses[0][:3, 3]
+        found = _Motion([], {})
+        for i, link in enumerate(robot.links, 1):
+
+            def carried(x: Any, w: Any = w, alpha: Any = alpha, acc: Any = acc, r: Any = reference) -> Any:
+                return acc + np.cross(alpha, x - r) + np.cross(w, np.cross(w, x - r))
+
+            if link.variable:
+                axis, origin = self._axis(i, poses[i - 1])
+                rate, rise = at[f"{link.variable}_dot"], at[f"{link.variable}_ddot"]
+                revolute = link.joint == "revolute"
+                found.joints.append((link.variable, axis, origin, i, revolute))
+                if revolute:
+                    acc, reference = carried(origin), origin
+                    alpha = alpha + axis * rise + np.cross(w, axis * rate)
+                    w = w + axis * rate
+                else:
+                    reference = poses[i][:3, 3]
+                    acc = carried(reference) + 2 * np.cross(w, axis * rate) + axis * rise
+            if link.body:
+                found.loads[i] = self._load(
+                    link.body, poses[i - 1], poses[i], (w, alpha, acc, reference), gravity
+                )
+        return found
+
+    def _axis(self, i: int, T: Any) -> tuple[Any, Any]:
+        """Direction and a point of the joint axis of row i, by moving it a little."""
+        import numpy as np
+
+        link = self.oracle.robot.links[i - 1]
+        row = moves(link, self.oracle.robot)
+        k = next(k for k, move in enumerate(row) if Symbol(link.variable or "") in _names(move.by))
+        before = T @ compose(row[:k], self.point)
+        return before[:3, :3] @ _direction(row[k], self.point) * _rate(
+            row[k].by, link.variable or "", self.point
+        ), np.array(before[:3, 3])
+
+    def _load(
+        self, body: Body, before: Any, T: Any, motion: tuple[Any, ...], gravity: Any
+    ) -> tuple[Any, Any, Any]:
+        import numpy as np
+
+        w, alpha, acc, reference = motion
+        mass = number(body.mass, self.point)
+        if body.com == "center":
+            c = (before[:3, 3] + T[:3, 3]) / 2
+        else:
+            c = T[:3, :3] @ np.array([number(x, self.point) for x in body.com]) + T[:3, 3]
+        xx, yy, zz, xy, yz, xz = (number(x, self.point) for x in moments(body))
+        I = T[:3, :3] @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ T[:3, :3].T
+        r = c - reference
+        acceleration = acc + np.cross(alpha, r) + np.cross(w, np.cross(w, r))
+        return c, mass * (acceleration - gravity), I @ alpha + np.cross(w, I @ w)
+
+
+def compose(sequence: tuple[Move, ...], point: Point) -> Array:
+    """T of moves about current axes."""
+    import numpy as np
+
+    T = np.eye(4)
+    for move in sequence:
+        T = T @ elementary(move, point)
+    return T
+
+
+def elementary(move: Move, point: Point) -> Array:
+    """T of one move: Rodrigues' formula, or a shift."""
+    import numpy as np
+
+    k, by, T = _direction(move, point), number(move.by, point), np.eye(4)
+    if move.kind == "translate":
+        T[:3, 3] = by * k
+        return T
+    K = np.array([[0, -k[2], k[1]], [k[2], 0, -k[0]], [-k[1], k[0], 0]])
+    T[:3, :3] = np.eye(3) + np.sin(by) * K + (1 - np.cos(by)) * (K @ K)
+    return T
+
+
+def _direction(move: Move, point: Point) -> Array:
+    import numpy as np
+
+    if isinstance(move.axis, str):
+        return np.eye(3)["xyz".index(move.axis)]
+    k = np.array([number(part, point) for part in move.axis])
+    return k / np.linalg.norm(k)
+
+
+def _names(expr: Expr) -> set[Symbol]:
+    return {Symbol(name) for name in free_symbols(expr)}
+
+
+def _rate(by: Expr, name: str, point: Point) -> float:
+    """How fast a move goes with its joint variable (1 or -1 in every textbook)."""
+    ahead, behind = (number(by, {**point, name: point[name] + h}) for h in (0.5, -0.5))
+    return ahead - behind

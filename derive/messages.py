@@ -1,0 +1,132 @@
+"""What the command says on the standard error: faults with their place, progress, an apology."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from time import monotonic
+from typing import TYPE_CHECKING
+
+import click
+
+from derive.errors import SheetError, SheetErrors
+
+if TYPE_CHECKING:
+    from rich.console import Console
+    from rich.status import Status
+
+PATIENCE = 1.0  # seconds before progress is shown
+REPORT = "please report it at the project's issue page, with the sheet"
+
+
+@contextmanager
+def guarded() -> Iterator[None]:
+    """Runs a command: faults are printed, then exit 1; the unexpected becomes one line and exit 1.
+
+    With DERIVE_DEBUG set in the environment the unexpected keeps its traceback.
+    """
+    try:
+        yield
+    except SheetErrors as errors:
+        report(errors)
+        sys.exit(1)
+    except (click.ClickException, click.exceptions.Exit, click.Abort):
+        raise
+    except Exception as error:
+        if os.environ.get("DERIVE_DEBUG"):
+            raise
+        summary = (str(error).splitlines() or [""])[0]
+        click.echo(f"derive failed, and should not have: {type(error).__name__}: {summary}", err=True)
+        click.echo(f"{REPORT}; DERIVE_DEBUG=1 shows where", err=True)
+        sys.exit(1)
+
+
+def report(errors: SheetErrors) -> None:
+    """Every fault on the standard error, in colour on a terminal."""
+    if sys.stderr.isatty():
+        console = _console()
+        for error in errors.errors:
+            _coloured(console, error)
+    else:
+        click.echo("\n".join(written(error) for error in errors.errors), err=True)
+    count = len(errors.errors)
+    click.echo(f"{count} fault{'s' * (count != 1)}; nothing was written", err=True)
+
+
+def written(error: SheetError) -> str:
+    """A fault as plain text: place and message, the line, a caret, what to write instead."""
+    place = error.place
+    if place is None:
+        lines = [error.message]
+    else:
+        lines = [f"{place}: {error.message}"]
+        if place.text:
+            lines += [f"    {shown(place.text)}", f"    {' ' * _column(place.text, place.column)}^"]
+    if error.hint:
+        lines.append(f"    hint: {error.hint}")
+    return "\n".join(lines)
+
+
+def shown(text: str) -> str:
+    """A line as one prints it: a tab is one blank wide, control characters are dots."""
+    return "".join(char if char.isprintable() else " " if char == "\t" else "." for char in text)
+
+
+def _column(text: str, column: int) -> int:
+    """How far to the right the caret stands: wide characters take two columns."""
+    from unicodedata import combining, east_asian_width
+
+    before = text[: column - 1]
+    wide = sum(east_asian_width(char) in "WF" for char in before)
+    return column - 1 + wide - sum(combining(char) > 0 for char in before)
+
+
+def _coloured(console: Console, error: SheetError) -> None:
+    from rich.text import Text
+
+    rest = written(error).splitlines()[1:]
+    line = Text()
+    if error.place:
+        line.append(f"{error.place}: ", "bold")
+    line.append(error.message, "bold red")
+    console.print(line, soft_wrap=True)
+    for text in rest:
+        style = "green" if text.startswith("    hint") else "red" if text.strip() == "^" else "default"
+        console.print(Text(text, style), soft_wrap=True)
+
+
+def say(text: str) -> None:
+    """A line on the standard error: what was written."""
+    click.echo(text, err=True)
+
+
+@contextmanager
+def progress() -> Iterator[Callable[[str], None]]:
+    """A spinner with the present step, once a command takes longer than a moment, on a terminal only."""
+    if not sys.stderr.isatty():
+        yield lambda _: None
+        return
+    started = monotonic()
+    status: Status | None = None
+
+    def step(text: str) -> None:
+        nonlocal status
+        if status is not None:
+            status.update(text)
+        elif monotonic() - started > PATIENCE:
+            status = _console().status(text)
+            status.start()
+
+    try:
+        yield step
+    finally:
+        if status is not None:
+            status.stop()
+
+
+def _console() -> Console:
+    from rich.console import Console
+
+    return Console(stderr=True)

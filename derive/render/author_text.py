@@ -1,0 +1,45 @@
+"""The author's own text: Markdown with `$...$`, brought into a format with nothing else let through.
+
+Raw HTML and TeX outside formulas come out as the characters they are. What stands between dollars is
+passed on as it is: the sheet's reader admits only mathematics there.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from derive.render.author_writers import LatexWriter, MarkdownWriter, Writer
+from derive.render.plain_text import latex_text, markdown_text
+
+FORMULA = re.compile(r"(?<!\\)\$([^$\n]+(?:\n[^$\n]+)*)\$")
+MARKUP = re.compile(r"[\\`*_\[\]<>#$&~|]|^\s*(?:[-+=>]|\d+[.)])|^(?: {4}|\t)| {2}$", re.MULTILINE)
+
+
+def markdown_prose(text: str) -> str:
+    """An author's text as Markdown that means the same to every reader of Markdown."""
+    return _plain(text, markdown_text) or _blocks(text, MarkdownWriter())
+
+
+def latex_prose(text: str) -> str:
+    """An author's text as LaTeX."""
+    return _plain(text, latex_text) or _blocks(text, LatexWriter())
+
+
+def _plain(text: str, escape: Callable[[str], str]) -> str:
+    """Text that is nothing but paragraphs and formulas, or "" where there is more to it."""
+    pieces = FORMULA.split(text.strip())
+    if any(map(MARKUP.search, pieces[::2])):
+        return ""
+    return "".join(f"${piece.strip()}$" if place % 2 else escape(piece) for place, piece in enumerate(pieces))
+
+
+def _blocks(text: str, writer: Writer) -> str:
+    from markdown_it import MarkdownIt
+    from markdown_it.tree import SyntaxTreeNode
+    from mdit_py_plugins.dollarmath import dollarmath_plugin
+
+    reader = MarkdownIt("commonmark", {"html": False})
+    reader.disable(["html_block", "html_inline", "reference"])
+    reader.use(dollarmath_plugin, allow_labels=False, double_inline=True)
+    return writer.blocks(SyntaxTreeNode(reader.parse(text)))

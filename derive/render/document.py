@@ -1,0 +1,97 @@
+"""A sheet ready to be printed: plain frozen values, the same for every format."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import PurePosixPath
+
+from derive.derivation import Derivation, Plot
+from derive.expression import Expr
+from derive.render.notation import Notation
+
+
+@dataclass(frozen=True, slots=True)
+class Worked:
+    """A derivation to print and the folder of its words under `templates/words/`.
+
+    `asked` is false for one that only another rests on; its words may then be brief.
+    """
+
+    derivation: Derivation
+    folder: str
+    asked: bool = True
+
+
+@dataclass(frozen=True, slots=True)
+class QuestionPage:
+    """A question and its answer.
+
+    `text` and `hint` are the author's Markdown; a `text` of "" prints none. `order` holds what to print
+    for it, prerequisites first and only those no earlier question printed; it is empty on a problem sheet.
+    `at` is the point its results are evaluated at.
+    """
+
+    number: int
+    find: str
+    text: str = ""
+    marks: int | None = None
+    hint: str = ""
+    derivation: Derivation | None = None
+    order: tuple[Worked, ...] = ()
+    at: Mapping[str, Expr] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class ProblemPage:
+    """A problem. `figure` is the path of a picture relative to the page, `/` between its parts."""
+
+    number: int
+    questions: tuple[QuestionPage, ...]
+    title: str = ""
+    text: str = ""
+    figure: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Document:
+    """A sheet. `figures` is the folder of its pictures relative to the page; `solutions` says which sheet it is."""
+
+    title: str
+    problems: tuple[ProblemPage, ...]
+    course: str = ""
+    author: str = ""
+    date: str = ""
+    language: str = "en"
+    notation: Notation = field(default_factory=Notation)
+    figures: str = ""
+    solutions: bool = True
+
+    def questions(self) -> Iterator[tuple[ProblemPage, QuestionPage]]:
+        for problem in self.problems:
+            for question in problem.questions:
+                yield problem, question
+
+    def verified(self) -> Counter[str]:
+        """How many claims were verified by each means, over all that is printed."""
+        return Counter(
+            claim.by
+            for _, question in self.questions()
+            for worked in question.order
+            for claim in worked.derivation.claims
+        )
+
+    def plots(self) -> dict[str, Plot]:
+        """Every plot of the page by the path of its picture, relative to the page and without suffix."""
+        return {
+            plot_path(self.figures, problem.number, question.number, plot.name): plot
+            for problem, question in self.questions()
+            for worked in question.order
+            for plot in worked.derivation.plots
+        }
+
+
+def plot_path(folder: str, problem: int, question: int, name: str) -> str:
+    """Where a plot is kept: `week6/problem-1-2-step`."""
+    return str(PurePosixPath(folder, f"problem-{problem}-{question}-{name}"))

@@ -1,0 +1,305 @@
+"""The one LaTeX printer: a tree as it stands, in the notation of the sheet.
+
+Only LaTeX that GitHub, KaTeX, pandoc and pdflatex all read: no `\\!`, no tall bars, no array rules, and no
+`\\operatorname`, which GitHub refuses ("macros are not allowed").
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from derive.expression import (
+    Approximate,
+    Call,
+    Degrees,
+    Derivative,
+    Expr,
+    Indexed,
+    Matrix,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+    children,
+)
+from derive.render.names import Name, name_latex, name_parts, script
+from derive.render.notation import Notation
+from derive.render.numbers import fraction_latex, rounded_latex
+from derive.render.trig import SHORT, short_index
+
+# How tightly printed mathematics holds together; a looser part stands in parentheses.
+SUM, PRODUCT, RAISED, ATOM = 1, 2, 3, 4
+
+OPERATORS = {
+    "cos": r"\cos", "sin": r"\sin", "tan": r"\tan", "acos": r"\arccos", "asin": r"\arcsin",
+    "atan": r"\arctan", "log": r"\ln", "det": r"\det", "sign": r"\mathrm{sgn}",
+}  # fmt: skip
+BARE_ARGUMENT = ("cos", "sin", "tan", "det")  # a lone symbol after these needs no parentheses
+MARKS = {"transpose": "T", "inverse": "-1"}
+
+
+def latex(expr: Expr, notation: Notation) -> str:
+    """The tree as LaTeX for math mode."""
+    return Printer(notation).write(expr)
+
+
+def parenthesised(inner: str) -> str:
+    tall = any(mark in inner for mark in (r"\frac", r"\begin"))
+    return rf"\left( {inner} \right)" if tall else f"({inner})"
+
+
+def is_approximate(expr: Expr) -> bool:
+    """Whether it holds a rounded number, so that it follows an approximation sign."""
+    return isinstance(expr, Approximate) or any(map(is_approximate, children(expr)))
+
+
+@dataclass(frozen=True, slots=True)
+class Printer:
+    """Prints trees in one notation."""
+
+    notation: Notation
+
+    def write(self, expr: Expr) -> str:
+        return self.measured(expr)[0]
+
+    def held(self, expr: Expr, least: int) -> str:
+        """A part, in parentheses unless it holds together at least this tightly."""
+        written, tightness = self.measured(expr)
+        return written if tightness >= least else parenthesised(written)
+
+    def measured(self, expr: Expr) -> tuple[str, int]:
+        """The LaTeX of a tree and how tightly it holds together."""
+        match expr:
+            case Symbol(name):
+                return name_latex(name), RAISED if name_parts(name).upper else ATOM
+            case Number(value, decimal):
+                return _number(value, decimal)
+            case Call(function, arguments):
+                return self.call(function, arguments)
+            case Sum(terms):
+                return self.sum(terms), SUM
+            case Product(factors):
+                return self.product(factors)
+            case Power(base, exponent):
+                return self.power(base, exponent)
+            case Matrix(rows):
+                return self.matrix(rows), ATOM
+            case _:
+                return self.rarer(expr)
+
+    def rarer(self, expr: Expr) -> tuple[str, int]:
+        match expr:
+            case Quotient(top, bottom):
+                return self.quotient(top, bottom)
+            case Approximate(value):
+                written = rounded_latex(value, self.notation.digits)
+                return written, SUM if value < 0 else PRODUCT if "cdot" in written else ATOM
+            case Degrees(value):
+                return rf"{fraction_latex(value, decimal=True)}^\circ", SUM if value < 0 else RAISED
+            case Indexed(base, lower, upper):
+                return self.indexed(base, lower, upper), RAISED if upper else ATOM
+            case Derivative(of, by):
+                return self.derivative(of, by), PRODUCT
+            case _:
+                raise TypeError(f"not an expression: {expr!r}")
+
+    def sum(self, terms: tuple[Expr, ...]) -> str:
+        first, *rest = map(self._term, terms)
+        signed = (f"- {term[1:]}" if term.startswith("-") else f"+ {term}" for term in rest)
+        return " ".join((first, *signed))
+
+    def _term(self, term: Expr) -> str:
+        written = self.write(term)
+        return parenthesised(written) if isinstance(term, Sum) else written
+
+    def product(self, factors: tuple[Expr, ...]) -> tuple[str, int]:
+        sign, rest = _sign(factors)
+        pieces = self._over_number(rest)
+        if not pieces:
+            pieces = [self._factor(rest, place, bool(sign)) for place in range(len(rest))]
+        written = pieces[0]
+        for piece in pieces[1:]:
+            written += (r" \cdot " if _meet_as_numbers(written, piece) else " ") + piece
+        return sign + written, SUM if sign or written.startswith("-") else PRODUCT
+
+    def _over_number(self, factors: tuple[Expr, ...]) -> list[str]:
+        """`p/q` times plain letters as one fraction, \\frac{m L^2}{2}; nothing where that is not the form."""
+        first = factors[0]
+        if not isinstance(first, Number) or first.value.denominator == 1 or first.decimal:
+            return []
+        count = next((place for place, f in enumerate(factors[1:]) if not _is_letter(f)), len(factors) - 1)
+        if count == 0 or any(isinstance(f, Call) and f.function in MARKS for f in factors):
+            return []
+        top = (Number(Fraction(first.value.numerator)), *factors[1 : count + 1])
+        shown = top[1:] if first.value.numerator == 1 else top
+        rest = factors[count + 1 :]
+        fraction = rf"\frac{{{self.write(Product(shown))}}}{{{first.value.denominator}}}"
+        return [fraction, *(self._factor(rest, place, True) for place in range(len(rest)))]
+
+    def _factor(self, factors: tuple[Expr, ...], place: int, inside: bool) -> str:
+        """One factor among others; a leading minus sign stands bare only at the very front."""
+        factor = factors[place]
+        if _is_written_out(factor, self.notation) and not _followed_by_function(
+            factors, place, self.notation
+        ):
+            return self._enclosed_function(factor)
+        written, tightness = self.measured(factor)
+        bare = tightness >= PRODUCT or (
+            place == 0 and not inside and isinstance(factor, Number | Approximate | Product | Quotient)
+        )
+        return written if bare or len(factors) == 1 and not inside else parenthesised(written)
+
+    def _enclosed_function(self, factor: Expr) -> str:
+        match factor:
+            case Power(Call(function, (angle,)), exponent):
+                raised = OPERATORS[function] + script("^", self._exponent(exponent))
+                return raised + parenthesised(self.write(angle))
+            case Call(function, (angle,)):
+                return f"{OPERATORS[function]}{parenthesised(self.write(angle))}"
+            case _:
+                return self.write(factor)
+
+    def quotient(self, top: Expr, bottom: Expr) -> tuple[str, int]:
+        above = self.write(top)
+        sign = "-" if above.startswith("-") and not isinstance(top, Sum) else ""
+        written = rf"{sign}\frac{{{above.removeprefix(sign)}}}{{{self.write(bottom)}}}"
+        return written, SUM if sign else PRODUCT
+
+    def power(self, base: Expr, exponent: Expr) -> tuple[str, int]:
+        if exponent == Number(Fraction(1, 2)):
+            return rf"\sqrt{{{self.write(base)}}}", RAISED
+        raised = script("^", self._exponent(exponent))
+        if isinstance(base, Call) and _is_written_out(base, self.notation):
+            return self._function(
+                base.function + raised, base.arguments[0], OPERATORS[base.function] + raised
+            )
+        return self.held(base, ATOM) + raised, RAISED
+
+    def _exponent(self, exponent: Expr) -> str:
+        match exponent:
+            case Number(value, False):
+                return str(value)
+            case Quotient(top, bottom):
+                return f"{self.held(top, PRODUCT)}/{self.held(bottom, RAISED)}"
+            case _:
+                return self.write(exponent)
+
+    def call(self, function: str, arguments: tuple[Expr, ...]) -> tuple[str, int]:
+        first = arguments[0]
+        if function in SHORT and (index := short_index(first, self.notation)):
+            return SHORT[function] + script("_", index), ATOM
+        if function in MARKS:
+            return f"{self.held(first, ATOM)}{script('^', MARKS[function])}", RAISED
+        match function:
+            case "sqrt":
+                return rf"\sqrt{{{self.write(first)}}}", RAISED
+            case "exp":
+                return f"e{script('^', self._exponent(first))}", RAISED
+            case "abs":
+                return rf"\lvert {self.write(first)} \rvert", ATOM
+            case "cross":
+                return r" \times ".join(self.held(part, PRODUCT) for part in arguments), SUM
+            case "atan2":
+                return self._atan2(*arguments), RAISED
+            case _ if function in OPERATORS:
+                return self._function(function, first, OPERATORS[function])
+            case _:
+                inside = ", ".join(map(self.write, arguments))
+                return _function_name(function) + parenthesised(inside), RAISED
+
+    def _function(self, function: str, argument: Expr, operator: str) -> tuple[str, int]:
+        written = self.write(argument)
+        bare = function.startswith(BARE_ARGUMENT) and _is_short_argument(argument)
+        return f"{operator} {written}" if bare else f"{operator}{parenthesised(written)}", RAISED
+
+    def _atan2(self, y: Expr, x: Expr) -> str:
+        name, order = ("Atan2", (x, y)) if self.notation.atan2 == "xy" else ("atan2", (y, x))
+        return rf"\mathrm{{{name}}}" + parenthesised(", ".join(map(self.write, order)))
+
+    def matrix(self, rows: tuple[tuple[Expr, ...], ...]) -> str:
+        lines = (" & ".join(map(self.write, row)) for row in rows)
+        return r"\begin{bmatrix} " + r" \\ ".join(lines) + r" \end{bmatrix}"
+
+    def indexed(self, base: str, lower: tuple[Expr, ...], upper: tuple[Expr, ...]) -> str:
+        parts = name_parts(base)
+        below = ",".join(filter(None, (parts.lower, *map(self.write, lower))))
+        above = ",".join(filter(None, (parts.upper, *map(self.write, upper))))
+        return str(Name(parts.stem, below, above))
+
+    def derivative(self, of: Expr, by: Symbol) -> str:
+        d = "d" if by.name == "t" else r"\partial"
+        space = "" if d == "d" else " "
+        below = f"{d}{space}{name_latex(by.name)}"
+        if isinstance(of, Symbol | Indexed):
+            return rf"\frac{{{d}{space}{self.write(of)}}}{{{below}}}"
+        return rf"\frac{{{d}}}{{{below}}} {self.held(of, ATOM)}"
+
+
+def _number(value: Fraction, decimal: bool) -> tuple[str, int]:
+    written = fraction_latex(value, decimal)
+    return written, SUM if value < 0 else PRODUCT if "frac" in written else ATOM
+
+
+def _sign(factors: tuple[Expr, ...]) -> tuple[str, tuple[Expr, ...]]:
+    """The minus sign of a leading number, and the factors without it; a one is not written."""
+    first, *rest = factors
+    if not isinstance(first, Number):
+        return "", factors
+    size = Number(abs(first.value), first.decimal)
+    kept = tuple(rest) if rest and size.value == 1 else (size, *rest)
+    return ("-" if first.value < 0 else ""), kept
+
+
+def _is_letter(factor: Expr) -> bool:
+    match factor:
+        case Symbol():
+            return True
+        case Power(Symbol(), Number(value)):
+            return value > 0 and value.denominator == 1
+        case Call("sqrt", _):
+            return True
+        case _:
+            return False
+
+
+def _is_short_argument(argument: Expr) -> bool:
+    match argument:
+        case Symbol():
+            return True
+        case Degrees(value) | Number(value):
+            return value >= 0 and value.denominator == 1
+        case _:
+            return False
+
+
+def _is_written_out(factor: Expr, notation: Notation) -> bool:
+    """Whether it prints as a function before its argument, `\\cos \\phi`."""
+    call = factor.base if isinstance(factor, Power) else factor
+    if not isinstance(call, Call) or call.function not in ("cos", "sin", "tan"):
+        return False
+    return call.function not in SHORT or not short_index(call.arguments[0], notation)
+
+
+def _followed_by_function(factors: tuple[Expr, ...], place: int, notation: Notation) -> bool:
+    """Whether nothing that could be read as part of the argument comes next."""
+    return place == len(factors) - 1 or _is_written_out(factors[place + 1], notation)
+
+
+def _meet_as_numbers(before: str, after: str) -> bool:
+    """Whether juxtaposition would read as one number: `2 3`, `2 \\frac{1}{2}`, `x 2`."""
+    return after[0].isdigit() or (before[-1].isdigit() and _is_plain(before) and after[:6] == r"\frac{")
+
+
+def _is_plain(written: str) -> bool:
+    return written.rsplit(" ", 1)[-1].replace(".", "").lstrip("-").isdigit()
+
+
+def _function_name(function: str) -> str:
+    """`Rot_z` is an upright word with a subscript, `V_a` a name like any other."""
+    word, _, index = function.partition("_")
+    if len(word) == 1 or name_latex(word) != rf"\mathrm{{{word}}}":
+        return name_latex(function)
+    return rf"\mathrm{{{word}}}" + script("_", index)

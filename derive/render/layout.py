@@ -1,0 +1,140 @@
+"""Where equations break: a chain on one line, broken at its equal signs, or several side by side.
+
+An equation too wide for the page is broken at an equal sign, then between the terms of a sum, and what
+is still too wide is marked for the page to scale.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import ceil
+
+from derive.render.breaking import pieces
+from derive.render.width import RELATION, width
+
+LINE = 40.5  # em: the text width of the pages, 160 mm at 11 pt
+GAP = 2.0  # em between equations side by side
+INDENT, HANGING = r"&\quad ", 1.0  # of a sum that goes on in the next line, and its width in em
+SIGN_SPACE = 0.44  # em around a sign between terms, more than around one in front
+WORTH_PACKING = 0.7  # rows per equation above which a plain list reads better
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """One expression of a chain: the sign before it and its LaTeX."""
+
+    relation: str
+    latex: str
+
+    @property
+    def width(self) -> float:
+        return width(self.latex)
+
+
+@dataclass(frozen=True, slots=True)
+class Display:
+    """A displayed equation: lines with alignment marks, or a single one without. `wide`: may need scaling."""
+
+    lines: tuple[str, ...]
+    wide: bool = False
+
+
+Chain = tuple[Link, ...]
+
+
+def lay_out(chains: tuple[Chain, ...]) -> Display:
+    """One display for all chains."""
+    whole = [one_line(chain) for chain in chains]
+    widths = [width(line) for line in whole]
+    if len(chains) == 1:
+        return Display((whole[0],)) if widths[0] <= LINE else _broken(chains)
+    for count in _column_counts(len(chains)):
+        if _grid_width(chains, count) <= LINE:
+            return Display(_grid_lines(chains, count))
+    return _broken(chains)
+
+
+def one_line(chain: Chain) -> str:
+    """The chain as written in a line of text."""
+    first, *rest = chain
+    return " ".join((first.latex, *(f"{link.relation} {link.latex}" for link in rest)))
+
+
+def _column_counts(count: int) -> list[int]:
+    """How many equations to try in a row, the most first, in rows as equal as can be."""
+    balanced = {ceil(count / rows) for rows in range(1, count + 1)}
+    tried = sorted((columns for columns in balanced if columns > 1), reverse=True)
+    return [columns for columns in tried if ceil(count / columns) / count <= WORTH_PACKING]
+
+
+def _rows(chains: tuple[Chain, ...], count: int) -> list[tuple[Chain, ...]]:
+    return [chains[start : start + count] for start in range(0, len(chains), count)]
+
+
+def _grid_width(chains: tuple[Chain, ...], count: int) -> float:
+    """The width of the equations in columns that align at their first equal signs."""
+    total = GAP * (count - 1)
+    for place in range(count):
+        column = [row[place] for row in _rows(chains, count) if place < len(row)]
+        heads = max(chain[0].width for chain in column)
+        total += heads + max(width(one_line(chain)) - chain[0].width for chain in column)
+    return total
+
+
+def _grid_lines(chains: tuple[Chain, ...], count: int) -> tuple[str, ...]:
+    if count == len(chains):
+        return (r" \qquad ".join(one_line(chain) for chain in chains),)
+    return tuple(r" &\qquad ".join(map(_aligned, row)) for row in _rows(chains, count))
+
+
+def _aligned(chain: Chain) -> str:
+    first, *rest = chain
+    tail = " ".join(f"{link.relation} {link.latex}" for link in rest)
+    return f"{first.latex} &{tail}"
+
+
+def _broken(chains: tuple[Chain, ...]) -> Display:
+    """Every chain on lines of its own, all aligned at the first equal sign."""
+    head = max(chain[0].width if len(chain) > 1 else 0.0 for chain in chains)
+    lines: list[str] = []
+    widest = 0.0
+    for chain in chains:
+        for line in _chain_lines(chain, LINE - head):
+            lines.append(line)
+            widest = max(widest, head + width(line.partition("&")[2]))
+    if len(lines) == 1:
+        return Display((one_line(chains[0]),), widest > LINE)
+    return Display(tuple(lines), widest > LINE)
+
+
+def _chain_lines(chain: Chain, room: float) -> list[str]:
+    """The lines of a chain, as many links on a line as fit into `room` right of the alignment."""
+    first, *rest = chain
+    if not rest:
+        return _split_sum(first, "&", room)
+    lines: list[str] = []
+    used, prefix = 0.0, first.latex + " &"
+    for link in rest:
+        needed = link.width + RELATION
+        if lines and used + needed <= room:
+            lines[-1] += f" {link.relation} {link.latex}"
+            used += needed
+            continue
+        lines += _split_sum(link, f"{prefix if not lines else '&'}{link.relation} ", room - RELATION)
+        used = needed
+    return lines
+
+
+def _split_sum(link: Link, prefix: str, room: float) -> list[str]:
+    """A formula on as many lines as it needs, broken between its terms."""
+    first, *rest = pieces(link.latex, room - HANGING)
+    lines, used = [prefix + first], width(first)
+    for piece in rest:
+        needed = width(piece) + SIGN_SPACE
+        if used + needed > room:
+            lines.append(INDENT + piece)
+            used = HANGING + needed
+        else:
+            lines[-1] += f" {piece}"
+            used += needed
+    return lines

@@ -1,0 +1,110 @@
+"""Plain names printed properly: `theta1` is \\theta_1, `T_1^0` is T_1^0, `theta1_dot` is \\dot{\\theta}_1."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from functools import cache
+
+GREEK_NAMES = (
+    "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi "
+    "rho sigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi "
+    "Psi Omega"
+)
+GREEK = frozenset(GREEK_NAMES.split(" "))
+WORD = re.compile(r"[A-Za-z]+")
+STEM_AND_INDEX = re.compile(r"([A-Za-z]+)(\d+[xyz]?)")  # theta1, r11, v1x
+LETTER_AND_AXES = re.compile(r"([A-Za-z])([xyz]{1,2})")  # Ixx, vx
+SIZE = re.compile(r"(\d+)x(\d+)")  # the zero block 0_3x1
+ACCENTS = {"dot": r"\dot", "ddot": r"\ddot"}
+
+
+@dataclass(frozen=True, slots=True)
+class Name:
+    """A name in its parts, each LaTeX already; `index` is the plain subscript ("12" of theta12)."""
+
+    stem: str
+    lower: str = ""
+    upper: str = ""
+    index: str = ""
+
+    def __str__(self) -> str:
+        return self.stem + script("_", self.lower) + script("^", self.upper)
+
+
+def script(mark: str, inner: str) -> str:
+    """`_1`, `_{12}`, `^T`, or nothing."""
+    if not inner:
+        return ""
+    bare = len(inner) == 1 or re.fullmatch(r"\\[A-Za-z]+", inner)
+    return f"{mark}{inner}" if bare else f"{mark}{{{inner}}}"
+
+
+@cache
+def name_latex(name: str) -> str:
+    """The LaTeX of a symbol's or a result's name."""
+    return str(name_parts(name))
+
+
+@cache
+def name_parts(name: str) -> Name:
+    """The parts of a plain name, as LaTeX."""
+    plain, accent = _accented(name.removesuffix("*"))
+    head, _, upper = plain.partition("^")
+    stem, index = _split(head)
+    top = _subscript(upper) + (r"\ast" if name.endswith("*") else "")
+    written = f"{accent}{{{_stem(stem)}}}" if accent else _stem(stem)
+    return Name(written, _lower(stem, index), top, index)
+
+
+def _accented(name: str) -> tuple[str, str]:
+    """The name without its dots, and the accent: `theta1_ddot`, `qdot`."""
+    for suffix in ("ddot", "dot"):
+        if name.endswith(f"_{suffix}"):
+            return name.removesuffix(f"_{suffix}"), ACCENTS[suffix]
+        if name.endswith(suffix) and len(name) == len(suffix) + 1:
+            return name[0], ACCENTS[suffix]
+    return name, ""
+
+
+def _split(head: str) -> tuple[str, str]:
+    """The stem and the subscript of a name: `L_c`, `theta1`, `Ixx`, `theta1_c`."""
+    stem, _, index = head.partition("_")
+    if stem in GREEK:
+        return stem, index
+    for pattern in (STEM_AND_INDEX, LETTER_AND_AXES):
+        if found := pattern.fullmatch(stem):
+            return found[1], found[2] + index
+    return stem, index
+
+
+def _stem(stem: str) -> str:
+    if stem in GREEK:
+        return "\\" + stem
+    return stem if len(stem) == 1 or not WORD.fullmatch(stem) else rf"\mathrm{{{stem}}}"
+
+
+def _lower(stem: str, index: str) -> str:
+    """The subscript; the Jacobians J_v1 and J_w1 carry that of a velocity."""
+    if stem == "J" and len(index) > 1 and index[0] in "vw":
+        velocity = "v" if index[0] == "v" else r"\omega"
+        return velocity + script("_", _subscript(index[1:].lstrip("_")))
+    return _subscript(index)
+
+
+def _subscript(plain: str) -> str:
+    """The inside of a subscript: Greek words become letters, words of three letters stay upright."""
+    if found := SIZE.fullmatch(plain):
+        return rf"{found[1]} \times {found[2]}"
+    return ",".join(_piece(piece) for piece in plain.split("_")) if plain else ""
+
+
+def _piece(piece: str) -> str:
+    found = re.fullmatch(r"([A-Za-z]+)(.*)", piece)
+    if not found:
+        return piece
+    word, rest = found.groups()
+    if word in GREEK:
+        return "\\" + word + script("_", rest)
+    upright = len(word) > 2 and word.islower() and not set(word) <= set("xyz")
+    return rf"\mathrm{{{word}}}{rest}" if upright else piece

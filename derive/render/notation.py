@@ -1,0 +1,21 @@
+"""How a sheet wants its mathematics printed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+
+@dataclass(frozen=True, slots=True)
+class Notation:
+    """The choices of a sheet.
+
+    `atan2`: `yx` prints atan2(y, x), `xy` prints Atan2(x, y) as Spong does. `trig`: `short` prints
+    c_1 and s_{12} for joint angles. `digits`: significant digits of evaluated numbers.
+    `short_names`: further angles that short notation abbreviates by their whole name, c_\\phi.
+    """
+
+    atan2: Literal["yx", "xy"] = "yx"
+    trig: Literal["short", "long"] = "short"
+    digits: int = 3
+    short_names: frozenset[str] = frozenset()

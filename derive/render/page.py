@@ -1,0 +1,60 @@
+"""A document as one page of a format: words in the order of the questions, in the format's furniture."""
+
+from __future__ import annotations
+
+import re
+
+from derive.render.author_text import latex_prose, markdown_prose
+from derive.render.document import Document, ProblemPage, QuestionPage, Worked, plot_path
+from derive.render.evaluated import evaluated_words
+from derive.render.plain_text import latex_text, markdown_text
+from derive.render.skin import Skin, environment
+from derive.render.words import words
+
+MARKDOWN = Skin("markdown", markdown_prose, markdown_text)
+LATEX = Skin("latex", latex_prose, latex_text)
+BLANK_LINES = re.compile(r"\n[ \t]*\n\s*\n")
+BEFORE_DISPLAY = re.compile(r"\n\n+(?=\\\[|\\begin\{align\*\})")
+
+
+def render_markdown(document: Document, front: bool = True) -> str:
+    """The sheet as Markdown for GitHub and pandoc. Without `front` the title block is left to a template.
+
+    Raises ForgottenStep.
+    """
+    return _tidy(_page(document, MARKDOWN, front))
+
+
+def render_latex(document: Document) -> str:
+    """The sheet as a LaTeX document that pdflatex compiles. Raises ForgottenStep."""
+    return BEFORE_DISPLAY.sub("\n", _tidy(_page(document, LATEX, True)))
+
+
+def _page(document: Document, skin: Skin, front: bool) -> str:
+    answers = {
+        (problem.number, question.number): _answer(document, problem, question, skin)
+        for problem, question in document.questions()
+    }
+    template = environment().get_template(f"{skin.name}/page.j2")
+    return template.render(document=document, answers=answers, skin=skin, front=front)
+
+
+def _answer(document: Document, problem: ProblemPage, question: QuestionPage, skin: Skin) -> str:
+    told = [_told(document, problem, question, worked, skin) for worked in question.order]
+    if question.derivation and document.solutions:
+        told.append(evaluated_words(question.derivation, question.at, skin, document.notation))
+    return "\n\n".join(filter(None, told))
+
+
+def _told(
+    document: Document, problem: ProblemPage, question: QuestionPage, worked: Worked, skin: Skin
+) -> str:
+    plots = {
+        plot.name: plot_path(document.figures, problem.number, question.number, plot.name)
+        for plot in worked.derivation.plots
+    }
+    return words(worked.derivation, worked.folder, skin, document.notation, worked.asked, plots)
+
+
+def _tidy(page: str) -> str:
+    return BLANK_LINES.sub("\n\n", page).strip() + "\n"

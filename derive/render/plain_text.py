@@ -1,0 +1,47 @@
+"""Plain text made safe for a format: nothing in it is markup or a command any more."""
+
+from __future__ import annotations
+
+import re
+
+LETTERS = "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΥΦΨΩϕϑ"
+LETTER_NAMES = (
+    "alpha beta gamma delta varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon varphi "
+    "chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega phi vartheta"
+)
+LATEX_SPECIAL = {
+    "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "%": r"\%",
+    "_": r"\_", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}",
+    ">": r"\textgreater{}", "|": r"\textbar{}", '"': r"\textquotedbl{}", "`": r"\textasciigrave{}",
+}  # fmt: skip
+LATEX_SYMBOLS = {
+    "°": r"^\circ", "×": r"\times", "·": r"\cdot", "±": r"\pm", "−": "-", "≤": r"\leq", "≥": r"\geq",
+    "≠": r"\neq", "≈": r"\approx", "→": r"\rightarrow", "⇒": r"\Rightarrow", "∞": r"\infty", "√": r"\surd",
+    "²": "^2", "³": "^3", "µ": r"\mu", "∂": r"\partial", "∈": r"\in", "∑": r"\sum", "∫": r"\int",
+}  # fmt: skip
+LATEX = str.maketrans(
+    {
+        **LATEX_SPECIAL,
+        **{sign: f"${command}$" for sign, command in LATEX_SYMBOLS.items()},
+        **{letter: rf"$\{name}$" for letter, name in zip(LETTERS, LETTER_NAMES.split(" "), strict=True)},
+        "…": r"\dots{}", "\u00a0": "~", "\u2009": r"\,", "\u202f": r"\,", "\u200b": "",
+    }
+)  # fmt: skip
+MARKDOWN_SPECIAL = re.compile(r"([\\`*_\[\]<>$~|])|&(?=#?\w+;)")
+MARKDOWN_LINE_START = re.compile(r"^(\s*)(?:([#+\-=])|(\d+)([.)]))", re.MULTILINE)
+
+
+def latex_text(text: str) -> str:
+    """Text for a LaTeX paragraph; Greek letters and signs pdflatex has no text glyph for become math."""
+    return text.translate(LATEX)
+
+
+def markdown_text(text: str) -> str:
+    """Text for a Markdown paragraph."""
+    escaped = MARKDOWN_SPECIAL.sub(lambda found: "\\" + found[0], text)
+    return MARKDOWN_LINE_START.sub(_escaped_start, escaped)
+
+
+def _escaped_start(found: re.Match[str]) -> str:
+    blank, sign, digits, mark = found.groups()
+    return f"{blank}\\{sign}" if sign else f"{blank}{digits}\\{mark}"

@@ -1,0 +1,77 @@
+"""How things look in one format: the macros of `templates/<format>/skin.j2`, called from Python."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined, pass_context
+from jinja2.runtime import Context
+
+from derive.render.layout import Display
+from derive.render.resources import templates
+
+
+@cache
+def environment() -> Environment:
+    """The templates, compiled once a process for all formats."""
+    made = Environment(
+        loader=FileSystemLoader(templates()),
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    made.filters["m"] = _mathematics
+    made.filters["listed"] = _listed
+    return made
+
+
+@pass_context
+def _mathematics(context: Context, value: Any, trig: str | None = None) -> str:
+    """`{{ expr | m }}`: inline mathematics by the derivation being told."""
+    written: str = context["math"](value, trig)
+    return written
+
+
+@pass_context
+def _listed(context: Context, values: Iterable[Any], conjunction: str = "and") -> str:
+    """`{{ names | listed }}`: inline mathematics of each, as `a, b and c`."""
+    written = [_mathematics(context, value) for value in values]
+    return f" {conjunction} ".join(filter(None, (", ".join(written[:-1]), *written[-1:])))
+
+
+@dataclass(frozen=True, slots=True)
+class Skin:
+    """The look of one format. `prose` turns an author's Markdown into the format, `plain` a plain text."""
+
+    name: str
+    prose: Callable[[str], str]
+    plain: Callable[[str], str]
+
+    def display(self, display: Display) -> str:
+        """A displayed equation."""
+        return self._macro("display", list(display.lines), display.wide)
+
+    def em(self, text: str) -> str:
+        return self._macro("em", text)
+
+    def strong(self, text: str) -> str:
+        return self._macro("strong", text)
+
+    def items(self, texts: Iterable[str]) -> str:
+        """A bulleted list."""
+        return self._macro("items", list(texts))
+
+    def table(self, headings: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+        return self._macro("table", headings, rows)
+
+    def figure(self, path: str, caption: str = "") -> str:
+        """A picture; `path` is relative to the page."""
+        return self._macro("figure", path, caption)
+
+    def _macro(self, name: str, *arguments: Any) -> str:
+        module = environment().get_template(f"{self.name}/skin.j2").module
+        return str(getattr(module, name)(*arguments))

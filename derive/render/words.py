@@ -1,0 +1,152 @@
+"""Runs the words of a kind: a Jinja template whose sentences refer to the steps of a derivation.
+
+In scope of a words template: `d`, `step(name)`, `facts` (also as `options`), `asked`, the filters `m`
+and `listed`, and the functions `show`, `inline`, `tell`, `table`, `plot`, `em`, `strong`, `items`.
+A step the words neither show nor tell is an error: nothing that was derived goes unsaid unnoticed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal
+
+from derive.derivation import Derivation, Step, Table
+from derive.expression import Expr
+from derive.render.entries import with_named_entries
+from derive.render.latex import Printer, is_approximate
+from derive.render.layout import Chain, Display, Link, lay_out
+from derive.render.names import name_latex
+from derive.render.notation import Notation
+from derive.render.skin import Skin, environment
+
+Mathematics = Expr | Step | str | int | tuple[Expr, ...]
+
+
+class ForgottenStep(Exception):
+    """The words of a kind left out steps of its derivation."""
+
+    def __init__(self, kind: str, names: Iterable[str]) -> None:
+        super().__init__(f"the words of {kind} neither show nor tell: {', '.join(names)}")
+
+
+def words(
+    derivation: Derivation, folder: str, skin: Skin, notation: Notation, asked: bool = True,
+    plots: Mapping[str, str] | None = None,
+) -> str:  # fmt: skip
+    """The sentences and equations of a derivation. `plots` maps names of plots to paths without suffix.
+
+    Raises ForgottenStep; where the derivation was not asked for, its words may leave steps out.
+    """
+    short_names = frozenset(derivation.facts.get("short_names", ()))
+    telling = Telling(derivation, skin, replace(notation, short_names=short_names), plots or {})
+    name = f"words/{folder}/{derivation.kind.replace('-', '_')}.j2"
+    written = environment().get_template(name).render(telling.scope(), asked=asked)
+    if asked and (forgotten := telling.forgotten()):
+        raise ForgottenStep(derivation.kind, forgotten)
+    return written.strip()
+
+
+def chain_links(chain: tuple[Expr, ...], printer: Printer) -> Chain:
+    """The links of a chain, with the sign that stands before each."""
+    links: list[Link] = []
+    rounded = False
+    for expr in chain:
+        now = is_approximate(expr)
+        links.append(Link(r"\approx" if now and not rounded else "=", printer.write(expr)))
+        rounded = now
+    return tuple(links)
+
+
+@dataclass(slots=True)
+class Telling:
+    """One derivation being told in one format; remembers which steps were."""
+
+    d: Derivation
+    skin: Skin
+    notation: Notation
+    plots: Mapping[str, str]
+    told: set[str] = field(default_factory=set)
+
+    def scope(self) -> dict[str, Any]:
+        """What a words template can name."""
+        return {
+            "d": self.d, "step": self.d.step, "facts": self.d.facts, "options": self.d.facts,
+            "show": self.show, "inline": self.inline, "tell": self.tell, "table": self.table,
+            "plot": self.plot, "em": self.skin.em, "strong": self.skin.strong, "items": self.skin.items,
+            "math": self.math, "formula": self.formula,
+        }  # fmt: skip
+
+    def show(
+        self, *names: str | Step | tuple[Expr, ...], trig: Literal["short", "long"] | None = None
+    ) -> str:
+        """A displayed equation of one or several steps (or bare chains), side by side where they fit."""
+        printer = self._printer(trig)
+        parts = [with_named_entries(self._chain(name), printer) for name in names]
+        displays = [tuple(chain for chain, _ in parts), *(entries for _, entries in parts if entries)]
+        return "".join(self._display(chains, printer) for chains in displays)
+
+    def _display(self, chains: tuple[tuple[Expr, ...], ...], printer: Printer) -> str:
+        return self.skin.display(lay_out(tuple(chain_links(chain, printer) for chain in chains)))
+
+    def formula(self, *lines: str) -> str:
+        """A general law, displayed as the words write it in LaTeX; what is derived goes through `show`."""
+        return self.skin.display(Display(lines))
+
+    def inline(self, name: str | Step, trig: Literal["short", "long"] | None = None) -> str:
+        """The chain of a step in a line of text."""
+        return self.math(self._chain(name), trig)
+
+    def tell(self, *names: str | Step) -> str:
+        """Marks steps as told in prose; prints nothing."""
+        self.told.update(name.name if isinstance(name, Step) else self.d.step(name).name for name in names)
+        return ""
+
+    def math(self, value: Mathematics, trig: Literal["short", "long"] | None = None) -> str:
+        """Inline mathematics of an expression, a name, or a chain (a tuple) joined by equal signs."""
+        return f"${self._latex(value, self._printer(trig))}$"
+
+    def table(self, table: Table) -> str:
+        """A table; its mathematics is set inline."""
+        rows = [[self._cell(entry) for entry in row] for row in table.rows]
+        return self.skin.table([self._cell(heading) for heading in table.headings], rows)
+
+    def plot(self, name: str, caption: str = "") -> str:
+        """The picture of a plot of this derivation."""
+        return self.skin.figure(self.plots[name] + ".svg", caption)
+
+    def forgotten(self) -> list[str]:
+        """The steps with something to say that were not told."""
+        return [
+            step.name
+            for step in self.d.all_steps()
+            if step.name not in self.told and (step.chain or not step.steps)
+        ]
+
+    def _chain(self, name: str | Step | tuple[Expr, ...]) -> tuple[Expr, ...]:
+        if isinstance(name, tuple):
+            return name
+        step = self.d.step(name) if isinstance(name, str) else name
+        self.told.add(step.name)
+        return step.chain
+
+    def _printer(self, trig: Literal["short", "long"] | None) -> Printer:
+        return Printer(replace(self.notation, trig=trig) if trig else self.notation)
+
+    def _latex(self, value: Mathematics, printer: Printer) -> str:
+        match value:
+            case str():
+                return name_latex(value)
+            case int():
+                return str(value)
+            case Step():
+                self.told.add(value.name)
+                return self._latex(value.chain, printer)
+            case tuple():
+                first, *rest = chain_links(value, printer)
+                return " ".join((first.latex, *(f"{link.relation} {link.latex}" for link in rest)))
+            case _:
+                return printer.write(value)
+
+    def _cell(self, entry: Expr | str) -> str:
+        return entry if isinstance(entry, str) else self.math(entry)

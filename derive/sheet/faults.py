@@ -1,0 +1,186 @@
+"""Faults of pydantic's, retold: what is wrong, where in the file, what to write instead."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from difflib import get_close_matches
+from typing import Any
+
+from pydantic import TypeAdapter, ValidationError
+
+from derive.errors import FormulaError, SheetError
+from derive.sheet.source import At, Route
+
+WANTED = {
+    "int": "a whole number is wanted here",
+    "float": "a number is wanted here",
+    "bool": "true or false is wanted here",
+    "string": "text is wanted here",
+    "list": "a list is wanted here",
+    "tuple": "a list is wanted here",
+    "dict": "keys with values are wanted here",
+    "model": "keys with values are wanted here",
+    "mapping": "keys with values are wanted here",
+}
+LIMITS = {
+    "greater_than_equal": ("at least", "ge"),
+    "greater_than": ("more than", "gt"),
+    "less_than_equal": ("at most", "le"),
+    "less_than": ("less than", "lt"),
+}
+
+
+def retell(
+    error: ValidationError, at: At, adapter: TypeAdapter[Any], more: Iterable[str] = ()
+) -> list[SheetError]:
+    """The faults in a value that did not fit its model; `more` are further keys allowed at its top."""
+    entries = [_Entry(dict(entry), at, adapter, tuple(more)) for entry in error.errors(include_url=False)]
+    faults = [(entry, entry.fault()) for entry in entries if not entry.is_rest_of_formula]
+    misspelt = {(entry.route[:-1], fault.hint) for entry, fault in faults if entry.type == "extra_forbidden"}
+    found: dict[tuple[Any, ...], SheetError] = {}
+    for entry, fault in faults:
+        if entry.type == "missing" and (entry.route, f"did you mean {entry.location[-1]}?") in misspelt:
+            continue
+        several = (
+            fault.message if entry.type == "missing" else ""
+        )  # more than one key can be missing in a place
+        found.setdefault((fault.place, several), fault)
+    return list(found.values())
+
+
+def did_you_mean(typed: str, known: Iterable[str], what: str = "") -> str:
+    """A hint: the closest of the known names, or all of them."""
+    names = sorted(set(known))
+    close = get_close_matches(typed, names, n=1, cutoff=0.6)
+    if close:
+        return f"did you mean {close[0]}?"
+    return f"{what or 'one of'}: {', '.join(names)}" if names else ""
+
+
+def formula_fault(error: FormulaError, at: At, route: Route = ()) -> SheetError:
+    """A fault inside a formula, at its very character."""
+    hint = error.hint
+    if "never closed" in error.message and _cut_at_comma(at, route):
+        hint = "put quotes around a formula with a comma in it"
+    return SheetError(error.message, at.place(route, error.offset), hint)
+
+
+def _cut_at_comma(at: At, route: Route) -> bool:
+    """Whether YAML ended the formula at a comma, as in {beta: atan2(3, 4)}."""
+    place, text = at.place(route), at.value(route)
+    after = place.text[place.column - 1 + len(text) :].lstrip() if isinstance(text, str) else ""
+    return after.startswith(",")
+
+
+class _Entry:
+    """One of pydantic's faults, brought to the place in the file."""
+
+    def __init__(
+        self, entry: dict[str, Any], at: At, adapter: TypeAdapter[Any], more: tuple[str, ...]
+    ) -> None:
+        self.type: str = entry["type"]
+        self.context: dict[str, Any] = entry.get("ctx", {})
+        self.message: str = entry["msg"]
+        self.at = at
+        self.adapter = adapter
+        self.more = more
+        self.location: tuple[str | int, ...] = entry["loc"]
+        self.route = self._route()
+
+    @property
+    def is_rest_of_formula(self) -> bool:
+        """Whether the key is what YAML cut off a formula at a comma, as `4)`: its first part is reported."""
+        return any(isinstance(step, str) and ")" in step and "(" not in step for step in self.location)
+
+    def fault(self) -> SheetError:
+        error = self.context.get("error")
+        if isinstance(error, FormulaError):
+            return formula_fault(error, self.at, self.route)
+        if self.type == "missing":
+            return self._missing()
+        if self.type == "extra_forbidden":
+            return self._unknown()
+        if self.type == "literal_error":
+            return self._choice()
+        return self._other(str(error) if error else "")
+
+    def _route(self) -> Route:
+        """The location without the tags of unions (`=rod`), which are no keys of the file."""
+        route: Route = ()
+        for step in self.location:
+            value = self.at.value(route)
+            if isinstance(value, dict):
+                inside = step in value and not str(step).startswith("=")
+            else:
+                inside = isinstance(value, list) and isinstance(step, int) and step < len(value)
+            if inside:
+                route = (*route, step)
+        return route
+
+    def _missing(self) -> SheetError:
+        name, value = self.location[-1], self.at.value(self.route)
+        if isinstance(name, int):
+            count = len(value) if isinstance(value, list) else 0
+            return self.at.fault(
+                f"more values are wanted here than {count}", self.route, f"give at least {name + 1}"
+            )
+        return self.at.fault(f"'{name}' is missing", self.route, f"add {name}: ...", key=True)
+
+    def _unknown(self) -> SheetError:
+        name = str(self.route[-1])
+        if isinstance(self.route[-1], int):
+            return self.at.fault("too many values here", self.route)
+        hint = did_you_mean(name, (*self._known_keys(), *self._more()), "what can stand here")
+        return self.at.fault(f"unknown key '{name}'", self.route, hint, key=True)
+
+    def _more(self) -> tuple[str, ...]:
+        return self.more if len(self.route) == 1 else ()
+
+    def _choice(self) -> SheetError:
+        typed = str(self.at.value(self.route))
+        known = [name.strip("' ") for name in str(self.context["expected"]).replace(" or ", ",").split(",")]
+        return self.at.fault(f"'{typed}' cannot stand here", self.route, did_you_mean(typed, known))
+
+    def _other(self, said: str) -> SheetError:
+        if self.type in LIMITS:
+            words, name = LIMITS[self.type]
+            return self.at.fault(f"this must be {words} {self.context[name]}", self.route)
+        if self.type == "too_short":
+            least = self.context["min_length"]
+            return self.at.fault(f"at least {least} must be given here", self.route)
+        if self.type == "too_long":
+            most, given = self.context["max_length"], self.context["actual_length"]
+            return self.at.fault(f"{most} values are wanted here, not {given}", self.route)
+        wanted = WANTED.get(self.type.split("_")[0], "")
+        return self.at.fault(said or wanted or self.message.lower(), self.route)
+
+    def _known_keys(self) -> list[str]:
+        """The keys that could stand where the unknown one does, found in the JSON Schema."""
+        schema = self.adapter.json_schema()
+        branches = [schema]
+        for step in self.route[:-1]:
+            branches = [part for branch in branches for part in _parts(schema, branch, step)]
+        keys: dict[str, None] = {}
+        for branch in branches:
+            for flat in _flat(schema, branch):
+                keys.update(dict.fromkeys(flat.get("properties", {})))
+        return list(keys)
+
+
+def _flat(schema: dict[str, Any], branch: dict[str, Any]) -> list[dict[str, Any]]:
+    """The branch with references resolved and alternatives spread out."""
+    if "$ref" in branch:
+        return _flat(schema, schema["$defs"][branch["$ref"].rsplit("/", 1)[-1]])
+    options = [*branch.get("anyOf", ()), *branch.get("oneOf", ())]
+    return [flat for option in options for flat in _flat(schema, option)] if options else [branch]
+
+
+def _parts(schema: dict[str, Any], branch: dict[str, Any], step: str | int) -> list[dict[str, Any]]:
+    found = []
+    for flat in _flat(schema, branch):
+        if isinstance(step, int):
+            prefix = flat.get("prefixItems", [])
+            found.append(prefix[step] if step < len(prefix) else flat.get("items"))
+        else:
+            found.append(flat.get("properties", {}).get(step, flat.get("additionalProperties")))
+    return [part for part in found if isinstance(part, dict)]

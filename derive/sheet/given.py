@@ -1,0 +1,81 @@
+"""What an author may write around the subjects and the options of kinds: the pydantic models."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal, TypeAlias
+
+from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
+
+from derive.kinds.fields import Name, Quantity
+from derive.sheet.tex import Text
+
+Assumption: TypeAlias = Literal["positive", "nonnegative", "nonzero", "integer", "real"]
+Line: TypeAlias = Annotated[Text, Field(max_length=300)]
+
+
+class _Model(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="forbid", arbitrary_types_allowed=True)
+
+
+class GivenNotation(_Model):
+    """How mathematics is printed."""
+
+    atan2: Literal["yx", "xy"] = "yx"
+    trig: Literal["short", "long"] = "short"
+    digits: Annotated[int, Field(ge=1, le=15)] = 3
+
+
+class GivenSheet(_Model):
+    """The top of a sheet. Its problems are read one by one."""
+
+    title: Line
+    problems: Annotated[list[Any], Field(min_length=1, max_length=200)]
+    course: Line = ""
+    author: Line = ""
+    date: Line = ""
+    language: Literal["en"] = "en"
+    marks: bool = True
+    notation: GivenNotation = GivenNotation()
+    symbols: dict[Name, Assumption] = {}
+    where: dict[Name, Quantity] = {}
+
+
+class GivenProblem(_Model):
+    """A problem, apart from its subject and its questions."""
+
+    title: Line = ""
+    text: Text = ""
+    figure: str = "false"
+    symbols: dict[Name, Assumption] = {}
+    where: dict[Name, Quantity] = {}
+
+
+def _evaluate_form(value: Any) -> str:
+    return "=point" if isinstance(value, dict) else "=true"
+
+
+Evaluate: TypeAlias = Annotated[
+    Annotated[dict[Name, Quantity], Tag("=point")] | Annotated[Literal["true"], Tag("=true")],
+    Discriminator(_evaluate_form),
+]
+
+
+class GivenAsked(_Model):
+    """What may stand beside `find` whatever the kind, `text` apart."""
+
+    find: str
+    marks: Annotated[int, Field(ge=0, le=10_000)] | None = None
+    hint: Text = ""
+    evaluate: Evaluate | None = None
+    answer: dict[str, Any] | None = None
+
+
+class GivenQuestion(GivenAsked):
+    """A question in a list of questions."""
+
+    text: Text = ""
+
+
+QUESTION_KEYS = frozenset(GivenQuestion.model_fields)
+ASKED_KEYS = frozenset(GivenAsked.model_fields)
+PROBLEM_KEYS = frozenset(GivenProblem.model_fields)

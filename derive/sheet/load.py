@@ -1,0 +1,171 @@
+"""A sheet from its file: read, understood, and every fault in it reported at once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from derive.errors import SheetError, SheetErrors
+from derive.sheet.checked import checked
+from derive.sheet.faults import did_you_mean
+from derive.sheet.given import PROBLEM_KEYS, GivenProblem, GivenSheet
+from derive.sheet.model import Notation, Problem, Question, Sheet
+from derive.sheet.questions import inline_question, questions
+from derive.sheet.reader import read
+from derive.sheet.source import At
+from derive.sheet.subject import build_subject, subject_name, subject_place
+from derive.sheet.subjects import registry
+from derive.sheet.subjects.registry import Known
+from derive.sheet.where import cycle
+
+
+def load_sheet(path: Path) -> Sheet:
+    """The sheet in a file. Raises SheetErrors with every fault of it."""
+    return sheet_of(At(read(path)))
+
+
+def sheet_of(at: At) -> Sheet:
+    """The sheet in a source already read. Raises SheetErrors."""
+    faults: list[SheetError] = []
+    given, known = None, Known()
+    try:
+        given = checked(GivenSheet, at, at.value(), _declared(at.value()))
+        known = _known(at, given, known)
+    except SheetErrors as errors:
+        faults.extend(errors.errors)
+        known = Known(assumptions=dict.fromkeys(_declared(at.value()), ""))
+    problems = _problems(at, known, faults)
+    if faults or given is None:
+        raise SheetErrors(_distinct(faults))
+    notation = Notation(given.notation.atan2, given.notation.trig, given.notation.digits)
+    return Sheet(
+        at.source.path,
+        given.title,
+        tuple(problems),
+        given.course,
+        given.author,
+        given.date,
+        given.language,
+        given.marks,
+        notation,
+    )
+
+
+def _problems(at: At, known: Known, faults: list[SheetError]) -> list[Problem]:
+    """Every problem that can be understood; what cannot is added to the faults."""
+    entries = at.value(("problems",))
+    found = []
+    for index, entry in enumerate(entries if isinstance(entries, list) else ()):
+        try:
+            found.append(_problem(at / "problems" / index, entry, index + 1, known))
+        except SheetErrors as errors:
+            faults.extend(errors.errors)
+    return found
+
+
+def _problem(at: At, data: Any, number: int, outer: Known) -> Problem:
+    if not isinstance(data, dict):
+        raise SheetErrors([at.fault("a problem is written as keys and values", (), "write - title: ...")])
+    faults: list[SheetError] = []
+    given, known = None, outer
+    names = outer.names | _declared(data)
+    try:
+        given = checked(GivenProblem, at, {key: data[key] for key in data if key in PROBLEM_KEYS}, names)
+        known = _known(at, given, outer)
+    except SheetErrors as errors:
+        faults.extend(errors.errors)
+    subject: Any = None
+    asked: tuple[Question, ...] = ()
+    try:
+        name = subject_name(at, data)
+    except SheetErrors as errors:
+        raise SheetErrors([*faults, *errors.errors]) from errors
+    try:
+        asked = _asked(at, data, name, known)
+    except SheetErrors as errors:
+        faults.extend(errors.errors)
+    try:
+        place = subject_place(at, name)
+        subject = build_subject(place, name, known)
+        faults.extend(_unmet(asked, name, subject, place))
+    except SheetErrors as errors:
+        faults.extend(errors.errors)
+    if faults or given is None:
+        raise SheetErrors(faults)
+    figure = _figure(at, given.figure)
+    where = at.place()
+    return Problem(
+        number, name, subject, asked, where, given.title, given.text, figure, known.where, known.assumptions
+    )
+
+
+def _asked(at: At, data: dict[str, Any], name: str, known: Known) -> tuple[Question, ...]:
+    rest = {key: value for key, value in data.items() if key not in PROBLEM_KEYS and key != name}
+    if "questions" not in rest:
+        if "find" not in rest:
+            raise SheetErrors([_nothing_asked(at, rest)])
+        return (inline_question(at, rest, name, known),)
+    faults = [
+        at.fault(f"unknown key '{key}'", (key,), _key_hint(key), key=True)
+        for key in rest
+        if key != "questions"
+    ]
+    try:
+        found = questions(at, data, name, known)
+    except SheetErrors as errors:
+        raise SheetErrors([*faults, *errors.errors]) from errors
+    if faults:
+        raise SheetErrors(faults)
+    return found
+
+
+def _key_hint(key: str) -> str:
+    if key == "find":
+        return "a problem has either 'find' or 'questions'"
+    return did_you_mean(key, (*PROBLEM_KEYS, "questions"), "a problem has")
+
+
+def _nothing_asked(at: At, rest: dict[str, Any]) -> SheetError:
+    for key in rest:
+        if (close := did_you_mean(key, ("questions", "find"))).startswith("did"):
+            return at.fault(f"unknown key '{key}'", (key,), close, key=True)
+    return at.fault("nothing is asked in this problem", (), "add questions: with - find: ...")
+
+
+def _unmet(asked: tuple[Question, ...], name: str, subject: Any, place: At) -> list[SheetError]:
+    """What the kinds need of the subject and it does not have, each said once."""
+    missing = getattr(registry.load(name), "missing", None)
+    needs = {need: None for question in asked for need in getattr(question.kind, "NEEDS", ())}
+    return [fault for need in needs for fault in missing(subject, need, place)] if missing else []
+
+
+def _known(at: At, given: GivenSheet | GivenProblem, outer: Known) -> Known:
+    where = {**outer.where, **given.where}
+    if name := cycle(where):
+        raise SheetErrors([at.fault(f"the value of {name} leads back to itself", ("where", name))])
+    assumptions: Mapping[str, str] = {**outer.assumptions, **given.symbols}
+    return Known(where, assumptions)
+
+
+def _declared(data: Any) -> frozenset[str]:
+    """The names under `symbols` and `where`, as typed, which are never read as units."""
+    blocks = [data.get(key) for key in ("symbols", "where")] if isinstance(data, dict) else []
+    return frozenset(name for block in blocks if isinstance(block, dict) for name in block)
+
+
+def _figure(at: At, typed: str) -> bool | Path:
+    if typed in ("true", "false"):
+        return typed == "true"
+    folder = at.source.path.parent
+    path = folder / typed
+    if not path.resolve().is_relative_to(folder.resolve()):
+        raise SheetErrors([at.fault("the picture lies outside the folder of the sheet", ("figure",))])
+    if not path.is_file():
+        hint = "write figure: true to have the subject drawn"
+        raise SheetErrors([at.fault(f"there is no picture {typed}", ("figure",), hint)])
+    return path
+
+
+def _distinct(faults: list[SheetError]) -> list[SheetError]:
+    return list({(fault.place, fault.message): fault for fault in faults}.values())

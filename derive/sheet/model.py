@@ -1,0 +1,76 @@
+"""A sheet as it was understood: frozen values, every formula a tree."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import ModuleType
+from typing import Any, Literal
+
+from derive.errors import Place
+from derive.expression import Expr
+
+
+@dataclass(frozen=True, slots=True)
+class Notation:
+    """How the author wants mathematics printed."""
+
+    atan2: Literal["yx", "xy"] = "yx"
+    trig: Literal["short", "long"] = "short"
+    digits: int = 3
+
+
+@dataclass(frozen=True, slots=True)
+class Question:
+    """What is asked. `kind` is the module that answers, `options` its own frozen model.
+
+    `evaluate` is the point to evaluate at, empty where nothing is left to give, None where no numbers
+    are asked. `answer` is the published answer as typed. `place` is where `find` stands.
+    """
+
+    number: int
+    find: str
+    kind: ModuleType
+    options: Any
+    place: Place
+    text: str = ""
+    marks: int | None = None
+    hint: str = ""
+    evaluate: Mapping[str, Expr] | None = None
+    answer: Mapping[str, Any] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """A subject and the questions about it. `subject` is a frozen value of mechanics or control.
+
+    `figure` is True to draw the subject, or the path of a picture. `where` and `assumptions` include
+    those of the sheet.
+    """
+
+    number: int
+    subject_name: str
+    subject: Any
+    questions: tuple[Question, ...]
+    place: Place
+    title: str = ""
+    text: str = ""
+    figure: bool | Path = False
+    where: Mapping[str, Expr] = field(default_factory=dict)
+    assumptions: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Sheet:
+    """A whole sheet; `marks` says whether marks are printed."""
+
+    path: Path
+    title: str
+    problems: tuple[Problem, ...]
+    course: str = ""
+    author: str = ""
+    date: str = ""
+    language: str = "en"
+    marks: bool = True
+    notation: Notation = Notation()

@@ -1,0 +1,102 @@
+"""The questions of a problem: what stands beside `find`, split between all kinds and this one."""
+
+from __future__ import annotations
+
+from types import ModuleType
+from typing import Any
+
+from derive.errors import SheetError, SheetErrors
+from derive.kinds import registry
+from derive.sheet.checked import checked
+from derive.sheet.faults import did_you_mean
+from derive.sheet.given import ASKED_KEYS, QUESTION_KEYS, GivenAsked, GivenQuestion
+from derive.sheet.model import Question
+from derive.sheet.source import At
+from derive.sheet.subjects.registry import Known
+
+
+def questions(at: At, data: dict[str, Any], subject: str, known: Known) -> tuple[Question, ...]:
+    """The questions under `questions:`. Raises SheetErrors."""
+    entries = data["questions"]
+    if not isinstance(entries, list) or not entries:
+        raise SheetErrors(
+            [at.fault("a list of questions is wanted here", ("questions",), "write - find: ...")]
+        )
+    faults: list[SheetError] = []
+    found = []
+    for index, entry in enumerate(entries):
+        try:
+            found.append(_question(at / "questions" / index, entry, index + 1, subject, known))
+        except SheetErrors as errors:
+            faults.extend(errors.errors)
+    if faults:
+        raise SheetErrors(faults)
+    return tuple(found)
+
+
+def inline_question(at: At, data: dict[str, Any], subject: str, known: Known) -> Question:
+    """The single question of a problem, given on the problem itself. Raises SheetErrors."""
+    return _read(at, data, 1, subject, known, ASKED_KEYS, GivenAsked)
+
+
+def _question(at: At, data: Any, number: int, subject: str, known: Known) -> Question:
+    if not isinstance(data, dict):
+        raise SheetErrors([at.fault("a question is written as keys and values", (), "write - find: ...")])
+    return _read(at, data, number, subject, known, QUESTION_KEYS, GivenQuestion)
+
+
+def _read(
+    at: At,
+    data: dict[str, Any],
+    number: int,
+    subject: str,
+    known: Known,
+    keys: frozenset[str],
+    model: type[GivenAsked],
+) -> Question:
+    common = {key: value for key, value in data.items() if key in keys}
+    faults: list[SheetError] = []
+    given, kind, options = None, None, None
+    try:
+        given = checked(model, at, common)  # a point is made of numbers: no symbol is a name there
+    except SheetErrors as errors:
+        faults.extend(_without_find_misspelt(errors, data, at))
+    try:
+        kind = _kind(at, data, subject)
+        rest = {key: value for key, value in data.items() if key not in keys}
+        options = checked(kind.Options, at, rest, known.names, keys) if kind else None
+    except SheetErrors as errors:
+        faults.extend(errors.errors)
+    if faults or given is None or kind is None:
+        raise SheetErrors(faults)
+    evaluate = {} if given.evaluate == "true" else given.evaluate
+    text = given.text if isinstance(given, GivenQuestion) else ""
+    place = at.place(("find",))
+    return Question(
+        number, given.find, kind, options, place, text, given.marks, given.hint, evaluate, given.answer
+    )
+
+
+def _kind(at: At, data: dict[str, Any], subject: str) -> ModuleType | None:
+    """The module of the kind asked for; None where `find` is missing, which is reported elsewhere."""
+    typed = data.get("find")
+    if not isinstance(typed, str):
+        return None
+    kinds = registry.kinds_of(subject)
+    if typed not in kinds:
+        hint = did_you_mean(typed, kinds)
+        listed = f"kinds for {subject}: {', '.join(kinds)}"
+        hint = f"{hint} ({listed})" if hint.startswith("did") else listed
+        raise SheetErrors([at.fault(f"there is no kind '{typed}' for {subject}", ("find",), hint)])
+    return registry.load(subject, typed)
+
+
+def _without_find_misspelt(errors: SheetErrors, data: dict[str, Any], at: At) -> list[SheetError]:
+    """The faults; where `find` is missing and a key looks like it, that key is named instead."""
+    if "find" in data:
+        return list(errors.errors)
+    for key in data:
+        if did_you_mean(key, ["find"]).startswith("did"):
+            fault = at.fault(f"unknown key '{key}'", (key,), "did you mean find?", key=True)
+            return [fault if "'find'" in error.message else error for error in errors.errors]
+    return list(errors.errors)

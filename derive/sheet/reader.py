@@ -1,0 +1,125 @@
+"""YAML files read into sources: composed to nodes and no further, so that nothing typed is changed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from derive.errors import Place, SheetError, SheetErrors
+from derive.sheet.source import Route, Source, Spot
+from derive.sheet.yaml_faults import explain
+
+if TYPE_CHECKING:
+    from ruamel.yaml.nodes import MappingNode, Node, SequenceNode
+
+MAX_BYTES = 1_000_000
+MAX_DEPTH = 30
+MAX_VALUES = 20_000  # counted as they expand: an alias counts each time
+TAG = "tag:yaml.org,2002:"
+TAGS = frozenset(TAG + name for name in ("map", "seq", "str", "int", "float", "bool", "null", "timestamp"))
+
+
+def read(path: Path) -> Source:
+    """The contents of a YAML file. Raises SheetErrors."""
+    return read_text(_text(path), path)
+
+
+def read_text(text: str, path: Path) -> Source:
+    """The contents of YAML text said to stand in `path`. Raises SheetErrors."""
+    lines = tuple(text.splitlines())
+    root = _compose(text, path, lines)
+    reading = _Reading(path, lines)
+    data = reading.value(root, ())
+    if reading.faults:
+        raise SheetErrors(reading.faults)
+    return Source(path, data, reading.spots, lines)
+
+
+def _text(path: Path) -> str:
+    try:
+        if path.stat().st_size > MAX_BYTES:
+            raise SheetErrors([SheetError(f"{path}: the file is larger than 1 MB", None, "split the sheet")])
+        return path.read_bytes().decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        hint = "save the file as UTF-8"
+        raise SheetErrors([SheetError(f"{path}: the file is not UTF-8 text", None, hint)]) from error
+    except OSError as error:
+        raise SheetErrors([SheetError(f"{path}: {error.strerror or error}")]) from error
+
+
+def _compose(text: str, path: Path, lines: tuple[str, ...]) -> Node:
+    from ruamel.yaml import YAML
+    from ruamel.yaml.error import YAMLError
+
+    try:
+        root = YAML(typ="safe", pure=True).compose(text)
+    except RecursionError as error:
+        raise SheetErrors([SheetError(f"{path}: lists and mappings are nested too deeply")]) from error
+    except (YAMLError, ValueError) as error:
+        raise SheetErrors([explain(error, path, lines)]) from error
+    if root is None:
+        hint = "start it with 'derive new NAME'"
+        raise SheetErrors([SheetError("the file is empty", Place(str(path), 1, 1, ""), hint)])
+    found: Node = root
+    return found
+
+
+class _Reading:
+    """Nodes to plain data, gathering the spot of each value and every fault."""
+
+    def __init__(self, path: Path, lines: tuple[str, ...]) -> None:
+        self.path = path
+        self.lines = lines
+        self.spots: dict[Route, Spot] = {}
+        self.faults: list[SheetError] = []
+        self.count = 0
+
+    def value(self, node: Node, route: Route, key: tuple[int, int] | None = None) -> Any:
+        from ruamel.yaml.nodes import MappingNode, SequenceNode
+
+        self.count += 1
+        if self.count == MAX_VALUES or (self.count < MAX_VALUES and len(route) > MAX_DEPTH):
+            self.fault(node, "too much is nested or repeated here", "write it out, or make it several sheets")
+            self.count = MAX_VALUES
+        self.spots[route] = Spot(node.start_mark.line, node.start_mark.column, key, _style(node))
+        if self.count >= MAX_VALUES:
+            return None
+        if node.tag not in TAGS:
+            self.fault(node, f"the tag {str(node.tag).removeprefix(TAG)} has no meaning here", "leave it out")
+        if isinstance(node, MappingNode):
+            return self.mapping(node, route)
+        if isinstance(node, SequenceNode):
+            return self.sequence(node, route)
+        return _scalar(node)
+
+    def mapping(self, node: MappingNode, route: Route) -> dict[str, Any]:
+        found: dict[str, Any] = {}
+        for key, value in node.value:
+            if not isinstance(key.value, str):
+                self.fault(key, "a key must be plain text", "write it as key: value")
+                continue
+            if key.value in found:
+                first = self.spots[(*route, key.value)].key or (0, 0)
+                self.fault(key, f"'{key.value}' is given twice", f"it stands in line {first[0] + 1} already")
+                continue
+            mark = (key.start_mark.line, key.start_mark.column)
+            found[key.value] = self.value(value, (*route, key.value), mark)
+        return found
+
+    def sequence(self, node: SequenceNode, route: Route) -> list[Any]:
+        return [self.value(entry, (*route, index)) for index, entry in enumerate(node.value)]
+
+    def fault(self, node: Node, message: str, hint: str) -> None:
+        line, column = node.start_mark.line, node.start_mark.column
+        text = self.lines[line] if line < len(self.lines) else ""
+        self.faults.append(SheetError(message, Place(str(self.path), line + 1, column + 1, text), hint))
+
+
+def _scalar(node: Node) -> str | None:
+    return None if node.tag == TAG + "null" else str(node.value)
+
+
+def _style(node: Node) -> str:
+    style = getattr(node, "style", None) or ""
+    lines = node.end_mark.line > node.start_mark.line
+    return "-" if lines and style in ("", "'", '"') else style

@@ -1,0 +1,64 @@
+"""The one subject of a problem, from the sheet itself or from a file beside it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from derive.errors import SheetErrors
+from derive.sheet.checked import checked
+from derive.sheet.faults import did_you_mean
+from derive.sheet.reader import read
+from derive.sheet.source import At
+from derive.sheet.subjects.registry import Known, load, subjects
+
+
+def subject_name(at: At, data: dict[str, Any]) -> str:
+    """The key under which the subject stands. Raises SheetErrors if there is none, or more than one."""
+    found = [name for name in subjects() if name in data]
+    if len(found) == 1:
+        return found[0]
+    if found:
+        hint = "make it two problems"
+        raise SheetErrors(
+            [at.fault(f"a problem has one subject, not {' and '.join(found)}", (found[1],), hint, True)]
+        )
+    hint = "add one of " + ", ".join(subjects())
+    for key in data:
+        if (close := did_you_mean(key, subjects())).startswith("did"):
+            raise SheetErrors([at.fault(f"unknown key '{key}'", (key,), close, key=True)])
+    raise SheetErrors([at.fault("this problem has no subject", (), hint)])
+
+
+def subject_place(at: At, name: str) -> At:
+    """Where the subject is written: here, or in the file that is named here. Raises SheetErrors."""
+    typed = at.value((name,))
+    if not isinstance(typed, str) or not typed.endswith((".yaml", ".yml")):
+        return at / name
+    source = read(_beside(at, name, typed))
+    return At(source, (name,)) if isinstance(source.data, dict) and name in source.data else At(source)
+
+
+def build_subject(at: At, name: str, known: Known) -> Any:
+    """The frozen value of the subject written at `at`. Raises SheetErrors."""
+    module = load(name)
+    return module.build(checked(module.Given, at, at.value(), known.names), at, known)
+
+
+def _beside(at: At, name: str, typed: str) -> Path:
+    """The path of a file named in a sheet, which must lie in the folder of the sheet or below it."""
+    folder = at.source.path.parent
+    path = folder / typed
+    if not path.resolve().is_relative_to(folder.resolve()):
+        hint = f"move it to the folder of the sheet: {name}s/{Path(typed).name}"
+        raise SheetErrors([at.fault("the file lies outside the folder of the sheet", (name,), hint)])
+    if not path.is_file():
+        near = (
+            sorted(str(file.relative_to(folder)) for file in path.parent.glob("*.y*ml"))
+            if path.parent.is_dir()
+            else []
+        )
+        raise SheetErrors(
+            [at.fault(f"there is no file {typed}", (name,), did_you_mean(typed, near, "there are"))]
+        )
+    return path

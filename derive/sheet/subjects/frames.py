@@ -1,0 +1,139 @@
+"""frames: given by their observed axes, by a matrix, or by a motion."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, TypeAlias
+
+from pydantic import Discriminator, Field, Tag
+
+from derive.algebra.quantities import rational
+from derive.errors import SheetError, SheetErrors
+from derive.expression import ZERO, Expr, Matrix
+from derive.kinds.fields import Formula, OptionsModel, Point, Quantity
+from derive.mechanics.frames import ByMatrix, Frame, Frames, FrameSource, Observed
+from derive.mechanics.motion import Motion
+from derive.sheet.orthonormal import failed_product
+from derive.sheet.source import At
+from derive.sheet.subjects.moves import MoveField, move
+from derive.sheet.subjects.registry import Known
+from derive.sheet.weights import WeightsError, weights
+
+
+class _Parent(OptionsModel):
+    parent: int | None = Field(default=None, alias="in", ge=0)
+
+
+class ObservedFrame(_Parent):
+    """Axes in terms of those of the parent, as `x: 0.6*x2 - 0.8*y2`."""
+
+    x: Formula
+    y: Formula
+    z: Formula
+    origin: Point = (ZERO, ZERO, ZERO)
+
+
+class MatrixFrame(_Parent):
+    """A homogeneous transform or a rotation matrix."""
+
+    matrix: Annotated[list[list[Quantity]], Field(min_length=3, max_length=4)]
+
+
+class MotionFrame(_Parent):
+    """Where a motion of the parent's axes brings the frame."""
+
+    motion: Annotated[list[MoveField], Field(min_length=1, max_length=50)]
+
+
+def _form(value: Any) -> str:
+    keys = value if isinstance(value, dict) else {}
+    return "=matrix" if "matrix" in keys else "=motion" if "motion" in keys else "=observed"
+
+
+FrameField: TypeAlias = Annotated[
+    Annotated[ObservedFrame, Tag("=observed")]
+    | Annotated[MatrixFrame, Tag("=matrix")]
+    | Annotated[MotionFrame, Tag("=motion")],
+    Discriminator(_form),
+]
+Given: TypeAlias = Annotated[list[FrameField], Field(min_length=1, max_length=50)]
+
+
+def build(given: Given, at: At, known: Known) -> Frames:
+    """The frames of a problem. Raises SheetErrors: axes that are no right-handed orthonormal frame."""
+    faults: list[SheetError] = []
+    frames = []
+    for index, entry in enumerate(given):
+        try:
+            frames.append(_frame(entry, index + 1, at / index, known))
+        except SheetErrors as errors:
+            faults.extend(errors.errors)
+    if faults:
+        raise SheetErrors(faults)
+    return Frames(tuple(frames))
+
+
+def _frame(given: FrameField, number: int, at: At, known: Known) -> Frame:
+    parent = number - 1 if given.parent is None else given.parent
+    if parent >= number:
+        hint = f"frame {number} can be given in a frame from 0 to {number - 1}"
+        raise SheetErrors([at.fault(f"frame {number} cannot be given in frame {parent}", ("in",), hint)])
+    return Frame(number, parent, _source(given, number, parent, at, known))
+
+
+def _source(given: FrameField, number: int, parent: int, at: At, known: Known) -> FrameSource:
+    if isinstance(given, MotionFrame):
+        return Motion(tuple(move(entry) for entry in given.motion))
+    if isinstance(given, MatrixFrame):
+        return _by_matrix(given, number, at, known)
+    return _observed(given, number, parent, at, known)
+
+
+def _observed(given: ObservedFrame, number: int, parent: int, at: At, known: Known) -> Observed:
+    axes = tuple(f"{letter}{parent}" for letter in "xyz")
+    faults, read = [], []
+    for name, expr in (("x", given.x), ("y", given.y), ("z", given.z)):
+        try:
+            read.append(weights(expr, axes))
+        except WeightsError as error:
+            hint = f"frame {number} is given in frame {parent}: write it with {', '.join(axes)}"
+            faults.append(at.fault(f"{name}: {error}", (name,), hint + ", or say which frame with 'in:'"))
+    if faults:
+        raise SheetErrors(faults)
+    _require_orthonormal(read, "axes", number, at, known)
+    return Observed(read[0], read[1], read[2], given.origin)
+
+
+def _by_matrix(given: MatrixFrame, number: int, at: At, known: Known) -> ByMatrix:
+    size = len(given.matrix)
+    for index, row in enumerate(given.matrix):
+        if len(row) != size:
+            hint = "give 4 rows of 4 (a homogeneous transform) or 3 of 3 (a rotation)"
+            raise SheetErrors(
+                [at.fault(f"a row of {len(row)} in a matrix of {size} rows", ("matrix", index), hint)]
+            )
+    rows = tuple(tuple(row) for row in given.matrix)
+    _require_last_row(rows, at, known)
+    columns = [(rows[0][j], rows[1][j], rows[2][j]) for j in range(3)]
+    _require_orthonormal(columns, "columns", number, at / "matrix", known)
+    return ByMatrix(Matrix(rows))
+
+
+def _require_last_row(rows: tuple[tuple[Expr, ...], ...], at: At, known: Known) -> None:
+    if len(rows) == 4 and [rational(entry) for entry in rows[3]] != [0, 0, 0, 1]:
+        raise SheetErrors(
+            [
+                at.fault(
+                    "the last row of a homogeneous transform is 0, 0, 0, 1",
+                    ("matrix", 3),
+                    "write [0, 0, 0, 1]",
+                )
+            ]
+        )
+
+
+def _require_orthonormal(
+    axes: list[tuple[Expr, Expr, Expr]], what: str, number: int, at: At, known: Known
+) -> None:
+    if product := failed_product(axes, known.where):
+        message = f"the {what} of frame {number} are not right-handed and orthonormal: {product}"
+        raise SheetErrors([at.fault(message, (), "check the signs and that every axis has length 1")])

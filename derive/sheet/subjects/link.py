@@ -1,0 +1,151 @@
+"""The rows of a robot as authors write them, with the bodies they carry."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal, TypeAlias
+
+from pydantic import Discriminator, Field, Tag
+
+from derive.expression import ZERO
+from derive.kinds.fields import (
+    Angle,
+    InertiaMoment,
+    Length,
+    Mass,
+    OptionsModel,
+    Point,
+    StarredAngle,
+    StarredLength,
+)
+from derive.mechanics.bodies import Body, Box, Cylinder, Inertia, Moments, PointMass, Rod, Sphere
+from derive.sheet.subjects.moves import MoveJointField, Named
+
+
+class BoxShape(OptionsModel):
+    """Sides along x, y, z."""
+
+    box: tuple[Length, Length, Length]
+
+
+class RodShape(OptionsModel):
+    """A thin rod along an axis."""
+
+    rod: Length
+    axis: Named
+
+
+class RoundSection(OptionsModel):
+    """Radius and length."""
+
+    radius: Length
+    length: Length
+
+
+class CylinderShape(OptionsModel):
+    """A cylinder about an axis."""
+
+    cylinder: RoundSection
+    axis: Named
+
+
+class SphereShape(OptionsModel):
+    """A solid sphere."""
+
+    sphere: Length
+
+
+def _inertia_form(value: Any) -> str:
+    if isinstance(value, list):
+        return "=six" if len(value) > 3 else "=three"
+    if isinstance(value, dict):
+        return next((f"={shape}" for shape in ("rod", "cylinder", "sphere") if shape in value), "=box")
+    return "=point"
+
+
+def _com_form(value: Any) -> str:
+    return "=point" if isinstance(value, list) else "=center"
+
+
+M: TypeAlias = InertiaMoment
+InertiaField: TypeAlias = Annotated[
+    Annotated[tuple[M, M, M], Tag("=three")]
+    | Annotated[tuple[M, M, M, M, M, M], Tag("=six")]
+    | Annotated[BoxShape, Tag("=box")]
+    | Annotated[RodShape, Tag("=rod")]
+    | Annotated[CylinderShape, Tag("=cylinder")]
+    | Annotated[SphereShape, Tag("=sphere")]
+    | Annotated[Literal["point"], Tag("=point")],
+    Discriminator(_inertia_form),
+]
+ComField: TypeAlias = Annotated[
+    Annotated[Point, Tag("=point")] | Annotated[Literal["center"], Tag("=center")], Discriminator(_com_form)
+]
+
+
+class Carried(OptionsModel):
+    """The body of a link, in the link's own frame."""
+
+    mass: Mass | None = None
+    com: ComField | None = None
+    inertia: InertiaField | None = None
+
+
+class DHLink(Carried):
+    """A Denavit-Hartenberg row."""
+
+    theta: StarredAngle
+    d: StarredLength
+    a: Length
+    alpha: Angle
+
+
+class FreeLink(Carried):
+    """A row that follows no convention: moves about current axes."""
+
+    motion: Annotated[list[MoveJointField], Field(min_length=1, max_length=20)]
+
+
+def _link_form(value: Any) -> str:
+    return "=motion" if isinstance(value, dict) and "motion" in value else "=row"
+
+
+LinkField: TypeAlias = Annotated[
+    Annotated[DHLink, Tag("=row")] | Annotated[FreeLink, Tag("=motion")], Discriminator(_link_form)
+]
+BODY_KEYS = {
+    "mass": "add mass: m",
+    "com": "add com: center, or the point of the link's own frame, as [-L/2, 0, 0]",
+    "inertia": "add inertia: point, or [Ixx, Iyy, Izz], or a shape such as {rod: L, axis: x}",
+}
+
+
+def lacking(given: Carried) -> list[str]:
+    """The keys that are missing of a body that is given in part."""
+    values = {"mass": given.mass, "com": given.com, "inertia": given.inertia}
+    missing = [key for key, value in values.items() if value is None]
+    return missing if len(missing) < len(values) else []
+
+
+def body(given: Carried) -> Body | None:
+    """The body of a link, None where none is given or part of it is missing."""
+    if given.mass is None or given.com is None or given.inertia is None:
+        return None
+    return Body(given.mass, given.com, _inertia(given.inertia))
+
+
+def _inertia(given: InertiaField) -> Inertia:
+    match given:
+        case BoxShape(box=sides):
+            return Box(sides)
+        case RodShape(rod=length, axis=axis):
+            return Rod(length, axis)
+        case CylinderShape(cylinder=section, axis=axis):
+            return Cylinder(section.radius, section.length, axis)
+        case SphereShape(sphere=radius):
+            return Sphere(radius)
+        case (ixx, iyy, izz):
+            return Moments((ixx, iyy, izz, ZERO, ZERO, ZERO))
+        case (ixx, iyy, izz, ixy, iyz, ixz):
+            return Moments((ixx, iyy, izz, ixy, iyz, ixz))
+        case _:
+            return PointMass()

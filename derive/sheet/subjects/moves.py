@@ -1,0 +1,110 @@
+"""Moves as authors write them: `{rotate: x, by: alpha, about: world}`."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal, TypeAlias
+
+from pydantic import Discriminator, Tag, field_validator
+
+from derive.algebra.quantities import rational
+from derive.kinds.fields import Angle, Formula, Length, OptionsModel, StarredAngle, StarredLength
+from derive.mechanics.motion import Axis, Move
+
+Named: TypeAlias = Literal["x", "y", "z"]
+Vector: TypeAlias = tuple[Formula, Formula, Formula]
+
+
+def _axis_form(value: Any) -> str:
+    return "=vector" if isinstance(value, list | tuple) else "=name"
+
+
+def _move_form(value: Any) -> str:
+    if isinstance(value, dict):
+        return "=translate" if "translate" in value else "=rotate"
+    return "=translate" if hasattr(value, "translate") else "=rotate"
+
+
+AxisField: TypeAlias = Annotated[
+    Annotated[Named, Tag("=name")] | Annotated[Vector, Tag("=vector")], Discriminator(_axis_form)
+]
+
+
+class _Along(OptionsModel):
+    @field_validator("rotate", "translate", check_fields=False)
+    @classmethod
+    def _has_direction(cls, axis: Axis) -> Axis:
+        if isinstance(axis, tuple) and all(rational(entry) == 0 for entry in axis):
+            raise ValueError("an axis of zero length has no direction")
+        return axis
+
+
+class Rotate(_Along):
+    """A rotation about an axis through the origin."""
+
+    rotate: AxisField
+    by: Angle
+
+
+class Translate(_Along):
+    """A translation along an axis."""
+
+    translate: AxisField
+    by: Length
+
+
+class About(OptionsModel):
+    """World (fixed) axes, or the current ones."""
+
+    about: Literal["world", "current", "fixed"] = "current"
+
+
+class RotateAbout(Rotate, About):
+    """A rotation about a world or current axis."""
+
+
+class TranslateAbout(Translate, About):
+    """A translation along a world or current axis."""
+
+
+class RotateJoint(_Along):
+    """A rotation that may be a joint's."""
+
+    rotate: AxisField
+    by: StarredAngle
+
+
+class TranslateJoint(_Along):
+    """A translation that may be a joint's."""
+
+    translate: AxisField
+    by: StarredLength
+
+
+MoveField: TypeAlias = Annotated[
+    Annotated[Rotate, Tag("=rotate")] | Annotated[Translate, Tag("=translate")], Discriminator(_move_form)
+]
+MoveAboutField: TypeAlias = Annotated[
+    Annotated[RotateAbout, Tag("=rotate")] | Annotated[TranslateAbout, Tag("=translate")],
+    Discriminator(_move_form),
+]
+MoveJointField: TypeAlias = Annotated[
+    Annotated[RotateJoint, Tag("=rotate")] | Annotated[TranslateJoint, Tag("=translate")],
+    Discriminator(_move_form),
+]
+
+
+def move(given: Rotate | Translate) -> Move:
+    """The move as a value."""
+    about: Literal["world", "current"] = "current"
+    if isinstance(given, About) and given.about != "current":
+        about = "world"
+    if isinstance(given, Rotate):
+        return Move("rotate", given.rotate, given.by, about)
+    return Move("translate", given.translate, given.by, about)
+
+
+def joint_move(given: RotateJoint | TranslateJoint) -> Move:
+    """The move as a value, its star left out."""
+    if isinstance(given, RotateJoint):
+        return Move("rotate", given.rotate, given.by.expr)
+    return Move("translate", given.translate, given.by.expr)

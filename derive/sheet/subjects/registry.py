@@ -1,0 +1,37 @@
+"""Subjects are found by walking this folder, as kinds are."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+
+from derive.expression import Expr
+
+NOT_SUBJECTS = frozenset({"__init__", "registry", "moves", "link"})
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """What the sheet has said before: values of names, and assumptions about them."""
+
+    where: Mapping[str, Expr] = field(default_factory=dict)
+    assumptions: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def names(self) -> frozenset[str]:
+        """The declared names."""
+        return frozenset(self.where) | frozenset(self.assumptions)
+
+
+def subjects() -> tuple[str, ...]:
+    """The names of the subjects, in alphabetical order."""
+    stems = (path.stem for path in Path(__file__).parent.glob("*.py"))
+    return tuple(sorted(stem for stem in stems if stem not in NOT_SUBJECTS))
+
+
+def load(name: str) -> ModuleType:
+    """The module of a subject."""
+    return import_module(f"derive.sheet.subjects.{name}")

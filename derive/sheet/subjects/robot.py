@@ -1,0 +1,136 @@
+"""robot: an open chain given by Denavit-Hartenberg rows or free motions."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from derive.errors import SheetError, SheetErrors
+from derive.expression import Expr, Symbol, walk
+from derive.kinds.fields import Acceleration, OptionsModel, Starred
+from derive.mechanics.robot import DHRow, FreeRow, JointType, Link, Robot
+from derive.sheet.source import At, Route
+from derive.sheet.subjects.link import BODY_KEYS, DHLink, FreeLink, LinkField, body, lacking
+from derive.sheet.subjects.moves import MoveField, RotateJoint, joint_move, move
+from derive.sheet.subjects.registry import Known
+
+NO_JOINT = "a star marks the joint variable: write {name}*"
+
+
+class Given(OptionsModel):
+    """The rows of a robot, and what stands before and after them."""
+
+    name: str = ""
+    convention: Literal["standard", "modified"] = "standard"
+    links: Annotated[list[LinkField], Field(min_length=1, max_length=30)]
+    base: Annotated[tuple[MoveField, ...], Field(max_length=20)] = ()
+    tool: Annotated[tuple[MoveField, ...], Field(max_length=20)] = ()
+    gravity: tuple[Acceleration, Acceleration, Acceleration] | None = None
+
+
+def build(given: Given, at: At, known: Known) -> Robot:
+    """The robot. Raises SheetErrors: joints without a star, variables used twice, half a body."""
+    faults = [*_star_faults(given, at, known), *_repeated(given, at), *_half_bodies(given, at)]
+    if faults:
+        raise SheetErrors(faults)
+    return Robot(
+        given.name,
+        given.convention,
+        tuple(_link(row) for row in given.links),
+        tuple(move(entry) for entry in given.base),
+        tuple(move(entry) for entry in given.tool),
+        given.gravity,
+    )
+
+
+def missing(subject: Robot, need: str, at: At) -> list[SheetError]:
+    """The faults where a kind needs "bodies" or "gravity" and the robot has none."""
+    if need == "gravity" and subject.gravity is None:
+        return [at.fault("'gravity' is missing", (), "add gravity: [0, 0, -g], in the base frame", key=True)]
+    if need != "bodies":
+        return []
+    hint = "add mass: m, com: center and inertia: point (or others)"
+    return [
+        at.fault(f"link {index + 1} has no mass", ("links", index), hint)
+        for index, link in enumerate(subject.links)
+        if link.body is None
+    ]
+
+
+def _link(given: LinkField) -> Link:
+    joint, variable = _joint(given)
+    if isinstance(given, FreeLink):
+        return Link(FreeRow(tuple(joint_move(entry) for entry in given.motion)), joint, variable, body(given))
+    row = DHRow(given.theta.expr, given.d.expr, given.a, given.alpha)
+    return Link(row, joint, variable, body(given))
+
+
+def _starred(given: LinkField) -> Iterator[tuple[Route, JointType, Starred]]:
+    """Where in a row a star may stand, which joint it would make, and what stands there."""
+    if isinstance(given, DHLink):
+        yield ("theta",), "revolute", given.theta
+        yield ("d",), "prismatic", given.d
+        return
+    for index, entry in enumerate(given.motion):
+        joint: JointType = "revolute" if isinstance(entry, RotateJoint) else "prismatic"
+        yield ("motion", index, "by"), joint, entry.by
+
+
+def _joint(given: LinkField) -> tuple[JointType, str | None]:
+    for _, joint, starred in _starred(given):
+        if starred.variable:
+            return joint, starred.variable
+    return "fixed", None
+
+
+def _star_faults(given: Given, at: At, known: Known) -> list[SheetError]:
+    found: list[SheetError] = []
+    for index, row in enumerate(given.links):
+        stars = [(route, starred) for route, _, starred in _starred(row) if starred.variable]
+        if len(stars) > 1:
+            hint = "give each joint a row of its own"
+            found.append(at.fault("two joint variables in one row", ("links", index, *stars[1][0]), hint))
+        elif not stars:
+            found.extend(_forgotten(row, index, at, known))
+    if not found and not any(starred.variable for row in given.links for _, _, starred in _starred(row)):
+        found.append(
+            at.fault("no joint moves: nothing is starred", ("links",), NO_JOINT.format(name="theta1"))
+        )
+    return found
+
+
+def _forgotten(row: LinkField, index: int, at: At, known: Known) -> Iterator[SheetError]:
+    """A row without a star where a name reads like its joint variable and is declared nowhere."""
+    for route, _, starred in _starred(row):
+        for name in _names(starred.expr):
+            if re.fullmatch(rf"(theta|q|d)_?{index + 1}", name) and name not in known.names:
+                hint = (
+                    NO_JOINT.format(name=name) + f"; if it is constant, declare it: symbols: {{{name}: real}}"
+                )
+                yield at.fault(f"row {index + 1} has no joint variable", ("links", index, *route), hint)
+                return
+
+
+def _names(expr: Expr) -> list[str]:
+    return [node.name for node in walk(expr) if isinstance(node, Symbol)]
+
+
+def _repeated(given: Given, at: At) -> Iterator[SheetError]:
+    seen: dict[str, int] = {}
+    for index, row in enumerate(given.links):
+        for route, _, starred in _starred(row):
+            if starred.variable is None:
+                continue
+            first = seen.setdefault(starred.variable, index)
+            if first != index:
+                message = f"{starred.variable} is the joint variable of row {first + 1} already"
+                yield at.fault(message, ("links", index, *route), "give each joint a name of its own")
+
+
+def _half_bodies(given: Given, at: At) -> Iterator[SheetError]:
+    for index, row in enumerate(given.links):
+        for key in lacking(row):
+            yield at.fault(f"the body of link {index + 1} has no '{key}'", ("links", index), BODY_KEYS[key])

@@ -1,0 +1,59 @@
+from __future__ import annotations
+
+from derive.expression import Matrix, Sum, Symbol, number
+from derive.render.breaking import pieces
+from derive.render.entries import with_named_entries
+from derive.render.latex import Printer
+from derive.render.layout import LINE, Link, lay_out
+from derive.render.notation import Notation
+from derive.render.width import width
+
+
+def chain(*parts: str) -> tuple[Link, ...]:
+    return tuple(Link("=", part) for part in parts)
+
+
+WIDE = " + ".join(["a b c d"] * 9)
+
+
+def test_what_fits_stays_on_one_line() -> None:
+    assert lay_out((chain("a", "b", "c"),)).lines == ("a = b = c",)
+
+
+def test_a_wide_chain_breaks_at_an_equal_sign() -> None:
+    assert lay_out((chain("a", WIDE, WIDE),)).lines == (f"a &= {WIDE}", f"&= {WIDE}")
+
+
+def test_a_wide_sum_breaks_between_its_terms() -> None:
+    display = lay_out((chain("a", " - ".join([WIDE] * 4)),))
+    assert len(display.lines) > 2 and not display.wide
+    assert all(line.startswith(("a &= ", r"&\quad - ", r"&\quad + ")) for line in display.lines)
+    assert all(width(line.replace("&", "")) <= LINE for line in display.lines)
+
+
+def test_a_wide_factor_breaks_inside_its_parentheses() -> None:
+    broken = pieces(rf"m ({WIDE} + {WIDE} + \left( x + y \right))", LINE / 2)
+    assert broken[0].startswith("m (") and broken[-1].endswith(r"+ \left( x + y \right))")
+    assert " ".join(broken) == rf"m ({WIDE} + {WIDE} + \left( x + y \right))"
+
+
+def test_short_equations_stand_side_by_side_and_long_ones_in_a_list() -> None:
+    assert lay_out((chain("a", "1"), chain("b", "2"))).lines == (r"a = 1 \qquad b = 2",)
+    long = " ".join(["x y z"] * 6)
+    grid = lay_out(tuple(chain(name, long) for name in "abcd")).lines
+    assert grid == (rf"a &= {long} &\qquad b &= {long}", rf"c &= {long} &\qquad d &= {long}")
+    assert len(lay_out(tuple(chain(name, WIDE) for name in "abcd")).lines) == 4
+
+
+def test_what_cannot_break_is_marked_for_scaling() -> None:
+    assert lay_out((chain("a", " ".join(["x"] * 100)),)).wide
+
+
+def test_a_matrix_far_too_wide_names_its_long_entries() -> None:
+    a, b = Symbol("a"), Symbol("b")
+    long = Sum((a, b) * 12)
+    shown = (Symbol("D"), Matrix(((long, number(0)), (long, Sum((b, a) * 12)))))
+    changed, entries = with_named_entries(shown, Printer(Notation()))
+    d_11, d_22 = Symbol("d_11"), Symbol("d_22")
+    assert changed[-1] == Matrix(((d_11, number(0)), (d_11, d_22)))
+    assert [name for name, _ in entries] == [d_11, d_22]

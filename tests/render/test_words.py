@@ -1,0 +1,52 @@
+from __future__ import annotations
+
+import pytest
+from jinja2 import DictLoader
+
+from derive.derivation import Derivation, Step
+from derive.expression import Approximate, Symbol, number
+from derive.render.notation import Notation
+from derive.render.page import LATEX, MARKDOWN
+from derive.render.skin import environment
+from derive.render.words import ForgottenStep, words
+
+A, B = Symbol("A"), Symbol("B")
+TOLD = Derivation("told", (Step("A", (A, B, number(3))), Step("x", (Symbol("x"), Approximate(0.1234)))), {})
+
+
+def tell(monkeypatch: pytest.MonkeyPatch, source: str, asked: bool = True) -> str:
+    loader = environment().loader
+    assert loader is not None
+    source_of_skin = loader.get_source(environment(), "markdown/skin.j2")[0]
+    templates = {"words/any/told.j2": source, "markdown/skin.j2": source_of_skin}
+    monkeypatch.setattr(environment(), "loader", DictLoader(templates))
+    return words(TOLD, "any", MARKDOWN, Notation(), asked)
+
+
+def test_a_step_the_words_forgot_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
+    with pytest.raises(ForgottenStep, match="words of told neither show nor tell: x"):
+        tell(monkeypatch, '{{ show("A") }}')
+
+
+def test_what_was_not_asked_for_may_be_brief(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert tell(monkeypatch, '{{ inline("A") }}', asked=False) == "$A = B = 3$"
+
+
+def test_every_way_to_tell_a_step(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert tell(monkeypatch, '{{ "A" | m }}{{ tell("A") }} {{ step("x") | m }}') == r"$A$ $x \approx 0.123$"
+    assert tell(monkeypatch, "{% for s in d.steps %}{{ inline(s) }}{% endfor %}").startswith("$A = B")
+
+
+def test_lists_in_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
+    shown = tell(monkeypatch, '{{ ["a", "b", "c"] | listed }}; {{ ["a"] | listed }}{{ tell("A", "x") }}')
+    assert shown == "$a$, $b$ and $c$; $a$"
+
+
+def test_a_display_stands_apart() -> None:
+    from derive.render.layout import Display
+
+    assert MARKDOWN.display(Display(("a = b",))).strip() == "$$\na = b\n$$"
+    assert LATEX.display(Display(("a &= b", "&= c"))).strip() == (
+        "\\begin{align*}\na &= b \\\\\n&= c\n\\end{align*}"
+    )
+    assert LATEX.display(Display(("a = b",), wide=True)).strip() == "\\[\n\\fitted{a = b}\n\\]"

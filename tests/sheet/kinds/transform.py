@@ -1,0 +1,13 @@
+"""A kind without options."""
+
+from __future__ import annotations
+
+from derive.kinds.fields import OptionsModel
+
+
+class Options(OptionsModel):
+    """None."""
+
+
+RESULTS: dict[str, str] = {}
+EXAMPLE = ""

@@ -1,0 +1,109 @@
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+
+from derive import build as pipeline
+from derive.cli import main
+
+SHEET = """\
+title: A planar arm
+problems:
+- robot:
+    links:
+    - {theta: theta1*, d: 0, a: L, alpha: 0}
+  find: dh-table
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "week1.yaml").write_text(SHEET, encoding="utf-8")
+    return tmp_path
+
+
+def run(*arguments: str) -> Result:
+    return CliRunner().invoke(main, list(arguments))
+
+
+def test_a_sheet_alone_is_built(folder: Path) -> None:
+    done = run("week1.yaml", "--format", "json")
+    assert done.exit_code == 0, done.output
+    found = json.loads((folder / "output" / "week1.json").read_text(encoding="utf-8"))
+    assert found["problems"][0]["questions"][0]["find"] == "dh-table"
+    assert [path.name for path in (folder / "output").iterdir()] == ["week1.json"]
+
+
+def test_output_to_the_terminal(folder: Path) -> None:
+    done = run("build", "week1.yaml", "--format", "json", "--output", "-")
+    assert json.loads(done.stdout)["title"] == "A planar arm"
+    assert not (folder / "output").exists()
+
+
+def test_a_directory_stands_for_its_sheets(folder: Path) -> None:
+    (folder / "week2.yaml").write_text(SHEET, encoding="utf-8")
+    assert run(".", "--format", "json", "--output", "built").exit_code == 0
+    assert sorted(path.name for path in (folder / "built").iterdir()) == ["week1.json", "week2.json"]
+
+
+def test_nothing_is_written_if_one_sheet_is_wrong(folder: Path) -> None:
+    (folder / "week2.yaml").write_text(SHEET.replace("find", "fnd"), encoding="utf-8")
+    done = run("week1.yaml", "week2.yaml", "--format", "json")
+    assert done.exit_code == 1
+    assert "week2.yaml:6:3: unknown key 'fnd'\n      fnd: dh-table\n      ^" in done.stderr
+    assert "did you mean find?" in done.stderr
+    assert "Traceback" not in done.output
+    assert "\x1b" not in done.stderr
+    assert not (folder / "output").exists()
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("nothing.yaml",), ("week1.yaml", "--format", "odt"), ("week1.yaml", "--format", ","),
+        ("week1.yaml", "--what"),
+        ("week1.yaml", "--output", "-"), ("week1.yaml", "--format", "pdf", "--output", "-"), ("build",),
+        ("new", "week1"), ("empty",),
+    ],
+)  # fmt: skip
+def test_a_wrong_command_line(folder: Path, arguments: tuple[str, ...]) -> None:
+    (folder / "empty").mkdir()
+    assert run(*arguments).exit_code == 2
+
+
+def test_the_unexpected_is_an_apology(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def broken(*_: object) -> None:
+        raise ZeroDivisionError("an accident")
+
+    monkeypatch.setattr(pipeline, "load_sheet", broken)
+    monkeypatch.delenv("DERIVE_DEBUG", raising=False)
+    done = run("week1.yaml")
+    assert done.exit_code == 1
+    assert "ZeroDivisionError: an accident" in done.stderr
+    assert "please report" in done.stderr
+    assert "Traceback" not in done.output
+
+
+def test_kinds() -> None:
+    assert "dh-table" in run("kinds").stdout
+    one = run("kinds", "dh-table").stdout
+    assert "Results:" in one
+    assert "Example:" in one
+    wrong = run("kinds", "dh-tabel")
+    assert wrong.exit_code == 1
+    assert "did you mean dh-table?" in wrong.stderr
+
+
+def test_new_sheet_builds(folder: Path) -> None:
+    assert run("new", "mine", "--kind", "jacobian").exit_code == 0
+    assert run("mine.yaml", "--format", "json").exit_code == 0
+
+
+def test_schema() -> None:
+    schema = json.loads(run("schema").stdout)
+    assert {"title", "problems", "where"} <= schema["properties"].keys()
+    assert "forward-kinematics" in json.dumps(schema)
