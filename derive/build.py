@@ -14,6 +14,7 @@ from derive.derivation import Branch, Derivation, Result
 from derive.errors import NotDerivable, SheetError, SheetErrors
 from derive.expression import Expr
 from derive.kinds.problem import Problem as Working
+from derive.kinds.registry import module_name
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked
 from derive.render.notation import Notation
 from derive.sheet.load import load_sheet
@@ -126,9 +127,7 @@ def _order(
 
 
 def _folder(answer: Derivation, subject: str) -> str:
-    from derive.kinds.registry import kinds_of
-
-    return kinds_of(subject)[answer.kind].split(".")[-2]
+    return module_name(subject, answer.kind).split(".")[-2]
 
 
 def _question(

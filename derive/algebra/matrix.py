@@ -21,6 +21,8 @@ class ScalarMatrix:
         """From entries of any rings; they are brought into one."""
         scalars = [[Scalar.of(entry) for entry in row] for row in rows]
         home = common_ring(entry for row in scalars for entry in row)
+        if all(entry.ring is home for row in scalars for entry in row):
+            return ScalarMatrix(tuple(map(tuple, scalars)))
         return ScalarMatrix(tuple(tuple(entry.into(home) for entry in row) for row in scalars))
 
     @staticmethod
@@ -151,11 +153,11 @@ class ScalarMatrix:
 def dot(left: Sequence[Scalar], right: Sequence[Scalar]) -> Scalar:
     """The sum of products of scalars of one ring, reduced once at the end."""
     home = left[0].ring
-    if any(entry.denominator is not None for entry in (*left, *right)):
-        return sum((a * b for a, b in zip(left, right, strict=True)), Scalar(home, home.zero))
     total = home.zero
     for a, b in zip(left, right, strict=True):
-        if a and b:
+        if a.denominator is not None or b.denominator is not None:
+            return sum((x * y for x, y in zip(left, right, strict=True)), Scalar(home, home.zero))
+        if a.numerator and b.numerator:
             total = total + a.numerator * b.numerator
     return Scalar(home, home.reduce(total))
 

@@ -2,6 +2,7 @@
 
 A search over which atom to take out of which terms, by price: operations, and a little for each
 pair of parentheses (more where a length is taken out of some terms only, which nobody writes).
+What is found is a plan; `derive.algebra.writing` turns it into a tree.
 """
 
 from __future__ import annotations
@@ -11,150 +12,133 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import reduce
 from math import gcd, lcm
+from typing import TypeAlias
 
 from flint import Ordering, fmpq, fmpq_mpoly_ctx
 
 from derive.algebra.scalar import as_fraction
-from derive.algebra.terms import Alphabet, Monomial, SortKey, Terms, frozen, times
-from derive.expression import (
-    ONE,
-    Expr,
-    Number,
-    Power,
-    Product,
-    Sum,
-    is_negative,
-    multiply,
-    negate,
-    number,
-)
+from derive.algebra.terms import Alphabet, Monomial, SortKey, Terms, frozen, terminates, times
 
 MOST_FACTORED = 40  # terms; above this no factorisation is tried
 MOST_SEARCHED = 14  # terms; above this the most frequent atom is taken out and no other tried
+BUDGET = 800  # terms looked at in one search; what is left when it is spent is written flat
 PARENTHESES = {"trig": 0.25, "mass": 0.1, "other": 2.25}
 LARGEST_PART = 4  # a sum with smaller parts of one than a quarter is better over a common denominator
 OUT_OF_TURN = 0.4  # for taking out a later angle where an earlier one could be
 
 
 @dataclass(frozen=True, slots=True)
-class Form:
-    """A nested form and its price."""
+class Flat:
+    """Terms as they stand."""
 
+    terms: Terms
     price: float
-    expr: Expr
+
+
+@dataclass(frozen=True, slots=True)
+class Split:
+    """The sum of two parts, each nested on its own."""
+
+    parts: tuple[tuple[Terms, Plan], ...]
+    price: float
+
+
+@dataclass(frozen=True, slots=True)
+class Taken:
+    """coefficient * monomial * (sum)^power * ..."""
+
+    coefficient: Fraction
+    monomial: Monomial
+    sums: tuple[tuple[Plan, int], ...]
+    price: float
+
+
+Plan: TypeAlias = Flat | Split | Taken
 
 
 @dataclass(slots=True)
 class Nesting:
-    """One search; forms found are kept, for the same remainders come up again and again."""
+    """One search; plans found are kept, for the same remainders come up again and again."""
 
     alphabet: Alphabet
-    known: dict[frozenset[tuple[Monomial, Fraction]], Form] = field(default_factory=dict)
+    budget: int = BUDGET
+    known: dict[frozenset[tuple[Monomial, Fraction]], Plan] = field(default_factory=dict)
 
-    def form(self, terms: Terms) -> Form:
-        """The cheapest form found."""
+    def plan(self, terms: Terms) -> Plan:
+        """The cheapest way found."""
+        if len(terms) <= 1 or self.budget <= 0:
+            return self._flat(terms)
         key = frozen(terms)
         if key not in self.known:
+            self.budget -= len(terms)
             self.known[key] = self._search(terms)
         return self.known[key]
 
-    def _search(self, terms: Terms) -> Form:
-        if len(terms) <= 1:
-            return self._flat(terms)
+    def _search(self, terms: Terms) -> Plan:
         content, common = _content(terms, self.alphabet), _common(terms)
         if common:
-            return min(self._taken_out(terms, common, content), key=lambda form: form.price)
-        candidates = [self._flat(terms), *self._splits(terms)]
+            return min(self._taken_out(terms, common, content), key=_price)
+        candidates: list[Plan] = [self._flat(terms), *self._splits(terms)]
         if content != 1:
             candidates += self._taken_out(terms, (), content)
         elif 3 <= len(terms) <= MOST_FACTORED:
             candidates += self._factored(terms)
-        return min(candidates, key=lambda form: form.price)
+        return min(candidates, key=_price)
 
-    def _taken_out(self, terms: Terms, common: Monomial, content: Fraction) -> list[Form]:
+    # -- the ways of writing a sum ----------------------------------------------------------------
+
+    def _flat(self, terms: Terms) -> Flat:
+        awkward = sum(k.denominator > LARGEST_PART for k in terms.values()) if len(terms) > 1 else 0
+        price = sum(_operations(m, k) for m, k in terms.items()) + max(len(terms) - 1, 0)
+        return Flat(terms, price + awkward)
+
+    def _taken_out(self, terms: Terms, common: Monomial, content: Fraction) -> list[Plan]:
         """common * (...), with the greatest common number in front and with it left inside."""
         numbers = {content, Fraction(1)} if common else {content}
         return [
-            self._product([(common, number)], [(self.form(_divided(terms, common, number)), 1)])
-            for number in sorted(numbers)
+            self._product(common, n, ((self.plan(_divided(terms, common, n)), 1),)) for n in sorted(numbers)
         ]
 
-    # -- the three ways of writing a sum ----------------------------------------------------------
-
-    def _flat(self, terms: Terms) -> Form:
-        parts = [(self._term_key(m), self._monomial(m, k), _operations(m, k)) for m, k in terms.items()]
-        ordered = sorted(parts, key=lambda part: part[0])
-        expr = _sum([part[1] for part in ordered])
-        awkward = sum(k.denominator > LARGEST_PART for k in terms.values()) if len(terms) > 1 else 0
-        return Form(sum(part[2] for part in parts) + max(len(parts) - 1, 0) + awkward, expr)
-
-    def _splits(self, terms: Terms) -> list[Form]:
+    def _splits(self, terms: Terms) -> list[Plan]:
         counts = Counter(atom for monomial in terms for atom, _ in monomial)
+        key, is_trig = self.alphabet.key, self.alphabet.is_trig
         frequent = sorted(
-            (atom for atom, n in counts.items() if n > 1),
-            key=lambda atom: (-counts[atom], self.alphabet.key(atom)),
+            (atom for atom, n in counts.items() if n > 1), key=lambda atom: (-counts[atom], key(atom))
         )
         most = 1 if len(terms) > MOST_SEARCHED else 6 if len(terms) > 8 else len(frequent)
-        first = min((self.alphabet.key(a)[1:] for a in frequent if self.alphabet.is_trig(a)), default=())
-        return [self._split(terms, atom, first) for atom in frequent[:most]]
+        turn = min((key(a)[1:] for a in frequent if is_trig(a)), default=())
+        return [self._split(terms, atom, turn) for atom in frequent[:most]]
 
-    def _split(self, terms: Terms, atom: int, turn: SortKey) -> Form:
+    def _split(self, terms: Terms, atom: int, turn: SortKey) -> Plan:
         """atom * (...) + the rest."""
         taken = {m: k for m, k in terms.items() if any(a == atom for a, _ in m)}
         rest = {m: k for m, k in terms.items() if m not in taken}
-        inner, other = self.form(taken), self.form(rest)
-        expr = _sum(self._in_order([(taken, inner.expr), (rest, other.expr)]))
-        late = OUT_OF_TURN if self.alphabet.is_trig(atom) and self.alphabet.key(atom)[1:] > turn else 0.0
-        return Form(inner.price + other.price + 1 + self._parentheses(atom) + late, expr)
+        inner, other = self.plan(taken), self.plan(rest)
+        late = self.alphabet.is_trig(atom) and self.alphabet.key(atom)[1:] > turn
+        price = inner.price + other.price + 1 + self._parentheses(atom) + (OUT_OF_TURN if late else 0.0)
+        return Split(((taken, inner), (rest, other)), price)
 
-    def _factored(self, terms: Terms) -> list[Form]:
+    def _factored(self, terms: Terms) -> list[Plan]:
         factors = factors_of(terms)
         if len(factors) < 2 and all(power == 1 for _, power in factors):
             return []
-        return [self._product([((), Fraction(1))], [(self.form(f), power) for f, power in factors])]
+        return [self._product((), Fraction(1), tuple((self.plan(f), power) for f, power in factors))]
 
-    # -- parts ------------------------------------------------------------------------------------
-
-    def _product(self, monomials: list[tuple[Monomial, Fraction]], sums: list[tuple[Form, int]]) -> Form:
-        ((monomial, coefficient),) = monomials
-        price = _operations(monomial, coefficient)
-        factors: list[Expr] = []
-        for form, power in sums:
-            expr = form.expr
-            if isinstance(expr, Sum) and all(map(is_negative, expr.terms)):
-                expr, coefficient = Sum(tuple(map(negate, expr.terms))), -coefficient
-            factors.append(Power(expr, number(power)) if power > 1 else expr)
-            price += form.price + int(power > 1) + 0.25
-        head = self._monomial(monomial, coefficient)
-        heads = [] if head == ONE else [head]
-        price += len(heads) + len(factors) - 1
-        flat = [part for expr in (*heads, *factors) for part in _factors(expr)]
-        return Form(price, multiply(*flat))
-
-    def _monomial(self, monomial: Monomial, coefficient: Fraction) -> Expr:
-        ordered = sorted(monomial, key=lambda part: self.alphabet.key(part[0]))
-        factors = [
-            Power(self.alphabet.expression(atom), number(power))
-            if power > 1
-            else self.alphabet.expression(atom)
-            for atom, power in ordered
-        ]
-        return multiply(written(coefficient, self.alphabet.style.decimals), *factors)
-
-    def _term_key(self, monomial: Monomial) -> SortKey:
-        """Terms without sines and cosines first, then in the order of their angles."""
-        key, is_trig = self.alphabet.key, self.alphabet.is_trig
-        trig = sorted(key(atom)[1:] + key(atom)[:1] for atom, _ in monomial if is_trig(atom))
-        others = sorted((key(atom), -power) for atom, power in monomial if not is_trig(atom))
-        return (bool(trig), not monomial, trig, others)
-
-    def _in_order(self, parts: list[tuple[Terms, Expr]]) -> list[Expr]:
-        keyed = sorted(parts, key=lambda part: min(map(self._term_key, part[0])))
-        return [term for _, expr in keyed for term in (expr.terms if isinstance(expr, Sum) else (expr,))]
+    @staticmethod
+    def _product(monomial: Monomial, coefficient: Fraction, sums: tuple[tuple[Plan, int], ...]) -> Plan:
+        factors = len(sums) if monomial or abs(coefficient) != 1 else len(sums) - 1
+        inside = sum(plan.price + int(power > 1) + 0.25 for plan, power in sums)
+        return Taken(coefficient, monomial, sums, _operations(monomial, coefficient) + factors + inside)
 
     def _parentheses(self, atom: int) -> float:
-        kind = "trig" if self.alphabet.is_trig(atom) else "mass" if self.alphabet.is_mass(atom) else "other"
+        kind = (
+            "trig" if self.alphabet.is_trig(atom) else "mass" if self.alphabet.is_mass(atom) else "other"
+        )
         return PARENTHESES[kind]
+
+
+def _price(plan: Plan) -> float:
+    return plan.price
 
 
 def factors_of(terms: Terms) -> list[tuple[Terms, int]]:
@@ -187,16 +171,6 @@ def factors_of(terms: Terms) -> list[tuple[Terms, int]]:
     return [({m: k * scale for m, k in first.items()}, 1), *found[1:]]
 
 
-def written(value: Fraction, decimals: bool) -> Number:
-    """A number as this sheet writes it."""
-    return Number(value, decimals and terminates(value))
-
-
-def terminates(value: Fraction) -> bool:
-    """Whether it is a decimal fraction of at most six places."""
-    return value.denominator > 1 and (value * 10**6).denominator == 1
-
-
 def _content(terms: Terms, alphabet: Alphabet) -> Fraction:
     """The greatest common factor of the coefficients; decimals keep theirs."""
     values = list(terms.values())
@@ -222,14 +196,3 @@ def _divided(terms: Terms, by: Monomial, content: Fraction) -> Terms:
 def _operations(monomial: Monomial, coefficient: Fraction) -> float:
     factors = len(monomial) + (abs(coefficient.numerator) != 1) - 1
     return max(factors, 0) + sum(power > 1 for _, power in monomial) + (coefficient.denominator > 1)
-
-
-def _sum(terms: list[Expr]) -> Expr:
-    """In this order, but a positive term first where there is one."""
-    first = next((i for i, term in enumerate(terms) if not is_negative(term)), 0)
-    ordered = [terms[first], *terms[:first], *terms[first + 1 :]] if terms else []
-    return Sum(tuple(ordered)) if len(ordered) > 1 else ordered[0] if ordered else number(0)
-
-
-def _factors(expr: Expr) -> tuple[Expr, ...]:
-    return expr.factors if isinstance(expr, Product) else (expr,)

@@ -19,10 +19,11 @@ from derive.algebra.nesting import Nesting
 from derive.algebra.ring import Ring, ring
 from derive.algebra.scalar import Scalar
 from derive.algebra.terms import Alphabet, Style, Terms, terms_of
+from derive.algebra.writing import Writing
 from derive.expression import ONE, Expr, Matrix, Product, Quotient, multiply, negate
 
 # Above this many terms other bases cost more than a reader gains.
-MOST_REBASED = 400
+MOST_REBASED = 60
 
 
 def readable(scalar: Scalar, style: Style = Style()) -> Expr:
@@ -56,11 +57,17 @@ class Reading:
 
     def _polynomial(self, home: Ring, polynomial: fmpq_mpoly) -> Expr:
         alphabet = Alphabet(self.style)
+        if len(polynomial) <= 1:
+            return self._written(terms_of(Scalar(home, polynomial), alphabet), alphabet)
         best = min(
             (contracted(terms, alphabet) for terms in self._bases(home, polynomial, alphabet)),
             key=lambda terms: (len(terms), _weight(terms)),
         )
-        return Nesting(alphabet).form(best).expr
+        return self._written(best, alphabet)
+
+    @staticmethod
+    def _written(terms: Terms, alphabet: Alphabet) -> Expr:
+        return Writing(alphabet).tree(Nesting(alphabet).plan(terms))
 
     def _bases(self, home: Ring, polynomial: fmpq_mpoly, alphabet: Alphabet) -> Iterator[Terms]:
         """The terms in each basis of the angles worth trying."""

@@ -80,8 +80,12 @@ class Ring:
 
     def pair(self, k: int) -> Pair:
         """(cosine, sine) of the k-th angle generator."""
-        first = len(self.roots)
-        return self.context.gen(first + len(self.angles) + k), self.context.gen(first + k)
+        c, s = self.pair_index(k)
+        return self.context.gen(c), self.context.gen(s)
+
+    def pair_index(self, k: int) -> tuple[int, int]:
+        """Where that pair stands among the generators."""
+        return len(self.roots) + len(self.angles) + k, len(self.roots) + k
 
     @cached_property
     def relations(self) -> tuple[tuple[int, fmpq_mpoly], ...]:
@@ -194,6 +198,8 @@ def carry(polynomial: fmpq_mpoly, source: Ring, target: Ring) -> fmpq_mpoly:
     """The same element in a larger ring."""
     if source is target:
         return polynomial
+    if polynomial.is_constant():
+        return target.context.constant(polynomial.leading_coefficient()) if polynomial else target.zero
     moved = images(source, target)
     if moved is None:
         return polynomial.project_to_context(target.context)

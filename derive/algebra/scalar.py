@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
+from functools import lru_cache, reduce
 from typing import Union
 
 from flint import fmpq_mpoly
@@ -32,10 +33,7 @@ class Scalar:
 
     @staticmethod
     def of(value: Like) -> Scalar:
-        if isinstance(value, Scalar):
-            return value
-        base = ring()
-        return Scalar(base, base.constant(value))
+        return value if isinstance(value, Scalar) else _constant(value)
 
     @staticmethod
     def symbol(name: str) -> Scalar:
@@ -131,7 +129,7 @@ class Scalar:
         degrees = list(self.numerator.degrees())
         if self.denominator is not None:
             degrees = [max(pair) for pair in zip(degrees, self.denominator.degrees(), strict=True)]
-        return (name for name, degree in zip(self.ring.names, degrees, strict=True) if degree)
+        return (name for name, degree in zip(self.ring.names, degrees, strict=True) if degree > 0)
 
     def into(self, home: Ring) -> Scalar:
         """The same scalar in a larger ring."""
@@ -161,6 +159,12 @@ class Scalar:
         return top if self.denominator is None else top / _replaced(self.denominator, self.ring, home, values)
 
 
+@lru_cache(maxsize=256)
+def _constant(value: int | Fraction) -> Scalar:
+    base = ring()
+    return Scalar(base, base.constant(value))
+
+
 def trig(form: Form) -> tuple[Scalar, Scalar]:
     """(cosine, sine) of a form without a fixed part."""
     home = ring().with_angle(form)
@@ -187,10 +191,8 @@ def fraction(home: Ring, top: fmpq_mpoly, bottom: fmpq_mpoly | None) -> Scalar:
 
 def common_ring(scalars: Iterable[Scalar]) -> Ring:
     """The smallest ring built from those of the scalars, in their order."""
-    home = ring()
-    for scalar in scalars:
-        home = home.union(scalar.ring)
-    return home
+    rings = dict.fromkeys(scalar.ring for scalar in scalars)
+    return reduce(Ring.union, rings, ring())
 
 
 def as_fraction(value: object) -> Fraction:
@@ -214,14 +216,15 @@ def _times(left: fmpq_mpoly | None, right: fmpq_mpoly | None) -> fmpq_mpoly | No
 
 
 def _derivative(polynomial: fmpq_mpoly, home: Ring, name: str) -> fmpq_mpoly:
-    """By the chain rule through symbols, angles and roots."""
+    """By the chain rule through symbols and angles."""
     result = polynomial.derivative(home.index[name]) if name in home.index else home.zero
     for k, form in enumerate(home.angles):
         rate = form.of_atom(name)
-        if rate:
-            c, s = home.pair(k)
-            along = polynomial.derivative(str(s)) * c - polynomial.derivative(str(c)) * s
-            result = result + along * home.constant(rate)
+        if not rate:
+            continue
+        (c, s), (c_at, s_at) = home.pair(k), home.pair_index(k)
+        along = polynomial.derivative(s_at) * c - polynomial.derivative(c_at) * s
+        result = result + (along if rate == 1 else along * home.constant(rate))
     return home.reduce(result)
 
 

@@ -151,6 +151,11 @@ def put(terms: Terms, monomial: Monomial, coefficient: Fraction) -> None:
         terms.pop(monomial, None)
 
 
+def terminates(value: Fraction) -> bool:
+    """Whether it is a decimal fraction of at most six places."""
+    return value.denominator > 1 and (value * 10**6).denominator == 1
+
+
 def frozen(terms: Mapping[Monomial, Fraction]) -> frozenset[tuple[Monomial, Fraction]]:
     """Terms as a key."""
     return frozenset(terms.items())

@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, TypeAlias, get_args
 
-from derive.control.linear import term
 from derive.control.ratios import Ratio, total
-from derive.expression import Expr, Quotient, Symbol, add, multiply
+from derive.expression import Expr, Product, Quotient, Symbol, add, multiply
 
 S = Symbol("s")
 Family: TypeAlias = Literal["P", "PI", "PD", "PID"]
@@ -53,6 +52,6 @@ def _term(letter: str, gain: Expr) -> Expr:
         case "I":
             return Quotient(gain, S)
         case "D":
-            return term(Ratio.of(gain), S) if not isinstance(gain, Symbol) else multiply(gain, S)
+            return multiply(*(gain.factors if isinstance(gain, Product) else (gain,)), S)
         case _:
             return gain

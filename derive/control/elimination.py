@@ -11,11 +11,11 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from derive.control.linear import Form, combined, form_of, term, tree
-from derive.control.ratios import Ratio, total
+from derive.control.ratios import Ratio
 from derive.control.signals import signals, unknowns
 from derive.control.system import Equation, System
 from derive.errors import NotDerivable
-from derive.expression import ONE, ZERO, Expr, Product, Symbol, add, multiply, rebuild
+from derive.expression import ZERO, Expr, Product, Symbol, add, multiply, rebuild
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,7 +115,7 @@ class _Elimination:
         relation, ratio = self.close()
         output = self.system.output
         values: dict[Expr, Expr] = {output: term(ratio, self.source)}
-        values |= {signal: ZERO for signal in self.zero}
+        values |= dict.fromkeys(self.zero, ZERO)
         values |= {signal: tree(form) for signal, form in self.known.items()}
         return Solution(self.source, self.zero, tuple(steps), relation, ratio, values)
 

@@ -5,10 +5,12 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
 
 from derive.algebra.numeric import number
 from derive.control.signals import signals, unknowns
-from derive.control.system import System
+from derive.control.system import Equation, System
 from derive.expression import Expr, Power, Product, Quotient, Sum, Symbol, free_symbols
 
 EULER = 12  # terms averaged by Euler summation
@@ -33,41 +35,57 @@ def value(expr: Expr, point: Mapping[str, complex]) -> complex:
     raise ValueError(f"{type(expr).__name__} at complex numbers")
 
 
-def gain(
-    system: System,
-    source: Symbol,
-    point: Mapping[str, float],
-    s: complex,
-    controller: Callable[[complex], complex] | None = None,
-) -> complex:
-    """output / source at one s, all other inputs zero, by solving the equations as they were typed.
+@dataclass(frozen=True, slots=True)
+class Numeric:
+    """The equations of a system at values of its parameters: output / source by solving them as typed."""
 
-    With a controller, output / reference of the loop: the input is one more unknown, u = C (r - y).
-    """
-    import numpy
+    system: System
+    source: Symbol
+    point: Mapping[str, float]
+    found: tuple[Symbol, ...]  # its signals
 
-    unknown = list(unknowns(system, signals(system)))
-    columns = [*unknown, source]
-    rows = [
-        [_coefficient(system, k, column, point, s) for column in columns]
-        for k in range(len(system.equations))
-    ]
-    matrix = numpy.array([row[:-1] for row in rows], dtype=complex)
-    drive = numpy.array([row[-1] for row in rows], dtype=complex)
-    place = unknown.index(system.output)
-    if controller is None:
+    @staticmethod
+    def of(system: System, source: Symbol, point: Mapping[str, float]) -> Numeric:
+        return Numeric(system, source, point, signals(system))
+
+    def gain(self, s: complex) -> complex:
+        """output / source at one s, all other inputs zero."""
+        import numpy
+
+        matrix, drive, place = self._equations(s)
         return complex(numpy.linalg.solve(matrix, -drive)[place])
-    law = numpy.zeros(len(unknown) + 1, dtype=complex)
-    law[place], law[-1] = controller(s), 1.0
-    loop = numpy.vstack((numpy.column_stack((matrix, drive)), law))
-    return complex(numpy.linalg.solve(loop, numpy.append(numpy.zeros(len(rows)), controller(s)))[place])
+
+    def closed(self, s: complex, controller: Expr) -> complex:
+        """output / reference of the loop: the input is one more unknown, u = C (r - y)."""
+        import numpy
+
+        matrix, drive, place = self._equations(s)
+        strength = value(controller, {**self.point, "s": complex(s)})
+        law = numpy.zeros(len(matrix) + 1, dtype=complex)
+        law[place], law[-1] = strength, 1.0
+        loop = numpy.vstack((numpy.column_stack((matrix, drive)), law))
+        return complex(numpy.linalg.solve(loop, numpy.append(numpy.zeros(len(matrix)), strength))[place])
+
+    def _equations(self, s: complex) -> tuple[Any, Any, int]:
+        """(coefficients of the unknowns, of the source, place of the output among the unknowns)."""
+        import numpy
+
+        unknown = unknowns(self.system, self.found)
+        quiet = {**self.point, "s": complex(s), **{each.name: 0j for each in self.found}}
+        rows = [
+            [_coefficient(equation, signal, quiet) for signal in (*unknown, self.source)]
+            for equation in self.system.equations
+        ]
+        whole = numpy.array(rows, dtype=complex)
+        return whole[:, :-1], whole[:, -1], unknown.index(self.system.output)
 
 
-def _coefficient(system: System, row: int, signal: Symbol, point: Mapping[str, float], s: complex) -> complex:
+def _coefficient(equation: Equation, signal: Symbol, quiet: Mapping[str, complex]) -> complex:
     """What left - right is with this signal one and all others zero."""
-    quiet: dict[str, complex] = {each.name: 0j for each in signals(system)}
-    at = {**point, **quiet, "s": complex(s), signal.name: 1 + 0j}
-    equation = system.equations[row]
+    sides = (equation.left, equation.right)
+    if not any(signal.name in free_symbols(side) for side in sides):
+        return 0j
+    at = {**quiet, signal.name: 1 + 0j}
     return value(equation.left, at) - value(equation.right, at)
 
 
@@ -80,11 +98,11 @@ def inverted(transform: Callable[[complex], complex], time: float, terms: int) -
     partial = 0.5 * transform(complex(DAMPING / (2 * time))).real
     sums: list[float] = []
     for k in range(1, terms + EULER + 1):
-        partial += (-1) ** k * transform(complex(DAMPING, 2 * math.pi * k) / (2 * time)).real
+        partial += (-1.0) ** k * transform(complex(DAMPING, 2 * math.pi * k) / (2 * time)).real
         if k >= terms:
             sums.append(partial)
     weighted = math.fsum(math.comb(EULER, k) * each for k, each in enumerate(sums)) / 2**EULER
-    return math.exp(DAMPING / 2) / time * weighted
+    return float(math.exp(DAMPING / 2) / time * weighted)
 
 
 def quotient(num: Sequence[float], den: Sequence[float], s: complex) -> complex:

@@ -8,7 +8,19 @@ from typing import TypeAlias
 from derive.algebra.text import text
 from derive.control.ratios import Ratio, total
 from derive.errors import NotDerivable
-from derive.expression import Expr, Power, Product, Quotient, Sum, Symbol, add, free_symbols, multiply, negate
+from derive.expression import (
+    MINUS_ONE,
+    Expr,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+    add,
+    free_symbols,
+    multiply,
+    negate,
+)
 
 Form: TypeAlias = Mapping[Symbol, Ratio]  # signal -> its coefficient; zero coefficients left out
 UNIT = Symbol("1")  # stands for the part without a signal
@@ -35,7 +47,8 @@ def combined(parts: Iterable[tuple[Ratio, Form]], decimals: bool = False) -> For
 def term(coefficient: Ratio, signal: Expr, decimals: bool = False) -> Expr:
     """A coefficient times a signal, as it is written."""
     if coefficient.scale < 0:
-        return negate(term(-coefficient, signal, decimals))
+        size = term(-coefficient, signal, decimals)
+        return Product((MINUS_ONE, size)) if isinstance(size, Quotient) else negate(size)
     if coefficient.bottom and not coefficient.top:
         top, bottom = coefficient.parts(decimals)
         return Quotient(multiply(top, signal), bottom)

@@ -17,9 +17,24 @@ from derive.algebra.readable import readable
 from derive.algebra.scalar import Scalar, as_fraction, common_ring
 from derive.algebra.terms import Style
 from derive.control.ratios import Ratio
-from derive.expression import ONE, ZERO, Expr, Power, Product, Quotient, Symbol, add, multiply, number
+from derive.expression import (
+    MINUS_ONE,
+    ONE,
+    ZERO,
+    Expr,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+    add,
+    is_negative,
+    multiply,
+    number,
+)
 
 S = Symbol("s")
+PLAIN = Style()
 Polynomial: TypeAlias = tuple[Scalar, ...]  # coefficients, highest power first, the first not zero
 
 
@@ -33,11 +48,10 @@ class Rational:
     @staticmethod
     def of(ratio: Ratio) -> Rational:
         """An unexpanded ratio multiplied out; common factors stay."""
-        top, bottom = ratio.parts()
-        value = normal(top) / normal(bottom)
-        if not value:
+        if not ratio:
             return Rational((), (Scalar.of(1),))
-        return Rational(polynomial(normal(top)), polynomial(normal(bottom)))
+        top = normal(Ratio(top=ratio.top).expr()) * ratio.scale
+        return Rational(polynomial(top), polynomial(normal(Ratio(top=ratio.bottom).expr())))
 
     @property
     def proper(self) -> bool:
@@ -76,9 +90,13 @@ class Rational:
         den = tuple(coefficient.substitute(values) for coefficient in self.den)
         return Rational(_stripped(num), _stripped(den))
 
-    def expr(self, style: Style = Style()) -> Expr:
+    def expr(self, style: Style = PLAIN) -> Expr:
         """Both polynomials collected by powers of s."""
         top, bottom = written(self.num, style), written(self.den, style)
+        terms = top.terms if isinstance(top, Sum) else ()
+        if bottom != ONE and terms and all(map(is_negative, terms)):
+            top = written(tuple(-coefficient for coefficient in self.num), style)
+            return Product((MINUS_ONE, Quotient(top, bottom)))
         return top if bottom == ONE else Quotient(top, bottom)
 
     def numbers(self) -> tuple[list[float], list[float]]:
@@ -124,7 +142,7 @@ def plus(left: Polynomial, right: Polynomial) -> Polynomial:
     return polynomial(scalar(left) + scalar(right))
 
 
-def written(coefficients: Sequence[Scalar], style: Style = Style()) -> Expr:
+def written(coefficients: Sequence[Scalar], style: Style = PLAIN) -> Expr:
     """Collected: `J L_a s^3 + (J R_a + L_a b) s^2 + ...`; what all coefficients share comes first."""
     common = shared(coefficients)
     if common.constant is None:

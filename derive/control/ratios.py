@@ -109,12 +109,16 @@ def total(ratios: Iterable[Ratio], decimals: bool = False) -> Ratio:
     common = reduce(_shared, (top.top for top in tops))
     common = tuple((base, power) for base, power in common if base != S)
     rests = [Ratio(top.scale, _taken(top.top, common)) for top in tops]
-    terms = sorted((rest.expr(decimals) for rest in rests), key=lambda term: -degree(term))
+    terms = sorted((term for rest in rests for term in _terms(rest.expr(decimals))), key=lambda t: -degree(t))
     sign = -1 if all(map(is_negative, terms)) else 1
     inner = Sum(tuple(negate(term) for term in terms) if sign < 0 else _positive_first(terms))
     if normal(inner) == 0:
         return Ratio(Fraction(0))
     return Ratio(Fraction(sign), (*common, (inner, 1))) / Ratio(top=bottom)
+
+
+def _terms(expr: Expr) -> tuple[Expr, ...]:
+    return expr.terms if isinstance(expr, Sum) else (expr,)
 
 
 def degree(expr: Expr) -> int:

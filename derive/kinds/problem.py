@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
+from functools import cached_property
 from typing import Any, get_args
 
 from derive.algebra.matrix import ScalarMatrix
@@ -18,7 +19,7 @@ from derive.kinds.registry import load
 TREES = get_args(Expr)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Problem:
     """One subject and the derivations about it. `where` are names kept while working and replaced
     at the end; `assumptions` say what is known of a name ("positive", ...)."""
@@ -28,6 +29,7 @@ class Problem:
     where: Mapping[str, Expr] = field(default_factory=dict)
     assumptions: Mapping[str, str] = field(default_factory=dict)
     derived: dict[tuple[str, Any], Derivation] = field(default_factory=dict)
+    written: dict[int, tuple[Scalar, Expr]] = field(default_factory=dict)  # by id, the value kept alive
 
     def ask(self, kind: str, **options: Any) -> Derivation:
         """The derivation of a question about this subject, made once however often it is asked.
@@ -44,7 +46,7 @@ class Problem:
             self.derived[key] = load(self.name, kind).derive(self.subject, options, self)
         return self.derived[key]
 
-    @property
+    @cached_property
     def symbols(self) -> frozenset[str]:
         """Every name the answer can depend on; those of `where` stand for others and are left out."""
         trees = [*expressions(self.subject), *self.where.values()]
@@ -52,12 +54,12 @@ class Problem:
 
     # -- from trees to normal forms and back ------------------------------------------------------
 
-    @property
+    @cached_property
     def names(self) -> Names:
         """`where` as definitions."""
         return {Symbol(name): value for name, value in self.where.items()}
 
-    @property
+    @cached_property
     def style(self) -> Style:
         """Decimals and degrees where the author typed them; joint variables in their order."""
         trees = [node for tree in expressions(self.subject) for node in walk(tree)]
@@ -69,11 +71,13 @@ class Problem:
         )
 
     def readable(self, value: Scalar) -> Expr:
-        """As a person would write it, names of `where` kept."""
-        return readable(value, self.style)
+        """As a person would write it, names of `where` kept; the same value is read once."""
+        if id(value) not in self.written:
+            self.written[id(value)] = (value, readable(value, self.style))
+        return self.written[id(value)][1]
 
     def readable_matrix(self, value: ScalarMatrix) -> Matrix:
-        return readable_matrix(value, self.style)
+        return Matrix(tuple(tuple(map(self.readable, row)) for row in value.rows))
 
     def final(self, expr: Expr, names: Names | None = None) -> Expr:
         """A scalar or a matrix with `where` (and `names`) replaced by their values; the same tree

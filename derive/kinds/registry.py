@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from importlib import import_module
-from importlib.metadata import entry_points
 from pathlib import Path
 from types import ModuleType
 
@@ -15,22 +14,35 @@ FOLDERS = {
     "system": ("system",),
     "motor": ("system",),
 }
+KINDS = Path(__file__).parent
 PLUGINS = "derive.kinds"  # entry points named `subject/kind`, each a module like those here
 
 
 def kinds_of(subject: str) -> dict[str, str]:
-    """Kind -> module name, for one subject, in alphabetical order."""
+    """Kind -> module name, for one subject, in alphabetical order; those of other packages too."""
     found = {}
     for folder in FOLDERS[subject]:
-        for path in (Path(__file__).parent / folder).glob("[!_]*.py"):
+        for path in (KINDS / folder).glob("[!_]*.py"):
             found[path.stem.replace("_", "-")] = f"derive.kinds.{folder}.{path.stem}"
-    for plugin in entry_points(group=PLUGINS):
-        owner, _, kind = plugin.name.partition("/")
-        if owner == subject:
-            found[kind] = plugin.value
-    return dict(sorted(found.items()))
+    return dict(sorted({**_plugins(subject), **found}.items()))
+
+
+def module_name(subject: str, kind: str) -> str:
+    """Where a kind is kept. Raises KeyError."""
+    for folder in FOLDERS[subject]:
+        stem = kind.replace("-", "_")
+        if stem.isidentifier() and (KINDS / folder / f"{stem}.py").is_file():
+            return f"derive.kinds.{folder}.{stem}"
+    return _plugins(subject)[kind]
 
 
 def load(subject: str, kind: str) -> ModuleType:
     """The module of a kind: its `Options`, its `RESULTS` and its `derive`. Raises KeyError."""
-    return import_module(kinds_of(subject)[kind])
+    return import_module(module_name(subject, kind))
+
+
+def _plugins(subject: str) -> dict[str, str]:
+    """Entry points named `subject/kind`; looked up only where no kind of ours answers."""
+
+    pairs = ((plugin.name.partition("/"), plugin.value) for plugin in entry_points(group=PLUGINS))
+    return {kind: value for (owner, _, kind), value in pairs if owner == subject}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
@@ -12,10 +12,11 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names
 from derive.algebra.ring import Ring, ring
 from derive.expression import Symbol, walk
+from derive.mechanics.bodies import moments
 from derive.mechanics.dh import moves
 from derive.mechanics.motion import Move
 from derive.mechanics.poses import composed, position_part, rotation_part, unit_vector
-from derive.mechanics.robot import JointType, Robot
+from derive.mechanics.robot import JointType, Robot, gravity_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,14 +66,15 @@ class Chain:
 
 
 def chain(robot: Robot, names: Names | None = None) -> Chain:
-    """The robot in one ring whose angles are the sums over parallel axes."""
+    """The robot in one ring: its angles are the sums over parallel axes, its symbols all those of the
+    robot, bodies and gravity included, so that nothing has to change rings later."""
     rows = [moves(link, robot) for link in robot.links]
     joints = tuple(
         _joint(row, link.variable, link.joint, names) for row, link in zip(rows, robot.links, strict=True)
     )
     local = [composed(row, names) for row in rows]
     base, tool = composed(robot.base, names), composed(robot.tool, names)
-    home = _home([base, *local, tool], _sums(rows, joints, names))
+    home = _home([base, *local, tool], _sums(rows, joints, names), parameters(robot))
     T_local = tuple(T.into(home) for T in local)
     T = _products(base.into(home), T_local)
     return Chain(T_local, T, T[-1] @ tool.into(home), joints)
@@ -85,8 +87,20 @@ def _products(base: ScalarMatrix, local: Sequence[ScalarMatrix]) -> tuple[Scalar
     return tuple(poses)
 
 
-def _home(matrices: Sequence[ScalarMatrix], sums: tuple[Form, ...]) -> Ring:
-    return reduce(Ring.union, (matrix.ring for matrix in matrices), ring(angles=sums))
+def _home(matrices: Sequence[ScalarMatrix], sums: tuple[Form, ...], names: Iterable[str]) -> Ring:
+    home = reduce(Ring.union, (matrix.ring for matrix in matrices), ring(angles=sums))
+    return home.with_symbols(names)
+
+
+def parameters(robot: Robot) -> tuple[str, ...]:
+    """Every symbol of the bodies and of gravity, in order of first use."""
+    trees = list(gravity_of(robot))
+    for link in robot.links:
+        if link.body:
+            com = () if link.body.com == "center" else link.body.com
+            trees += [link.body.mass, *com, *moments(link.body)]
+    nodes = (node for tree in trees for node in walk(tree))
+    return tuple(dict.fromkeys(node.name for node in nodes if isinstance(node, Symbol)))
 
 
 def _joint(

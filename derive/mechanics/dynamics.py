@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import reduce
 
-from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.matrix import ScalarMatrix, dot
 from derive.algebra.scalar import Scalar
 
 HALF = Fraction(1, 2)
@@ -27,33 +28,45 @@ class LinkMotion:
 
 def inertia_matrix(links: Sequence[LinkMotion]) -> ScalarMatrix:
     """D (n by n) = sum of m J_v^T J_v + J_w^T R I R^T J_w (Spong et al., eq. 6.30)."""
-    parts = [link_inertia(link) for link in links]
-    total = parts[0]
-    for part in parts[1:]:
-        total = total + part
-    return total
+    return reduce(ScalarMatrix.__add__, map(link_inertia, links))
 
 
 def link_inertia(link: LinkMotion) -> ScalarMatrix:
     """The part of D that one link brings (n by n)."""
-    linear = (link.J_v.T @ link.J_v).scaled(link.mass)
+    linear = _gram(link.J_v, link.J_v).scaled(link.mass)
     if not link.inertia:
         return linear
     local = link.R.T @ link.J_w  # angular velocity in the link's own frame
-    return linear + local.T @ link.inertia @ local
+    return linear + _gram(local, link.inertia @ local)
+
+
+def _gram(A: ScalarMatrix, B: ScalarMatrix) -> ScalarMatrix:
+    """A^T B where that is symmetric: only one half is multiplied out."""
+    home = A.ring.union(B.ring)
+    left, right = A.into(home).T.rows, B.into(home).T.rows
+    lower = [[dot(left[i], right[j]) for j in range(i + 1)] for i in range(len(left))]
+    n = range(len(left))
+    return ScalarMatrix(tuple(tuple(lower[max(i, j)][min(i, j)] for j in n) for i in n))
 
 
 def christoffel(D: ScalarMatrix, variables: Sequence[str]) -> dict[tuple[int, int, int], Scalar]:
     """c_ijk, indices from 1: (d_kj,i + d_ki,j - d_ij,k) / 2 (Spong et al., eq. 6.38)."""
     n = len(variables)
-    d = [D.diff(name) for name in variables]
+    d = [_symmetric(D, lambda entry, name=name: entry.diff(name)) for name in variables]
     found = {}
     for i in range(n):
         for j in range(i, n):
             for k in range(n):
-                symbol = (d[i][k, j] + d[j][k, i] - d[k][i, j]) * HALF
+                symbol = (d[i][k][j] + d[j][k][i] - d[k][i][j]) * HALF
                 found[i + 1, j + 1, k + 1] = found[j + 1, i + 1, k + 1] = symbol
     return found
+
+
+def _symmetric(D: ScalarMatrix, change: Callable[[Scalar], Scalar]) -> list[list[Scalar]]:
+    """`change` of every entry of a symmetric matrix, once for each pair."""
+    n = D.shape[0]
+    lower = [[change(D[i, j]) for j in range(i + 1)] for i in range(n)]
+    return [[lower[max(i, j)][min(i, j)] for j in range(n)] for i in range(n)]
 
 
 def potential_energy(links: Sequence[LinkMotion], gravity: ScalarMatrix) -> Scalar:

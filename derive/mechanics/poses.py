@@ -5,24 +5,32 @@ Angles come as (cosine, sine) pairs of scalars, so that fixed and symbolic angle
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import reduce
 
 from derive.algebra.kernels import root
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, Walk, normal
 from derive.algebra.scalar import Like, Scalar
+from derive.expression import ZERO
 from derive.mechanics.motion import Axis, Move
 
 Pair = tuple[Scalar, Scalar]
 
+ELEMENTARY: dict[str, Callable[[Scalar, Scalar], list[list[Like]]]] = {
+    "x": lambda c, s: [[1, 0, 0], [0, c, -s], [0, s, c]],
+    "y": lambda c, s: [[c, 0, s], [0, 1, 0], [-s, 0, c]],
+    "z": lambda c, s: [[c, -s, 0], [s, c, 0], [0, 0, 1]],
+}
 UNIT = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}
 
 
 def rotation(axis: Axis, angle: Pair, names: Names | None = None) -> ScalarMatrix:
     """R (3 by 3), a rotation about an axis by Rodrigues' formula (Siciliano et al., eq. 2.25)."""
-    k = unit_vector(axis, names)
     c, s = angle
+    if isinstance(axis, str):
+        return ScalarMatrix.of(ELEMENTARY[axis](c, s))
+    k = unit_vector(axis, names)
     parts = [[k[i] * k[j] * (1 - c) for j in range(3)] for i in range(3)]
     turn = ((c, -k[2] * s, k[1] * s), (k[2] * s, c, -k[0] * s), (-k[1] * s, k[0] * s, c))
     return ScalarMatrix.of([parts[i][j] + turn[i][j] for j in range(3)] for i in range(3))
@@ -69,7 +77,8 @@ def pose(move: Move, names: Names | None = None) -> ScalarMatrix:
 
 def composed(moves: Iterable[Move], names: Names | None = None) -> ScalarMatrix:
     """T of moves about current axes: each multiplies from the right."""
-    return reduce(ScalarMatrix.__matmul__, (pose(move, names) for move in moves), ScalarMatrix.identity(4))
+    poses = [pose(move, names) for move in moves if move.by != ZERO]
+    return reduce(ScalarMatrix.__matmul__, poses) if poses else ScalarMatrix.identity(4)
 
 
 def skew(w: ScalarMatrix) -> ScalarMatrix:

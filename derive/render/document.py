@@ -56,7 +56,7 @@ class ProblemPage:
 
 @dataclass(frozen=True, slots=True)
 class Document:
-    """A sheet. `figures` is the folder of its pictures relative to the page; `solutions` says which sheet it is."""
+    """A sheet, with or without its solutions. `figures` is the folder of its pictures, seen from the page."""
 
     title: str
     problems: tuple[ProblemPage, ...]

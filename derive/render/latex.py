@@ -28,7 +28,7 @@ from derive.expression import (
 from derive.render.names import Name, name_latex, name_parts, script
 from derive.render.notation import Notation
 from derive.render.numbers import fraction_latex, rounded_latex
-from derive.render.trig import SHORT, short_index
+from derive.render.trig import SHORT, followed_by_function, is_short_argument, is_written_out, short_index
 
 # How tightly printed mathematics holds together; a looser part stands in parentheses.
 SUM, PRODUCT, RAISED, ATOM = 1, 2, 3, 4
@@ -142,15 +142,13 @@ class Printer:
     def _factor(self, factors: tuple[Expr, ...], place: int, inside: bool) -> str:
         """One factor among others; a leading minus sign stands bare only at the very front."""
         factor = factors[place]
-        if _is_written_out(factor, self.notation) and not _followed_by_function(
-            factors, place, self.notation
-        ):
+        if is_written_out(factor, self.notation) and not followed_by_function(factors, place, self.notation):
             return self._enclosed_function(factor)
         written, tightness = self.measured(factor)
         bare = tightness >= PRODUCT or (
             place == 0 and not inside and isinstance(factor, Number | Approximate | Product | Quotient)
         )
-        return written if bare or len(factors) == 1 and not inside else parenthesised(written)
+        return written if bare or (len(factors) == 1 and not inside) else parenthesised(written)
 
     def _enclosed_function(self, factor: Expr) -> str:
         match factor:
@@ -172,7 +170,7 @@ class Printer:
         if exponent == Number(Fraction(1, 2)):
             return rf"\sqrt{{{self.write(base)}}}", RAISED
         raised = script("^", self._exponent(exponent))
-        if isinstance(base, Call) and _is_written_out(base, self.notation):
+        if isinstance(base, Call) and is_written_out(base, self.notation):
             return self._function(
                 base.function + raised, base.arguments[0], OPERATORS[base.function] + raised
             )
@@ -212,7 +210,7 @@ class Printer:
 
     def _function(self, function: str, argument: Expr, operator: str) -> tuple[str, int]:
         written = self.write(argument)
-        bare = function.startswith(BARE_ARGUMENT) and _is_short_argument(argument)
+        bare = function.startswith(BARE_ARGUMENT) and is_short_argument(argument)
         return f"{operator} {written}" if bare else f"{operator}{parenthesised(written)}", RAISED
 
     def _atan2(self, y: Expr, x: Expr) -> str:
@@ -254,38 +252,16 @@ def _sign(factors: tuple[Expr, ...]) -> tuple[str, tuple[Expr, ...]]:
 
 
 def _is_letter(factor: Expr) -> bool:
+    """Whether it may stand over a number; a rate is what its coefficient multiplies and stays outside."""
     match factor:
-        case Symbol():
-            return True
-        case Power(Symbol(), Number(value)):
-            return value > 0 and value.denominator == 1
+        case Symbol(name):
+            return not name.endswith("dot")
+        case Power(Symbol() as base, Number(value)):
+            return _is_letter(base) and value > 0 and value.denominator == 1
         case Call("sqrt", _):
             return True
         case _:
             return False
-
-
-def _is_short_argument(argument: Expr) -> bool:
-    match argument:
-        case Symbol():
-            return True
-        case Degrees(value) | Number(value):
-            return value >= 0 and value.denominator == 1
-        case _:
-            return False
-
-
-def _is_written_out(factor: Expr, notation: Notation) -> bool:
-    """Whether it prints as a function before its argument, `\\cos \\phi`."""
-    call = factor.base if isinstance(factor, Power) else factor
-    if not isinstance(call, Call) or call.function not in ("cos", "sin", "tan"):
-        return False
-    return call.function not in SHORT or not short_index(call.arguments[0], notation)
-
-
-def _followed_by_function(factors: tuple[Expr, ...], place: int, notation: Notation) -> bool:
-    """Whether nothing that could be read as part of the argument comes next."""
-    return place == len(factors) - 1 or _is_written_out(factors[place + 1], notation)
 
 
 def _meet_as_numbers(before: str, after: str) -> bool:

@@ -26,6 +26,9 @@ LATEX_ENGINES = {
 # A sign that continues a sum after an indent: something before it makes Typst space it as binary.
 CONTINUED = re.compile(r"(&\s*quad)\s+([+\-])")
 
+# The paragraph that leads to a display stays on its page; the template says how.
+LEAD_IN = re.compile(r"(?<=\n\n)(?![#=+\-$\s])((?:.+\n)+)(?=\n\$ )")
+
 
 class PdfFailed(Exception):
     """The page could not be made into a PDF; the message says why."""
@@ -40,7 +43,10 @@ def metadata(document: Document) -> dict[str, str]:
 
 
 def write_pdf(document: Document, target: Path) -> None:
-    """Writes the PDF. Pictures are found relative to the folder of `target`. Raises PdfFailed, PandocFailed."""
+    """Writes the PDF. Pictures are found relative to the folder of `target`.
+
+    Raises PdfFailed and PandocFailed.
+    """
     from typst import Compiler, TypstError
 
     try:
@@ -58,7 +64,7 @@ def render_typst(document: Document) -> str:
     # Headings move up one level: the title of the sheet is no heading of the body.
     arguments = [f"--template={template}", "--shift-heading-level-by=-1"]
     page = pandoc(render_markdown(document, front=False), "typst", arguments, metadata(document)).decode()
-    return CONTINUED.sub(r'\1 "" \2', page)
+    return LEAD_IN.sub(r"#lead-in[\1]\n", CONTINUED.sub(r'\1 "" \2', page))
 
 
 def write_pdf_with_latex(source: Path, target: Path) -> None:

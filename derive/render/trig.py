@@ -1,8 +1,8 @@
-"""Short notation for sines and cosines of joint angles: c_1, s_{12}, and c_\\phi where asked."""
+"""Sines and cosines: short for joint angles (c_1, s_{12}, and c_\\phi where asked), or written out."""
 
 from __future__ import annotations
 
-from derive.expression import Expr, Sum, Symbol
+from derive.expression import Call, Degrees, Expr, Number, Power, Sum, Symbol
 from derive.render.names import Name, name_latex, name_parts
 from derive.render.notation import Notation
 
@@ -46,3 +46,27 @@ def _summed_index(terms: tuple[Expr, ...]) -> str:
         return ""
     indices = [part.index for part in parts]
     return ("" if all(len(index) == 1 for index in indices) else ",").join(indices)
+
+
+def is_short_argument(argument: Expr) -> bool:
+    """Whether it can stand after a function without parentheses."""
+    match argument:
+        case Symbol():
+            return True
+        case Degrees(value) | Number(value):
+            return value >= 0 and value.denominator == 1
+        case _:
+            return False
+
+
+def is_written_out(factor: Expr, notation: Notation) -> bool:
+    """Whether it prints as a function before its argument, `\\cos \\phi`."""
+    call = factor.base if isinstance(factor, Power) else factor
+    if not isinstance(call, Call) or call.function not in ("cos", "sin", "tan"):
+        return False
+    return call.function not in SHORT or not short_index(call.arguments[0], notation)
+
+
+def followed_by_function(factors: tuple[Expr, ...], place: int, notation: Notation) -> bool:
+    """Whether nothing that could be read as part of the argument comes next."""
+    return place == len(factors) - 1 or is_written_out(factors[place + 1], notation)

@@ -64,6 +64,8 @@ def _read(
     try:
         kind = _kind(at, data, subject)
         rest = {key: value for key, value in data.items() if key not in keys}
+        if kind and given and "evaluate" in kind.Options.model_fields:
+            rest["evaluate"] = given.evaluate  # some kinds need the point itself: poles, a step response
         options = checked(kind.Options, at, rest, known.names, keys) if kind else None
     except SheetErrors as errors:
         faults.extend(errors.errors)
@@ -82,13 +84,15 @@ def _kind(at: At, data: dict[str, Any], subject: str) -> ModuleType | None:
     typed = data.get("find")
     if not isinstance(typed, str):
         return None
-    kinds = registry.kinds_of(subject)
-    if typed not in kinds:
+    try:
+        return registry.load(subject, typed)
+    except KeyError:
+        kinds = registry.kinds_of(subject)
         hint = did_you_mean(typed, kinds)
         listed = f"kinds for {subject}: {', '.join(kinds)}"
         hint = f"{hint} ({listed})" if hint.startswith("did") else listed
-        raise SheetErrors([at.fault(f"there is no kind '{typed}' for {subject}", ("find",), hint)])
-    return registry.load(subject, typed)
+        fault = at.fault(f"there is no kind '{typed}' for {subject}", ("find",), hint)
+        raise SheetErrors([fault]) from None
 
 
 def _without_find_misspelt(errors: SheetErrors, data: dict[str, Any], at: At) -> list[SheetError]:

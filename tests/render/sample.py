@@ -46,8 +46,8 @@ WORDS = {
 The transformations between neighbouring frames of the {{ em("arm") }} are
 {{ show(*facts.factors) }}
 
-Their product is the pose of the {{ strong("end-effector") }} in the base frame, with {{ "a1" | m }} the length
-of the first link:
+Their product is the pose of the {{ strong("end-effector") }} in the base frame, with {{ "a1" | m }} the
+length of the first link:
 {{ show("T_2^0", "r_14") }}
 
 The Jacobian takes its columns from {{ ["z_0", "o_1", "o_2"] | listed }}.

@@ -78,6 +78,7 @@ def test_atan2_in_both_orders() -> None:
         (Product((number("-1/2"), m, squared(L), sin(theta2))), r"-\frac{m L^2}{2} s_2"),
         (Product((number("1/2"), Sum((a, b)))), r"\frac{1}{2} (a + b)"),
         (Product((number("1/2"), transpose(a), b)), r"\frac{1}{2} a^T b"),
+        (Product((number("1/2"), m, Symbol("theta1_ddot"))), r"\frac{m}{2} \ddot{\theta}_1"),
         (Product((number("101/1200"), m)), r"\frac{101 m}{1200}"),
         (Sum((negate(a), negate(b), number("0.1", True))), "-a - b + 0.1"),
         (Sum((a, Sum((b, negate(m))))), "a + (b - m)"),
@@ -113,7 +114,8 @@ def test_a_tree_prints_as_a_person_writes_it(expr: Expr, printed: str) -> None:
 @pytest.mark.parametrize(
     ("value", "printed"),
     [(0.43301, "0.433"), (0.75, "0.75"), (1e-17, "0"), (-2.0, "-2"), (1234.5, "1230"),
-     (0.0012345, "0.00123"), (1.25e-7, r"1.25 \cdot 10^{-7}"), (-3.2e8, r"-3.2 \cdot 10^{8}"), (9.9996, "10")],
+     (0.0012345, "0.00123"), (1.25e-7, r"1.25 \cdot 10^{-7}"), (-3.2e8, r"-3.2 \cdot 10^{8}"),
+     (9.9996, "10")],
 )  # fmt: skip
 def test_rounded_numbers(value: float, printed: str) -> None:
     assert latex(Approximate(value), NOTATION) == printed

@@ -33,7 +33,8 @@ def test_markdown_keeps_the_rules_of_github_and_pandoc() -> None:
 
 def test_the_page_has_its_parts() -> None:
     page = render_markdown(sample.sheet())
-    parts = ("# Solutions & more", "Robotics · A. Teacher", "## Problem 1: Two links", "### Question 1 (10 marks)",
+    parts = ("# Solutions & more", "Robotics · A. Teacher", "## Problem 1: Two links",
+             "### Question 1 (10 marks)",
              "*Hint*: Use *both*", "#### Solution", "At $\\theta_1 = 30^\\circ$, $a_1 = 0.5$:",
              "Verified: 1 claim by normal form, 1 by an independent route.")  # fmt: skip
     assert [part for part in parts if part not in page] == []

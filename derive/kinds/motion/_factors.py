@@ -13,6 +13,7 @@ from derive.derivation import Step
 from derive.errors import NotDerivable
 from derive.expression import (
     ONE,
+    ZERO,
     Expr,
     Indexed,
     Matrix,
@@ -207,5 +208,5 @@ def rodrigues(axis: Symbol, angle: Expr) -> Expr:
 
 def homogeneous_blocks(R: Expr) -> Matrix:
     """A 4 by 4 matrix of blocks, no translation."""
-    zero = column((subtract(ONE, ONE),) * 3)
+    zero = column((ZERO,) * 3)
     return Matrix(((R, zero), (transpose(zero), ONE)))

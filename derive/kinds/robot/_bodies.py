@@ -60,15 +60,16 @@ def _weighted(found: Chain, i: int, body: Body, index: str) -> Weighted:
     T = found.T[i]
     position = position_part(T) + rotation_part(T) @ com
     J = jacobian(found, position, i)
-    home = J.ring
+    home = J.ring.with_symbols(name.name for name in named if isinstance(name, Symbol))
+    J, R = J.into(home), rotation_part(T).into(home)
     inertia = ScalarMatrix.of([normal(written[k]) for k in row] for row in ((0, 3, 5), (3, 1, 4), (5, 4, 2)))
     motion = LinkMotion(
-        normal(body.mass),
+        normal(body.mass).into(home),
         position.into(home),
         J.block(slice(0, 3), slice(None)),
         J.block(slice(3, 6), slice(None)),
-        rotation_part(T),
-        inertia,
+        R,
+        inertia.into(home),
     )
     return Weighted(i, body, com, written, named, motion, J)
 

@@ -34,16 +34,20 @@ def com_jacobian_steps(problem: Problem, found: Chain, body: Weighted) -> tuple[
     return jacobian_steps(problem, found, body.J, Symbol(f"J_c{i}"), Symbol(f"o_c{i}"), i)
 
 
-def inertia_steps(body: Weighted) -> tuple[Step, ...]:
-    """I_1 about the com in the link's frame; what the names of a shape's moments stand for."""
-    if not body.turns:
-        return ()
-    named = [
-        Step(str(name.name), (name, value), "moment")
-        for name, value in body.named.items()
-        if isinstance(name, Symbol)
+def inertia_steps(bodies: tuple[Weighted, ...]) -> tuple[Step, ...]:
+    """I_1 = I_2 about the com in the link's frame, equal ones once; then what the names of a shape's
+    moments stand for."""
+    alike: dict[Matrix, list[int]] = {}
+    for body in bodies:
+        if body.turns:
+            alike.setdefault(body.matrix, []).append(body.i)
+    matrices = [
+        Step(f"I_{same[0]}", (*(Symbol(f"I_{i}") for i in same), matrix), "inertia")
+        for matrix, same in alike.items()
     ]
-    return Step(f"I_{body.i}", (Symbol(f"I_{body.i}"), body.matrix), "inertia", {"i": body.i}), *named
+    values = {name: value for body in bodies for name, value in body.named.items()}
+    named = [Step(name.name, (name, values[name]), "moment") for name in values if isinstance(name, Symbol)]
+    return (*matrices, *named)
 
 
 def body_definitions(problem: Problem, found: Chain, body: Weighted) -> dict[Expr, Expr]:
@@ -67,7 +71,10 @@ def body_definitions(problem: Problem, found: Chain, body: Weighted) -> dict[Exp
 
 
 def _shift(problem: Problem, com: ScalarMatrix) -> Indexed | None:
-    """Trans(x, y, z): the translation to the com, by its coordinates."""
-    if not com:
+    """Trans_{x, L/2}: the translation to the com; by all coordinates where it is along no axis."""
+    along = [(axis, entry) for axis, entry in zip("xyz", com.entries, strict=True) if entry]
+    if not along:
         return None
+    if len(along) == 1:
+        return Indexed("Trans", (Symbol(along[0][0]), problem.readable(along[0][1])))
     return Indexed("Trans", tuple(problem.readable(entry) for entry in com.entries))

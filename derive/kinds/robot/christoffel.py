@@ -30,6 +30,7 @@ from derive.mechanics.dynamics import christoffel
 from derive.mechanics.robot import Robot
 
 RESULTS = {"c_111, c_121, ...": "every one of the n^3, c_ijk = (d_kj,i + d_ki,j - d_ij,k) / 2"}
+NEEDS = ("bodies",)
 EXAMPLE = """\
 title: Christoffel symbols
 problems:
@@ -66,7 +67,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     }
     results = {_name(ijk): definitions.get(Symbol(_name(ijk)), ZERO) for ijk in sorted(symbols)}
     claims = (*links(steps, {**problem.names, **definitions}), *_laws(D, symbols, robot.variables))
-    vanish = [Symbol(_name(ijk)) for ijk, value in sorted(symbols.items()) if not value and ijk not in shown]
+    vanish = [Symbol(_name(ijk)) for ijk in sorted(symbols) if _ordered(ijk) not in shown]
     facts = {"vanish": vanish, "count": len(symbols), "n": len(robot.variables)}
     return Derivation("christoffel", steps, results, claims, definitions, uses=(base,), facts=facts)
 

@@ -23,6 +23,7 @@ RESULTS = {
     "g": "its partial derivatives (n)",
     "tau": "the joint forces (n), with rates theta1_dot and accelerations theta1_ddot",
 }
+NEEDS = ("bodies",)
 EXAMPLE = """\
 title: Equations of motion
 problems:

@@ -15,6 +15,7 @@ from derive.kinds.robot._chain import chain_of, closing, oracle_of
 from derive.mechanics.robot import Robot, gravity_of
 
 RESULTS = {"P": "potential energy", "g": "its partial derivatives (n)"}
+NEEDS = ("bodies",)
 EXAMPLE = """\
 title: Gravity
 problems:

@@ -25,6 +25,7 @@ RESULTS = {
     "D": "the inertia matrix (n by n)",
     "J_v1, J_w1, ...": "for each link, the linear and angular Jacobian of its com (3 by n)",
 }
+NEEDS = ("bodies",)
 EXAMPLE = """\
 title: The inertia matrix of a planar arm
 problems:
@@ -53,6 +54,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     for body in bodies:
         definitions |= body_definitions(problem, found, body)
     definitions |= {Symbol(s.name): s.result for s in steps} | _entries(written) | named
+    definitions[Symbol("D")] = written
     results = _results(problem, bodies, written, named)
     claims = (
         *links(steps, {**problem.names, **definitions}),
@@ -72,7 +74,7 @@ def _motion(problem: Problem, found: Chain, bodies: tuple[Weighted, ...]) -> tup
         *(step for body in bodies for step in com_steps(problem, found, body)),
         *axis_steps(problem, found, last),
         *(step for body in bodies for step in com_jacobian_steps(problem, found, body)),
-        *(step for body in bodies for step in inertia_steps(body)),
+        *inertia_steps(bodies),
     ]
     return tuple({step.name: step for step in steps}.values())
 

@@ -1,0 +1,155 @@
+"""What the kinds of frames share: names, the local poses as steps, and the second route in numbers."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.numeric import Point, number
+from derive.derivation import Step
+from derive.expression import (
+    ONE,
+    ZERO,
+    Expr,
+    Indexed,
+    Matrix,
+    Product,
+    Symbol,
+    add,
+    column,
+    multiply,
+)
+from derive.kinds.problem import Problem
+from derive.mechanics.elementary import factor_name, homogeneous
+from derive.mechanics.frame_tree import local
+from derive.mechanics.frames import ByMatrix, Frame, Observed
+from derive.mechanics.motion import Motion
+from derive.mechanics.poses import pose
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+def pose_name(number: int, reference: int) -> Symbol:
+    """T_2^0."""
+    return Symbol(f"T_{number}^{reference}")
+
+
+def rotation_name(number: int, reference: int) -> Symbol:
+    """R_2^0."""
+    return Symbol(f"R_{number}^{reference}")
+
+
+def origin_name(number: int, reference: int) -> Symbol:
+    """o_2^0."""
+    return Symbol(f"o_{number}^{reference}")
+
+
+def is_given(frame: Frame) -> bool:
+    """Whether its transform stands in the problem already, so that there is nothing to find."""
+    return isinstance(frame.source, ByMatrix)
+
+
+def local_steps(frame: Frame, problem: Problem) -> tuple[Step, ...]:
+    """How the pose of a frame in its parent is found."""
+    name = pose_name(frame.number, frame.parent)
+    facts: dict[str, Any] = {"frame": frame.number, "parent": frame.parent}
+    source = frame.source
+    if isinstance(source, Observed):
+        origin = origin_name(frame.number, frame.parent)
+        facts |= {"origin": origin, "axes": observed_axes(source, frame.number, frame.parent)}
+        return (
+            Step(origin.name, (origin, column(source.origin)), "observed-origin", facts),
+            Step(name.name, (name, local_matrix(frame, problem)), "observed", facts),
+        )
+    if isinstance(source, Motion):
+        factors = tuple(_factor(move) for move in source.moves)
+        product = Product(factors) if len(factors) > 1 else factors[0]
+        return (Step(name.name, (name, product, local_matrix(frame, problem)), "motion", facts),)
+    return (Step(name.name, (name, local_matrix(frame, problem)), "given", facts),)
+
+
+def local_matrix(frame: Frame, problem: Problem) -> Matrix:
+    """T (4 by 4) of a frame in its parent, as its author wrote it where it was written out."""
+    source = frame.source
+    if isinstance(source, Observed):
+        return homogeneous(Matrix(tuple(zip(source.x, source.y, source.z, strict=True))), source.origin)
+    if isinstance(source, ByMatrix):
+        return source.matrix if source.matrix.shape == (4, 4) else homogeneous(source.matrix)
+    return problem.readable_matrix(local(frame))
+
+
+def local_definitions(frame: Frame, problem: Problem) -> dict[Expr, Expr]:
+    """What the names in those steps stand for."""
+    found: dict[Expr, Expr] = {pose_name(frame.number, frame.parent): local_matrix(frame, problem)}
+    if isinstance(frame.source, Observed):
+        found[origin_name(frame.number, frame.parent)] = column(frame.source.origin)
+    if isinstance(frame.source, Motion):
+        for move in frame.source.moves:
+            found[_factor(move)] = problem.readable_matrix(pose(move))
+    return found
+
+
+def observed_axes(source: Observed, number: int, parent: int) -> list[tuple[Expr, Expr]]:
+    """x_1 = -x_0, ...: each axis of the frame by those of its parent, as chains for the words."""
+    return [
+        (Symbol(f"{letter}_{number}"), combination(axis, parent))
+        for letter, axis in zip("xyz", (source.x, source.y, source.z), strict=True)
+    ]
+
+
+def combination(axis: tuple[Expr, ...], parent: int) -> Expr:
+    """A sum of multiples of the parent's axes."""
+    return add(
+        *(multiply(part, Symbol(f"{letter}_{parent}")) for part, letter in zip(axis, "xyz", strict=True))
+    )
+
+
+def read_axes(T: Matrix, number: int, reference: int) -> list[tuple[Expr, Expr]]:
+    """The columns of a pose as statements about the axes, where they are plain numbers; else nothing."""
+    columns = [tuple(T.rows[i][j] for i in range(3)) for j in range(3)]
+    if not all(_plain(entry) for each in columns for entry in each):
+        return []
+    return [
+        (Symbol(f"{letter}_{number}"), combination(each, reference))
+        for letter, each in zip("xyz", columns, strict=True)
+    ]
+
+
+def numeric_local(frame: Frame, point: Point) -> NDArray[Any]:
+    """The pose of a frame in its parent in NumPy, straight from what was given."""
+    import numpy as np
+
+    from derive.mechanics.oracle import compose
+
+    T, source = np.eye(4), frame.source
+    if isinstance(source, Motion):
+        return compose(source.moves, point)
+    if isinstance(source, ByMatrix):
+        rows = np.array([[number(entry, point) for entry in row] for row in source.matrix.rows])
+        T[: len(rows), : len(rows)] = rows
+        return T
+    for j, axis in enumerate((source.x, source.y, source.z, source.origin)):
+        T[:3, j] = [number(part, point) for part in axis]
+    return T
+
+
+def numeric_pose(path: tuple[Frame, ...], point: Point) -> NDArray[Any]:
+    """The product along a path."""
+    import numpy as np
+
+    T = np.eye(4)
+    for frame in path:
+        T = T @ numeric_local(frame, point)
+    return T
+
+
+def _factor(move: Any) -> Indexed:
+    axis = Symbol(move.axis) if isinstance(move.axis, str) else column(move.axis)
+    return factor_name(move, axis, ("Rot", "Trans"))
+
+
+def _plain(entry: Expr) -> bool:
+    from derive.expression import Number
+
+    return isinstance(entry, Number) or entry in (ZERO, ONE)

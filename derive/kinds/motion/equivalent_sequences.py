@@ -1,0 +1,102 @@
+"""Other sequences of the same moves, about other axes, that end in the same place."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.text import text
+from derive.derivation import Claim, Derivation, Step
+from derive.errors import NotDerivable
+from derive.expression import Expr, Symbol
+from derive.kinds.checks import law, links
+from derive.kinds.fields import OptionsModel
+from derive.kinds.motion._factors import Factors, factors_of
+from derive.kinds.motion._product import second_route
+from derive.kinds.problem import Problem
+from derive.mechanics.motion import Axis, Motion, Move
+from derive.mechanics.sequences import Alternative, equivalents, mode, order
+
+RESULTS = {"sequences": "each a list of moves, written as in a motion, with the same result"}
+EXAMPLE = """\
+title: The same rotation in another way
+problems:
+- motion:
+  - {rotate: x, by: phi, about: world}
+  - {rotate: z, by: psi, about: current}
+  - {rotate: y, by: theta, about: world}
+  find: equivalent-sequences
+"""
+
+
+class Options(OptionsModel):
+    """Nothing to choose."""
+
+
+def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
+    """The sequences whose product has the same factors in the same order (Spong et al., section 2.4).
+
+    Raises NotDerivable where there is only one move.
+    """
+    if len(motion.moves) < 2:
+        raise NotDerivable("a single move can be made in one way only")
+    turning = all(move.kind == "rotate" for move in motion.moves)
+    factors = factors_of(motion.moves, problem, 3 if turning else 4)
+    name = Symbol("R" if turning else "T")
+    value = factors.product(order(motion.moves))
+    written = problem.readable_matrix(value)
+    steps = (
+        *factors.steps[: _introduced(factors)],
+        Step(name.name, (name, factors.named(order(motion.moves)))),
+    )
+    definitions: dict[Expr, Expr] = {**factors.definitions, name: written}
+    found = tuple(equivalents(motion.moves))
+    claims = (
+        *links(steps, {**problem.names, **definitions}),
+        *_claims(found, value, factors, problem.final(written), problem),
+    )
+    facts = {
+        "product": name,
+        "mode": mode(motion.moves),
+        "vectors": [step.name for step in factors.steps if step.rule == "unit-vector"],
+        "given": factors.placed(),
+        "sequences": [_told(alternative, factors) for alternative in found],
+    }
+    results: dict[str, Any] = {"sequences": tuple(_typed(each.moves) for each in found)}
+    return Derivation("equivalent-sequences", steps, results, claims, definitions, facts=facts)
+
+
+def _introduced(factors: Factors) -> int:
+    """How many steps only say what the written axes are."""
+    return sum(step.rule == "unit-vector" for step in factors.steps)
+
+
+def _claims(
+    found: tuple[Alternative, ...], value: ScalarMatrix, factors: Factors, exact: Expr, problem: Problem
+) -> list[Claim]:
+    claims = []
+    for number, alternative in enumerate(found, 1):
+        again = factors_of(alternative.moves, problem, factors.size)
+        product = again.product(order(alternative.moves))
+        claims.append(law(f"sequence {number}: the same matrix", product == value))
+        claims.append(second_route(f"sequence {number}", alternative.moves, exact, problem))
+    return claims
+
+
+def _told(alternative: Alternative, factors: Factors) -> dict[str, Any]:
+    """For the words: the moves in order, each with its axis as it is called."""
+    axes = {factor.move.axis: factor.axis for factor in factors.factors}
+    moves = [
+        {"move": move.kind, "by": move.by, "axis": axes[move.axis], "about": move.about}
+        for move in alternative.moves
+    ]
+    return {"mode": alternative.mode, "first": moves[0], "rest": moves[1:]}
+
+
+def _typed(moves: tuple[Move, ...]) -> tuple[dict[str, Any], ...]:
+    """The moves as an author would type them."""
+    return tuple({move.kind: _axis(move.axis), "by": text(move.by), "about": move.about} for move in moves)
+
+
+def _axis(axis: Axis) -> Any:
+    return axis if isinstance(axis, str) else [text(part) for part in axis]

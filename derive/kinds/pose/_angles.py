@@ -1,0 +1,47 @@
+"""Angles of known sine and cosine, written as a person would: 30 deg, pi/6, or atan2 of exact numbers."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+
+from derive.algebra.normal import normal, trig_of
+from derive.algebra.numeric import number
+from derive.algebra.scalar import Scalar
+from derive.expression import PI, ZERO, Call, Degrees, Expr, Product, atan2, multiply
+from derive.expression import number as exact
+from derive.kinds.problem import Problem
+
+STEP = Fraction(1, 12)  # of pi: the angles whose sine and cosine are known in square roots
+
+
+def known_angle(expr: Expr, problem: Problem) -> Expr:
+    """A sum of atan2 of numbers, each written as an angle where it is one of the known ones."""
+    match expr:
+        case Call("atan2", (y, x)):
+            return _direction(y, x, problem)
+        case Product((factor, Call("atan2", (y, x)))):
+            return multiply(factor, _direction(y, x, problem))
+    return expr
+
+
+def fixed_angle(turns: Fraction, problem: Problem) -> Expr:
+    """`turns * pi`, in degrees where the author writes degrees."""
+    if not turns:
+        return ZERO
+    if problem.style.degrees:
+        return Degrees(180 * turns)
+    return multiply(exact(turns), PI)
+
+
+def turns_of(angle: Expr) -> Fraction:
+    """The multiple of pi of a fixed angle."""
+    return Fraction(round(number(angle, {}) / math.pi / STEP)) * STEP
+
+
+def _direction(y: Expr, x: Expr, problem: Problem) -> Expr:
+    turns = Fraction(round(math.atan2(number(y, {}), number(x, {})) / math.pi / STEP)) * STEP
+    c, s = trig_of(Scalar.symbol("pi") * turns)
+    top, along = normal(y), normal(x)
+    exactly = top * c == along * s and number(y, {}) * math.sin(turns * math.pi) >= -1e-12
+    return fixed_angle(turns, problem) if exactly else atan2(y, x)

@@ -1,0 +1,281 @@
+"""The steps by which three angles are read off a rotation matrix, and the branches they lead to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal, normal_matrix
+from derive.algebra.numeric import number, numbers
+from derive.algebra.scalar import Scalar
+from derive.algebra.text import text
+from derive.derivation import Branch, Claim, Step
+from derive.expression import (
+    MINUS_ONE,
+    ZERO,
+    Call,
+    Degrees,
+    Expr,
+    Indexed,
+    Matrix,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    add,
+    cos,
+    multiply,
+    negate,
+    rebuild,
+    replace,
+    sin,
+)
+from derive.expression import number as exact_number
+from derive.kinds.checks import law
+from derive.kinds.evaluation import Place
+from derive.kinds.pose._angles import fixed_angle, known_angle, turns_of
+from derive.kinds.pose._given import Given
+from derive.kinds.pose._numbers import completed
+from derive.kinds.problem import Problem
+from derive.mechanics.elementary import factor_name
+from derive.mechanics.euler import SIGNS, Direction, Euler, Sign, Singular
+
+NEARLY_SINGULAR = 1e-9
+
+
+@dataclass(frozen=True)
+class Work:
+    """One comparison of a given rotation with that of three angles."""
+
+    euler: Euler
+    given: Given
+    problem: Problem
+
+    @cached_property
+    def written(self) -> Matrix:
+        """The matrix of the sequence in its angles."""
+        return self.problem.readable_matrix(self.euler.matrix)
+
+    @cached_property
+    def factors(self) -> tuple[Indexed, ...]:
+        return tuple(factor_name(move, Symbol(str(move.axis)), ("R", "")) for move in self.euler.factors)
+
+    @cached_property
+    def R(self) -> ScalarMatrix:
+        """The given rotation, names of `where` replaced."""
+        return self.given.exact(self.problem.readable_matrix(self.given.R))
+
+    @cached_property
+    def entries(self) -> dict[Expr, Expr]:
+        """r_11, r_12, ... of the given rotation."""
+        written = self.problem.readable_matrix(self.R)
+        return {Symbol(f"r_{i + 1}{j + 1}"): written.rows[i][j] for i in range(3) for j in range(3)}
+
+    @property
+    def numeric(self) -> bool:
+        """Whether every entry is a number, so that there is one case and its angles are numbers."""
+        return all(not _symbols(entry) for entry in self.R.entries)
+
+    @cached_property
+    def cases(self) -> tuple[Sign, ...]:
+        """The singular cases that can occur; (1, -1) where it depends on the symbols."""
+        middle = self.R[self.euler.middle.row, self.euler.middle.col] * self.euler.middle.sign
+        if self._always_singular:
+            return tuple(sign for sign in SIGNS if middle == sign)
+        return () if middle.constant is not None or self.numeric else SIGNS
+
+    @property
+    def regular(self) -> bool:
+        """Whether the angles are determined somewhere."""
+        return not self._always_singular
+
+    @cached_property
+    def _always_singular(self) -> bool:
+        pair = (self.euler.first.sine, self.euler.first.cosine)
+        return all(self.R[entry.row, entry.col] == 0 for entry in pair)
+
+    @cached_property
+    def singular_cases(self) -> tuple[Singular, ...]:
+        return tuple(self.euler.singular(sign) for sign in self.cases)
+
+    # -- steps ------------------------------------------------------------------------------------
+
+    def sequence(self) -> Step:
+        """R of the three angles."""
+        chain = (self.given.rotation, Product(self.factors), self.written)
+        return Step("R", chain, "sequence", {"about": self.euler.convention.about})
+
+    def steps(self) -> Iterator[Step]:
+        if self.regular:
+            for sign in SIGNS:
+                label = "plus" if sign > 0 else "minus"
+                for name, value in self.euler.regular(sign).items():
+                    yield Step(f"{name}_{label}", self._chain(Symbol(name), value), "regular", {"sign": sign})
+        for k, case in enumerate(self.singular_cases, 1):
+            matrix = self.problem.readable_matrix(case.matrix)
+            yield Step(f"R_singular_{k}", (self.given.rotation, matrix), "singular", {"case": k})
+            determined = self.determined(case)
+            yield Step(f"determined_{k}", self._chain(determined, case.direction.angle()), "singular", {"case": k})
+
+    def determined(self, case: Singular) -> Expr:
+        """The sum or difference of the outer angles that a singular case determines."""
+        first, _, last = map(Symbol, self.euler.outer)
+        if case.signs[0] < 0:
+            return add(last, negate(first))
+        return add(first, last if case.signs[1] > 0 else negate(last))
+
+    def _chain(self, name: Expr, value: Expr) -> tuple[Expr, ...]:
+        """The formula; for a rotation of numbers also the numbers put in, and the angle."""
+        if not self.numeric:
+            return (name, value)
+        filled = self._filled(value)
+        angle = known_angle(filled, self.problem)
+        return (name, value, filled, angle) if angle != filled else (name, value, filled)
+
+    def _filled(self, value: Expr) -> Expr:
+        """A formula with the entries put in, the arguments of functions made short where they are numbers."""
+        filled = replace(value, self.entries)
+        return _short(filled, self.problem) if self.numeric else _tidied(filled)
+
+    # -- results ----------------------------------------------------------------------------------
+
+    def solutions(self) -> tuple[Branch, ...]:
+        regular = tuple(self._regular(sign) for sign in SIGNS) if self.regular else ()
+        return (*regular, *map(self._singular, self.singular_cases))
+
+    def _regular(self, sign: Sign) -> Branch:
+        values = {name: self._value(value) for name, value in self.euler.regular(sign).items()}
+        function = "sin" if self.euler.even else "cos"
+        return Branch(values, f"{function}({self.euler.outer[1]}) {'>' if sign > 0 else '<'} 0")
+
+    def _singular(self, case: Singular) -> Branch:
+        _, middle, last = self.euler.outer
+        values = {name: self._value(value) for name, value in self.euler.singular_angles(case).items()}
+        values[middle] = self.middle_value(case)
+        degrees = int(180 * turns_of(case.middle))
+        only = text(self.determined(case))
+        return Branch(values, f"{middle} = {degrees} deg, where {last} is free: only {only} is determined")
+
+    def middle_value(self, case: Singular) -> Expr:
+        return fixed_angle(turns_of(case.middle), self.problem)
+
+    def _value(self, value: Expr) -> Expr:
+        filled = self._filled(value)
+        if not self.numeric:
+            return filled
+        terms = filled.terms if isinstance(filled, Sum) else (filled,)
+        return add(*(known_angle(term, self.problem) for term in terms))
+
+    # -- claims and facts -------------------------------------------------------------------------
+
+    def claims(self) -> Iterator[Claim]:
+        """The singular matrices, by putting the angle into the matrix of the sequence."""
+        middle = Symbol(self.euler.outer[1])
+        for case in self.singular_cases:
+            again = normal_matrix(self.written, {middle: case.middle})
+            shown = normal_matrix(self.problem.readable_matrix(case.matrix))
+            claim = f"R at {middle.name} = {int(180 * turns_of(case.middle))} deg"
+            yield law(claim, again == shown)
+
+    def facts(self) -> dict[str, Any]:
+        euler = self.euler
+        function = cos if euler.even else sin
+        centre = Symbol(euler.outer[1])
+        g = sin(centre) if euler.even else cos(centre)
+        return {
+            "rotation": self.given.rotation,
+            "about": euler.convention.about,
+            "numeric": self.numeric,
+            "regular": self.regular,
+            "angles": [Symbol(name) for name in euler.names],
+            "middle": centre,
+            "first": Symbol(euler.outer[0]),
+            "last": Symbol(euler.outer[2]),
+            "middle_entry": (euler.middle.name, _signed(euler.middle.sign, function(centre))),
+            "g": g,
+            "pairs": [
+                _relations(direction, Symbol(name), g)
+                for direction, name in ((euler.first, euler.outer[0]), (euler.last, euler.outer[2]))
+            ],
+            "size": euler.g,
+            "branches": [
+                {"sign": sign, "steps": [f"{name}_{label}" for name in euler.names]}
+                for sign, label in ((1, "plus"), (-1, "minus"))
+                if self.regular
+            ],
+            "cases": [self._case(k, case) for k, case in enumerate(self.singular_cases, 1)],
+            "short_names": euler.names,
+        }
+
+    def _case(self, k: int, case: Singular) -> dict[str, Any]:
+        return {
+            "matrix": f"R_singular_{k}",
+            "determined": f"determined_{k}",
+            "sum": self.determined(case),
+            "middle": (Symbol(self.euler.outer[1]), Degrees(180 * turns_of(case.middle))),
+            "entry": (self.euler.middle.name, exact_number(case.entry)),
+            "relations": [
+                (case.direction.sine.name, _signed(case.direction.sine.sign, sin(self.determined(case)))),
+                (case.direction.cosine.name, _signed(case.direction.cosine.sign, cos(self.determined(case)))),
+            ],
+        }
+
+
+def branches_at(place: Place | None, work: Work, solutions: tuple[Branch, ...]) -> dict[str, Any]:
+    """The solutions in floats at a point; the case that does not occur there is not real. A free angle
+    is chosen zero."""
+    point = completed({name: number(value, {}) for name, value in place or ()}, work.problem.where)
+    R = numbers(work.problem.readable_matrix(work.R), point)
+    pair = (work.euler.first.sine, work.euler.first.cosine)
+    singular = sum(R[entry.row][entry.col] ** 2 for entry in pair) < NEARLY_SINGULAR**2
+    here = R[work.euler.middle.row][work.euler.middle.col]
+    regular = len(solutions) - len(work.singular_cases)
+    found: list[dict[str, Any]] = []
+    for k, branch in enumerate(solutions):
+        case = work.singular_cases[k - regular] if k >= regular else None
+        occurs = singular and here * case.entry > 0 if case else not singular
+        free = {work.euler.outer[2]: 0.0, **point}
+        values = {name: number(value, free) for name, value in branch.values.items()} if occurs else {"real": False}
+        found.append({**values, "when": branch.when})
+    return {"R": R, "solutions": found}
+
+
+def _relations(direction: Direction, angle: Symbol, g: Expr) -> list[tuple[Expr, Expr]]:
+    """r_21 = s_phi c_theta and r_11 = c_phi c_theta."""
+    return [
+        (direction.sine.name, _signed(direction.sine.sign, multiply(sin(angle), g))),
+        (direction.cosine.name, _signed(direction.cosine.sign, multiply(cos(angle), g))),
+    ]
+
+
+def _signed(sign: Sign, expr: Expr) -> Expr:
+    return expr if sign > 0 else negate(expr)
+
+
+def _symbols(entry: Scalar) -> list[str]:
+    return [name for name in entry.generators() if not name.startswith("sqrt(")]
+
+
+def _short(expr: Expr, problem: Problem) -> Expr:
+    """Arguments of atan2 without symbols, as short numbers."""
+    match expr:
+        case Call("atan2", (y, x)):
+            return Call("atan2", (problem.readable(normal(y)), problem.readable(normal(x))))
+        case Sum(terms):
+            return add(*(_short(term, problem) for term in terms))
+    return expr if expr != negate(ZERO) else ZERO
+
+
+def _tidied(expr: Expr) -> Expr:
+    """Zeros left out of sums, double signs resolved: what is left when entries were put in."""
+    match expr:
+        case Product((first, inner)) if first == MINUS_ONE:
+            return negate(_tidied(inner))
+        case Power(base, _) if base == ZERO:
+            return ZERO
+        case Sum(terms):
+            return add(*map(_tidied, terms))
+    return rebuild(expr, _tidied)

@@ -1,0 +1,144 @@
+"""What the kinds of this folder share: the system solved, its names, its numbers at a point."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from derive.algebra.terms import Style
+from derive.control.elimination import Solution, solve
+from derive.control.rational import Rational
+from derive.control.roots import as_json, roots
+from derive.control.system import System
+from derive.derivation import Derivation
+from derive.errors import NotDerivable
+from derive.expression import (
+    Approximate,
+    Expr,
+    Number,
+    Product,
+    Sum,
+    Symbol,
+    free_symbols,
+    negate,
+    number,
+    walk,
+)
+from derive.kinds.problem import Problem
+from derive.kinds.system._options import Point
+
+WHOLE_BELOW = 10**6
+J = Symbol("j")
+
+
+@dataclass(frozen=True, slots=True)
+class Plant:
+    """A system solved for its output; `point` gives names values, those of `where` included."""
+
+    problem: Problem
+    solution: Solution
+    rational: Rational
+    style: Style
+    point: Mapping[Expr, Expr]
+
+    @property
+    def system(self) -> System:
+        system: System = self.problem.subject
+        return system
+
+    @property
+    def decimals(self) -> bool:
+        return self.style.decimals
+
+    def named(self, name: str) -> Symbol:
+        """A name for a result; with the output as its index where the equations use it already."""
+        sides = (side for equation in self.system.equations for side in (equation.left, equation.right))
+        taken = frozenset[str]().union(*map(free_symbols, sides))
+        return Symbol(f"{name}_{self.system.output.name}" if name in taken else name)
+
+    def final(self, rational: Rational) -> Expr:
+        """With the names of `where` replaced."""
+        return rational.at(self.problem.names).expr(self.style)
+
+    def numeric(self, rational: Rational) -> Rational:
+        """At the point. Raises NotDerivable where a name has no value."""
+        value = rational.at({**self.problem.names, **self.point})
+        if missing := sorted(value.symbols() - {"pi"}):
+            raise NotDerivable(f"no value is known for {', '.join(missing)}: give it under evaluate")
+        if not value.den:
+            raise NotDerivable("the denominator is zero at these values")
+        return value
+
+
+def plant(problem: Problem, source: str | None, point: Point | None, typed: Iterable[Expr] = ()) -> Plant:
+    """The system solved. `typed` are further trees of the author; decimals in them are kept as such.
+
+    Raises NotDerivable.
+    """
+    trees = [*typed, *(value for _, value in point or ())]
+    decimal = any(isinstance(node, Number) and node.decimal for tree in trees for node in walk(tree))
+    style = problem.style
+    style = Style(style.decimals or decimal, style.degrees, style.order)
+    solution = solve(problem.subject, Symbol(source) if source else None, style.decimals)
+    values: dict[Expr, Expr] = {Symbol(name): value for name, value in point or ()}
+    return Plant(problem, solution, Rational.of(solution.ratio), style, values)
+
+
+def asked(problem: Problem, kind: str, **options: Any) -> Derivation:
+    """The derivation of a question, the one already asked at some point if there is one."""
+    for (name, given), derivation in problem.derived.items():
+        if name == kind and all(getattr(given, key) == value for key, value in options.items()):
+            return derivation
+    return problem.ask(kind, **options)
+
+
+def transfer_json(rational: Rational) -> dict[str, Any]:
+    """{"num", "den", "poles", "zeros"} of a numeric transfer function, common factors kept."""
+    num, den = rational.numbers()
+    return {"num": num or [0.0], "den": den, "poles": poles_json(rational), "zeros": zeros_json(rational)}
+
+
+def poles_json(rational: Rational) -> list[Any]:
+    return [as_json(root) for root in roots(rational.den)]
+
+
+def zeros_json(rational: Rational) -> list[Any]:
+    return [as_json(root) for root in roots(rational.num)] if rational.num else []
+
+
+def verdict(poles: Iterable[complex]) -> str:
+    """Where the poles lie: "stable", "integrator" (one at the origin), "oscillator" (pairs on the
+    imaginary axis, each once) or "unstable"."""
+    found = list(poles)
+    axis = [pole for pole in found if pole.real == 0]
+    if any(pole.real > 0 for pole in found) or _repeated(axis):
+        return "unstable"
+    if not axis:
+        return "stable"
+    return "integrator" if axis == [0] else "oscillator"
+
+
+def _repeated(poles: list[complex]) -> bool:
+    return any(abs(a - b) < 1e-6 * (1 + abs(a)) for k, a in enumerate(poles) for b in poles[:k])
+
+
+def root_tree(root: complex) -> Expr:
+    """A root as it is printed, with j for the imaginary unit."""
+    re, im = rounded(root.real), rounded(abs(root.imag))
+    if root.imag == 0:
+        return re
+    imaginary = J if im == number(1) else Product((im, J))
+    signed = negate(imaginary) if root.imag < 0 else imaginary
+    return signed if root.real == 0 else Sum((re, signed))
+
+
+def rounded(value: float) -> Expr:
+    """A whole number stays exact."""
+    whole = abs(value) < WHOLE_BELOW and value == int(value)
+    return number(int(value)) if whole else Approximate(value)
+
+
+def point_chains(point: Point | None, where: Mapping[str, Expr]) -> tuple[tuple[Expr, ...], ...]:
+    """`J = 2`, ... for the words."""
+    return tuple((Symbol(name), value) for name, value in (*where.items(), *(point or ())))

@@ -1,0 +1,192 @@
+"""The loop closed by unity feedback through a P, PI, PD or PID controller."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from derive.control.controllers import Controller
+from derive.control.loops import Loop
+from derive.control.rational import Rational, written
+from derive.control.ratios import Ratio, total
+from derive.control.roots import roots
+from derive.control.system import System
+from derive.derivation import Claim, Derivation, Step
+from derive.errors import NotDerivable
+from derive.expression import ONE, ZERO, Expr, Product, Quotient, Sum, Symbol, walk
+from derive.kinds.checks import law, links
+from derive.kinds.fields import OptionsModel
+from derive.kinds.problem import Problem
+from derive.kinds.system._options import ControllerField, Point, PointField
+from derive.kinds.system._oracle import agrees
+from derive.kinds.system._plant import (
+    Plant,
+    asked,
+    plant,
+    point_chains,
+    poles_json,
+    root_tree,
+    transfer_json,
+    verdict,
+    zeros_json,
+)
+
+RESULTS = {
+    "C": "the controller",
+    "T": "output over reference",
+    "poles": "of T (evaluated only)",
+    "zeros": "of T (evaluated only)",
+}
+EXAMPLE = """\
+title: DC motor with a controller
+problems:
+- motor: {control: armature, output: angle}
+  find: closed-loop
+  controller: {PD: {K_p: 1, K_d: 1}}
+  evaluate: {J: 2, K_m: 10, R_a: 1, L_a: 1, b: 0.5, K_b: 0.1}
+"""
+
+
+class Options(OptionsModel):
+    """`controller`: P, PI, PD or PID with its gains; a gain without a value stays symbolic."""
+
+    controller: ControllerField
+    evaluate: PointField = None
+
+
+@dataclass(frozen=True, slots=True)
+class Closed:
+    """A plant in its loop. `transfer` is T with everything in it, `reduced` without what cancels."""
+
+    plant: Plant
+    controller: Controller
+    loop: Loop
+    transfer: Rational
+    reduced: Rational
+
+
+def closed(problem: Problem, controller: Controller, point: Point | None) -> Closed:
+    """The loop. Raises NotDerivable where it has no response."""
+    solved = plant(problem, None, point, controller.gains)
+    ratio = controller.ratio(solved.decimals)
+    if not ratio:
+        raise NotDerivable("every gain of the controller is zero: nothing drives the system")
+    loop = Loop(Rational.of(ratio), solved.rational)
+    transfer = loop.closed
+    return Closed(solved, controller, loop, transfer, transfer.reduced())
+
+
+def derive(system: System, options: Options, problem: Problem) -> Derivation:
+    """T = C G / (1 + C G) (Dorf and Bishop, Modern Control Systems, section 4.1)."""
+    base = asked(problem, "transfer-function", source=None)
+    found = closed(problem, options.controller, options.evaluate)
+    solved = found.plant
+    C, G, T = (solved.named(name) for name in "CGT")
+    steps = tuple(_steps(found))
+    definitions: dict[Expr, Expr] = {
+        C: options.controller.sum,
+        G: solved.solution.ratio.expr(solved.decimals),
+        T: found.transfer.expr(solved.style),
+    }
+    results = {"C": _final(found, found.loop.controller), "T": _final(found, found.reduced)}
+    evaluated, numbers = _evaluated(found, options)
+    claims = (*links(steps, {**problem.names, **definitions}), *_claims(found))
+    facts = {**_facts(found), **numbers, "numbers": ()}
+    return Derivation(
+        "closed-loop", steps, results, claims, definitions, evaluated, uses=(base,), facts=facts
+    )
+
+
+def _steps(found: Closed) -> Iterator[Step]:
+    solved = found.plant
+    C, G, T = (solved.named(name) for name in "CGT")
+    over_one = found.controller.ratio(solved.decimals).expr(solved.decimals)
+    chain = (C, found.controller.sum, over_one) if found.controller.integrates else (C, found.controller.sum)
+    yield Step("C", chain, "controller")
+    product = Product((C, G))
+    collected = found.transfer.expr(solved.style)
+    formula = Quotient(product, Sum((ONE, product)))
+    yield Step("T", _distinct((T, formula, _unexpanded(found), collected)), "feedback")
+    if found.reduced is not found.transfer:
+        yield Step("reduced", (T, found.reduced.expr(solved.style)), "cancel")
+    if any(node in solved.problem.names for node in walk(collected)):
+        yield Step("final", (T, _final(found, found.reduced)), "substitute")
+
+
+def _unexpanded(found: Closed) -> Expr:
+    """With the products standing, where that can be read at a glance."""
+    decimals = found.plant.decimals
+    through = found.controller.ratio(decimals) * found.plant.solution.ratio
+    return (through / total((Ratio(), through), decimals)).expr(decimals)
+
+
+def _final(found: Closed, rational: Rational) -> Expr:
+    return found.plant.final(rational)
+
+
+def _distinct(chain: tuple[Expr, ...]) -> tuple[Expr, ...]:
+    return tuple(expr for place, expr in enumerate(chain) if place == 0 or expr != chain[place - 1])
+
+
+def _facts(found: Closed) -> dict[str, Any]:
+    solved, loop = found.plant, found.loop
+    return {
+        "family": found.controller.family,
+        "through": Product((solved.named("C"), solved.named("G"))),
+        "origin": (Symbol("s"), ZERO),
+        "input": solved.system.input,
+        "output": solved.system.output,
+        "motor": solved.system.motor,
+        "integrates": found.controller.integrates,
+        "differentiates": found.controller.differentiates,
+        "order": len(found.transfer.den) - 1,
+        "open_order": len(solved.rational.den) - 1,
+        "realisable": loop.open.proper,
+        "tracks": _tracks(found),
+        "cancelled": found.transfer.cancelled,
+        "characteristic": written(found.transfer.den, solved.style),
+    }
+
+
+def _tracks(found: Closed) -> bool:
+    """Whether an integrator in the loop makes the steady state exact."""
+    through = found.loop.open
+    return bool(through.num) and bool(through.num[-1]) and not through.den[-1]
+
+
+def _claims(found: Closed) -> Iterator[Claim]:
+    through, transfer = found.loop.open.value, found.reduced.value
+    yield law("T (1 + C G) = C G", transfer * (1 + through) == through)
+    if _tracks(found):
+        yield law("T(0) = 1: an integrator in the loop leaves no error", _value_at_zero(found.reduced))
+    claim = "T agrees with the equations and the controller solved in complex numbers"
+    solved = found.plant
+    yield agrees(claim, solved.system, solved.system.input, found.reduced, found.controller)
+
+
+def _value_at_zero(rational: Rational) -> bool:
+    return rational.num[-1] == rational.den[-1]
+
+
+def _evaluated(found: Closed, options: Options) -> tuple[dict[str, Any], dict[str, Any]]:
+    if options.evaluate is None:
+        return {}, {"numeric": None}
+    solved = found.plant
+    numeric, whole = solved.numeric(found.reduced), solved.numeric(found.transfer)
+    controller = solved.numeric(found.loop.controller)
+    poles = roots(numeric.den)
+    zeros = roots(numeric.num) if numeric.num else ()
+    values = {
+        "C": transfer_json(controller),
+        "T": transfer_json(numeric),
+        "poles": poles_json(numeric),
+        "zeros": zeros_json(numeric),
+    }
+    return values, {
+        "numeric": (solved.named("T"), numeric.expr(solved.style)),
+        "point": point_chains(options.evaluate, solved.problem.where),
+        "poles": tuple(map(root_tree, poles)),
+        "zeros": tuple(map(root_tree, zeros)),
+        "verdict": verdict(roots(whole.den)),
+    }

@@ -1,0 +1,174 @@
+"""The transfer function of a system of linear equations, by eliminating one signal after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from pydantic import Field
+
+from derive.algebra.operations import operations
+from derive.control.elimination import Elimination, without
+from derive.control.rational import Rational, written
+from derive.control.roots import roots
+from derive.control.system import System
+from derive.derivation import Claim, Derivation, Step
+from derive.expression import ZERO, Expr, Quotient, Symbol, walk
+from derive.kinds.checks import law, links
+from derive.kinds.fields import Name, OptionsModel
+from derive.kinds.problem import Problem
+from derive.kinds.system._options import PointField
+from derive.kinds.system._oracle import agrees
+from derive.kinds.system._plant import (
+    Plant,
+    plant,
+    point_chains,
+    poles_json,
+    root_tree,
+    transfer_json,
+    verdict,
+    zeros_json,
+)
+
+RESULTS = {"G": "output over input; evaluated: num, den, poles, zeros"}
+EXAMPLE = """\
+title: DC motor
+problems:
+- motor: {control: armature, output: angle}
+  find: transfer-function
+  evaluate: {J: 2, K_m: 10, R_a: 1, L_a: 1, b: 0.5, K_b: 0.1}
+"""
+
+
+class Options(OptionsModel):
+    """`from`: the disturbance, for its transfer function instead of the input's."""
+
+    source: Name | None = Field(None, alias="from")
+    evaluate: PointField = None
+
+
+def derive(system: System, options: Options, problem: Problem) -> Derivation:
+    """Output over input with all other inputs zero (Dorf and Bishop, Modern Control Systems, section 2.5)."""
+    solved = plant(problem, options.source, options.evaluate)
+    steps = tuple(_steps(solved))
+    G = solved.named("G")
+    definitions = {**solved.solution.values, G: solved.solution.ratio.expr(solved.decimals)}
+    result = _result(solved)
+    claims = (*links(steps, {**problem.names, **definitions}), *_claims(solved))
+    evaluated, numbers = _evaluated(solved, options)
+    facts = {**_facts(solved), **numbers, "numbers": ()}
+    return Derivation("transfer-function", steps, {"G": result}, claims, definitions, evaluated, facts=facts)
+
+
+def _steps(solved: Plant) -> Iterator[Step]:
+    system, solution = solved.system, solved.solution
+    for place, equation in enumerate(system.equations, 1):
+        yield Step(f"equation_{place}", (equation.left, equation.right), "given")
+    for signal in solution.zero:
+        yield Step("zero", (signal, ZERO), "superposition", {"signal": signal})
+    for step in solution.steps:
+        yield _elimination(step, solved, step.signal.name)
+    yield _elimination(solution.relation, solved, "relation")
+    yield from _transfer(solved)
+
+
+def _elimination(step: Elimination, solved: Plant, name: str) -> Step:
+    equation = solved.system.equations[step.equation]
+    zero = solved.solution.zero
+    facts = {
+        "signal": step.signal,
+        "equation": (without(equation.left, zero), without(equation.right, zero)),
+        "put": step.put,
+        "explicit": step.explicit,
+        "number": step.equation + 1,
+    }
+    return Step(f"{name}_eliminated" if name != "relation" else name, step.chain, "elimination", facts)
+
+
+def _transfer(solved: Plant) -> Iterator[Step]:
+    """G, as the elimination leaves it and as it is reported."""
+    G, head = solved.named("G"), Quotient(solved.system.output, solved.solution.source)
+    unexpanded, collected = _forms(solved)
+    chain: tuple[Expr, ...] = (G, head, unexpanded)
+    apart = operations(unexpanded) <= operations(collected)
+    if not apart and collected != unexpanded:
+        chain = (*chain, collected)
+    yield Step("G", chain, "quotient")
+    if apart and collected != unexpanded:
+        yield Step("collected", (G, collected), "collect")
+    reduced = solved.rational.reduced()
+    if reduced is not solved.rational:
+        yield Step("reduced", (G, reduced.expr(solved.style)), "cancel")
+    result = _result(solved)
+    if any(node in solved.problem.names for node in walk(chain[-1])):
+        yield Step("final", (G, result), "substitute")
+
+
+def _forms(solved: Plant) -> tuple[Expr, Expr]:
+    """G with its products standing, and by powers of s."""
+    return solved.solution.ratio.expr(solved.decimals), solved.rational.expr(solved.style)
+
+
+def _result(solved: Plant) -> Expr:
+    """The shorter form; without common factors, and the names of `where` replaced."""
+    unexpanded, collected = _forms(solved)
+    if any(node in solved.problem.names for node in walk(unexpanded)):
+        return solved.final(solved.rational.reduced())
+    reduced = solved.rational.reduced()
+    if reduced is not solved.rational:
+        return reduced.expr(solved.style)
+    return unexpanded if operations(unexpanded) <= operations(collected) else collected
+
+
+def _facts(solved: Plant) -> dict[str, Any]:
+    system, rational = solved.system, solved.rational
+    return {
+        "equations": tuple(f"equation_{place}" for place in range(1, len(system.equations) + 1)),
+        "eliminations": tuple(f"{step.signal.name}_eliminated" for step in solved.solution.steps),
+        "motor": system.motor,
+        "input": solved.solution.source,
+        "output": system.output,
+        "disturbed": solved.solution.source != system.input,
+        "order": len(rational.den) - 1,
+        "proper": rational.proper,
+        "vanishes": not rational.num,
+        "integrates": bool(rational.num) and not rational.den[-1] and bool(rational.num[-1]),
+        "cancelled": rational.cancelled,
+        "denominator": written(rational.reduced().den, solved.style),
+    }
+
+
+def _claims(solved: Plant) -> Iterator[Claim]:
+    rational = solved.rational
+    if rational.proper:
+        yield law("G is proper: its denominator has at least the degree of its numerator", rational.proper)
+    yield law("G times its denominator is its numerator", _multiplies(solved))
+    claim = "G agrees with the equations solved in complex numbers"
+    yield agrees(claim, solved.system, solved.solution.source, rational)
+
+
+def _multiplies(solved: Plant) -> bool:
+    reduced = solved.rational.reduced()
+    return reduced.value == solved.rational.value
+
+
+def _evaluated(solved: Plant, options: Options) -> tuple[dict[str, Any], dict[str, Any]]:
+    """What goes to the JSON, and what the words print."""
+    if options.evaluate is None:
+        return {}, {"numeric": None}
+    numeric: Rational = solved.numeric(solved.rational.reduced())
+    poles = roots(numeric.den)
+    values = {"G": transfer_json(numeric), "poles": poles_json(numeric), "zeros": zeros_json(numeric)}
+    zeros = roots(numeric.num) if numeric.num else ()
+    return values, {
+        "numeric": (solved.named("G"), numeric.expr(solved.style)),
+        "point": point_chains(options.evaluate, solved.problem.where),
+        "poles": tuple(map(root_tree, poles)),
+        "zeros": tuple(map(root_tree, zeros)),
+        "verdict": verdict(poles),
+    }
+
+
+def symbol_of(solved: Plant) -> Symbol:
+    """The name of the transfer function in what rests on it."""
+    return solved.named("G")

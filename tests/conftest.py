@@ -1,0 +1,23 @@
+from __future__ import annotations
+
+import pytest
+from hypothesis import settings
+
+# The same examples on every run, so that a failure of the gate is a failure anyone gets again;
+# `--hypothesis-profile=search` looks further.
+settings.register_profile("gate", max_examples=40, deadline=None, derandomize=True)
+settings.register_profile("search", max_examples=1000, deadline=None)
+settings.load_profile("gate")
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--update-golden",
+        action="store_true",
+        help="write the pages of exercises/ to output/ instead of comparing with them",
+    )
+
+
+@pytest.fixture
+def update_golden(request: pytest.FixtureRequest) -> bool:
+    return bool(request.config.getoption("--update-golden"))
