@@ -20,8 +20,9 @@ from derive.algebra.scalar import as_fraction
 from derive.algebra.terms import Alphabet, Monomial, SortKey, Terms, frozen, terminates, times
 
 MOST_FACTORED = 40  # terms; above this no factorisation is tried
-MOST_SEARCHED = 14  # terms; above this the most frequent atom is taken out and no other tried
-BUDGET = 800  # terms looked at in one search; what is left when it is spent is written flat
+MOST_SEARCHED = 10  # terms; above this the most frequent atom is taken out and no other tried
+BUDGET = 1500  # terms looked at in one search; what is left when it is spent is written flat
+LONG = 40  # terms; a longer sum is nested only coarsely, for nobody reads it
 PARENTHESES = {"trig": 0.25, "mass": 0.1, "other": 2.25}
 LARGEST_PART = 4  # a sum with smaller parts of one than a quarter is better over a common denominator
 OUT_OF_TURN = 0.4  # for taking out a later angle where an earlier one could be
@@ -56,18 +57,25 @@ class Taken:
 Plan: TypeAlias = Flat | Split | Taken
 
 
+def nested(terms: Terms, alphabet: Alphabet) -> Plan:
+    """The cheapest way of writing the terms that a search of bounded length finds."""
+    return Nesting(alphabet, BUDGET if len(terms) <= LONG else len(terms)).plan(terms)
+
+
 @dataclass(slots=True)
 class Nesting:
     """One search; plans found are kept, for the same remainders come up again and again."""
 
     alphabet: Alphabet
-    budget: int = BUDGET
+    budget: int
     known: dict[frozenset[tuple[Monomial, Fraction]], Plan] = field(default_factory=dict)
 
     def plan(self, terms: Terms) -> Plan:
         """The cheapest way found."""
         if len(terms) <= 1 or self.budget <= 0:
             return self._flat(terms)
+        if len(terms) > MOST_SEARCHED:
+            return self._greedy(terms)
         key = frozen(terms)
         if key not in self.known:
             self.budget -= len(terms)
@@ -84,6 +92,15 @@ class Nesting:
         elif 3 <= len(terms) <= MOST_FACTORED:
             candidates += self._factored(terms)
         return min(candidates, key=_price)
+
+    def _greedy(self, terms: Terms) -> Plan:
+        """For long sums: what is common taken out, then the most frequent atom, and so on."""
+        common = _common(terms)
+        if common:
+            content = _content(terms, self.alphabet)
+            return self._product(common, content, ((self.plan(_divided(terms, common, content)), 1),))
+        factored = self._factored(terms) if len(terms) <= MOST_FACTORED else []
+        return min([*factored, *self._splits(terms)], key=_price, default=self._flat(terms))
 
     # -- the ways of writing a sum ----------------------------------------------------------------
 

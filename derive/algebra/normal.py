@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import reduce
@@ -13,7 +13,7 @@ from derive.algebra.angles import PI, RADIAN, Form
 from derive.algebra.fixed import fixed_trig, square_root
 from derive.algebra.kernels import absolute, opaque, root
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.scalar import Scalar, as_fraction, trig
+from derive.algebra.scalar import Scalar, as_fraction, common_ring, trig
 from derive.errors import NotDerivable
 from derive.expression import (
     Approximate,
@@ -29,6 +29,7 @@ from derive.expression import (
     Quotient,
     Sum,
     Symbol,
+    children,
 )
 
 Value: TypeAlias = Scalar | ScalarMatrix
@@ -40,7 +41,7 @@ def normal(expr: Expr, names: Names | None = None) -> Scalar:
 
     Raises NotDerivable where the expression is a matrix or has no exact value.
     """
-    value = Walk(names or {}).value(expr)
+    value = walk_over([expr], names or {}).value(expr)
     if isinstance(value, ScalarMatrix):
         if value.shape != (1, 1):
             raise NotDerivable("a matrix stands where a scalar is needed")
@@ -50,13 +51,40 @@ def normal(expr: Expr, names: Names | None = None) -> Scalar:
 
 def normal_matrix(expr: Expr, names: Names | None = None) -> ScalarMatrix:
     """The matrix an expression stands for; blocks are joined."""
-    value = Walk(names or {}).value(expr)
+    value = walk_over([expr], names or {}).value(expr)
     return value if isinstance(value, ScalarMatrix) else ScalarMatrix.of([[value]])
+
+
+def walk_over(exprs: Iterable[Expr], names: Names) -> Walk:
+    """A walk whose leaves are already known, all in one ring: what follows never changes rings."""
+    walk = Walk(names)
+    leaves: dict[Expr, Scalar] = {}
+    seen: set[Expr] = set()
+    for leaf in dict.fromkeys(leaf for expr in exprs for leaf in _leaves(expr, names, seen)):
+        value = walk.value(leaf)
+        if isinstance(value, Scalar):
+            leaves[leaf] = value
+    home = common_ring(leaves.values())
+    walk.known.update({leaf: value.into(home) for leaf, value in leaves.items()})
+    return walk
+
+
+def _leaves(expr: Expr, names: Names, seen: set[Expr]) -> Iterator[Expr]:
+    """Symbols, and sines and cosines as a whole, through the definitions of names."""
+    if isinstance(expr, Symbol | Indexed) and expr in names:
+        if expr not in seen:
+            seen.add(expr)  # a definition is looked through once
+            yield from _leaves(names[expr], names, seen)
+    elif isinstance(expr, Symbol) or (isinstance(expr, Call) and expr.function in ("cos", "sin")):
+        yield expr
+    elif not isinstance(expr, Indexed):
+        for part in children(expr):
+            yield from _leaves(part, names, seen)
 
 
 @dataclass(frozen=True, slots=True)
 class Walk:
-    """One walk under fixed names; what a name stands for is computed once."""
+    """One walk under fixed names; what a name, a sine or a cosine stands for is computed once."""
 
     names: Names
     known: dict[Expr, Value] = field(default_factory=dict)
@@ -83,7 +111,7 @@ class Walk:
             case Derivative(of, by):
                 return self.value(of).diff(by.name)
             case Call(function, arguments):
-                return self._call(function, arguments)
+                return self.known[expr] if expr in self.known else self._call(function, arguments)
             case Approximate():
                 raise NotDerivable("a floating-point number has no exact value")
 
@@ -94,13 +122,16 @@ class Walk:
         return value
 
     def _name(self, expr: Symbol | Indexed) -> Value:
-        if expr not in self.names:
-            if isinstance(expr, Indexed):
-                raise NotDerivable(f"{expr} stands for nothing")
-            return Scalar.symbol(expr.name)
-        if expr not in self.known:
-            self.known[expr] = self.value(self.names[expr])
-        return self.known[expr]
+        if expr in self.known:
+            return self.known[expr]
+        if expr in self.names:
+            value = self.value(self.names[expr])
+        elif isinstance(expr, Indexed):
+            raise NotDerivable(f"{expr} stands for nothing")
+        else:
+            value = Scalar.symbol(expr.name)
+        self.known[expr] = value
+        return value
 
     def _power(self, base: Expr, exponent: Expr) -> Value:
         power = self.scalar(exponent).constant

@@ -15,7 +15,7 @@ from flint import fmpq_mpoly
 from derive.algebra.angles import Form, combination
 from derive.algebra.contraction import contracted
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.nesting import Nesting
+from derive.algebra.nesting import nested
 from derive.algebra.ring import Ring, ring
 from derive.algebra.scalar import Scalar
 from derive.algebra.terms import Alphabet, Style, Terms, terms_of
@@ -67,7 +67,7 @@ class Reading:
 
     @staticmethod
     def _written(terms: Terms, alphabet: Alphabet) -> Expr:
-        return Writing(alphabet).tree(Nesting(alphabet).plan(terms))
+        return Writing(alphabet).tree(nested(terms, alphabet))
 
     def _bases(self, home: Ring, polynomial: fmpq_mpoly, alphabet: Alphabet) -> Iterator[Terms]:
         """The terms in each basis of the angles worth trying."""

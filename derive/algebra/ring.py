@@ -142,7 +142,7 @@ class Ring:
 
     def union(self, other: Ring) -> Ring:
         """A ring that holds the elements of both."""
-        if self is other:
+        if self is other or not other.names:
             return self
         return _union(self, other)
 

@@ -154,7 +154,8 @@ def written(coefficients: Sequence[Scalar], style: Style = PLAIN) -> Expr:
         for place, coefficient in enumerate(coefficients)
         if coefficient
     ]
-    return add(*terms) if terms else ZERO
+    flat = [part for term in terms for part in (term.terms if isinstance(term, Sum) else (term,))]
+    return add(*flat) if flat else ZERO
 
 
 def shared(coefficients: Sequence[Scalar]) -> Scalar:

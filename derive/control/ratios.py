@@ -8,9 +8,8 @@ from fractions import Fraction
 from functools import reduce
 from typing import TypeAlias
 
-from derive.algebra.nesting import written
 from derive.algebra.normal import normal
-from derive.algebra.terms import Alphabet, Atom
+from derive.algebra.terms import Alphabet, Atom, terminates
 from derive.algebra.text import text
 from derive.expression import (
     MINUS_ONE,
@@ -155,7 +154,7 @@ def _product(scale: Fraction, factors: Factors, decimals: bool) -> Expr:
 
     ordered = sorted(factors, key=place)
     powers = [Power(base, number(power)) if power > 1 else base for base, power in ordered]
-    return multiply(written(scale, decimals), *powers)
+    return multiply(Number(scale, decimals and terminates(scale)), *powers)
 
 
 def _same(left: Expr, right: Expr) -> bool:

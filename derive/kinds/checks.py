@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import Names, Value, Walk
+from derive.algebra.normal import Names, Value, Walk, walk_over
 from derive.derivation import Claim, Step
 from derive.expression import Approximate, Expr, Indexed, Symbol, walk
 
@@ -21,8 +21,9 @@ def links(steps: Iterable[Step], names: Names) -> tuple[Claim, ...]:
 
     A step by rule "law" states what holds in general and has nothing to compare.
     """
-    walk_of = Walk(names)
-    return tuple(_link(step, walk_of) for step in _all(steps) if len(step.chain) > 1 and step.rule != "law")
+    chains = [step for step in _all(steps) if len(step.chain) > 1 and step.rule != "law"]
+    walk_of = walk_over([expr for step in chains for expr in step.chain if not _rounded(expr)], names)
+    return tuple(_link(step, walk_of) for step in chains)
 
 
 def law(claim: str, holds: bool) -> Claim:

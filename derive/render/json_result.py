@@ -41,7 +41,7 @@ def _derivation(derivation: Derivation) -> dict[str, Any]:
     return found
 
 
-def plain(result: Result | Branch | tuple[Expr, ...]) -> Plain:
+def plain(result: Result | Branch | tuple[Expr, ...] | dict[str, Any]) -> Plain:
     """A result as JSON: a scalar is a text, a matrix a list of rows, a column vector a flat list, branches a
     list of objects with `when`."""
     match result:
@@ -51,6 +51,8 @@ def plain(result: Result | Branch | tuple[Expr, ...]) -> Plain:
             return _rows(rows)
         case Branch(values, when):
             return {**{name: plain(value) for name, value in values.items()}, "when": when}
+        case dict():
+            return result
         case tuple():
             return [plain(part) for part in result]
         case _:

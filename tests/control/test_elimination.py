@@ -50,7 +50,7 @@ def test_armature_motor_is_the_published_one_and_no_longer() -> None:
     ],
 )
 def test_other_motors(control: str, output: str, source: str | None, published: str) -> None:
-    assert normal(transfer(motor(control, output), source)) == normal(parse(published))  # type: ignore[arg-type]
+    assert normal(transfer(motor(control, output), source)) == normal(parse(published))
 
 
 @pytest.mark.parametrize(
@@ -68,7 +68,7 @@ def test_other_motors(control: str, output: str, source: str | None, published: 
     ],
 )
 def test_systems_of_other_fields(equations: list[str], source: str, output: str, published: str) -> None:
-    assert normal(transfer(system(equations, source, output))) == normal(parse(published))  # type: ignore[arg-type]
+    assert normal(transfer(system(equations, source, output))) == normal(parse(published))
 
 
 def test_every_signal_satisfies_the_equations() -> None:

@@ -46,7 +46,9 @@ def test_first_order_by_its_closed_form() -> None:
 def test_second_order_overshoot_by_its_closed_form() -> None:
     zeta = 0.4
     found = step_response([4.0], [1.0, 4 * zeta, 4.0], poles([1.0, 4 * zeta, 4.0]))
-    assert found.overshoot == pytest.approx(100 * math.exp(-math.pi * zeta / math.sqrt(1 - zeta**2)), rel=1e-6)
+    assert found.overshoot == pytest.approx(
+        100 * math.exp(-math.pi * zeta / math.sqrt(1 - zeta**2)), rel=1e-6
+    )
     assert found.peak_time == pytest.approx(math.pi / (2 * math.sqrt(1 - zeta**2)), rel=1e-2)
 
 

@@ -63,6 +63,7 @@ def _facts(factors: Factors, numeric: bool, name: Symbol) -> dict[str, Any]:
         "rodrigues": [step.name for step in factors.steps if step.rule == "rodrigues"],
         "elementary": [step.name for step in factors.steps if step.rule == "elementary"],
         "product": name,
+        "noun": "rotation" if factors.size == 3 else "move",
         "numbers": () if numeric else (name.name,),
     }
 

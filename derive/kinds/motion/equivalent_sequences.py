@@ -59,7 +59,7 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
         "product": name,
         "mode": mode(motion.moves),
         "vectors": [step.name for step in factors.steps if step.rule == "unit-vector"],
-        "given": factors.placed(),
+        "rodrigues": [],
         "sequences": [_told(alternative, factors) for alternative in found],
     }
     results: dict[str, Any] = {"sequences": tuple(_typed(each.moves) for each in found)}

@@ -189,4 +189,5 @@ def _evaluated(found: Closed, options: Options) -> tuple[dict[str, Any], dict[st
         "poles": tuple(map(root_tree, poles)),
         "zeros": tuple(map(root_tree, zeros)),
         "verdict": verdict(roots(whole.den)),
+        "hidden": verdict(poles) == "stable" and verdict(roots(whole.den)) != "stable",
     }

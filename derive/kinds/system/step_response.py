@@ -18,7 +18,7 @@ from derive.control.roots import roots
 from derive.control.system import System
 from derive.derivation import Claim, Derivation, Plot, Result, Step
 from derive.errors import NotDerivable
-from derive.expression import Expr, Quotient, Symbol, number
+from derive.expression import Expr, Number, Quotient, Symbol, number
 from derive.kinds.checks import SECOND_ROUTE, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -112,7 +112,17 @@ def _steps(answer: Answer, name: Symbol) -> Iterator[Step]:
     output = answer.plant.system.output
     yield Step("transform", (output, Quotient(name, S)), "unit-step")
     if answer.final is not None:
-        yield Step("steady_state", (_last(answer), _at_zero(answer), answer.final), "final-value")
+        chain = (_last(answer), _at_zero(answer), answer.final)
+        yield Step("steady_state", chain[:2] if _same(chain) else chain, "final-value")
+
+
+def _same(chain: tuple[Expr, Expr, Expr]) -> bool:
+    """Whether the fraction is its own value, as 1/2 is."""
+    return isinstance(chain[2], Number) and not chain[2].decimal and chain[1] == _fraction(chain[2])
+
+
+def _fraction(value: Number) -> Expr:
+    return Quotient(number(value.value.numerator), number(value.value.denominator))
 
 
 def _last(answer: Answer) -> Symbol:
@@ -151,7 +161,7 @@ def _plot(system: System, response: StepResponse) -> Plot:
 
 def _facts(answer: Answer, options: Options, name: Symbol) -> dict[str, Any]:
     response = answer.response
-    growth = max((pole.real for pole in answer.poles), default=0.0)
+    shown = roots(answer.numeric.den)
     return {
         "numbers": (),
         "start": (Symbol("t"), number(0)),
@@ -163,9 +173,9 @@ def _facts(answer: Answer, options: Options, name: Symbol) -> dict[str, Any]:
         "output": answer.plant.system.output,
         "motor": answer.plant.system.motor,
         "point": point_chains(options.evaluate, answer.plant.problem.where),
-        "poles": tuple(map(root_tree, roots(answer.numeric.den))),
-        "verdict": verdict(answer.poles),
-        "growth": rounded(growth),
+        "poles": tuple(map(root_tree, shown)),
+        "verdict": verdict(shown),
+        "hidden": verdict(answer.poles) == "unstable" and verdict(shown) != "unstable",
         "slope": _slope(answer),
         "steady_state": None if answer.final is None else answer.final,
         "zero": response.steady_state == 0,
@@ -182,7 +192,7 @@ def _shown(value: float | None) -> Expr | None:
 def _slope(answer: Answer) -> Expr | None:
     """Where one integrator makes the response a ramp in the end: its slope, s G(s) at s = 0."""
     num, den = answer.numeric.num, answer.numeric.den
-    if verdict(answer.poles) != "integrator" or not num or den[-1]:
+    if verdict(roots(den)) != "integrator" or not num or den[-1]:
         return None
     return readable(num[-1] / den[-2], answer.plant.style) if num[-1] else None
 

@@ -13,7 +13,7 @@ from derive.control.rational import Rational, written
 from derive.control.roots import roots
 from derive.control.system import System
 from derive.derivation import Claim, Derivation, Step
-from derive.expression import ZERO, Expr, Quotient, Symbol, walk
+from derive.expression import ZERO, Expr, Quotient, free_symbols, walk
 from derive.kinds.checks import law, links
 from derive.kinds.fields import Name, OptionsModel
 from derive.kinds.problem import Problem
@@ -94,7 +94,7 @@ def _transfer(solved: Plant) -> Iterator[Step]:
     if not apart and collected != unexpanded:
         chain = (*chain, collected)
     yield Step("G", chain, "quotient")
-    if apart and collected != unexpanded:
+    if apart and collected != unexpanded and "s" in free_symbols(collected):
         yield Step("collected", (G, collected), "collect")
     reduced = solved.rational.reduced()
     if reduced is not solved.rational:
@@ -167,8 +167,3 @@ def _evaluated(solved: Plant, options: Options) -> tuple[dict[str, Any], dict[st
         "zeros": tuple(map(root_tree, zeros)),
         "verdict": verdict(poles),
     }
-
-
-def symbol_of(solved: Plant) -> Symbol:
-    """The name of the transfer function in what rests on it."""
-    return solved.named("G")

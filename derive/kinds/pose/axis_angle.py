@@ -1,0 +1,164 @@
+"""The one axis and the one angle that make a rotation in a single turn."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from derive.algebra.kernels import root
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal
+from derive.algebra.scalar import Scalar
+from derive.derivation import Claim, Derivation, Step
+from derive.errors import NotDerivable
+from derive.expression import (
+    Expr,
+    Matrix,
+    Product,
+    Quotient,
+    Symbol,
+    add,
+    atan2,
+    column,
+    number,
+    replace,
+    sqrt,
+    squared,
+    subtract,
+    transpose,
+)
+from derive.kinds.checks import agreement, law, links
+from derive.kinds.pose._angles import known_angle
+from derive.kinds.pose._given import Given, PoseOptions, given_pose
+from derive.kinds.pose._rotation import Rotation, rotation_of
+from derive.kinds.problem import Problem
+from derive.mechanics.motion import Move
+
+RESULTS = {"angle": "the angle, from 0 to pi", "axis": "the unit vector along the axis"}
+EXAMPLE = """\
+title: In a single turn
+problems:
+- motion:
+  - {rotate: x, by: 90 deg}
+  - {rotate: z, by: 90 deg}
+  find: axis-angle
+"""
+ANGLE, AXIS, TURN = Symbol("theta"), Symbol("k"), Symbol("w")
+DIFFERENCES = (("r_32", "r_23"), ("r_13", "r_31"), ("r_21", "r_12"))
+
+
+class Options(PoseOptions):
+    """A subject of frames takes `from` and `to`."""
+
+
+def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
+    """The angle from the trace, the axis from what R lacks of symmetry; from R + 1 for half a turn
+    (Siciliano et al., eqs. 2.27 and 2.28). Raises NotDerivable where nothing is turned."""
+    given = given_pose(options, problem)
+    R = rotation_of(given, problem)
+    if R.matrix == ScalarMatrix.identity(3):
+        raise NotDerivable("nothing is turned: the angle is zero, and every axis is as good as another")
+    half = R.numeric and R.matrix == R.matrix.T
+    steps = _half_turn(R, problem) if half else _general(R, problem)
+    angle, axis = steps[-2].chain[-1], _column(steps[-1])
+    turn = _turn(R)
+    results: dict[str, Expr] = {
+        "angle": replace(replace(angle, turn), R.entries),
+        "axis": column(replace(entry, turn) for (entry,) in axis.rows),
+    }
+    facts = {"rotation": given.rotation, "numeric": R.numeric, "half": half, "angle": ANGLE, "axis": AXIS}
+    facts["law"] = (given.rotation, subtract(Product((number(2), AXIS, transpose(AXIS))), Symbol("I")))
+    claims = (*_links(steps, R), *_laws(R, axis), _second_route(given, problem, results))
+    names: dict[Expr, Expr] = {**R.entries, ANGLE: angle, AXIS: axis}
+    return Derivation("axis-angle", steps, results, claims, names, uses=given.uses, facts=facts)
+
+
+def _general(R: Rotation, problem: Problem) -> tuple[Step, ...]:
+    """w = 2 sin(angle) k, the trace is 1 + 2 cos(angle)."""
+    w = column(subtract(Symbol(plus), Symbol(minus)) for plus, minus in DIFFERENCES)
+    size = sqrt(add(*(squared(Symbol(f"w_{axis}")) for axis in "xyz")))
+    cosine_of = add(*(Symbol(f"r_{i}{i}") for i in (1, 2, 3)), number(-1))
+    angle: tuple[Expr, ...] = (ANGLE, atan2(size, cosine_of))
+    axis: tuple[Expr, ...] = (AXIS, Quotient(TURN, size))
+    if not R.numeric:
+        shown = replace(w, R.entries) if R.short else w
+        chain = (TURN, w) if shown == w else (TURN, w, shown)
+        unit = column(Quotient(Symbol(f"w_{each}"), size) for each in "xyz")
+        return Step("w", chain), Step("angle", angle), Step("axis", (*axis, unit))
+    vector = ScalarMatrix.column([R.value(plus) - R.value(minus) for plus, minus in DIFFERENCES])
+    length = root(sum((part * part for part in vector.entries), Scalar.of(0)))
+    cosine = sum((R.matrix[i, i] for i in range(3)), Scalar.of(-1))
+    filled = atan2(problem.readable(length), problem.readable(cosine))
+    exact = known_angle(filled, problem)
+    angle = (*angle, filled, exact) if exact != filled else (*angle, filled)
+    unit_vector = problem.readable_matrix(ScalarMatrix.column([part / length for part in vector.entries]))
+    return (
+        Step("w", (TURN, w, problem.readable_matrix(vector))),
+        Step("angle", angle),
+        Step("axis", (*axis, unit_vector)),
+    )
+
+
+def _half_turn(R: Rotation, problem: Problem) -> tuple[Step, ...]:
+    """R = 2 k k^T - 1: each column of (R + 1)/2 is a multiple of k."""
+    outer = (R.matrix + ScalarMatrix.identity(3)).scaled(Scalar.of(1) / 2)
+    j = next(j for j in range(3) if outer[j, j] != 0)
+    length = root(outer[j, j])
+    axis = problem.readable_matrix(ScalarMatrix.column([outer[i, j] / length for i in range(3)]))
+    angle = known_angle(atan2(number(0), number(-1)), problem)
+    written = Product((AXIS, transpose(AXIS)))
+    return (
+        Step("outer", (written, problem.readable_matrix(outer)), "given"),
+        Step("angle", (ANGLE, angle)),
+        Step("axis", (AXIS, axis)),
+    )
+
+
+def _turn(R: Rotation) -> dict[Expr, Expr]:
+    """w_x, w_y, w_z by the entries of R."""
+    return {
+        Symbol(f"w_{axis}"): subtract(R.entries[Symbol(plus)], R.entries[Symbol(minus)])
+        for axis, (plus, minus) in zip("xyz", DIFFERENCES, strict=True)
+    }
+
+
+def _links(steps: tuple[Step, ...], R: Rotation) -> tuple[Claim, ...]:
+    """The vector w entry by entry; the axis; an angle is checked by its second route."""
+    names = {**R.entries, **_turn(R)}
+    names[TURN] = column(names[Symbol(f"w_{axis}")] for axis in "xyz")
+    return links((step for step in steps if step.name in ("w", "axis") and len(step.chain) > 2), {
+        **names,
+        AXIS: steps[-1].chain[-1],
+    })
+
+
+def _column(step: Step) -> Matrix:
+    """The vector a step ends in."""
+    if not isinstance(step.result, Matrix):
+        raise TypeError(f"{step.name} is no vector")
+    return step.result
+
+
+def _laws(R: Rotation, axis: Matrix) -> tuple[Claim, ...]:
+    if not R.numeric:
+        return ()
+    k = ScalarMatrix.column([normal(entry) for (entry,) in axis.rows])
+    return (
+        law("k^T k = 1", (k.T @ k)[0, 0] == 1),
+        law("R k = k", R.matrix @ k == k),
+    )
+
+
+def _second_route(given: Given, problem: Problem, results: Mapping[str, Any]) -> Claim:
+    """The turn made in numbers."""
+    from derive.mechanics.oracle import elementary
+
+    (x,), (y,), (z,) = results["axis"].rows
+    turn = Move("rotate", (x, y, z), results["angle"])
+    return agreement(
+        "the given orientation comes back",
+        problem.symbols,
+        lambda point: elementary(turn, point)[:3, :3],
+        lambda point: given.oracle(point)[:3, :3],
+        tolerance=1e-8,
+    )
