@@ -6,11 +6,11 @@ sentences live in `templates/words/` and refer to the steps by name.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
 
-from derive.expression import Expr
+from derive.expression import Expr, Symbol
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,6 +101,11 @@ class Derivation:
     def all_steps(self) -> Iterator[Step]:
         """Every step, outer ones first, in the order of the page."""
         yield from _walk(self.steps)
+
+
+def named_results(steps: Iterable[Step]) -> dict[Expr, Expr]:
+    """What the names of the steps stand for."""
+    return {Symbol(step.name): step.result for step in steps if step.chain}
 
 
 def _walk(steps: tuple[Step, ...]) -> Iterator[Step]:

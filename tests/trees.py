@@ -16,7 +16,6 @@ from derive.expression import (
     Call,
     Degrees,
     Expr,
-    Indexed,
     Matrix,
     Number,
     Power,
@@ -239,9 +238,26 @@ def _as_sum(first: Expr, second: Expr) -> Expr:
     return Product((HALF, parts[first.function, second.function]))
 
 
-def plain_symbols(expr: Expr) -> Expr:
-    """Sines and cosines replaced by letters, as they are printed: c_12 counts as one."""
-    if _is_trig(expr):
-        assert isinstance(expr, Call)
-        return Indexed(expr.function, expr.arguments)
-    return rebuild(expr, plain_symbols)
+def sympy_letters(expr: Expr) -> Any:
+    """The same in SymPy, unevaluated, each sine and cosine one letter as it is printed (c_12)."""
+    names: dict[Expr, Any] = {}
+
+    def read(node: Expr) -> Any:
+        match node:
+            case Call("cos" | "sin"):
+                return names.setdefault(node, sympy.Symbol(f"letter{len(names)}"))
+            case Sum(terms):
+                return sympy.Add(*map(read, terms), evaluate=False)
+            case Product((Number(lead), *rest)) if lead == -1 and rest:
+                return -read(Product(tuple(rest)))
+            case Product((only,)):
+                return read(only)
+            case Product(factors):
+                return sympy.Mul(*map(read, factors), evaluate=False)
+            case Quotient(top, bottom):
+                return sympy.Mul(read(top), sympy.Pow(read(bottom), -1, evaluate=False), evaluate=False)
+            case Power(base, exponent):
+                return sympy.Pow(read(base), read(exponent), evaluate=False)
+        return sympy_of(node)
+
+    return read(expr)

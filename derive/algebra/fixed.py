@@ -15,6 +15,8 @@ def square_root(value: Fraction) -> Scalar:
     """The root of a number that is not negative; one generator for each prime below it."""
     if value < 0:
         raise ValueError(f"the square root of {value} is not real")
+    if value == 0:
+        return Scalar.of(0)
     outside, primes = _split(value.numerator * value.denominator)
     result = Scalar.of(Fraction(outside, value.denominator))
     for prime in primes:

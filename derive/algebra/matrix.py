@@ -132,7 +132,7 @@ class ScalarMatrix:
     def det(self) -> Scalar:
         """By minors of growing size: no division, each minor computed once."""
         n = self.shape[0]
-        minors = {(): Scalar(self.ring, self.ring.one)}
+        minors: dict[tuple[int, ...], Scalar] = {(): Scalar(self.ring, self.ring.one)}
         for size in range(1, n + 1):
             row = self.rows[n - size]
             minors = {cols: _expand(row, cols, minors) for cols in combinations(range(n), size)}

@@ -148,9 +148,7 @@ class Nesting:
         return Taken(coefficient, monomial, sums, _operations(monomial, coefficient) + factors + inside)
 
     def _parentheses(self, atom: int) -> float:
-        kind = (
-            "trig" if self.alphabet.is_trig(atom) else "mass" if self.alphabet.is_mass(atom) else "other"
-        )
+        kind = "trig" if self.alphabet.is_trig(atom) else "mass" if self.alphabet.is_mass(atom) else "other"
         return PARENTHESES[kind]
 
 

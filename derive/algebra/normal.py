@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import reduce
@@ -10,7 +10,7 @@ from operator import add
 from typing import TypeAlias
 
 from derive.algebra.angles import PI, RADIAN, Form
-from derive.algebra.fixed import fixed_trig, square_root
+from derive.algebra.fixed import fixed_trig
 from derive.algebra.kernels import absolute, opaque, root
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar, as_fraction, common_ring, trig
@@ -236,7 +236,7 @@ def raised(base: Value, power: int) -> Value:
         return base**power
     if power < 0:
         return raised(base.inverse(), -power)
-    return reduce(times, [base] * power, ScalarMatrix.identity(base.shape[0]))
+    return reduce(ScalarMatrix.__matmul__, [base] * power, ScalarMatrix.identity(base.shape[0]))
 
 
 def joined(rows: list[list[Value]]) -> ScalarMatrix:
@@ -260,7 +260,7 @@ def _matrix(value: Value) -> ScalarMatrix:
     return value if isinstance(value, ScalarMatrix) else ScalarMatrix.of([[value]])
 
 
-MATRIX_FUNCTIONS = {
+MATRIX_FUNCTIONS: dict[str, Callable[..., Value]] = {
     "transpose": lambda a: a.T,
     "inverse": lambda a: a.inverse(),
     "cross": lambda a, b: a.cross(b),

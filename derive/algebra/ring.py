@@ -15,7 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import cache, cached_property, lru_cache
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
@@ -147,7 +147,7 @@ class Ring:
         return _union(self, other)
 
 
-@lru_cache(maxsize=None)
+@cache
 def ring(roots: tuple[Root, ...] = (), angles: tuple[Form, ...] = (), symbols: tuple[str, ...] = ()) -> Ring:
     """The ring with these generators; always the same object, so that `is` compares rings."""
     return Ring(roots, angles, symbols)

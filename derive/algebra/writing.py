@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from derive.algebra.nesting import Flat, Plan, Split, Taken
-from derive.algebra.terms import Alphabet, Monomial, SortKey, Terms, terminates
+from derive.algebra.terms import Alphabet, Monomial, SortKey, terminates
 from derive.expression import (
     Call,
     Expr,

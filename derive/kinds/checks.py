@@ -74,7 +74,7 @@ def flat(value: Any) -> Iterator[float]:
 def is_rotation(R: ScalarMatrix, name: str = "R") -> tuple[Claim, ...]:
     """R^T R = 1 and det R = 1."""
     return (
-        law(f"{name}^T {name} = 1", R.T @ R == ScalarMatrix.identity(3)),
+        law(f"{name}^T {name} = 1", ScalarMatrix.identity(3) == R.T @ R),
         law(f"det {name} = 1", R.det() == 1),
     )
 

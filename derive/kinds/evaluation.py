@@ -25,7 +25,8 @@ def read(typed: Any, info: ValidationInfo) -> Place | None:
 
 def _value(typed: Any, info: ValidationInfo) -> Expr:
     if isinstance(typed, TREES):
-        return typed
+        tree: Expr = typed
+        return tree
     return parse(text_of(typed), dimension=ANY, names=declared(info))
 
 

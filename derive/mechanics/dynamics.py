@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
@@ -52,7 +52,7 @@ def _gram(A: ScalarMatrix, B: ScalarMatrix) -> ScalarMatrix:
 def christoffel(D: ScalarMatrix, variables: Sequence[str]) -> dict[tuple[int, int, int], Scalar]:
     """c_ijk, indices from 1: (d_kj,i + d_ki,j - d_ij,k) / 2 (Spong et al., eq. 6.38)."""
     n = len(variables)
-    d = [_symmetric(D, lambda entry, name=name: entry.diff(name)) for name in variables]
+    d = [_derivative(D, name) for name in variables]
     found = {}
     for i in range(n):
         for j in range(i, n):
@@ -62,10 +62,10 @@ def christoffel(D: ScalarMatrix, variables: Sequence[str]) -> dict[tuple[int, in
     return found
 
 
-def _symmetric(D: ScalarMatrix, change: Callable[[Scalar], Scalar]) -> list[list[Scalar]]:
-    """`change` of every entry of a symmetric matrix, once for each pair."""
+def _derivative(D: ScalarMatrix, name: str) -> list[list[Scalar]]:
+    """Of every entry of a symmetric matrix, once for each pair."""
     n = D.shape[0]
-    lower = [[change(D[i, j]) for j in range(i + 1)] for i in range(n)]
+    lower = [[D[i, j].diff(name) for j in range(i + 1)] for i in range(n)]
     return [[lower[max(i, j)][min(i, j)] for j in range(n)] for i in range(n)]
 
 

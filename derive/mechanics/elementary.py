@@ -8,7 +8,6 @@ from derive.expression import (
     Expr,
     Indexed,
     Matrix,
-    Symbol,
     cos,
     negate,
     sin,
@@ -23,7 +22,7 @@ def rotation_matrix(axis: str, angle: Expr) -> Matrix:
     c, s = cos(angle), sin(angle)
     i = "xyz".index(axis)
     j, k = (i + 1) % 3, (i + 2) % 3
-    entries = {(i, i): ONE, (j, j): c, (k, k): c, (k, j): s, (j, k): negate(s)}
+    entries: dict[tuple[int, int], Expr] = {(i, i): ONE, (j, j): c, (k, k): c, (k, j): s, (j, k): negate(s)}
     return Matrix(tuple(tuple(entries.get((row, col), ZERO) for col in range(3)) for row in range(3)))
 
 

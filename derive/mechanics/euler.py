@@ -38,7 +38,7 @@ class Convention:
         """From `ZYX` (current axes) or `xyz` (world axes), as SciPy writes them. Raises ValueError."""
         if len(text) != 3 or set(text.lower()) - set("xyz") or not (text.isupper() or text.islower()):
             raise ValueError("write three axes: ZYX about current axes, xyz about world axes")
-        first, middle, last = text.lower()
+        first, middle, last = tuple(text.lower())
         if middle in (first, last):
             raise ValueError("two rotations in a row about the same axis are one: only two angles remain")
         return Convention((first, middle, last), "current" if text.isupper() else "world")
@@ -192,9 +192,7 @@ class Euler:
         return trig_of(Scalar.symbol(self.outer[1]))
 
     def _matrix(self, *pairs: tuple[Scalar, Scalar]) -> ScalarMatrix:
-        turns = (
-            rotation(move.axis, pair) for move, pair in zip(self.factors, pairs, strict=True)
-        )
+        turns = (rotation(move.axis, pair) for move, pair in zip(self.factors, pairs, strict=True))
         return reduce(ScalarMatrix.__matmul__, turns)
 
     def _direction(self, place: int) -> Direction:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
-from derive.expression import Expr
+from derive.expression import Expr, free_symbols
 
 Axis: TypeAlias = Literal["x", "y", "z"] | tuple[Expr, Expr, Expr]
 
@@ -25,3 +25,12 @@ class Motion:
     """Moves in the order in which they are made."""
 
     moves: tuple[Move, ...]
+
+    @property
+    def variables(self) -> tuple[str, ...]:
+        """The names its moves are by, in the order of the product: world moves stand to the left."""
+        found: tuple[str, ...] = ()
+        for move in self.moves:
+            names = tuple(sorted(free_symbols(move.by)))
+            found = names + found if move.about == "world" else found + names
+        return tuple(dict.fromkeys(found))

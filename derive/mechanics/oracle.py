@@ -7,7 +7,7 @@ each body. Arrays: T 4 by 4, vectors of 3, q of n.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -57,7 +57,7 @@ class Oracle:
         """T of the end-effector."""
         return self.poses(point)[-1] @ compose(self.robot.tool, point)
 
-    def jacobian(self, point: Point, frame: int, offset: Array) -> Array:
+    def jacobian(self, point: Point, frame: int, offset: Sequence[float]) -> Array:
         """J (6 by n) by central differences: of a point fixed in a frame (n+1: the tool's)."""
         import numpy as np
 
@@ -70,7 +70,7 @@ class Oracle:
             ahead, behind = (pose({**point, name: point[name] + h}) for h in (STEP, -STEP))
             rate = (ahead - behind) / (2 * STEP)
             S = rate[:3, :3] @ R.T
-            v = rate[:3, :3] @ offset + rate[:3, 3]
+            v = rate[:3, :3] @ np.array(offset) + rate[:3, 3]
             columns.append([*v, S[2, 1], S[0, 2], S[1, 0]])
         return np.array(columns).T
 
@@ -194,9 +194,11 @@ def _direction(move: Move, point: Point) -> Array:
     import numpy as np
 
     if isinstance(move.axis, str):
-        return np.eye(3)["xyz".index(move.axis)]
+        unit: Array = np.eye(3)["xyz".index(move.axis)]
+        return unit
     k = np.array([number(part, point) for part in move.axis])
-    return k / np.linalg.norm(k)
+    length = float(np.linalg.norm(k))
+    return np.array(k / length)
 
 
 def _names(expr: Expr) -> set[Symbol]:

@@ -32,9 +32,8 @@ def test_any_fixed_angle_has_its_value(turns: Fraction) -> None:
     assert c * c + s * s == 1
 
 
-@given(st.integers(-40, 40), st.integers(1, 12))
-def test_quarter_turns_and_opposites_are_known_of_any_angle(top: int, bottom: int) -> None:
-    turns = Fraction(top, bottom)
+@given(st.fractions(min_value=-4, max_value=4, max_denominator=40))
+def test_quarter_turns_and_opposites_are_known_of_any_angle(turns: Fraction) -> None:
     c, s = fixed_trig(turns)
     assert fixed_trig(turns + Fraction(1, 2)) == (-s, c)
     assert fixed_trig(turns + 1) == (-c, -s)
@@ -42,7 +41,7 @@ def test_quarter_turns_and_opposites_are_known_of_any_angle(top: int, bottom: in
     assert fixed_trig(Fraction(1, 2) - turns) == (s, c)
 
 
-@pytest.mark.parametrize("degrees", [7, 10, 20, 36, 50, 72])
+@pytest.mark.parametrize("degrees", [7, 10, 18, 20, 40])
 def test_the_double_of_a_fixed_angle(degrees: int) -> None:
     left, right = formula(f"cos({2 * degrees} deg)"), formula(f"2 cos({degrees} deg)^2 - 1")
     assert normal(left) == normal(right)

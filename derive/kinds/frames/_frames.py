@@ -4,15 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numeric import Point, number
 from derive.derivation import Step
 from derive.expression import (
-    ONE,
-    ZERO,
     Expr,
     Indexed,
     Matrix,
+    Number,
     Product,
     Symbol,
     add,
@@ -150,6 +148,4 @@ def _factor(move: Any) -> Indexed:
 
 
 def _plain(entry: Expr) -> bool:
-    from derive.expression import Number
-
-    return isinstance(entry, Number) or entry in (ZERO, ONE)
+    return isinstance(entry, Number)

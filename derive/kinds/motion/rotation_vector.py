@@ -44,7 +44,9 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
         tolerance=1e-8,
     )
     facts = {"numeric": turn.facts["numeric"]}
-    return Derivation("rotation-vector", (step,), {"r": vector}, (claim,), {name: vector}, uses=(turn,), facts=facts)
+    return Derivation(
+        "rotation-vector", (step,), {"r": vector}, (claim,), {name: vector}, uses=(turn,), facts=facts
+    )
 
 
 def _entry(angle: Expr, entry: Expr, problem: Problem) -> Expr:

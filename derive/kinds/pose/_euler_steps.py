@@ -115,10 +115,12 @@ class Work:
                 for name, value in self.euler.regular(sign).items():
                     yield Step(f"{name}_{label}", self._chain(Symbol(name), value), "regular", {"sign": sign})
         for k, case in enumerate(self.singular_cases, 1):
-            matrix = self.problem.readable_matrix(case.matrix)
+            matrix = self.singular_matrix(case)
             yield Step(f"R_singular_{k}", (self.given.rotation, matrix), "singular", {"case": k})
             determined = self.determined(case)
-            yield Step(f"determined_{k}", self._chain(determined, case.direction.angle()), "singular", {"case": k})
+            yield Step(
+                f"determined_{k}", self._chain(determined, case.direction.angle()), "singular", {"case": k}
+            )
 
     def determined(self, case: Singular) -> Expr:
         """The sum or difference of the outer angles that a singular case determines."""
@@ -126,6 +128,17 @@ class Work:
         if case.signs[0] < 0:
             return add(last, negate(first))
         return add(first, last if case.signs[1] > 0 else negate(last))
+
+    def singular_matrix(self, case: Singular) -> Matrix:
+        """The matrix of a singular case by the sine and cosine of what it determines."""
+        angle = self.determined(case)
+        parts = [(normal(part), part) for part in (sin(angle), cos(angle))]
+        known = [(s, t) for value, tree in parts for s, t in ((value, tree), (-value, negate(tree)))]
+
+        def written(entry: Scalar) -> Expr:
+            return next((tree for value, tree in known if value == entry), self.problem.readable(entry))
+
+        return Matrix(tuple(tuple(map(written, row)) for row in case.matrix.rows))
 
     def _chain(self, name: Expr, value: Expr) -> tuple[Expr, ...]:
         """The formula; for a rotation of numbers also the numbers put in, and the angle."""
@@ -176,7 +189,7 @@ class Work:
         middle = Symbol(self.euler.outer[1])
         for case in self.singular_cases:
             again = normal_matrix(self.written, {middle: case.middle})
-            shown = normal_matrix(self.problem.readable_matrix(case.matrix))
+            shown = normal_matrix(self.singular_matrix(case))
             claim = f"R at {middle.name} = {int(180 * turns_of(case.middle))} deg"
             yield law(claim, again == shown)
 
@@ -238,8 +251,8 @@ def branches_at(place: Place | None, work: Work, solutions: tuple[Branch, ...]) 
         case = work.singular_cases[k - regular] if k >= regular else None
         occurs = singular and here * case.entry > 0 if case else not singular
         free = {work.euler.outer[2]: 0.0, **point}
-        values = {name: number(value, free) for name, value in branch.values.items()} if occurs else {"real": False}
-        found.append({**values, "when": branch.when})
+        values = {name: number(value, free) for name, value in branch.values.items()} if occurs else {}
+        found.append({**values, "when": branch.when, **({} if occurs else {"real": False})})
     return {"R": R, "solutions": found}
 
 

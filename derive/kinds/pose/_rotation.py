@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import product
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.operations import operations
@@ -40,5 +41,6 @@ def rotation_of(given: Given, problem: Problem) -> Rotation:
     """The rotation of a given pose."""
     matrix = given.exact(problem.readable_matrix(given.R))
     written = problem.readable_matrix(matrix)
-    names = {Symbol(f"r_{i + 1}{j + 1}"): written.rows[i][j] for i in range(3) for j in range(3)}
-    return Rotation(matrix, dict(names))
+    places = product(range(3), range(3))
+    names: dict[Expr, Expr] = {Symbol(f"r_{i + 1}{j + 1}"): written.rows[i][j] for i, j in places}
+    return Rotation(matrix, names)

@@ -126,10 +126,13 @@ def _links(steps: tuple[Step, ...], R: Rotation) -> tuple[Claim, ...]:
     """The vector w entry by entry; the axis; an angle is checked by its second route."""
     names = {**R.entries, **_turn(R)}
     names[TURN] = column(names[Symbol(f"w_{axis}")] for axis in "xyz")
-    return links((step for step in steps if step.name in ("w", "axis") and len(step.chain) > 2), {
-        **names,
-        AXIS: steps[-1].chain[-1],
-    })
+    return links(
+        (step for step in steps if step.name in ("w", "axis") and len(step.chain) > 2),
+        {
+            **names,
+            AXIS: steps[-1].chain[-1],
+        },
+    )
 
 
 def _column(step: Step) -> Matrix:

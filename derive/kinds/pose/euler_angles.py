@@ -84,5 +84,5 @@ def _names(options: Options, problem: Problem) -> tuple[str, str, str]:
     if len(set(options.angles)) < 3:
         raise NotDerivable("the three angles need three different names")
     if used := taken & set(options.angles):
-        raise NotDerivable(f"{min(used)} stands for something else in this problem: name the angles otherwise")
+        raise NotDerivable(f"{min(used)} has a meaning in this problem: name the angles otherwise")
     return options.angles

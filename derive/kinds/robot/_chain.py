@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.derivation import Derivation, Step
-from derive.expression import Expr, Symbol
+from derive.expression import Expr, Matrix, Symbol
 from derive.kinds.problem import Problem
 from derive.mechanics.chain import Chain, chain
 from derive.mechanics.oracle import Oracle
@@ -78,3 +78,19 @@ def moment_names(inertia: Derivation) -> dict[Expr, Expr]:
         for name, value in inertia.definitions.items()
         if isinstance(name, Symbol) and name.name in names
     }
+
+
+def matrix_of(derivation: Derivation, name: str) -> Matrix:
+    """A result that is a matrix. Raises TypeError for any other."""
+    value = derivation.results[name]
+    if not isinstance(value, Matrix):
+        raise TypeError(f"{name} is no matrix")
+    return value
+
+
+def scalar_of(derivation: Derivation, name: str) -> Expr:
+    """A result that is a scalar expression. Raises TypeError for any other."""
+    value = derivation.results[name]
+    if isinstance(value, tuple | str | float | Matrix):
+        raise TypeError(f"{name} is no scalar")
+    return value

@@ -12,8 +12,8 @@ from derive.derivation import Claim, Derivation, Step
 from derive.expression import ZERO, Expr, Matrix, Number, Product, Symbol, add, multiply, number, squared
 from derive.kinds.checks import agreement, links
 from derive.kinds.fields import OptionsModel
-from derive.kinds.problem import TREES, Problem
-from derive.kinds.robot._chain import moment_names, oracle_of
+from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import matrix_of, moment_names, oracle_of, scalar_of
 from derive.mechanics.robot import Robot
 
 RESULTS = {
@@ -65,14 +65,14 @@ def _terms(
     inertia: Derivation, speed: Derivation, weight: Derivation, variables: tuple[str, ...], k: int
 ) -> list[tuple[Expr, Expr]]:
     """(in names, written out) for every term of tau_k that does not vanish, accelerations first."""
-    D, g = _matrix(inertia.results["D"]), _matrix(weight.results["g"])
-    found = [
+    D, g = matrix_of(inertia, "D"), matrix_of(weight, "g")
+    found: list[tuple[Expr, Expr, tuple[Expr, ...]]] = [
         (Symbol(f"d_{min(j, k)}{max(j, k)}"), D.rows[k - 1][j - 1], (Symbol(f"{name}_ddot"),))
         for j, name in enumerate(variables, 1)
     ]
     for (i, j), rates in _rates(variables).items():
         name = f"c_{i}{j}{k}"
-        found.append((Symbol(name), _scalar(speed.results[name]), rates))
+        found.append((Symbol(name), scalar_of(speed, name), rates))
     found.append((Symbol(f"g_{k}"), g.rows[k - 1][0], ()))
     return [
         (_product(name, factors), _product(value, factors)) for name, value, factors in found if value != ZERO
@@ -99,16 +99,6 @@ def _product(value: Expr, factors: tuple[Expr, ...]) -> Expr:
     numbers = [part.value for part in parts if isinstance(part, Number)]
     rest = [part for part in parts if not isinstance(part, Number)]
     return multiply(Number(prod(numbers, start=Fraction(1))), *rest)
-
-
-def _matrix(value: object) -> Matrix:
-    assert isinstance(value, Matrix)
-    return value
-
-
-def _scalar(value: object) -> Expr:
-    assert isinstance(value, TREES)
-    return value
 
 
 def _second_route(problem: Problem, tau: Matrix) -> Claim:

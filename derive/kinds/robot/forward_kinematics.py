@@ -7,7 +7,7 @@ from pydantic import Field
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numeric import matrix_numbers
 from derive.algebra.readable import readable_matrix
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, Step, named_results
 from derive.errors import NotDerivable
 from derive.expression import Expr, Product, Symbol
 from derive.kinds.checks import agreement, is_rotation, links
@@ -53,7 +53,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     T = found.T_tool if whole else found.T[last]
     parts = [*base, *local, *tool]
     steps = (*_law(robot, local), *parts, *_product(problem, T, parts, last))
-    definitions: dict[Expr, Expr] = {Symbol(s.name): s.result for s in steps if s.rule != "law"}
+    definitions = named_results(step for step in steps if step.rule != "law")
     written = problem.readable_matrix(T)
     results: dict[str, Expr] = {s.name: problem.final(s.result) for s in local}
     name = pose_name(last)

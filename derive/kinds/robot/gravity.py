@@ -5,7 +5,7 @@ from __future__ import annotations
 from derive.algebra import numeric
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, Step, named_results
 from derive.expression import Derivative, Expr, Matrix, Product, Sum, Symbol, column, negate, transpose
 from derive.kinds.checks import agreement, links
 from derive.kinds.fields import OptionsModel
@@ -41,9 +41,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     P = _total(problem, energies)
     torques = tuple(_torque(problem, P.result, name, k) for k, name in enumerate(robot.variables, 1))
     steps = (Step("g_0", (Symbol("g_0"), vector), "given"), *energies, P, *torques)
-    written = {Symbol(s.name): s.result for s in steps}
     g = Matrix(tuple((problem.final(step.result),) for step in torques))
-    definitions = {**base.definitions, **written}
+    definitions = {**base.definitions, **named_results(steps)}
     claims = (*links(steps, {**problem.names, **definitions}), _second_route(problem, g))
     return Derivation(
         "gravity", steps, {"P": problem.final(P.result), "g": g}, claims, definitions, uses=(base,)

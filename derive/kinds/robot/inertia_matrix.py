@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from derive.algebra import numeric
 from derive.algebra.common import factored_matrix
-from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.operations import operations
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, Step, named_results
 from derive.expression import Expr, Matrix, Product, Sum, Symbol, transpose
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
@@ -53,7 +54,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     definitions = dict(poses.definitions)
     for body in bodies:
         definitions |= body_definitions(problem, found, body)
-    definitions |= {Symbol(s.name): s.result for s in steps} | _entries(written) | named
+    definitions |= named_results(steps) | _entries(written) | named
     definitions[Symbol("D")] = written
     results = _results(problem, bodies, written, named)
     claims = (
@@ -61,8 +62,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         law("D = D^T", D == D.T),
         *_second_routes(problem, written, named),
     )
-    facts = {"bodies": [body.i for body in bodies], "turning": [body.i for body in bodies if body.turns]}
-    facts |= {"shapes": bool(named), "axes": [s.name for s in steps if s.rule == "extract"]}
+    facts = {"shapes": bool(named)}
     return Derivation("inertia-matrix", steps, results, claims, definitions, uses=(poses,), facts=facts)
 
 
@@ -138,7 +138,7 @@ def _second_routes(problem: Problem, written: Matrix, named: dict[Expr, Expr]) -
     oracle, names = oracle_of(problem), problem.subject.variables
     D = normal_matrix(problem.final(written, named))
 
-    def columns(at: dict[str, float]) -> list[list[float]]:
+    def columns(at: Mapping[str, float]) -> list[list[float]]:
         still = {f"{name}_dot": 0.0 for name in names} | {f"{name}_ddot": 0.0 for name in names}
         rest = oracle.torques({**at, **still})
         return [list(oracle.torques({**at, **still, f"{name}_ddot": 1.0}) - rest) for name in names]

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from collections.abc import Mapping
+from typing import Any, Literal
 
 from pydantic import Field
 
-from derive.algebra.matrix import ScalarMatrix
 from derive.algebra import numeric
-from derive.derivation import Claim, Derivation, Step
+from derive.algebra.matrix import ScalarMatrix
+from derive.derivation import Claim, Derivation, Step, named_results
 from derive.expression import Indexed, Symbol, number
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
@@ -59,7 +60,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     steps = (*pose_steps(problem, found, point.last), *_vectors(problem, found, point), *columns, *more)
     result = problem.final(problem.readable_matrix(asked))
     steps = (*steps[:-1], closing(steps[-1], result))
-    definitions = {**point.definitions, **{Symbol(s.name): s.result for s in steps}}
+    definitions = {**point.definitions, **named_results(steps)}
     definitions[Symbol("J")] = problem.readable_matrix(J)
     names = {**problem.names, **poses.definitions, **definitions}
     claims = (*links(steps, names), *_laws(found, point, J), _second_route(problem, point, J))
@@ -121,7 +122,7 @@ def _laws(found: Chain, point: Tracked, J: ScalarMatrix) -> tuple[Claim, ...]:
 def _second_route(problem: Problem, point: Tracked, J: ScalarMatrix) -> Claim:
     oracle = oracle_of(problem)
 
-    def differences(at: dict[str, float]) -> object:
+    def differences(at: Mapping[str, float]) -> Any:
         known = oracle.at(at)
         return oracle.jacobian(known, point.frame, [numeric.number(part, known) for part in point.offset])
 

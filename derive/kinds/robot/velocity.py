@@ -6,7 +6,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Step
-from derive.expression import Matrix, Product, Symbol, column
+from derive.expression import Expr, Matrix, Product, Symbol, column
 from derive.kinds.checks import law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -45,7 +45,12 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     step = Step(
         "twist", (name, Product((Symbol("J"), Symbol("q_dot"))), Product((J, rate)), written), "velocity"
     )
-    definitions = {Symbol("q_dot"): rate, Symbol("v"): v, Symbol("omega"): omega, Symbol("J"): J}
+    definitions: dict[Expr, Expr] = {
+        Symbol("q_dot"): rate,
+        Symbol("v"): v,
+        Symbol("omega"): omega,
+        Symbol("J"): J,
+    }
     steps = (closing(step, problem.final(written)),)
     return Derivation(
         "velocity",
