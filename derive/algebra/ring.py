@@ -65,6 +65,11 @@ class Ring:
         return {name: i for i, name in enumerate(self.names)}
 
     @cached_property
+    def opaque(self) -> tuple[str, ...]:
+        """The symbols that stand for functions left as they are: `exp(x)`."""
+        return tuple(name for name in self.symbols if "(" in name)
+
+    @cached_property
     def zero(self) -> fmpq_mpoly:
         return self.constant(0)
 

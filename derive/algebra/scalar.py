@@ -14,6 +14,7 @@ from typing import Union
 from flint import fmpq_mpoly
 
 from derive.algebra.angles import Form
+from derive.algebra.calculus import derivative, with_rates
 from derive.algebra.ring import Ring, carry, ring
 
 Like = Union["Scalar", int, Fraction]
@@ -141,13 +142,13 @@ class Scalar:
     # -- calculus ---------------------------------------------------------------------------------
 
     def diff(self, name: str) -> Scalar:
-        """The partial derivative by a symbol or an angle."""
-        top = _derivative(self.numerator, self.ring, name)
-        if self.denominator is None:
-            return Scalar(self.ring, top)
-        bottom = _derivative(self.denominator, self.ring, name)
-        square = self.denominator * self.denominator
-        return fraction(self.ring, top * self.denominator - self.numerator * bottom, square)
+        """The partial derivative by a symbol or an angle. Raises NotDerivable inside opaque functions."""
+        home = with_rates(self.ring, name)
+        top = self.into(home)
+        if top.denominator is None:
+            return fraction(home, *derivative(top.numerator, home, name))
+        u, v = Scalar(home, top.numerator), Scalar(home, top.denominator)
+        return (u.diff(name) * v - u * v.diff(name)) / (v * v)
 
     def substitute(self, values: Mapping[str, Scalar]) -> Scalar:
         """With symbols replaced. The names must not stand inside sines, cosines or roots."""
@@ -213,19 +214,6 @@ def _times(left: fmpq_mpoly | None, right: fmpq_mpoly | None) -> fmpq_mpoly | No
     if left is None or right is None:
         return right if left is None else left
     return left * right
-
-
-def _derivative(polynomial: fmpq_mpoly, home: Ring, name: str) -> fmpq_mpoly:
-    """By the chain rule through symbols and angles."""
-    result = polynomial.derivative(home.index[name]) if name in home.index else home.zero
-    for k, form in enumerate(home.angles):
-        rate = form.of_atom(name)
-        if not rate:
-            continue
-        (c, s), (c_at, s_at) = home.pair(k), home.pair_index(k)
-        along = polynomial.derivative(s_at) * c - polynomial.derivative(c_at) * s
-        result = result + (along if rate == 1 else along * home.constant(rate))
-    return home.reduce(result)
 
 
 def _replaced(polynomial: fmpq_mpoly, source: Ring, home: Ring, values: Mapping[str, Scalar]) -> Scalar:

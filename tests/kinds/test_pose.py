@@ -99,3 +99,30 @@ def test_axis_and_angle_are_scipys(turns):
 def test_nothing_turned_has_no_axis():
     with pytest.raises(NotDerivable, match="nothing is turned"):
         turned(("x", 90), ("x", -90)).ask("axis-angle")
+
+
+@pytest.mark.parametrize(
+    "turns", [(("x", 90), ("z", 90)), (("x", 180), ("z", 90)), (("y", 40), ("x", 75)), (("x", 45), ("y", 45))]
+)
+def test_quaternion_is_scipys(turns):
+    d = turned(*turns).ask("quaternion")
+    expected = Rotation.identity()
+    for axis, by in turns:
+        expected = expected * Rotation.from_euler(axis, by, degrees=True)
+    w, x, y, z = numbers(d.results["q"], {})
+    assert np.allclose(Rotation.from_quat([x, y, z, w]).as_matrix(), expected.as_matrix()) and holds(d)
+
+
+def test_symbolic_quaternion():
+    d = Problem("motion", TWO_TURNS).ask("quaternion")
+    w, x, y, z = numbers(d.results["q"], {"q": 0.4, "w": -1.2})
+    expected = Rotation.from_euler("y", 0.4) * Rotation.from_euler("z", -1.2)
+    assert np.allclose(Rotation.from_quat([x, y, z, w]).as_matrix(), expected.as_matrix()) and holds(d)
+
+
+def test_inverse_is_numpys():
+    subject = Motion((Move("rotate", "z", Symbol("q")), Move("translate", "x", Symbol("a"), "world")))
+    d = Problem("motion", subject).ask("inverse")
+    q, a = 0.7, 1.3
+    T = np.array([[np.cos(q), -np.sin(q), 0, a], [np.sin(q), np.cos(q), 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+    assert np.allclose(numbers(d.results["T"], {"q": q, "a": a}), np.linalg.inv(T)) and holds(d)

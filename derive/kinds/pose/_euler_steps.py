@@ -27,6 +27,7 @@ from derive.expression import (
     Symbol,
     add,
     cos,
+    free_symbols,
     multiply,
     negate,
     rebuild,
@@ -39,6 +40,7 @@ from derive.kinds.evaluation import Place
 from derive.kinds.pose._angles import fixed_angle, known_angle, turns_of
 from derive.kinds.pose._given import Given
 from derive.kinds.pose._numbers import completed
+from derive.kinds.pose._roots import shortened
 from derive.kinds.problem import Problem
 from derive.mechanics.elementary import factor_name
 from derive.mechanics.euler import SIGNS, Direction, Euler, Sign, Singular
@@ -77,7 +79,7 @@ class Work:
     @property
     def numeric(self) -> bool:
         """Whether every entry is a number, so that there is one case and its angles are numbers."""
-        return all(not _symbols(entry) for entry in self.R.entries)
+        return not any(map(free_symbols, self.entries.values()))
 
     @cached_property
     def cases(self) -> tuple[Sign, ...]:
@@ -268,15 +270,11 @@ def _signed(sign: Sign, expr: Expr) -> Expr:
     return expr if sign > 0 else negate(expr)
 
 
-def _symbols(entry: Scalar) -> list[str]:
-    return [name for name in entry.generators() if not name.startswith("sqrt(")]
-
-
 def _short(expr: Expr, problem: Problem) -> Expr:
     """Arguments of atan2 without symbols, as short numbers."""
     match expr:
         case Call("atan2", (y, x)):
-            return Call("atan2", (problem.readable(normal(y)), problem.readable(normal(x))))
+            return Call("atan2", (shortened(y, problem), shortened(x, problem)))
         case Sum(terms):
             return add(*(_short(term, problem) for term in terms))
     return expr if expr != negate(ZERO) else ZERO

@@ -8,7 +8,7 @@ from itertools import product
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.operations import operations
 from derive.algebra.scalar import Scalar
-from derive.expression import Expr, Symbol
+from derive.expression import Expr, Symbol, free_symbols
 from derive.kinds.pose._given import Given
 from derive.kinds.problem import Problem
 
@@ -25,7 +25,7 @@ class Rotation:
     @property
     def numeric(self) -> bool:
         """Whether every entry is a number."""
-        return all(name.startswith("sqrt(") for entry in self.matrix.entries for name in entry.generators())
+        return not any(map(free_symbols, self.entries.values()))
 
     @property
     def short(self) -> bool:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from derive.algebra.kernels import root
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
@@ -30,6 +29,8 @@ from derive.expression import (
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.pose._angles import known_angle
 from derive.kinds.pose._given import Given, PoseOptions, given_pose
+from derive.kinds.pose._roots import over
+from derive.kinds.pose._roots import size as length_of
 from derive.kinds.pose._rotation import Rotation, rotation_of
 from derive.kinds.problem import Problem
 from derive.mechanics.motion import Move
@@ -86,12 +87,12 @@ def _general(R: Rotation, problem: Problem) -> tuple[Step, ...]:
         unit = column(Quotient(Symbol(f"w_{each}"), size) for each in "xyz")
         return Step("w", chain), Step("angle", angle), Step("axis", (*axis, unit))
     vector = ScalarMatrix.column([R.value(plus) - R.value(minus) for plus, minus in DIFFERENCES])
-    length = root(sum((part * part for part in vector.entries), Scalar.of(0)))
+    square = sum((part * part for part in vector.entries), Scalar.of(0))
     cosine = sum((R.matrix[i, i] for i in range(3)), Scalar.of(-1))
-    filled = atan2(problem.readable(length), problem.readable(cosine))
+    filled = atan2(length_of(square, problem), problem.readable(cosine))
     exact = known_angle(filled, problem)
     angle = (*angle, filled, exact) if exact != filled else (*angle, filled)
-    unit_vector = problem.readable_matrix(ScalarMatrix.column([part / length for part in vector.entries]))
+    unit_vector = column(over(part, square, problem) for part in vector.entries)
     return (
         Step("w", (TURN, w, problem.readable_matrix(vector))),
         Step("angle", angle),
@@ -103,8 +104,7 @@ def _half_turn(R: Rotation, problem: Problem) -> tuple[Step, ...]:
     """R = 2 k k^T - 1: each column of (R + 1)/2 is a multiple of k."""
     outer = (R.matrix + ScalarMatrix.identity(3)).scaled(Scalar.of(1) / 2)
     j = next(j for j in range(3) if outer[j, j] != 0)
-    length = root(outer[j, j])
-    axis = problem.readable_matrix(ScalarMatrix.column([outer[i, j] / length for i in range(3)]))
+    axis = column(over(outer[i, j], outer[j, j], problem) for i in range(3))
     angle = known_angle(atan2(number(0), number(-1)), problem)
     written = Product((AXIS, transpose(AXIS)))
     return (
