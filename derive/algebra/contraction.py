@@ -11,7 +11,7 @@ from derive.algebra.angles import Form
 from derive.algebra.terms import Alphabet, Monomial, Terms, put, times
 
 # Above this many terms the search for pairs costs more than a reader gains.
-MOST_TERMS = 150
+MOST_TERMS = 60
 
 
 def contracted(terms: Terms, alphabet: Alphabet) -> Terms:

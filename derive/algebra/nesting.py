@@ -22,7 +22,7 @@ from derive.algebra.terms import Alphabet, Monomial, SortKey, Terms, frozen, ter
 MOST_FACTORED = 40  # terms; above this no factorisation is tried
 MOST_SEARCHED = 10  # terms; above this the most frequent atom is taken out and no other tried
 BUDGET = 1500  # terms looked at in one search; what is left when it is spent is written flat
-LONG = 40  # terms; a longer sum is nested only coarsely, for nobody reads it
+LONG = 30  # terms; a longer sum is nested only coarsely, for nobody reads it
 PARENTHESES = {"trig": 0.25, "mass": 0.1, "other": 2.25}
 LARGEST_PART = 4  # a sum with smaller parts of one than a quarter is better over a common denominator
 OUT_OF_TURN = 0.4  # for taking out a later angle where an earlier one could be
@@ -59,7 +59,7 @@ Plan: TypeAlias = Flat | Split | Taken
 
 def nested(terms: Terms, alphabet: Alphabet) -> Plan:
     """The cheapest way of writing the terms that a search of bounded length finds."""
-    return Nesting(alphabet, BUDGET if len(terms) <= LONG else len(terms)).plan(terms)
+    return Nesting(alphabet, BUDGET if len(terms) <= LONG else 0).plan(terms)
 
 
 @dataclass(slots=True)
@@ -72,10 +72,12 @@ class Nesting:
 
     def plan(self, terms: Terms) -> Plan:
         """The cheapest way found."""
-        if len(terms) <= 1 or self.budget <= 0:
+        if len(terms) <= 1:
             return self._flat(terms)
         if len(terms) > MOST_SEARCHED:
             return self._greedy(terms)
+        if self.budget <= 0:
+            return self._plain(terms)
         key = frozen(terms)
         if key not in self.known:
             self.budget -= len(terms)
@@ -99,8 +101,16 @@ class Nesting:
         if common:
             content = _content(terms, self.alphabet)
             return self._product(common, content, ((self.plan(_divided(terms, common, content)), 1),))
-        factored = self._factored(terms) if len(terms) <= MOST_FACTORED else []
+        factored = self._factored(terms) if self.budget > 0 and len(terms) <= MOST_FACTORED else []
         return min([*factored, *self._splits(terms)], key=_price, default=self._flat(terms))
+
+    def _plain(self, terms: Terms) -> Plan:
+        """What is common taken out, and no search."""
+        common = _common(terms)
+        if not common:
+            return self._flat(terms)
+        content = _content(terms, self.alphabet)
+        return self._product(common, content, ((self._flat(_divided(terms, common, content)), 1),))
 
     # -- the ways of writing a sum ----------------------------------------------------------------
 
@@ -136,6 +146,8 @@ class Nesting:
         return Split(((taken, inner), (rest, other)), price)
 
     def _factored(self, terms: Terms) -> list[Plan]:
+        if len(terms) in (5, 7):  # no product of two sums, and no square, has so many terms
+            return []
         factors = factors_of(terms)
         if len(factors) < 2 and all(power == 1 for _, power in factors):
             return []

@@ -6,13 +6,14 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import reduce
-from operator import add
+from operator import add, mul
 from typing import TypeAlias
 
 from derive.algebra.angles import PI, RADIAN, Form
 from derive.algebra.fixed import fixed_trig
 from derive.algebra.kernels import absolute, opaque, root
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.ring import Ring, ring
 from derive.algebra.scalar import Scalar, as_fraction, common_ring, trig
 from derive.errors import NotDerivable
 from derive.expression import (
@@ -65,8 +66,7 @@ def walk_over(exprs: Iterable[Expr], names: Names) -> Walk:
         if isinstance(value, Scalar):
             leaves[leaf] = value
     home = common_ring(leaves.values())
-    walk.known.update({leaf: value.into(home) for leaf, value in leaves.items()})
-    return walk
+    return Walk(names, home, {leaf: value.into(home) for leaf, value in leaves.items()})
 
 
 def _leaves(expr: Expr, names: Names, seen: set[Expr]) -> Iterator[Expr]:
@@ -87,13 +87,14 @@ class Walk:
     """One walk under fixed names; what a name, a sine or a cosine stands for is computed once."""
 
     names: Names
+    home: Ring = field(default_factory=ring)
     known: dict[Expr, Value] = field(default_factory=dict)
 
     def value(self, expr: Expr) -> Value:
         """The scalar or matrix of a tree."""
         match expr:
             case Number(exact):
-                return Scalar.of(exact)
+                return Scalar(self.home, self.home.constant(exact))
             case Degrees(degrees):
                 return Scalar.symbol(PI) * (degrees / 180)
             case Symbol() | Indexed():
@@ -101,7 +102,7 @@ class Walk:
             case Sum(terms):
                 return reduce(add, map(self.value, terms))
             case Product(factors):
-                return reduce(times, map(self.value, factors))
+                return product([self.value(factor) for factor in factors])
             case Quotient(top, bottom):
                 return times(self.value(top), 1 / self.scalar(bottom))
             case Power(base, exponent):
@@ -109,7 +110,9 @@ class Walk:
             case Matrix(rows):
                 return joined([[self.value(entry) for entry in row] for row in rows])
             case Derivative(of, by):
-                return self.value(of).diff(by.name)
+                if expr not in self.known:
+                    self.known[expr] = self.value(of).diff(by.name)
+                return self.known[expr]
             case Call(function, arguments):
                 return self.known[expr] if expr in self.known else self._call(function, arguments)
             case Approximate():
@@ -221,6 +224,17 @@ def linear_form(angle: Scalar) -> tuple[Fraction, Form]:
             atom = "*".join(n if e == 1 else f"{n}^{e}" for n, e in powers) or RADIAN
             parts[atom] = as_fraction(coefficient)
     return turns, Form.of(parts)
+
+
+def product(values: list[Value]) -> Value:
+    """The product of scalars and matrices; polynomials of one ring are reduced once at the end."""
+    first = values[0]
+    if isinstance(first, Scalar) and all(
+        isinstance(v, Scalar) and v.ring is first.ring and v.denominator is None for v in values
+    ):
+        numerator = reduce(mul, (v.numerator for v in values if isinstance(v, Scalar)))
+        return Scalar(first.ring, first.ring.reduce(numerator))
+    return reduce(times, values)
 
 
 def times(left: Value, right: Value) -> Value:

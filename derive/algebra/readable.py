@@ -23,7 +23,7 @@ from derive.algebra.writing import Writing
 from derive.expression import ONE, Expr, Matrix, Product, Quotient, multiply, negate
 
 # Above this many terms other bases cost more than a reader gains.
-MOST_REBASED = 60
+MOST_REBASED = 30
 
 
 def readable(scalar: Scalar, style: Style = Style()) -> Expr:

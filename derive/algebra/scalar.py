@@ -6,7 +6,7 @@ Scalars of different rings mix; the result lives in the union of the rings.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Hashable, Iterable, Iterator, Mapping
 from fractions import Fraction
 from functools import lru_cache, reduce
 from typing import Union
@@ -115,6 +115,11 @@ class Scalar:
     def __repr__(self) -> str:
         bottom = "" if self.denominator is None else f" / ({self.denominator})"
         return f"{self.numerator}{bottom}"
+
+    def key(self) -> Hashable:
+        """The same for the same polynomials of the same ring: to remember what was found for them."""
+        bottom = None if self.denominator is None else frozenset(self.denominator.to_dict().items())
+        return self.ring, frozenset(self.numerator.to_dict().items()), bottom
 
     # -- parts ------------------------------------------------------------------------------------
 

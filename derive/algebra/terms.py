@@ -124,13 +124,17 @@ class Alphabet:
 def terms_of(scalar: Scalar, alphabet: Alphabet) -> Terms:
     """The numerator's terms."""
     home = scalar.ring
-    roots = [Atom("root", root.name) for root in home.roots]
-    pairs = [Atom(kind, form) for kind in ("sin", "cos") for form in home.angles]
-    atoms = [alphabet.number(atom) for atom in (*roots, *pairs, *(Atom("symbol", n) for n in home.symbols))]
+    roots = [(alphabet.number(Atom("root", root.name)), 1) for root in home.roots]
+    pairs = [alphabet.trig(kind, form) for kind in ("sin", "cos") for form in home.angles]
+    symbols = [(alphabet.number(Atom("symbol", name)), 1) for name in home.symbols]
     found: Terms = {}
     for exponents, coefficient in scalar.numerator.terms():
-        powers = ((atom, int(e)) for atom, e in zip(atoms, exponents, strict=True) if e)
-        found[tuple(sorted(powers))] = as_fraction(coefficient)
+        k, powers = as_fraction(coefficient), []
+        for (atom, sign), exponent in zip((*roots, *pairs, *symbols), exponents, strict=True):
+            if exponent:
+                powers.append((atom, int(exponent)))
+                k *= sign ** int(exponent)
+        put(found, tuple(sorted(powers)), k)
     return found
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from itertools import pairwise
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
@@ -21,9 +22,9 @@ def links(steps: Iterable[Step], names: Names) -> tuple[Claim, ...]:
 
     A step by rule "law" states what holds in general and has nothing to compare.
     """
-    chains = [step for step in _all(steps) if len(step.chain) > 1 and step.rule != "law"]
-    walk_of = walk_over([expr for step in chains for expr in step.chain if not _rounded(expr)], names)
-    return tuple(_link(step, walk_of) for step in chains)
+    chains = {step.name: _exact(step, names) for step in _all(steps) if step.rule != "law"}
+    walk_of = walk_over([expr for chain in chains.values() for expr in chain], names)
+    return tuple(_link(name, chain, walk_of) for name, chain in chains.items() if len(chain) > 1)
 
 
 def law(claim: str, holds: bool) -> Claim:
@@ -79,12 +80,18 @@ def is_rotation(R: ScalarMatrix, name: str = "R") -> tuple[Claim, ...]:
     )
 
 
-def _link(step: Step, walk_of: Walk) -> Claim:
-    names_itself = isinstance(step.chain[0], Symbol | Indexed) and step.chain[0] not in walk_of.names
-    chain = step.chain[1:] if names_itself else step.chain
-    values = [_plain(walk_of.value(expr)) for expr in chain if not _rounded(expr)]
-    holds = all(a == b for a, b in zip(values, values[1:], strict=False))
-    return Claim(f"{step.name}: every link of the chain", NORMAL_FORM, holds)
+def _exact(step: Step, names: Names) -> tuple[Expr, ...]:
+    """The chain without rounded numbers, and without a name at its head that it defines."""
+    chain = step.chain
+    if chain and isinstance(chain[0], Symbol | Indexed) and chain[0] not in names:
+        chain = chain[1:]
+    return tuple(expr for expr in chain if not _rounded(expr))
+
+
+def _link(name: str, chain: tuple[Expr, ...], walk_of: Walk) -> Claim:
+    values = [_plain(walk_of.value(expr)) for expr in chain]
+    holds = all(a == b for a, b in pairwise(values))
+    return Claim(f"{name}: every link of the chain", NORMAL_FORM, holds)
 
 
 def _plain(value: Value) -> Value:

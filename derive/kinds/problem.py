@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Hashable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
 from functools import cached_property
 from typing import Any, get_args
@@ -29,7 +29,7 @@ class Problem:
     where: Mapping[str, Expr] = field(default_factory=dict)
     assumptions: Mapping[str, str] = field(default_factory=dict)
     derived: dict[tuple[str, Any], Derivation] = field(default_factory=dict)
-    written: dict[int, tuple[Scalar, Expr]] = field(default_factory=dict)  # by id, the value kept alive
+    written: dict[Hashable, Expr] = field(default_factory=dict)
 
     def ask(self, kind: str, **options: Any) -> Derivation:
         """The derivation of a question about this subject, made once however often it is asked.
@@ -72,9 +72,10 @@ class Problem:
 
     def readable(self, value: Scalar) -> Expr:
         """As a person would write it, names of `where` kept; the same value is read once."""
-        if id(value) not in self.written:
-            self.written[id(value)] = (value, readable(value, self.style))
-        return self.written[id(value)][1]
+        key = value.key()
+        if key not in self.written:
+            self.written[key] = readable(value, self.style)
+        return self.written[key]
 
     def readable_matrix(self, value: ScalarMatrix) -> Matrix:
         return Matrix(tuple(tuple(map(self.readable, row)) for row in value.rows))

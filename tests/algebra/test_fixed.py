@@ -33,12 +33,26 @@ def test_any_fixed_angle_has_its_value(turns: Fraction) -> None:
 
 
 @given(st.fractions(min_value=-4, max_value=4, max_denominator=40))
-def test_quarter_turns_and_opposites_are_known_of_any_angle(turns: Fraction) -> None:
+def test_whole_turns_and_half_turns_of_any_angle(turns: Fraction) -> None:
     c, s = fixed_trig(turns)
-    assert fixed_trig(turns + Fraction(1, 2)) == (-s, c)
+    assert fixed_trig(turns + 2) == (c, s)
     assert fixed_trig(turns + 1) == (-c, -s)
-    assert fixed_trig(-turns) == (c, -s)
-    assert fixed_trig(Fraction(1, 2) - turns) == (s, c)
+    assert fixed_trig(turns + Fraction(1, 2)) == (-s, c)
+
+
+@pytest.mark.xfail(
+    strict=True, reason="a limit: relations between fixed angles other than multiples of 15 degrees"
+)
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        ("cos(100 deg)", "2 cos(50 deg)^2 - 1"),
+        ("sin(36 deg)", "cos(54 deg)"),
+        ("cos(60 deg)", "4 cos(20 deg)^3 - 3 cos(20 deg)"),
+    ],
+)
+def test_what_is_equal_and_not_known_to_be(left: str, right: str) -> None:
+    assert normal(formula(left)) == normal(formula(right))
 
 
 @pytest.mark.parametrize("degrees", [7, 10, 18, 20, 40])

@@ -60,9 +60,7 @@ def test_the_vector_product_is_that_of_numpy(a: list[Fraction], b: list[Fraction
     assert np.allclose([float(x.constant or 0) for x in found.entries], expected)
 
 
-SYMBOLIC = normal_matrix(
-    matrix("cos(x); -sin(x); a\n sin(x); cos(x); b cos(y)\n a/(1 + b^2); sin(x + y); 2")
-)
+SYMBOLIC = normal_matrix(matrix("cos(x); -sin(x); a\n sin(x); cos(x); b cos(y)\n a/(1 + b^2); sin(x + y); 2"))
 
 
 def test_a_symbolic_determinant_and_inverse_in_numbers() -> None:

@@ -172,7 +172,9 @@ def test_a_derivative_agrees_with_sympy(text: str) -> None:
     assert_derivative(text)
 
 
-@pytest.mark.parametrize("text", ["sqrt(x^2 + y^2)", "cos(x y)", "sin(x^2)", "atan2(y, x)", "exp(x)", "abs(x - y)"])
+@pytest.mark.parametrize(
+    "text", ["sqrt(x^2 + y^2)", "cos(x y)", "sin(x^2)", "atan2(y, x)", "exp(x)", "abs(x - y)"]
+)
 def test_a_derivative_is_right_or_refused(text: str) -> None:
     try:
         normal(Derivative(formula(text), Symbol("x")))

@@ -94,9 +94,7 @@ def test_forms_add_like_vectors(a: Form, b: Form) -> None:
     assert (a + b).without("x").of_atom("x") == 0
 
 
-@pytest.mark.parametrize(
-    "names", [("a", "b"), ("b", "a")], ids=["in order", "the other way round"]
-)
+@pytest.mark.parametrize("names", [("a", "b"), ("b", "a")], ids=["in order", "the other way round"])
 def test_the_order_of_symbols_does_not_matter(names: tuple[str, str]) -> None:
     a, b = (Scalar(home, home.gen(name)) for name, home in ((n, ring(symbols=names)) for n in names))
     assert a * b - b * a == 0

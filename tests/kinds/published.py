@@ -9,8 +9,8 @@ from derive.expression import Matrix
 
 
 def matrix(text):
-    """Rows on lines, entries between commas."""
-    rows = [line.split(",") for line in text.strip().splitlines()]
+    """Rows on lines, entries between commas; an indented line goes on with the row before."""
+    rows = [line.split(",") for line in text.strip().replace(",\n  ", ", ").splitlines()]
     return Matrix(tuple(tuple(parse(entry.strip()) for entry in row) for row in rows))
 
 

@@ -6,7 +6,20 @@ import pytest
 from pydantic import ValidationError
 
 from derive.errors import NotDerivable
-from derive.expression import MINUS_ONE, ONE, ZERO, add, atan2, column, cos, negate, number, sin, subtract, symbols
+from derive.expression import (
+    MINUS_ONE,
+    ONE,
+    ZERO,
+    add,
+    atan2,
+    column,
+    cos,
+    negate,
+    number,
+    sin,
+    subtract,
+    symbols,
+)
 from derive.kinds.problem import Problem
 from derive.mechanics.frames import ByMatrix, Frame, Frames, Observed
 from tests.kinds.published import matrix, same

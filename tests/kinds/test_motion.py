@@ -38,9 +38,11 @@ SHIFTED = problem(
     Move("rotate", "x", alpha, "world"), Move("translate", "z", b, "world"), Move("rotate", "y", phi)
 )
 PUBLISHED_MIXED = """
-cos(theta)*cos(psi)+sin(theta)*sin(phi)*sin(psi), sin(theta)*sin(phi)*cos(psi)-cos(theta)*sin(psi), sin(theta)*cos(phi)
+cos(theta)*cos(psi)+sin(theta)*sin(phi)*sin(psi),
+  sin(theta)*sin(phi)*cos(psi)-cos(theta)*sin(psi), sin(theta)*cos(phi)
 cos(phi)*sin(psi), cos(phi)*cos(psi), -sin(phi)
--sin(theta)*cos(psi)+cos(theta)*sin(phi)*sin(psi), cos(theta)*sin(phi)*cos(psi)+sin(theta)*sin(psi), cos(theta)*cos(phi)
+-sin(theta)*cos(psi)+cos(theta)*sin(phi)*sin(psi),
+  cos(theta)*sin(phi)*cos(psi)+sin(theta)*sin(psi), cos(theta)*cos(phi)
 """
 PUBLISHED_SHIFTED = """
 cos(phi), 0, sin(phi), 0
@@ -87,7 +89,8 @@ def test_transform_published():
 def test_equivalent_sequences_have_the_published_one():
     d = MIXED.ask("equivalent-sequences")
     published = tuple(
-        {"rotate": axis, "by": by, "about": "current"} for axis, by in zip("yxz", ("theta", "phi", "psi"), strict=True)
+        {"rotate": axis, "by": by, "about": "current"}
+        for axis, by in zip("yxz", ("theta", "phi", "psi"), strict=True)
     )
     assert published in d.results["sequences"] and holds(d)
 

@@ -17,8 +17,10 @@ from derive.mechanics.motion import Motion, Move
 from tests.kinds.published import matrix, same
 
 PUBLISHED = """
-cos(phi)*cos(theta), -sin(phi)*cos(psi)+cos(phi)*sin(theta)*sin(psi), sin(phi)*sin(psi)+cos(phi)*sin(theta)*cos(psi)
-sin(phi)*cos(theta), cos(phi)*cos(psi)+sin(phi)*sin(theta)*sin(psi), -cos(phi)*sin(psi)+sin(phi)*sin(theta)*cos(psi)
+cos(phi)*cos(theta), -sin(phi)*cos(psi)+cos(phi)*sin(theta)*sin(psi),
+  sin(phi)*sin(psi)+cos(phi)*sin(theta)*cos(psi)
+sin(phi)*cos(theta), cos(phi)*cos(psi)+sin(phi)*sin(theta)*sin(psi),
+  -cos(phi)*sin(psi)+sin(phi)*sin(theta)*cos(psi)
 -sin(theta), cos(theta)*sin(psi), cos(theta)*cos(psi)
 """
 UP = "0,sin(psi-phi),cos(psi-phi)\n0,cos(psi-phi),-sin(psi-phi)\n-1,0,0"
@@ -40,7 +42,9 @@ def test_yaw_pitch_roll_published():
     assert d.step("theta_plus").result == parse("atan2(-r_31, sqrt(r_11^2 + r_21^2))")
     assert d.step("psi_plus").result == parse("atan2(r_32, r_33)")
     assert d.step("phi_minus").result == parse("atan2(-r_21, -r_11)")
-    assert same(d.step("R_singular_1").result, matrix(UP)) and same(d.step("R_singular_2").result, matrix(DOWN))
+    assert same(d.step("R_singular_1").result, matrix(UP)) and same(
+        d.step("R_singular_2").result, matrix(DOWN)
+    )
     assert d.step("determined_1").chain == (parse("psi - phi"), parse("atan2(r_12, r_22)"))
     assert d.step("determined_2").chain == (parse("phi + psi"), parse("atan2(-r_12, r_22)"))
     assert len(d.results["solutions"]) == 4 and holds(d)
@@ -61,14 +65,20 @@ def test_numbers_have_the_regular_case_only_and_exact_angles():
     d = turned(("z", 30), ("x", 60)).ask("euler-angles", convention="ZYX")
     values = d.results["solutions"][0].values
     assert len(d.results["solutions"]) == 2 and holds(d)
-    assert [values[name] for name in ("phi", "theta", "psi")] == [parse("30 deg"), parse("0"), parse("60 deg")]
+    assert [values[name] for name in ("phi", "theta", "psi")] == [
+        parse("30 deg"),
+        parse("0"),
+        parse("60 deg"),
+    ]
 
 
 def test_numbers_have_the_singular_case_only():
     d = turned(("y", 90), ("x", 20)).ask("euler-angles", convention="ZYX")
     (branch,) = d.results["solutions"]
     angles = [number(branch.values[name], {"psi": 0.3}) for name in ("phi", "theta", "psi")]
-    expected = (Rotation.from_euler("y", 90, degrees=True) * Rotation.from_euler("x", 20, degrees=True)).as_matrix()
+    expected = (
+        Rotation.from_euler("y", 90, degrees=True) * Rotation.from_euler("x", 20, degrees=True)
+    ).as_matrix()
     assert np.allclose(Rotation.from_euler("ZYX", angles).as_matrix(), expected)
     assert "theta = 90 deg" in branch.when and holds(d)
 

@@ -13,7 +13,10 @@ from derive.mechanics.motion import Motion, Move
 
 
 def moved(number, parent):
-    moves = (Move("rotate", "xyz"[number % 3], Symbol(f"q{number}")), Move("translate", "x", Symbol(f"a{number}")))
+    moves = (
+        Move("rotate", "xyz"[number % 3], Symbol(f"q{number}")),
+        Move("translate", "x", Symbol(f"a{number}")),
+    )
     return Frame(number, parent, Motion(moves))
 
 

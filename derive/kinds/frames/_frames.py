@@ -98,9 +98,8 @@ def observed_axes(source: Observed, number: int, parent: int) -> list[tuple[Expr
 
 def combination(axis: tuple[Expr, ...], parent: int) -> Expr:
     """A sum of multiples of the parent's axes."""
-    return add(
-        *(multiply(part, Symbol(f"{letter}_{parent}")) for part, letter in zip(axis, "xyz", strict=True))
-    )
+    axes = [Symbol(f"{letter}_{parent}") for letter in "xyz"]
+    return add(*(multiply(*_factors(part), unit) for part, unit in zip(axis, axes, strict=True)))
 
 
 def read_axes(T: Matrix, number: int, reference: int) -> list[tuple[Expr, Expr]]:
@@ -149,3 +148,7 @@ def _factor(move: Any) -> Indexed:
 
 def _plain(entry: Expr) -> bool:
     return isinstance(entry, Number)
+
+
+def _factors(expr: Expr) -> tuple[Expr, ...]:
+    return expr.factors if isinstance(expr, Product) else (expr,)

@@ -36,6 +36,7 @@ from derive.mechanics.poses import pose, rotation_part, unit_vector
 from derive.mechanics.sequences import placings
 
 IDENTITY = Symbol("I")
+NO_ROW = Symbol("0")  # three zeros side by side
 LETTERS: dict[int, tuple[str, str]] = {3: ("R", ""), 4: ("Rot", "Trans")}
 
 
@@ -53,7 +54,7 @@ class Factor:
 
 @dataclass(frozen=True, slots=True)
 class Factors:
-    """The factors of a motion in the order in which it is made; `size` is 3 for rotations, 4 for transforms."""
+    """The factors of a motion in the order in which it is made; `size` is 3 for rotations, else 4."""
 
     size: Literal[3, 4]
     factors: tuple[Factor, ...]
@@ -165,7 +166,7 @@ class _Writer:
         return [Step(name, (factor.name, *middle, written), "rodrigues", facts)]
 
     def definitions(self, factors: Sequence[Factor], axes: dict[Axis, Symbol]) -> dict[Expr, Expr]:
-        found: dict[Expr, Expr] = {}
+        found: dict[Expr, Expr] = {NO_ROW: Matrix(((ZERO, ZERO, ZERO),))}
         for axis, name in axes.items():
             if not isinstance(axis, str):
                 vector = self._vector(axis)
@@ -208,5 +209,4 @@ def rodrigues(axis: Symbol, angle: Expr) -> Expr:
 
 def homogeneous_blocks(R: Expr) -> Matrix:
     """A 4 by 4 matrix of blocks, no translation."""
-    zero = column((ZERO,) * 3)
-    return Matrix(((R, zero), (transpose(zero), ONE)))
+    return Matrix(((R, ZERO), (NO_ROW, ONE)))

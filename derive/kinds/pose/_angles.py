@@ -1,4 +1,4 @@
-"""Angles of known sine and cosine, written as a person would: 30 deg, pi/6, or atan2 of exact numbers."""
+"""Angles of known sine and cosine as a person writes them: 30 deg, pi/6, or atan2 of exact numbers."""
 
 from __future__ import annotations
 
@@ -12,11 +12,12 @@ from derive.expression import PI, ZERO, Call, Degrees, Expr, Product, atan2, mul
 from derive.expression import number as exact
 from derive.kinds.problem import Problem
 
-STEP = Fraction(1, 12)  # of pi: the angles whose sine and cosine are known in square roots
+STEP = Fraction(1, 180)  # of pi: whole degrees are recognised
+NEARLY = 1e-9  # rad, so that only a likely angle is compared exactly
 
 
 def known_angle(expr: Expr, problem: Problem) -> Expr:
-    """A sum of atan2 of numbers, each written as an angle where it is one of the known ones."""
+    """A sum of atan2 of numbers, each written as an angle where it is a whole number of degrees."""
     match expr:
         case Call("atan2", (y, x)):
             return _direction(y, x, problem)
@@ -40,8 +41,9 @@ def turns_of(angle: Expr) -> Fraction:
 
 
 def _direction(y: Expr, x: Expr, problem: Problem) -> Expr:
-    turns = Fraction(round(math.atan2(number(y, {}), number(x, {})) / math.pi / STEP)) * STEP
+    angle = math.atan2(number(y, {}), number(x, {}))
+    turns = Fraction(round(angle / math.pi / STEP)) * STEP
+    if abs(angle - math.pi * turns) > NEARLY:
+        return atan2(y, x)
     c, s = trig_of(Scalar.symbol("pi") * turns)
-    top, along = normal(y), normal(x)
-    exactly = top * c == along * s and number(y, {}) * math.sin(turns * math.pi) >= -1e-12
-    return fixed_angle(turns, problem) if exactly else atan2(y, x)
+    return fixed_angle(turns, problem) if normal(y) * c == normal(x) * s else atan2(y, x)

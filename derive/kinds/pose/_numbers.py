@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from derive.algebra.normal import normal
 from derive.algebra.numeric import Point, number
-from derive.expression import Approximate, Expr, Matrix, free_symbols
+from derive.expression import Approximate, Expr, Matrix, Symbol, free_symbols
 from derive.kinds.problem import Problem
 
 
@@ -37,3 +37,9 @@ def rounded(entry: Expr, problem: Problem) -> Expr:
 def rounded_matrix(matrix: Matrix, problem: Problem) -> Matrix:
     """Entry by entry."""
     return Matrix(tuple(tuple(rounded(entry, problem) for entry in row) for row in matrix.rows))
+
+
+def free_name(problem: Problem, *candidates: str) -> Symbol:
+    """The first name that stands for nothing else in the problem; the last one if all do."""
+    taken = problem.symbols | set(problem.where)
+    return Symbol(next((name for name in candidates if name not in taken), candidates[-1]))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
@@ -21,6 +22,7 @@ from derive.expression import (
     column,
     number,
     replace,
+    sin,
     sqrt,
     squared,
     subtract,
@@ -29,6 +31,7 @@ from derive.expression import (
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.pose._angles import known_angle
 from derive.kinds.pose._given import Given, PoseOptions, given_pose
+from derive.kinds.pose._numbers import free_name
 from derive.kinds.pose._roots import over
 from derive.kinds.pose._roots import size as length_of
 from derive.kinds.pose._rotation import Rotation, rotation_of
@@ -44,8 +47,27 @@ problems:
   - {rotate: z, by: 90 deg}
   find: axis-angle
 """
-ANGLE, AXIS, TURN = Symbol("theta"), Symbol("k"), Symbol("w")
 DIFFERENCES = (("r_32", "r_23"), ("r_13", "r_31"), ("r_21", "r_12"))
+
+
+@dataclass(frozen=True, slots=True)
+class _Names:
+    """What the angle, the axis and the vector 2 sin(angle) axis are called here."""
+
+    angle: Symbol
+    axis: Symbol
+    turn: Symbol
+
+    def component(self, letter: str) -> Symbol:
+        return Symbol(f"{self.turn.name}_{letter}")
+
+
+def _names(problem: Problem) -> _Names:
+    return _Names(
+        free_name(problem, "theta", "phi", "alpha", "theta_k"),
+        free_name(problem, "k", "u", "n", "k_r"),
+        free_name(problem, "w", "v", "m", "w_r"),
+    )
 
 
 class Options(PoseOptions):
@@ -60,31 +82,43 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     if R.matrix == ScalarMatrix.identity(3):
         raise NotDerivable("nothing is turned: the angle is zero, and every axis is as good as another")
     half = R.numeric and R.matrix == R.matrix.T
-    steps = _half_turn(R, problem) if half else _general(R, problem)
+    names = _names(problem)
+    steps = _half_turn(R, names, problem) if half else _general(R, names, problem)
     angle, axis = steps[-2].chain[-1], _column(steps[-1])
-    turn = _turn(R)
+    turn = _turn(R, names)
     results: dict[str, Expr] = {
         "angle": replace(replace(angle, turn), R.entries),
         "axis": column(replace(entry, turn) for (entry,) in axis.rows),
     }
-    facts = {"rotation": given.rotation, "numeric": R.numeric, "half": half, "angle": ANGLE, "axis": AXIS}
-    facts["law"] = (given.rotation, subtract(Product((number(2), AXIS, transpose(AXIS))), Symbol("I")))
-    claims = (*_links(steps, R), *_laws(R, axis), _second_route(given, problem, results))
-    names: dict[Expr, Expr] = {**R.entries, ANGLE: angle, AXIS: axis}
-    return Derivation("axis-angle", steps, results, claims, names, uses=given.uses, facts=facts)
+    facts = {
+        "rotation": given.rotation,
+        "numeric": R.numeric,
+        "half": half,
+        "angle": names.angle,
+        "axis": names.axis,
+    }
+    facts["twice"] = (names.turn, Product((number(2), sin(names.angle), names.axis)))
+    facts["law"] = (
+        given.rotation,
+        subtract(Product((number(2), names.axis, transpose(names.axis))), Symbol("I")),
+    )
+    claims = (*_links(steps, R, names), *_laws(R, axis), _second_route(given, problem, results))
+    definitions: dict[Expr, Expr] = {**R.entries, names.angle: angle, names.axis: axis}
+    return Derivation("axis-angle", steps, results, claims, definitions, uses=given.uses, facts=facts)
 
 
-def _general(R: Rotation, problem: Problem) -> tuple[Step, ...]:
+def _general(R: Rotation, names: _Names, problem: Problem) -> tuple[Step, ...]:
     """w = 2 sin(angle) k, the trace is 1 + 2 cos(angle)."""
     w = column(subtract(Symbol(plus), Symbol(minus)) for plus, minus in DIFFERENCES)
-    size = sqrt(add(*(squared(Symbol(f"w_{axis}")) for axis in "xyz")))
+    size = sqrt(add(*(squared(names.component(axis)) for axis in "xyz")))
     cosine_of = add(*(Symbol(f"r_{i}{i}") for i in (1, 2, 3)), number(-1))
-    angle: tuple[Expr, ...] = (ANGLE, atan2(size, cosine_of))
-    axis: tuple[Expr, ...] = (AXIS, Quotient(TURN, size))
+    angle: tuple[Expr, ...] = (names.angle, atan2(size, cosine_of))
+    axis: tuple[Expr, ...] = (names.axis, Quotient(names.turn, size))
     if not R.numeric:
-        shown = replace(w, R.entries) if R.short else w
-        chain = (TURN, w) if shown == w else (TURN, w, shown)
-        unit = column(Quotient(Symbol(f"w_{each}"), size) for each in "xyz")
+        differences = ScalarMatrix.column([R.value(plus) - R.value(minus) for plus, minus in DIFFERENCES])
+        shown = (problem.readable_matrix(differences),) if R.short else ()
+        chain = (names.turn, w, *shown)
+        unit = column(Quotient(names.component(each), size) for each in "xyz")
         return Step("w", chain), Step("angle", angle), Step("axis", (*axis, unit))
     vector = ScalarMatrix.column([R.value(plus) - R.value(minus) for plus, minus in DIFFERENCES])
     square = sum((part * part for part in vector.entries), Scalar.of(0))
@@ -94,45 +128,39 @@ def _general(R: Rotation, problem: Problem) -> tuple[Step, ...]:
     angle = (*angle, filled, exact) if exact != filled else (*angle, filled)
     unit_vector = column(over(part, square, problem) for part in vector.entries)
     return (
-        Step("w", (TURN, w, problem.readable_matrix(vector))),
+        Step("w", (names.turn, w, problem.readable_matrix(vector))),
         Step("angle", angle),
         Step("axis", (*axis, unit_vector)),
     )
 
 
-def _half_turn(R: Rotation, problem: Problem) -> tuple[Step, ...]:
+def _half_turn(R: Rotation, names: _Names, problem: Problem) -> tuple[Step, ...]:
     """R = 2 k k^T - 1: each column of (R + 1)/2 is a multiple of k."""
     outer = (R.matrix + ScalarMatrix.identity(3)).scaled(Scalar.of(1) / 2)
     j = next(j for j in range(3) if outer[j, j] != 0)
     axis = column(over(outer[i, j], outer[j, j], problem) for i in range(3))
     angle = known_angle(atan2(number(0), number(-1)), problem)
-    written = Product((AXIS, transpose(AXIS)))
+    written = Product((names.axis, transpose(names.axis)))
     return (
         Step("outer", (written, problem.readable_matrix(outer)), "given"),
-        Step("angle", (ANGLE, angle)),
-        Step("axis", (AXIS, axis)),
+        Step("angle", (names.angle, angle)),
+        Step("axis", (names.axis, axis)),
     )
 
 
-def _turn(R: Rotation) -> dict[Expr, Expr]:
+def _turn(R: Rotation, names: _Names) -> dict[Expr, Expr]:
     """w_x, w_y, w_z by the entries of R."""
     return {
-        Symbol(f"w_{axis}"): subtract(R.entries[Symbol(plus)], R.entries[Symbol(minus)])
+        names.component(axis): subtract(R.entries[Symbol(plus)], R.entries[Symbol(minus)])
         for axis, (plus, minus) in zip("xyz", DIFFERENCES, strict=True)
     }
 
 
-def _links(steps: tuple[Step, ...], R: Rotation) -> tuple[Claim, ...]:
+def _links(steps: tuple[Step, ...], R: Rotation, names: _Names) -> tuple[Claim, ...]:
     """The vector w entry by entry; the axis; an angle is checked by its second route."""
-    names = {**R.entries, **_turn(R)}
-    names[TURN] = column(names[Symbol(f"w_{axis}")] for axis in "xyz")
-    return links(
-        (step for step in steps if step.name in ("w", "axis") and len(step.chain) > 2),
-        {
-            **names,
-            AXIS: steps[-1].chain[-1],
-        },
-    )
+    known = {**R.entries, **_turn(R, names), names.axis: steps[-1].result}
+    known[names.turn] = column(known[names.component(axis)] for axis in "xyz")
+    return links((step for step in steps if step.name in ("w", "axis") and len(step.chain) > 2), known)
 
 
 def _column(step: Step) -> Matrix:

@@ -15,6 +15,7 @@ from derive.kinds.pose._numbers import completed
 from derive.kinds.problem import Problem
 from derive.mechanics.poses import inverse_pose, position_part
 
+NO_ROW = Symbol("0")  # three zeros side by side
 RESULTS = {"T": "the inverse transform (4 by 4)"}
 EXAMPLE = """\
 title: The way back
@@ -36,14 +37,14 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     R, p = Symbol("R"), Symbol("p")
     inverse = Call("inverse", (given.name,))
     turned = transpose(R)
-    zeros = Matrix(((ZERO, ZERO, ZERO),))
-    blocks = Matrix(((turned, negate(multiply(turned, p))), (zeros, ONE)))
+    blocks = Matrix(((turned, negate(multiply(turned, p))), (NO_ROW, ONE)))
     written = problem.readable_matrix(inverse_pose(given.T))
     exact = problem.final(written)
     last = () if exact == written else (exact,)
     definitions: dict[Expr, Expr] = {
         given.name: problem.readable_matrix(given.T),
         R: problem.readable_matrix(given.R),
+        NO_ROW: Matrix(((ZERO, ZERO, ZERO),)),
         p: column(map(problem.readable, position_part(given.T).entries)),
     }
     step = Step("T", (inverse, blocks, written, *last), "inverse")

@@ -25,6 +25,7 @@ from derive.expression import (
 )
 from derive.kinds.checks import agreement
 from derive.kinds.pose._given import Given, PoseOptions, given_pose
+from derive.kinds.pose._numbers import free_name
 from derive.kinds.pose._roots import over, size
 from derive.kinds.pose._rotation import Rotation, rotation_of
 from derive.kinds.problem import Problem
@@ -38,7 +39,6 @@ problems:
   - {rotate: z, by: 90 deg}
   find: quaternion
 """
-NAME, SCALAR = Symbol("q"), Symbol("q_0")
 DIFFERENCES = (("r_32", "r_23"), ("r_13", "r_31"), ("r_21", "r_12"))
 
 
@@ -53,34 +53,40 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     R = rotation_of(given, problem)
     square = sum((R.matrix[i, i] for i in range(3)), Scalar.of(1)) / 4
     half = square == 0
-    steps = _half_turn(R, problem) if half else _general(R, square, problem)
-    q = replace(replace(steps[-1].result, {SCALAR: steps[0].result}), R.entries) if not half else steps[-1].result
+    name = free_name(problem, "q", "h", "q_r")
+    scalar = Symbol(f"{name.name}_0")
+    steps = _half_turn(R, name, scalar, problem) if half else _general(R, square, name, scalar, problem)
+    q = (
+        replace(replace(steps[-1].result, {scalar: steps[0].result}), R.entries)
+        if not half
+        else steps[-1].result
+    )
     claim = _second_route(given, problem, {"q": q})
-    facts = {"rotation": given.rotation, "half": half}
-    definitions: dict[Expr, Expr] = {**R.entries, NAME: q}
+    facts = {"rotation": given.rotation, "half": half, "scalar": scalar}
+    definitions: dict[Expr, Expr] = {**R.entries, name: q}
     return Derivation("quaternion", steps, {"q": q}, (claim,), definitions, uses=given.uses, facts=facts)
 
 
-def _general(R: Rotation, square: Scalar, problem: Problem) -> tuple[Step, ...]:
+def _general(R: Rotation, square: Scalar, name: Symbol, scalar: Symbol, problem: Problem) -> tuple[Step, ...]:
     trace = add(ONE, *(Symbol(f"r_{i}{i}") for i in (1, 2, 3)))
-    scalar: tuple[Expr, ...] = (SCALAR, multiply(number("1/2"), sqrt(trace)))
+    root_of: tuple[Expr, ...] = (scalar, multiply(number("1/2"), sqrt(trace)))
     differences = [subtract(Symbol(plus), Symbol(minus)) for plus, minus in DIFFERENCES]
-    quotients = [Quotient(each, Product((number(4), SCALAR))) for each in differences]
-    formula = column((SCALAR, *quotients))
+    quotients = [Quotient(each, Product((number(4), scalar))) for each in differences]
+    formula = column((scalar, *quotients))
     if not R.numeric:
-        return Step("q_0", scalar), Step("q", (NAME, formula))
+        return Step("q_0", root_of), Step("q", (name, formula))
     parts = [(R.value(plus) - R.value(minus)) / 4 for plus, minus in DIFFERENCES]
     first = size(square, problem)
     value = column((first, *(over(part, square, problem) for part in parts)))
-    return Step("q_0", (*scalar, first)), Step("q", (NAME, formula, value))
+    return Step("q_0", (*root_of, first)), Step("q", (name, formula, value))
 
 
-def _half_turn(R: Rotation, problem: Problem) -> tuple[Step, ...]:
+def _half_turn(R: Rotation, name: Symbol, scalar: Symbol, problem: Problem) -> tuple[Step, ...]:
     """q_0 = 0; (R + 1)/2 is the product of the rest with its transpose."""
     outer = (R.matrix + ScalarMatrix.identity(3)).scaled(Scalar.of(1) / 2)
     j = next(j for j in range(3) if outer[j, j] != 0)
     rest = [over(outer[i, j], outer[j, j], problem) for i in range(3)]
-    return Step("q_0", (SCALAR, number(0))), Step("q", (NAME, column((number(0), *rest))))
+    return Step("q_0", (scalar, number(0))), Step("q", (name, column((number(0), *rest))))
 
 
 def _second_route(given: Given, problem: Problem, results: Mapping[str, Any]) -> Claim:
@@ -94,9 +100,7 @@ def _second_route(given: Given, problem: Problem, results: Mapping[str, Any]) ->
 
         w, *v = (value(entry, point) for (entry,) in entries)
         vector = np.array(v)
-        return np.array(
-            [e + 2 * np.cross(vector, np.cross(vector, e) + w * e) for e in np.eye(3)]
-        ).T
+        return np.array([e + 2 * np.cross(vector, np.cross(vector, e) + w * e) for e in np.eye(3)]).T
 
     return agreement(
         "the quaternion turns the axes as R does",
