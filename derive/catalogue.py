@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import inspect
 from types import ModuleType
+from typing import Any
 
 from derive.errors import SheetError, SheetErrors
 from derive.kinds import registry as kinds
 from derive.sheet.faults import did_you_mean
 from derive.sheet.subjects import registry as subjects
 
+TYPES = {"string": "text", "integer": "a whole number", "number": "a number", "boolean": "true or false"}
 COMMENTS = """\
 # Build it with: derive {name}.yaml
 # Everything stays exact until it is printed: 0.1 m is 1/10, 30 deg is pi/6. A star marks a joint
@@ -21,19 +23,33 @@ def overview() -> str:
     """Every kind with its first line, under its subject."""
     lines = []
     for subject in subjects.subjects():
-        lines.append(f"{subject}: {_first_line(subjects.load(subject)).partition(': ')[2]}")
+        lines.append(f"{subject}: {_meaning(subject)}")
         width = max((len(kind) for kind in kinds.kinds_of(subject)), default=0)
         for kind in kinds.kinds_of(subject):
             lines.append(f"  {kind:<{width}}  {_first_line(kinds.load(subject, kind))}")
         lines.append("")
-    return "\n".join(lines)
+    lines.append("'derive kinds KIND' shows the options, the results and an example of one of them.")
+    return "\n".join(lines) + "\n"
+
+
+def table() -> str:
+    """Subjects and kinds as Markdown tables, for a page of documentation."""
+    blocks = []
+    for subject in subjects.subjects():
+        rows = [
+            f"| `{kind}` | {_first_line(kinds.load(subject, kind))} |" for kind in kinds.kinds_of(subject)
+        ]
+        blocks.append(
+            "\n".join([f"**{subject}**: {_meaning(subject)}", "", "| find | |", "|---|---|", *rows])
+        )
+    return "\n\n".join(blocks) + "\n"
 
 
 def describe(kind: str) -> str:
     """What one kind answers, its options and results, and a runnable example. Raises SheetErrors."""
     owners, module = _find(kind)
     blocks = [f"{kind} ({', '.join(owners)})", inspect.getdoc(module) or ""]
-    blocks.append(_listed("Options", _options(module)))
+    blocks.append(_listed("Options", _options(module), _about(module.Options)))
     blocks.append(_listed("Results", module.RESULTS))
     blocks.append("Example:\n\n" + _indented(module.EXAMPLE.strip()))
     return "\n\n".join(block for block in blocks if block) + "\n"
@@ -59,24 +75,50 @@ def _find(kind: str) -> tuple[list[str], ModuleType]:
 
 
 def _options(module: ModuleType) -> dict[str, str]:
-    properties = module.Options.model_json_schema(by_alias=True).get("properties", {})
-    return {name: _option(schema) for name, schema in properties.items()}
+    schema = module.Options.model_json_schema(by_alias=True)
+    return {name: _option(part, schema) for name, part in schema.get("properties", {}).items()}
 
 
-def _option(schema: dict[str, object]) -> str:
-    said = str(schema.get("description", "")) or ""
-    default = schema.get("default")
-    return f"{said} (default {default})".strip() if default not in (None, "", []) else said
+def _option(part: dict[str, Any], schema: dict[str, Any]) -> str:
+    """What may stand there, and what does where it is left out."""
+    default = part.get("default")
+    said = f" (default {default})" if default not in (None, "", []) else ""
+    return _form(part, schema) + said
 
 
-def _listed(title: str, entries: dict[str, str]) -> str:
+def _form(part: dict[str, Any], schema: dict[str, Any]) -> str:
+    if "$ref" in part:
+        return _form(schema["$defs"][part["$ref"].rsplit("/", 1)[-1]], schema)
+    if "anyOf" in part:
+        forms = (_form(form, schema) for form in part["anyOf"] if form.get("type") != "null")
+        return " or ".join(dict.fromkeys(forms))
+    if "enum" in part:
+        return " or ".join(map(str, part["enum"]))
+    if "prefixItems" in part:
+        return "[" + ", ".join(_form(item, schema) for item in part["prefixItems"]) + "]"
+    if "items" in part:
+        return f"a list of: {_form(part['items'], schema)}"
+    return str(part.get("description", "")).replace("\n", " ") or TYPES.get(str(part.get("type")), "")
+
+
+def _about(options: type) -> str:
+    """What the author of a kind says of its options."""
+    return _indented((inspect.getdoc(options) or "").replace("`", ""), 2)
+
+
+def _listed(title: str, entries: dict[str, str], about: str = "") -> str:
     width = max((len(name) for name in entries), default=0)
     lines = [f"  {name:<{width}}  {meaning}".rstrip() for name, meaning in entries.items()]
-    return "\n".join([f"{title}:", *lines]) if lines else f"{title}: none"
+    head = [f"{title}:", *([about, ""] if about else ())]
+    return "\n".join([*head, *lines]) if lines else f"{title}: none"
 
 
-def _indented(text: str) -> str:
-    return "\n".join(f"    {line}".rstrip() for line in text.splitlines())
+def _indented(text: str, by: int = 4) -> str:
+    return "\n".join(f"{' ' * by}{line}".rstrip() for line in text.splitlines())
+
+
+def _meaning(subject: str) -> str:
+    return _first_line(subjects.load(subject)).partition(": ")[2]
 
 
 def _first_line(module: ModuleType) -> str:

@@ -18,16 +18,32 @@ class _Commands(click.Group):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         if args and args[0] not in self.commands and args[0] not in ("--help", "-h", "--version"):
+            self._refuse_misspelt(ctx, args[0])
             args = ["build", *args]
         return super().parse_args(ctx, args)
+
+    def _refuse_misspelt(self, ctx: click.Context, typed: str) -> None:
+        """Raises UsageError for what is neither a command nor anything like a file."""
+        if typed.startswith("-") or Path(typed).suffix or Path(typed).exists():
+            return
+        from difflib import get_close_matches
+
+        close = get_close_matches(typed, self.commands, n=1)
+        hint = f"; did you mean {close[0]}?" if close else ""
+        raise click.UsageError(f"there is no command and no sheet '{typed}'{hint}", ctx)
 
 
 @click.group(cls=_Commands, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="derive-sheets", prog_name="derive")
 def main() -> None:
-    """Exercise sheets in YAML to worked, verified solution sheets.
+    """Turn exercise sheets in YAML into worked, verified solution sheets.
 
-    derive SHEET... is short for derive build SHEET...
+    \b
+    derive week3.yaml            builds output/week3.md, .tex and .pdf
+    derive exercises             builds every sheet of a folder
+    derive new mine              writes a sheet to start from
+
+    'derive SHEET...' is short for 'derive build SHEET...'.
     """
 
 
@@ -55,13 +71,15 @@ def _sheets(ctx: click.Context, option: click.Parameter, value: tuple[Path, ...]
 def _build_options(command: Callable[..., Any]) -> Callable[..., Any]:
     engines = click.Choice(["typst", "latex"])
     said = f"Comma-separated: {', '.join(FORMATS)}."
+    where = "Directory to write to; - prints one page of md, tex or json."
+    engine = "latex needs a TeX installation, typst nothing."
     options = (
         click.option(
             "--format", "formats", default="md,tex,pdf", callback=_formats, show_default=True, help=said
         ),
-        click.option("--output", default="output", show_default=True, help="Directory to write to, or -"),
-        click.option("--problems", is_flag=True, help="Leave the solutions out."),
-        click.option("--pdf-engine", type=engines, default="typst", show_default=True),
+        click.option("--output", default="output", show_default=True, help=where),
+        click.option("--problems", is_flag=True, help="Leave the solutions out: SHEET-problems.md, ..."),
+        click.option("--pdf-engine", type=engines, default="typst", show_default=True, help=engine),
     )
     for option in reversed(options):
         command = option(command)
@@ -76,10 +94,12 @@ def _build_options(command: Callable[..., Any]) -> Callable[..., Any]:
 def build(
     sheets: tuple[Path, ...], formats: tuple[str, ...], output: str, problems: bool, pdf_engine: str
 ) -> None:
-    """Build solution sheets (the default command)."""
+    """Build solution sheets (the default command). A directory stands for the sheets in it."""
     target = None if output == "-" else Path(output)
     if target is None and (len(formats) > 1 or formats[0] not in ("md", "tex", "json")):
         raise click.UsageError("--output - prints one format: choose it with --format md, tex or json")
+    if target is None and len(sheets) > 1:
+        raise click.UsageError("--output - prints one sheet")
     with guarded():
         _build(sheets, formats, target, problems, pdf_engine)
 
@@ -98,26 +118,28 @@ def _build(
             say(str(page))
 
 
-@main.command()
+@main.command(short_help="Say what can be asked, or all about one kind.")
 @click.argument("kind", required=False)
-def kinds(kind: str | None) -> None:
-    """What can be asked; one kind's options, results and a runnable example."""
-    from derive.catalogue import describe, overview
+@click.option("--format", "style", type=click.Choice(["text", "markdown"]), default="text", show_default=True)
+def kinds(kind: str | None, style: str) -> None:
+    """Say what can be asked; of one KIND its options, its results and a runnable example."""
+    from derive import catalogue
 
+    whole = catalogue.table if style == "markdown" else catalogue.overview
     with guarded():
-        click.echo(overview() if kind is None else describe(kind), nl=False)
+        click.echo(whole() if kind is None else catalogue.describe(kind), nl=False)
 
 
 @main.command()
 @click.argument("name")
 @click.option("--kind", help="Start from the example of this kind.")
 def new(name: str, kind: str | None) -> None:
-    """Write a commented sheet to start from: NAME.yaml."""
+    """Write a commented sheet to start from, NAME.yaml. It builds as it stands."""
     from derive.catalogue import starter
 
     target = Path(name if name.endswith((".yaml", ".yml")) else f"{name}.yaml")
     if target.exists():
-        raise click.UsageError(f"{target} exists already")
+        raise click.UsageError(f"{target} exists already; choose another name")
     with guarded():
         target.write_text(starter(target.stem, kind), encoding="utf-8")
         say(str(target))
@@ -135,20 +157,24 @@ def schema() -> None:
 
 
 @main.command()
-@click.argument("sheet", type=click.Path(exists=True, path_type=Path))
+@click.argument("sheet", type=click.Path(exists=True, dir_okay=False, path_type=Path))
 @_build_options
 def watch(sheet: Path, formats: tuple[str, ...], output: str, problems: bool, pdf_engine: str) -> None:
-    """Rebuild a sheet whenever it, or a file beside it, is saved."""
+    """Rebuild a sheet whenever it, or a YAML file beside it, is saved. Ctrl-C ends it."""
     from watchfiles import watch as changes
+
+    if output == "-":
+        raise click.UsageError("a watched sheet is written to a directory, not printed")
 
     def again() -> None:
         try:
             with guarded():
                 _build((sheet,), formats, Path(output), problems, pdf_engine)
-        except SystemExit:
-            say("waiting for the next save")
+        except SystemExit:  # the faults are printed already
+            pass
+        say(f"watching {sheet}; Ctrl-C ends it")
 
     again()
-    for changed in changes(sheet.parent):
+    for changed in changes(sheet.parent, raise_interrupt=False):
         if any(Path(path).suffix in (".yaml", ".yml") for _, path in changed):
             again()

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from rich.console import Console
     from rich.status import Status
 
+LONGEST = 120  # columns of a line that is quoted whole
 PATIENCE = 1.0  # seconds before progress is shown
 REPORT = "please report it at the project's issue page, with the sheet"
 
@@ -34,6 +35,11 @@ def guarded() -> Iterator[None]:
         sys.exit(1)
     except (click.ClickException, click.exceptions.Exit, click.Abort):
         raise
+    except OSError as error:
+        if os.environ.get("DERIVE_DEBUG") or error.filename is None:
+            raise
+        click.echo(f"{error.filename}: {(error.strerror or str(error)).lower()}", err=True)
+        sys.exit(1)
     except Exception as error:
         if os.environ.get("DERIVE_DEBUG"):
             raise
@@ -63,10 +69,21 @@ def written(error: SheetError) -> str:
     else:
         lines = [f"{place}: {error.message}"]
         if place.text:
-            lines += [f"    {shown(place.text)}", f"    {' ' * _column(place.text, place.column)}^"]
+            text, column = _window(shown(place.text), place.column)
+            lines += [f"    {text}", f"    {' ' * _column(text, column)}^"]
     if error.hint:
         lines.append(f"    hint: {error.hint}")
     return "\n".join(lines)
+
+
+def _window(text: str, column: int) -> tuple[str, int]:
+    """The part of a long line around a column, and the column in it."""
+    if len(text) <= LONGEST:
+        return text, column
+    start = max(0, min(column - 1 - LONGEST // 2, len(text) - LONGEST))
+    end = start + LONGEST
+    before, after = "..." * (start > 0), "..." * (end < len(text))
+    return before + text[start:end] + after, column - start + len(before)
 
 
 def shown(text: str) -> str:

@@ -26,7 +26,7 @@ from derive.algebra.quantities import (
 )
 from derive.algebra.spelling import ARGUMENTS, TRIGONOMETRIC, meant, unknown_function
 from derive.algebra.tokens import Token, tokens, value_of
-from derive.algebra.units import UNITS, Wanted, agree, compound, spoken
+from derive.algebra.units import OTHER_UNITS, UNITS, Wanted, agree, compound, spoken
 from derive.errors import FormulaError
 from derive.expression import PI, Expr, Number, Sum, Symbol, free_symbols, negate
 
@@ -185,16 +185,18 @@ class _Parser:
                 self.phrase = self.phrase or phrase
                 self.at = phrase.end
                 return measured(left, compound(phrase.parts), token.offset)
-            if (
-                not self.units
-                and token.text in UNITS
-                and len(token.text) > 1
-                and token.text not in self.names
-            ):
-                raise FormulaError(
-                    f"no unit can stand here: {token.text}", token.offset, "give a plain number"
-                )
+            self._refuse_unit(token)
         return multiplied(left, self.expression(PRODUCT), token.offset)
+
+    def _refuse_unit(self, token: Token) -> None:
+        """Raises FormulaError for what is a unit and cannot be read as one here."""
+        if token.text in self.names:
+            return
+        if token.text in OTHER_UNITS:
+            hint = f"the units are {', '.join(UNITS)}"
+            raise FormulaError(f"the unit {token.text} is not known", token.offset, hint)
+        if not self.units and token.text in UNITS and len(token.text) > 1:
+            raise FormulaError(f"no unit can stand here: {token.text}", token.offset, "give a plain number")
 
     def _is_unit(self, phrase: Phrase, left: Quantity) -> bool:
         """Whether a phrase that names declared symbols is a unit all the same."""

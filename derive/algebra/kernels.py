@@ -7,7 +7,6 @@ from fractions import Fraction
 from derive.algebra.fixed import square_root
 from derive.algebra.ring import Root
 from derive.algebra.scalar import Scalar, as_fraction
-from derive.expression import Expr, Symbol, number, sqrt
 
 
 def root(of: Scalar) -> Scalar:
@@ -65,20 +64,9 @@ def _root_of_rest(inside: Scalar) -> Scalar:
 
 def _generator(name: str, square: Scalar) -> Scalar:
     """A new outermost root with this square."""
-    names = square.ring.names
-    radicand = sorted(
-        (tuple((n, int(e)) for n, e in zip(names, exponents, strict=True) if e), as_fraction(c))
-        for exponents, c in square.numerator.terms()
-    )
-    home = square.ring.with_root(Root(name, tuple(radicand)))
+    home = square.ring.with_root(Root(name, square.ring.terms(square.numerator)))
     return Scalar(home, home.gen(name))
 
 
 def _lead(of: Scalar) -> Fraction:
     return as_fraction(of.numerator.leading_coefficient())
-
-
-def written_root(name: str) -> Expr:
-    """The tree of a root generator: `sqrt(3)`; a root of an expression keeps its own text."""
-    inside = name.removeprefix("sqrt(").removesuffix(")")
-    return sqrt(number(inside)) if inside.isdigit() else Symbol(name)

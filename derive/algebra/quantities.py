@@ -117,8 +117,7 @@ def measured(quantity: Quantity, unit: Unit, at: int) -> Quantity:
     elif unit.degrees == 1:
         factors = (*before, Degrees(value * unit.size))
     else:
-        size = Number(value * unit.size / 180**unit.degrees, _is_decimal(last))
-        factors = (*before, size, *_turns(unit.degrees))
+        factors = (*before, _converted(value * unit.size / 180**unit.degrees, last), *_turns(unit.degrees))
     expr = factors[0] if len(factors) == 1 else Product(factors)
     dimension = _combined(quantity.dimension, unit.dimension, 1)
     return _joined(expr, dimension, quantity, quantity, quantity.terms, at)
@@ -193,6 +192,15 @@ def _split(expr: Expr) -> tuple[tuple[Expr, ...], Expr]:
     if isinstance(expr, Product):
         return expr.factors[:-1], expr.factors[-1]
     return (), expr
+
+
+def _converted(value: Fraction, typed: Expr) -> Number:
+    """A number in SI units; where a conversion made it a fraction, a decimal if it ends: 100 mm is 0.1."""
+    rest = value.denominator
+    for prime in (2, 5):
+        while rest % prime == 0:
+            rest //= prime
+    return Number(value, _is_decimal(typed) or (rest == 1 < value.denominator))
 
 
 def _is_decimal(expr: Expr) -> bool:

@@ -9,18 +9,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from math import lcm
 
 from flint import fmpq_mpoly
 
 from derive.algebra.angles import Form, combination
 from derive.algebra.contraction import contracted
+from derive.algebra.grammar import parse
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.nesting import nested
+from derive.algebra.normal import normal
 from derive.algebra.ring import Ring, ring
 from derive.algebra.scalar import Scalar
 from derive.algebra.terms import Alphabet, Style, Terms, terms_of
 from derive.algebra.writing import Writing
-from derive.expression import ONE, Expr, Matrix, Product, Quotient, multiply, negate
+from derive.expression import ONE, Call, Expr, Matrix, Product, Quotient, multiply, negate
 
 # Above this many terms other bases cost more than a reader gains.
 MOST_REBASED = 30
@@ -44,10 +47,11 @@ class Reading:
     style: Style = Style()
 
     def scalar(self, scalar: Scalar) -> Expr:
-        top = self._polynomial(scalar.ring, scalar.numerator)
         if scalar.denominator is None:
-            return top
-        return self._quotient(top, self._polynomial(scalar.ring, scalar.denominator))
+            return self._polynomial(scalar.ring, scalar.numerator)
+        whole = lcm(*(int(k.q) for k in scalar.numerator.coeffs()))
+        top = self._polynomial(scalar.ring, scalar.numerator * whole)
+        return self._quotient(top, self._polynomial(scalar.ring, scalar.denominator * whole))
 
     @staticmethod
     def _quotient(top: Expr, bottom: Expr) -> Expr:
@@ -55,8 +59,15 @@ class Reading:
             top, bottom = negate(top), multiply(*bottom.factors[1:])
         return Quotient(top, bottom)
 
+    def function(self, name: str) -> Expr:
+        """The tree of a generator named by what it stands for; its arguments made readable too."""
+        call = parse(name)
+        if not isinstance(call, Call):
+            raise ValueError(f"{name} is no function")
+        return Call(call.function, tuple(self.scalar(normal(part)) for part in call.arguments))
+
     def _polynomial(self, home: Ring, polynomial: fmpq_mpoly) -> Expr:
-        alphabet = Alphabet(self.style)
+        alphabet = Alphabet(self.style, self.function)
         if len(polynomial) <= 1:
             return self._written(terms_of(Scalar(home, polynomial), alphabet), alphabet)
         best = min(

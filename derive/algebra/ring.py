@@ -114,6 +114,18 @@ class Ring:
             entries[tuple(exponents)] = _fmpq(coefficient)
         return self.context.from_dict(entries)
 
+    def terms(self, polynomial: fmpq_mpoly) -> tuple[tuple[tuple[tuple[str, int], ...], Fraction], ...]:
+        """The opposite: terms keyed by generator names, sorted."""
+        return tuple(
+            sorted(
+                (
+                    tuple((n, int(e)) for n, e in zip(self.names, exponents, strict=True) if e),
+                    Fraction(int(coefficient.p), int(coefficient.q)),
+                )
+                for exponents, coefficient in polynomial.terms()
+            )
+        )
+
     def reduce(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
         """The unique representative: no root and no sine to a power above one."""
         degrees = polynomial.degrees()
@@ -133,7 +145,8 @@ class Ring:
 
     def with_root(self, root: Root) -> Ring:
         """Outermost first: a later root may have earlier ones in its radicand."""
-        return self if root in self.roots else ring((root, *self.roots), self.angles, self.symbols)
+        known = any(root.name == own.name for own in self.roots)
+        return self if known else ring((root, *self.roots), self.angles, self.symbols)
 
     def with_angle(self, form: Form) -> Ring:
         """A ring in which the form's sine and cosine are polynomials."""
@@ -143,7 +156,7 @@ class Ring:
         finer = tuple(
             angle.scaled(Fraction(1, n.denominator)) for angle, n in zip(self.angles, multiples, strict=True)
         )
-        return ring(self.roots, finer, self.symbols)
+        return _with_roots_of(self, ring((), finer, self.symbols))
 
     def union(self, other: Ring) -> Ring:
         """A ring that holds the elements of both."""
@@ -178,9 +191,15 @@ def _union(left: Ring, right: Ring) -> Ring:
     for form in right.angles:
         if both.trig(form) is None:
             both = both.with_angle(form)
-    for root in reversed(right.roots):
-        both = both.with_root(root)
-    return both
+    return _with_roots_of(right, both)
+
+
+def _with_roots_of(source: Ring, target: Ring) -> Ring:
+    """The target with the roots of the source, their radicands in its own generators."""
+    for root in reversed(source.roots):
+        inside = carry(source.polynomial(root.radicand), source, target)
+        target = target.with_root(Root(root.name, target.terms(inside)))
+    return target
 
 
 @lru_cache(maxsize=1024)
@@ -192,7 +211,7 @@ def images(source: Ring, target: Ring) -> tuple[fmpq_mpoly, ...] | None:
     if None in pairs:
         raise ValueError(f"{target.angles} cannot express {source.angles}")
     return (
-        *(target.gen(root.name) for root in source.roots),
+        *(target.gen(root.name) if root.name in target.index else target.zero for root in source.roots),
         *(pair[1] for pair in pairs if pair),
         *(pair[0] for pair in pairs if pair),
         *(target.gen(name) for name in source.symbols),

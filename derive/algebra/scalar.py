@@ -181,11 +181,12 @@ def trig(form: Form) -> tuple[Scalar, Scalar]:
 
 
 def fraction(home: Ring, top: fmpq_mpoly, bottom: fmpq_mpoly | None) -> Scalar:
-    """top / bottom, reduced: common factors cancelled, the leading coefficient of the bottom 1."""
+    """top / bottom, reduced: no roots of numbers below, common factors cancelled, the leading
+    coefficient of the bottom 1."""
     top = home.reduce(top)
     if bottom is None or top == 0:
         return Scalar(home, top)
-    bottom = home.reduce(bottom)
+    top, bottom = _rational_bottom(home, top, home.reduce(bottom))
     common = top.gcd(bottom)
     if not common.is_constant():
         top, bottom = divmod(top, common)[0], divmod(bottom, common)[0]
@@ -193,6 +194,16 @@ def fraction(home: Ring, top: fmpq_mpoly, bottom: fmpq_mpoly | None) -> Scalar:
     if bottom.is_constant():
         return Scalar(home, top / lead)
     return Scalar(home, top / lead, bottom / lead)
+
+
+def _rational_bottom(home: Ring, top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[fmpq_mpoly, fmpq_mpoly]:
+    """Both multiplied by the conjugates of the bottom: 1/(a + b r) = (a - b r)/(a^2 - b^2 r^2)."""
+    for place, root in enumerate(home.roots):
+        along = bottom.derivative(place)
+        if along != 0 and home.polynomial(root.radicand).is_constant():
+            conjugate = bottom - 2 * along * home.gen(root.name)
+            top, bottom = home.reduce(top * conjugate), home.reduce(bottom * conjugate)
+    return top, bottom
 
 
 def common_ring(scalars: Iterable[Scalar]) -> Ring:

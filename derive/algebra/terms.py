@@ -6,7 +6,7 @@ Unlike the normal form this is no unique representation; the readable forms are 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache
@@ -56,6 +56,7 @@ class Alphabet:
     """The atoms of one reading, numbered as they are met, and their order on the page."""
 
     style: Style = Style()
+    reader: Callable[[str], Expr] = Symbol  # of generators named by what they stand for: "sqrt(3)"
     atoms: list[Atom] = field(default_factory=list)
     numbers: dict[Atom, int] = field(default_factory=dict)
     keys: dict[int, SortKey] = field(default_factory=dict)
@@ -79,6 +80,12 @@ class Alphabet:
     def is_mass(self, atom: int) -> bool:
         found = self.atoms[atom]
         return found.kind == "symbol" and bool(MASSES.match(str(found.what)))
+
+    def radicand(self, atom: int) -> int:
+        """n of the root of a number, sqrt(n); 1 for any other atom."""
+        found = self.atoms[atom]
+        inside = str(found.what)[5:-1] if found.kind == "root" else ""
+        return int(inside) if inside.isdigit() else 1
 
     def key(self, atom: int) -> SortKey:
         """Roots of numbers, masses, other symbols, cosines, sines; each kind in reading order."""
@@ -104,9 +111,7 @@ class Alphabet:
         found = self.atoms[atom]
         if isinstance(found.what, Form):
             return Call(found.kind, (self.angle(found.what),))
-        if found.kind == "root":
-            return _root(found.what)
-        return Symbol(found.what)
+        return self.reader(found.what) if "(" in found.what else Symbol(found.what)
 
     def angle(self, form: Form) -> Expr:
         parts = sorted(form.parts, key=lambda part: (part[1] < 0, self._rank(part[0])))
@@ -170,12 +175,6 @@ def _natural(name: str) -> SortKey:
     """a2 before a10, L before L_c, without regard to case."""
     parts = re.findall(r"\d+|[^\W\d_]+", name)
     return tuple((1, int(p), "") if p.isdigit() else (0, 0, p.lower()) for p in parts) + ((0, 0, name),)
-
-
-def _root(name: str) -> Expr:
-    from derive.algebra.kernels import written_root
-
-    return written_root(name)
 
 
 def _power_text(factor: str) -> Expr:

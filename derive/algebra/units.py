@@ -67,6 +67,12 @@ UNITS: dict[str, Unit] = {
     "H": Unit((2, 1, -2, -2, 0)),
     "Hz": Unit((0, 0, -1, 0, 0)),
 }
+# Units that are not read, and would otherwise pass for names: `3 ft` is no product.
+_OTHER_UNITS = """
+    dm um inch inches ft foot feet yd lb lbs oz min hour hours sec degree degrees radian radians rpm
+    meter meters metre metres kN mN Nm mA mV kV kohm mH kHz kW
+"""
+OTHER_UNITS = frozenset(_OTHER_UNITS.split())
 ANGLE_UNITS = frozenset({"deg", "rad"})
 # Units that are also the usual names of quantities: mass m, gravity g, Laplace s, current A.
 LETTERS = frozenset(name for name in UNITS if len(name) == 1)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from math import prod
 
 from derive.algebra.nesting import Flat, Plan, Split, Taken
 from derive.algebra.terms import Alphabet, Monomial, SortKey, terminates
@@ -18,6 +19,7 @@ from derive.expression import (
     multiply,
     negate,
     number,
+    sqrt,
     walk,
 )
 
@@ -55,12 +57,15 @@ class Writing:
 
     def _monomial(self, monomial: Monomial, coefficient: Fraction) -> Expr:
         alphabet = self.alphabet
+        radicand = prod(alphabet.radicand(atom) for atom, _ in monomial)
         factors = [
             Power(alphabet.expression(atom), number(power)) if power > 1 else alphabet.expression(atom)
             for atom, power in sorted(monomial, key=lambda part: alphabet.key(part[0]))
+            if alphabet.radicand(atom) == 1
         ]
         decimal = alphabet.style.decimals and terminates(coefficient)
-        return multiply(Number(coefficient, decimal), *factors)
+        roots = (sqrt(number(radicand)),) if radicand > 1 else ()  # sqrt(2) sqrt(3) is sqrt(6)
+        return multiply(Number(coefficient, decimal), *roots, *factors)
 
     def _term_key(self, monomial: Monomial) -> SortKey:
         """Terms without sines and cosines first, then in the order of their angles."""

@@ -11,6 +11,7 @@ from pydantic import TypeAdapter, ValidationError
 from derive.errors import FormulaError, SheetError
 from derive.sheet.source import At, Route
 
+NO_FORM = "no_form"  # the type of a fault where a value has none of the forms it could have
 WANTED = {
     "int": "a whole number is wanted here",
     "float": "a number is wanted here",
@@ -102,6 +103,8 @@ class _Entry:
             return self._unknown()
         if self.type == "literal_error":
             return self._choice()
+        if self.type == NO_FORM:
+            return self._no_form()
         return self._other(str(error) if error else "")
 
     def _route(self) -> Route:
@@ -124,13 +127,28 @@ class _Entry:
             return self.at.fault(
                 f"more values are wanted here than {count}", self.route, f"give at least {name + 1}"
             )
-        return self.at.fault(f"'{name}' is missing", self.route, f"add {name}: ...", key=True)
+        return self.at.fault(f"'{name}' is missing", self._owner(), f"add {name}: ...", key=True)
+
+    def _owner(self) -> Route:
+        """The value that lacks something; a question is pointed at where its kind is named."""
+        value = self.at.value(self.route)
+        return (*self.route, "find") if isinstance(value, dict) and "find" in value else self.route
+
+    def _no_form(self) -> SheetError:
+        """A misspelt key where there is one, else what could be written."""
+        value = self.at.value(self.route)
+        known = self._known_keys(self.route)
+        for key in value if isinstance(value, dict) else ():
+            if key not in known:
+                hint = did_you_mean(key, known, "what can stand here")
+                return self.at.fault(f"unknown key '{key}'", (*self.route, key), hint, key=True)
+        return self.at.fault(self.message, self.route)
 
     def _unknown(self) -> SheetError:
         name = str(self.route[-1])
         if isinstance(self.route[-1], int):
             return self.at.fault("too many values here", self.route)
-        hint = did_you_mean(name, (*self._known_keys(), *self._more()), "what can stand here")
+        hint = did_you_mean(name, (*self._known_keys(self.route[:-1]), *self._more()), "what can stand here")
         return self.at.fault(f"unknown key '{name}'", self.route, hint, key=True)
 
     def _more(self) -> tuple[str, ...]:
@@ -147,18 +165,21 @@ class _Entry:
             return self.at.fault(f"this must be {words} {self.context[name]}", self.route)
         if self.type == "too_short":
             least = self.context["min_length"]
-            return self.at.fault(f"at least {least} must be given here", self.route)
+            given = self.context.get("actual_length")
+            said = "this list is empty" if given == 0 else f"at least {least} must be given here"
+            return self.at.fault(said, self.route)
         if self.type == "too_long":
             most, given = self.context["max_length"], self.context["actual_length"]
             return self.at.fault(f"{most} values are wanted here, not {given}", self.route)
         wanted = WANTED.get(self.type.split("_")[0], "")
-        return self.at.fault(said or wanted or self.message.lower(), self.route)
+        place = self.route if said == "" else self._owner()
+        return self.at.fault(said or wanted or self.message.lower(), place, key=place != self.route)
 
-    def _known_keys(self) -> list[str]:
-        """The keys that could stand where the unknown one does, found in the JSON Schema."""
+    def _known_keys(self, route: Route) -> list[str]:
+        """The keys that the value there could have, found in the JSON Schema."""
         schema = self.adapter.json_schema()
         branches = [schema]
-        for step in self.route[:-1]:
+        for step in route:
             branches = [part for branch in branches for part in _parts(schema, branch, step)]
         keys: dict[str, None] = {}
         for branch in branches:

@@ -27,6 +27,9 @@ def load_sheet(path: Path) -> Sheet:
 
 def sheet_of(at: At) -> Sheet:
     """The sheet in a source already read. Raises SheetErrors."""
+    if not isinstance(at.value(), dict):
+        hint = "start it with title: ..., then problems:"
+        raise SheetErrors([at.fault("a sheet is written as keys and values", (), hint)])
     faults: list[SheetError] = []
     given, known = None, Known()
     try:

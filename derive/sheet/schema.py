@@ -19,7 +19,7 @@ def sheet_schema() -> dict[str, Any]:
     sheet = _schema(GivenSheet, definitions)
     problems = [_problem(subject, definitions) for subject in subjects.subjects()]
     sheet["properties"]["problems"]["items"] = {"anyOf": problems}
-    return {"$schema": DIALECT, "title": "Exercise sheet", **sheet, "$defs": definitions}
+    return {"$schema": DIALECT, **sheet, "title": "Exercise sheet", "$defs": definitions}
 
 
 def _problem(subject: str, definitions: dict[str, Any]) -> dict[str, Any]:

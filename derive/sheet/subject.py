@@ -58,7 +58,6 @@ def _beside(at: At, name: str, typed: str) -> Path:
             if path.parent.is_dir()
             else []
         )
-        raise SheetErrors(
-            [at.fault(f"there is no file {typed}", (name,), did_you_mean(typed, near, "there are"))]
-        )
+        hint = did_you_mean(typed, near, "there are") or "its path is relative to the sheet"
+        raise SheetErrors([at.fault(f"there is no file {typed}", (name,), hint)])
     return path

@@ -45,7 +45,7 @@ def tracked(problem: Problem, chain: Chain, point: PointOn | None) -> Tracked:
     at = (ZERO, ZERO, ZERO) if point is None else point.at
     frame = rows if point is None else next((n for n in (point.link, point.frame) if n is not None), rows)
     if frame > rows:
-        raise NotDerivable(f"the point is on link {frame}, but the arm has {rows} rows")
+        raise NotDerivable(f"the point is on link {frame}, but the arm has {rows} row{'s' * (rows != 1)}")
     if any(part != ZERO for part in at):
         return _offset(problem, chain, frame, at)
     whole = point is None and bool(problem.subject.tool)

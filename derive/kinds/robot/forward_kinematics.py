@@ -46,7 +46,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """T_1^0, T_2^1, ... and their product (Spong et al., eq. 3.11; Siciliano et al., eq. 2.52)."""
     last = options.to or len(robot.links)
     if last > len(robot.links):
-        raise NotDerivable(f"frame {last} is asked for, but the arm has {len(robot.links)} rows")
+        rows = f"{len(robot.links)} row{'s' * (len(robot.links) != 1)}"
+        raise NotDerivable(f"frame {last} is asked for, but the arm has {rows}")
     found, whole = chain_of(problem), options.to is None or last == len(robot.links)
     local = _local(problem, found, last)
     base, tool = _ends(problem, whole)

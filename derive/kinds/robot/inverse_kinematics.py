@@ -5,6 +5,7 @@ from __future__ import annotations
 from pydantic import Field
 
 from derive.algebra import numeric
+from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
 from derive.derivation import Branch, Claim, Derivation, Step
 from derive.errors import NotDerivable
@@ -21,7 +22,6 @@ from derive.expression import (
     multiply,
     negate,
     number,
-    replace,
     sin,
     sqrt,
     squared,
@@ -145,9 +145,14 @@ class _Writing:
         """Both angles in the given coordinates alone."""
         u = self.problem.final(self.cosine())
         s = self.sine(sign, u)
-        values = {self.arm.theta_1: self.shoulder(u, s), self.arm.theta_2: atan2(s, u)}
-        final = {name: replace(value, dict(self.problem.names)) for name, value in values.items()}
-        return Branch(final, f"elbow {elbow}, {self.arm.theta_2} {relation} 0")
+        along = add(self.a_1, multiply(self.a_2, self.cosine()))  # a_1 + a_2 c_2
+        along = self.problem.readable(normal(along, self.problem.names))
+        inner = atan2(multiply(self.problem.final(self.a_2), s), along)
+        values = {
+            self.arm.theta_1: subtract(atan2(self.y, self.x), inner),
+            self.arm.theta_2: atan2(s, u),
+        }
+        return Branch(values, f"elbow {elbow}, {self.arm.theta_2} {relation} 0")
 
     def facts(self) -> dict[str, object]:
         return {

@@ -18,6 +18,8 @@ from derive.sheet.subjects.moves import MoveField, move
 from derive.sheet.subjects.registry import Known
 from derive.sheet.weights import WeightsError, weights
 
+SIZES = "give 4 rows of 4 (a homogeneous transform) or 3 of 3 (a rotation)"
+
 
 class _Parent(OptionsModel):
     parent: int | None = Field(default=None, alias="in", ge=0)
@@ -35,7 +37,7 @@ class ObservedFrame(_Parent):
 class MatrixFrame(_Parent):
     """A homogeneous transform or a rotation matrix."""
 
-    matrix: Annotated[list[list[Quantity]], Field(min_length=3, max_length=4)]
+    matrix: Annotated[list[list[Quantity]], Field(max_length=20)]
 
 
 class MotionFrame(_Parent):
@@ -105,11 +107,12 @@ def _observed(given: ObservedFrame, number: int, parent: int, at: At, known: Kno
 
 def _by_matrix(given: MatrixFrame, number: int, at: At, known: Known) -> ByMatrix:
     size = len(given.matrix)
+    if size not in (3, 4):
+        raise SheetErrors([at.fault(f"a matrix of {size} rows", ("matrix",), SIZES)])
     for index, row in enumerate(given.matrix):
         if len(row) != size:
-            hint = "give 4 rows of 4 (a homogeneous transform) or 3 of 3 (a rotation)"
             raise SheetErrors(
-                [at.fault(f"a row of {len(row)} in a matrix of {size} rows", ("matrix", index), hint)]
+                [at.fault(f"a row of {len(row)} in a matrix of {size} rows", ("matrix", index), SIZES)]
             )
     rows = tuple(tuple(row) for row in given.matrix)
     _require_last_row(rows, at, known)

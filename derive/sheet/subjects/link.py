@@ -18,7 +18,10 @@ from derive.kinds.fields import (
     StarredLength,
 )
 from derive.mechanics.bodies import Body, Box, Cylinder, Inertia, Moments, PointMass, Rod, Sphere
+from derive.sheet.faults import NO_FORM
 from derive.sheet.subjects.moves import MoveJointField, Named
+
+SHAPES = ("box", "rod", "cylinder", "sphere")
 
 
 class BoxShape(OptionsModel):
@@ -54,16 +57,18 @@ class SphereShape(OptionsModel):
     sphere: Length
 
 
-def _inertia_form(value: Any) -> str:
+def _inertia_form(value: Any) -> str | None:
     if isinstance(value, list):
         return "=six" if len(value) > 3 else "=three"
     if isinstance(value, dict):
-        return next((f"={shape}" for shape in ("rod", "cylinder", "sphere") if shape in value), "=box")
-    return "=point"
+        return next((f"={shape}" for shape in SHAPES if shape in value), None)
+    return "=point" if value == "point" else None
 
 
-def _com_form(value: Any) -> str:
-    return "=point" if isinstance(value, list) else "=center"
+def _com_form(value: Any) -> str | None:
+    if isinstance(value, list):
+        return "=point"
+    return "=center" if value == "center" else None
 
 
 M: TypeAlias = InertiaMoment
@@ -75,10 +80,19 @@ InertiaField: TypeAlias = Annotated[
     | Annotated[CylinderShape, Tag("=cylinder")]
     | Annotated[SphereShape, Tag("=sphere")]
     | Annotated[Literal["point"], Tag("=point")],
-    Discriminator(_inertia_form),
+    Discriminator(
+        _inertia_form,
+        custom_error_type=NO_FORM,
+        custom_error_message="an inertia is point, [Ixx, Iyy, Izz] or a shape such as {rod: L, axis: x}",
+    ),
 ]
 ComField: TypeAlias = Annotated[
-    Annotated[Point, Tag("=point")] | Annotated[Literal["center"], Tag("=center")], Discriminator(_com_form)
+    Annotated[Point, Tag("=point")] | Annotated[Literal["center"], Tag("=center")],
+    Discriminator(
+        _com_form,
+        custom_error_type=NO_FORM,
+        custom_error_message="a center of mass is center, or a point as [-L/2, 0, 0]",
+    ),
 ]
 
 

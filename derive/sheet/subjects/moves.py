@@ -9,6 +9,7 @@ from pydantic import Discriminator, Tag, field_validator
 from derive.algebra.quantities import rational
 from derive.kinds.fields import Angle, Formula, Length, OptionsModel, StarredAngle, StarredLength
 from derive.mechanics.motion import Axis, Move
+from derive.sheet.faults import NO_FORM
 
 Named: TypeAlias = Literal["x", "y", "z"]
 Vector: TypeAlias = tuple[Formula, Formula, Formula]
@@ -18,10 +19,16 @@ def _axis_form(value: Any) -> str:
     return "=vector" if isinstance(value, list | tuple) else "=name"
 
 
-def _move_form(value: Any) -> str:
-    if isinstance(value, dict):
-        return "=translate" if "translate" in value else "=rotate"
-    return "=translate" if hasattr(value, "translate") else "=rotate"
+def _move_form(value: Any) -> str | None:
+    keys = value if isinstance(value, dict) else vars(value) if isinstance(value, OptionsModel) else ()
+    return next((f"={move}" for move in ("translate", "rotate") if move in keys), None)
+
+
+_BY_FORM = Discriminator(
+    _move_form,
+    custom_error_type=NO_FORM,
+    custom_error_message="a move is written {rotate: z, by: theta} or {translate: x, by: a}",
+)
 
 
 AxisField: TypeAlias = Annotated[
@@ -81,15 +88,15 @@ class TranslateJoint(_Along):
 
 
 MoveField: TypeAlias = Annotated[
-    Annotated[Rotate, Tag("=rotate")] | Annotated[Translate, Tag("=translate")], Discriminator(_move_form)
+    Annotated[Rotate, Tag("=rotate")] | Annotated[Translate, Tag("=translate")], _BY_FORM
 ]
 MoveAboutField: TypeAlias = Annotated[
     Annotated[RotateAbout, Tag("=rotate")] | Annotated[TranslateAbout, Tag("=translate")],
-    Discriminator(_move_form),
+    _BY_FORM,
 ]
 MoveJointField: TypeAlias = Annotated[
     Annotated[RotateJoint, Tag("=rotate")] | Annotated[TranslateJoint, Tag("=translate")],
-    Discriminator(_move_form),
+    _BY_FORM,
 ]
 
 
