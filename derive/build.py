@@ -74,7 +74,6 @@ def _each(items: Sequence[Any], work: Callable[[Any], Any], say: Callable[[Any],
 
 def assemble(sheet: Sheet, solutions: bool = True) -> Document:
     """The sheet with its answers, ready to be printed. Raises SheetErrors where there is no answer."""
-    notation = Notation(sheet.notation.atan2, sheet.notation.trig, sheet.notation.digits)
     folder = _name(sheet, solutions)
     pages = _each(sheet.problems, lambda problem: _page(sheet, problem, folder, solutions), lambda _: None)
     return Document(
@@ -84,7 +83,7 @@ def assemble(sheet: Sheet, solutions: bool = True) -> Document:
         author=sheet.author,
         date=sheet.date,
         language=sheet.language,
-        notation=notation,
+        notation=_notation(sheet),
         figures=folder,
         solutions=solutions,
     )
@@ -98,9 +97,24 @@ def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool) -> Probl
     questions = []
     for question, answer in zip(problem.questions, answers, strict=True):
         order = tuple(_order(answer, asked, printed, working.name)) if solutions else ()
-        questions.append(_question(sheet, question, answer if solutions else None, order, problem.where))
+        page = _question(sheet, question, answer if solutions else None, order, problem.where)
+        questions.append(replace(page, text=page.text or _default_text(sheet, problem, question, answer)))
     figure = f"{folder}/{problem.figure.name}" if isinstance(problem.figure, Path) else None
     return ProblemPage(problem.number, tuple(questions), problem.title, problem.text, figure)
+
+
+def _default_text(sheet: Sheet, problem: Problem, question: Question, answer: Derivation) -> str:
+    """The text of a question that has none, unless the text of its problem asks it."""
+    from derive.render.questions import question_text
+
+    if problem.text and len(problem.questions) == 1:
+        return ""
+    name, folder = problem.subject_name, _folder(answer, problem.subject_name)
+    return question_text(folder, question.find, name, problem.subject, question.options, _notation(sheet))
+
+
+def _notation(sheet: Sheet) -> Notation:
+    return Notation(sheet.notation.atan2, sheet.notation.trig, sheet.notation.digits)
 
 
 def _answer(question: Question, working: Working) -> Derivation:

@@ -9,17 +9,21 @@ tree of a normal form; `derive.render` prints it.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TypeAlias
 
 
 @dataclass(frozen=True, slots=True)
 class Number:
-    """An exact rational. `decimal` prints it as a decimal fraction, as its author typed it."""
+    """An exact rational. `decimal` prints it as a decimal fraction, as its author typed it.
+
+    `unit` is the SI unit its author gave it; tables of data print it, and nothing else takes note of it.
+    """
 
     value: Fraction
     decimal: bool = False
+    unit: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,8 +162,8 @@ def multiply(*factors: Expr) -> Expr:
 def negate(expr: Expr) -> Expr:
     """The opposite, written with a leading minus; a minus that is there already is dropped."""
     match expr:
-        case Number(value, decimal):
-            return Number(-value, decimal)
+        case Number(value, decimal, unit):
+            return Number(-value, decimal, unit)
         case Approximate(value):
             return Approximate(-value)
         case Degrees(value):

@@ -38,7 +38,8 @@ def guarded() -> Iterator[None]:
     except OSError as error:
         if os.environ.get("DERIVE_DEBUG") or error.filename is None:
             raise
-        click.echo(f"{error.filename}: {(error.strerror or str(error)).lower()}", err=True)
+        said = "this is no directory" if isinstance(error, FileExistsError) else error.strerror or str(error)
+        click.echo(f"{error.filename}: {said.lower()}", err=True)
         sys.exit(1)
     except Exception as error:
         if os.environ.get("DERIVE_DEBUG"):

@@ -5,12 +5,12 @@ The limits guard against formulas that are short to type and endless to expand, 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import comb
 
 from derive.algebra.spelling import INVERSE, TRIGONOMETRIC
-from derive.algebra.units import ANGLE, PLAIN, Dimension, Unit, agree, power, spoken, times
+from derive.algebra.units import ANGLE, LENGTH, PLAIN, Dimension, Unit, agree, power, spoken, times
 from derive.errors import FormulaError
 from derive.expression import (
     PI,
@@ -119,6 +119,8 @@ def measured(quantity: Quantity, unit: Unit, at: int) -> Quantity:
     else:
         factors = (*before, _converted(value * unit.size / 180**unit.degrees, last), *_turns(unit.degrees))
     expr = factors[0] if len(factors) == 1 else Product(factors)
+    if isinstance(expr, Number) and unit.dimension == LENGTH:
+        expr = replace(expr, unit="m")
     dimension = _combined(quantity.dimension, unit.dimension, 1)
     return _joined(expr, dimension, quantity, quantity, quantity.terms, at)
 

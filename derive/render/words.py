@@ -2,7 +2,7 @@
 
 In scope of a words template: `d`, `step(name)`, `facts` (also as `options`), `asked`, the filters `m`
 and `listed`, and the functions `show`, `inline`, `tell`, `table`, `plot`, `em`, `strong`, `items`.
-A step the words neither show nor tell is an error: nothing that was derived goes unsaid unnoticed.
+Its block `question` is left out here. A step the words neither show nor tell is an error: nothing that was derived goes unsaid unnoticed.
 """
 
 from __future__ import annotations
@@ -11,8 +11,10 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
+from jinja2 import Template
+
 from derive.derivation import Derivation, Step, Table
-from derive.expression import Expr
+from derive.expression import Expr, Number
 from derive.render.entries import with_named_entries
 from derive.render.latex import Printer, is_approximate
 from derive.render.layout import Chain, Display, Link, lay_out
@@ -20,6 +22,7 @@ from derive.render.names import name_latex
 from derive.render.notation import Notation
 from derive.render.skin import Skin, environment
 
+QUESTION = "question"  # the block of a words template that asks for its derivation
 Mathematics = Expr | Step | str | int | tuple[Expr, ...]
 
 
@@ -40,11 +43,18 @@ def words(
     """
     short_names = frozenset(derivation.facts.get("short_names", ()))
     telling = Telling(derivation, skin, replace(notation, short_names=short_names), plots or {})
-    name = f"words/{folder}/{derivation.kind.replace('-', '_')}.j2"
-    written = environment().get_template(name).render(telling.scope(), asked=asked)
+    template = words_of(folder, derivation.kind)
+    context = template.new_context({**telling.scope(), "asked": asked})
+    context.blocks[QUESTION] = [lambda _: iter(())]  # asked on the page already: see render/questions.py
+    written = "".join(template.root_render_func(context))
     if asked and (forgotten := telling.forgotten()):
         raise ForgottenStep(derivation.kind, forgotten)
     return written.strip()
+
+
+def words_of(folder: str, kind: str) -> Template:
+    """The template with the words of a kind."""
+    return environment().get_template(f"words/{folder}/{kind.replace('-', '_')}.j2")
 
 
 def chain_links(chain: tuple[Expr, ...], printer: Printer) -> Chain:
@@ -107,7 +117,7 @@ class Telling:
         return f"${self._latex(value, self._printer(trig))}$"
 
     def table(self, table: Table) -> str:
-        """A table; its mathematics is set inline."""
+        """A table; its mathematics is set inline, a number with the unit its author gave it."""
         rows = [[self._cell(entry) for entry in row] for row in table.rows]
         return self.skin.table([self._cell(heading) for heading in table.headings], rows)
 
@@ -149,4 +159,7 @@ class Telling:
                 return printer.write(value)
 
     def _cell(self, entry: Expr | str) -> str:
-        return entry if isinstance(entry, str) else self.math(entry)
+        if isinstance(entry, str):
+            return entry
+        unit = entry.unit if isinstance(entry, Number) and entry.value else ""
+        return f"{self.math(entry)} {unit}".rstrip()

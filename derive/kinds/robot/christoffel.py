@@ -54,22 +54,32 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     base = problem.ask("inertia-matrix")
     D = normal_matrix(base.definitions[Symbol("D")])
     symbols = christoffel(D, robot.variables)
+    big = base.facts["big"]
     named = moment_names(base)
-    steps = tuple(
-        _step(problem, index, value, robot.variables, named)
-        for index, value in sorted(symbols.items(), key=lambda item: (item[0][2], item[0]))
-        if index[0] <= index[1] and (value or len(robot.variables) <= MOST_SHOWN)
-    )
-    shown = {step.facts["index"]: step for step in steps}
-    definitions = {**base.definitions}
-    definitions |= {
-        Symbol(_name(ijk)): shown[_ordered(ijk)].result for ijk in symbols if _ordered(ijk) in shown
-    }
-    results = {_name(ijk): definitions.get(Symbol(_name(ijk)), ZERO) for ijk in sorted(symbols)}
+    values = {ijk: value for ijk, value in symbols.items() if ijk[0] <= ijk[1]}
+    shown = () if big else _shown(values, len(robot.variables))
+    steps = tuple(_step(problem, ijk, values[ijk], robot.variables, named) for ijk in shown)
+    found = {step.facts["index"]: step.result for step in steps}
+    found |= {ijk: _final(problem, value, named) for ijk, value in values.items() if ijk not in found}
+    definitions = {**base.definitions, **{Symbol(_name(ijk)): found[_ordered(ijk)] for ijk in symbols}}
+    results = {_name(ijk): found[_ordered(ijk)] for ijk in sorted(symbols)}
     claims = (*links(steps, {**problem.names, **definitions}), *_laws(D, symbols, robot.variables))
-    vanish = [Symbol(_name(ijk)) for ijk in sorted(symbols) if _ordered(ijk) not in shown]
-    facts = {"vanish": vanish, "count": len(symbols), "n": len(robot.variables)}
+    facts = {
+        "big": big,
+        "count": len(symbols),
+        "vanish": sum(not value for ijk, value in symbols.items() if big or _ordered(ijk) not in shown),
+    }
     return Derivation("christoffel", steps, results, claims, definitions, uses=(base,), facts=facts)
+
+
+def _shown(values: Mapping[Index, Scalar], n: int) -> tuple[Index, ...]:
+    """Grouped by equation of motion; of an arm with many joints only those that do not vanish."""
+    ordered = sorted(values, key=lambda ijk: (ijk[2], ijk))
+    return tuple(ijk for ijk in ordered if values[ijk] or n <= MOST_SHOWN)
+
+
+def _final(problem: Problem, value: Scalar, named: Mapping[Expr, Expr]) -> Expr:
+    return problem.final(problem.readable(value), named) if value else ZERO
 
 
 def _step(

@@ -46,12 +46,13 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     inertia, speed, weight = (problem.ask(kind) for kind in ("inertia-matrix", "christoffel", "gravity"))
     names: dict[Expr, Expr] = {**inertia.definitions, **speed.definitions, **weight.definitions}
     terms = [_terms(inertia, speed, weight, robot.variables, k) for k in range(1, len(robot.variables) + 1)]
-    steps = tuple(_equation(k, pairs) for k, pairs in enumerate(terms, 1))
+    big = inertia.facts["big"]
+    steps = () if big else tuple(_equation(k, pairs) for k, pairs in enumerate(terms, 1))
     tau = Matrix(tuple((add(*[value for _, value in pairs]),) for pairs in terms))
     results = {"D": inertia.results["D"], **speed.results, **weight.results, "tau": tau}
     known = {**problem.names, **names, **moment_names(inertia)}
     claims = (*links(steps, known), _second_route(problem, tau))
-    return Derivation("dynamics", steps, results, claims, names, uses=(inertia, speed, weight))
+    return Derivation("dynamics", steps, results, claims, names, uses=(inertia, speed, weight), facts={"big": big})
 
 
 def _equation(k: int, terms: list[tuple[Expr, Expr]]) -> Step:

@@ -9,7 +9,7 @@ from derive.algebra.common import factored_matrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.operations import operations
 from derive.derivation import Claim, Derivation, Step, named_results
-from derive.expression import Expr, Matrix, Product, Sum, Symbol, transpose
+from derive.expression import Expr, Matrix, Product, Sum, Symbol, children, transpose
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.naming import LONGEST_ROW
@@ -18,6 +18,7 @@ from derive.kinds.robot._bodies import Weighted, weighted
 from derive.kinds.robot._body_steps import body_definitions, com_jacobian_steps, com_steps, inertia_steps
 from derive.kinds.robot._chain import axis_steps, chain_of, oracle_of
 from derive.kinds.robot._columns import pose_steps
+from derive.kinds.robot._local_jacobians import local_definitions, local_parts, local_steps
 from derive.mechanics.chain import Chain
 from derive.mechanics.dynamics import inertia_matrix, link_inertia
 from derive.mechanics.robot import Robot
@@ -38,6 +39,9 @@ problems:
 """
 
 
+LONGEST_ENTRY = 60  # operations; an arm with a longer entry of D is worked in the frames of its links
+
+
 class Options(OptionsModel):
     """None."""
 
@@ -50,20 +54,40 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     D = inertia_matrix([body.motion for body in bodies])
     written = problem.readable_matrix(D)
     named = {name: value for body in bodies for name, value in body.named.items()}
-    steps = (*_motion(problem, found, bodies), *_sum(problem, bodies, written, named))
-    definitions = dict(poses.definitions)
-    for body in bodies:
-        definitions |= body_definitions(problem, found, body)
-    definitions |= named_results(steps) | _entries(written) | named
-    definitions[Symbol("D")] = written
+    big = max(map(operations, children(written))) > LONGEST_ENTRY
+    working = _local if big else _base
+    steps, definitions = working(problem, found, bodies, written, named)
+    definitions = {**poses.definitions, **definitions, **_entries(written), **named, Symbol("D"): written}
     results = _results(problem, bodies, written, named)
     claims = (
         *links(steps, {**problem.names, **definitions}),
         law("D = D^T", D == D.T),
-        *_second_routes(problem, written, named),
+        *_second_routes(problem, results),
     )
-    facts = {"shapes": bool(named)}
+    facts = {"shapes": bool(named), "big": big}
     return Derivation("inertia-matrix", steps, results, claims, definitions, uses=(poses,), facts=facts)
+
+
+def _base(
+    problem: Problem, found: Chain, bodies: tuple[Weighted, ...], written: Matrix, named: dict[Expr, Expr]
+) -> tuple[tuple[Step, ...], dict[Expr, Expr]]:
+    """By the Jacobians of the centres of mass in the base frame."""
+    steps = (*_motion(problem, found, bodies), *_sum(problem, bodies, written, named))
+    definitions: dict[Expr, Expr] = {}
+    for body in bodies:
+        definitions |= body_definitions(problem, found, body)
+    return steps, definitions | named_results(steps)
+
+
+def _local(
+    problem: Problem, found: Chain, bodies: tuple[Weighted, ...], written: Matrix, named: dict[Expr, Expr]
+) -> tuple[tuple[Step, ...], dict[Expr, Expr]]:
+    """By those Jacobians in the frames of the links; D stays a sum over them."""
+    parts = local_parts(bodies)
+    total = Step("D", (Symbol("D"), Sum(tuple(Symbol(part.name) for part in parts))), "sum")
+    steps = (*local_steps(problem, bodies), *inertia_steps(bodies), *parts, total)
+    # The step of D compares the sum over the links with D itself, multiplied out.
+    return steps, named_results(steps) | local_definitions(problem, bodies)
 
 
 def _motion(problem: Problem, found: Chain, bodies: tuple[Weighted, ...]) -> tuple[Step, ...]:
@@ -133,10 +157,10 @@ def _results(
     return results
 
 
-def _second_routes(problem: Problem, written: Matrix, named: dict[Expr, Expr]) -> tuple[Claim, ...]:
-    """D against the torques of unit accelerations by Newton and Euler, and D positive definite."""
+def _second_routes(problem: Problem, results: Mapping[str, Expr]) -> tuple[Claim, ...]:
+    """D against the torques of unit accelerations by Newton and Euler."""
     oracle, names = oracle_of(problem), problem.subject.variables
-    D = normal_matrix(problem.final(written, named))
+    D = normal_matrix(results["D"])
 
     def columns(at: Mapping[str, float]) -> list[list[float]]:
         still = {f"{name}_dot": 0.0 for name in names} | {f"{name}_ddot": 0.0 for name in names}
@@ -146,7 +170,7 @@ def _second_routes(problem: Problem, written: Matrix, named: dict[Expr, Expr]) -
     return (
         agreement(
             "D agrees with the torques of unit accelerations (Newton-Euler)",
-            problem.symbols,
+            problem.symbols | {"g"},
             lambda at: numeric.matrix_numbers(D, oracle.at(at)),
             columns,
         ),

@@ -10,7 +10,7 @@ from pydantic import Field
 from derive.algebra import numeric
 from derive.algebra.matrix import ScalarMatrix
 from derive.derivation import Claim, Derivation, Step, named_results
-from derive.expression import Indexed, Symbol, number
+from derive.expression import Indexed, Symbol, free_symbols, number
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -128,7 +128,7 @@ def _second_route(problem: Problem, point: Tracked, J: ScalarMatrix) -> Claim:
 
     return agreement(
         "J agrees with differences of the poses",
-        problem.symbols,
+        problem.symbols.union(*map(free_symbols, point.offset)),
         lambda at: numeric.matrix_numbers(J, oracle.at(at)),
         differences,
         DIFFERENCES,
