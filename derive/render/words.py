@@ -1,8 +1,9 @@
 """Runs the words of a kind: a Jinja template whose sentences refer to the steps of a derivation.
 
 In scope of a words template: `d`, `step(name)`, `facts` (also as `options`), `asked`, the filters `m`
-and `listed`, and the functions `show`, `inline`, `tell`, `table`, `plot`, `em`, `strong`, `items`.
-Its block `question` is left out here. A step the words neither show nor tell is an error: nothing that was derived goes unsaid unnoticed.
+and `listed`, and the functions `show`, `inline`, `tell`, `table`, `plot`, `em`, `strong`, `items`. Its block
+`question` is left out here. A step the words neither show nor tell is an error: nothing that was derived
+goes unsaid unnoticed.
 """
 
 from __future__ import annotations

@@ -6,7 +6,6 @@ short where those of D would fill pages; D, its derivatives and g are sums over 
 
 from __future__ import annotations
 
-from derive.algebra.matrix import ScalarMatrix
 from derive.derivation import Step
 from derive.expression import Expr, Product, Sum, Symbol, transpose
 from derive.kinds.problem import Problem
@@ -14,24 +13,24 @@ from derive.kinds.robot._bodies import Weighted
 
 
 def local_steps(problem: Problem, bodies: tuple[Weighted, ...]) -> tuple[Step, ...]:
-    """J_v and J_w of each link in its own frame (3 by i: later joints do not move it)."""
+    """J_v and J_w of each link in its own frame (3 by n)."""
     steps: list[Step] = []
     for body in bodies:
         for part, J in (("v", body.motion.J_v), ("w", body.motion.J_w)):
             name = Symbol(f"J_{part}{body.i}^{body.i}")
             base = Symbol(f"J_{part}{body.i}")
-            local = moving(body, body.motion.R.T @ J)
+            local = body.motion.R.T @ J
             route = Product((transpose(Symbol(f"R_{body.i}^0")), base))
             steps.append(Step(name.name, (name, route, problem.readable_matrix(local)), "local-jacobian"))
     return tuple(steps)
 
 
 def local_definitions(problem: Problem, bodies: tuple[Weighted, ...]) -> dict[Expr, Expr]:
-    """What J_v1, J_w1, ... and R_1^0, ... stand for, zero columns left out, and I_1, ..."""
+    """What J_v1, J_w1, ... and R_1^0, ... stand for, and I_1, ..."""
     names: dict[Expr, Expr] = {}
     for body in bodies:
-        names[Symbol(f"J_v{body.i}")] = problem.readable_matrix(moving(body, body.motion.J_v))
-        names[Symbol(f"J_w{body.i}")] = problem.readable_matrix(moving(body, body.motion.J_w))
+        names[Symbol(f"J_v{body.i}")] = problem.readable_matrix(body.motion.J_v)
+        names[Symbol(f"J_w{body.i}")] = problem.readable_matrix(body.motion.J_w)
         names[Symbol(f"R_{body.i}^0")] = problem.readable_matrix(body.motion.R)
         names[Symbol(f"I_{body.i}")] = body.matrix
         names[Symbol(f"o_c{body.i}")] = problem.readable_matrix(body.motion.com)
@@ -41,13 +40,6 @@ def local_definitions(problem: Problem, bodies: tuple[Weighted, ...]) -> dict[Ex
 def local_parts(bodies: tuple[Weighted, ...]) -> tuple[Step, ...]:
     """D_i of each link in the names of its local Jacobians."""
     return tuple(Step(f"D_{body.i}", (Symbol(f"D_{body.i}"), _formula(body)), "link-inertia") for body in bodies)
-
-
-def moving(body: Weighted, J: ScalarMatrix) -> ScalarMatrix:
-    """The columns of the joints that move the link."""
-    zero = [k for k in range(J.shape[1]) if not body.J.columns(k)]
-    kept = [k for k in range(J.shape[1]) if k not in zero]
-    return J.columns(*kept)
 
 
 def _formula(body: Weighted) -> Expr:
