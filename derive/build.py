@@ -90,7 +90,10 @@ def assemble(sheet: Sheet, solutions: bool = True) -> Document:
 
 
 def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool) -> ProblemPage:
-    working = Working(problem.subject_name, problem.subject, problem.where, problem.assumptions)
+    here = tuple((question.find, question.options) for question in problem.questions)
+    working = Working(
+        problem.subject_name, problem.subject, problem.where, problem.assumptions, questions=here
+    )
     answers = _each(problem.questions, lambda question: _answer(question, working), lambda _: None)
     asked = [answer for answer in answers if solutions]
     printed: list[Derivation] = []
@@ -151,7 +154,7 @@ def _question(
     order: tuple[Worked, ...],
     where: Mapping[str, Any],
 ) -> QuestionPage:
-    if answer and question.evaluate is not None and not answer.evaluated:
+    if answer and question.evaluate is not None and not (answer.evaluated or answer.files):
         answer = _evaluated(answer, question, where)
     marks = question.marks if sheet.marks else None
     at = question.evaluate or {}
@@ -224,7 +227,8 @@ def write(
         pages = []
         for sheet, document in zip(sheets, documents, strict=True):
             progress(f"writing {sheet.path.stem}")
-            _draw(sheet, document, aside)
+            if set(formats) - {"json"}:
+                _place(sheet, document, aside, _picture_kinds(formats, pdf_engine))
             for kind in formats:
                 pages.append(aside / f"{document.figures}.{kind}")
                 _make(document, kind, pages[-1], pdf_engine)
@@ -232,16 +236,27 @@ def write(
         return tuple(_put(path, aside, output) for path in (*pictures, *pages))
 
 
-def _draw(sheet: Sheet, document: Document, folder: Path) -> None:
+def _picture_kinds(formats: Sequence[str], pdf_engine: str) -> tuple[str, ...]:
+    """What plots are drawn as for these pages; a docx draws its own."""
+    latex = "tex" in formats or ("pdf" in formats and pdf_engine == "latex")
+    web = {"md", "html"} & {*formats} or ("pdf" in formats and pdf_engine != "latex")
+    return (*(["svg"] if web else []), *(["pdf"] if latex else []))
+
+
+def _place(sheet: Sheet, document: Document, folder: Path, kinds: tuple[str, ...]) -> None:
+    """Everything a page refers to, beside it."""
+    for path, text in document.files().items():
+        (folder / path).parent.mkdir(exist_ok=True)
+        (folder / path).write_text(text, encoding="utf-8")
     for problem in sheet.problems:
         if isinstance(problem.figure, Path):
             (folder / document.figures).mkdir(exist_ok=True)
             copyfile(problem.figure, folder / document.figures / problem.figure.name)
-    if plots := document.plots():
+    if kinds and (plots := document.plots()):
         from derive.render.figures import draw
 
         for path, plot in plots.items():
-            draw(plot, folder / path)
+            draw(plot, folder / path, kinds)
 
 
 def _make(document: Document, kind: str, target: Path, pdf_engine: str) -> None:

@@ -33,16 +33,12 @@ def overview() -> str:
 
 
 def table() -> str:
-    """Subjects and kinds as Markdown tables, for a page of documentation."""
-    blocks = []
+    """Subjects and what can be asked of each, as a Markdown table for a page of documentation."""
+    rows = ["| subject | what it is | `find` |", "|---|---|---|"]
     for subject in subjects.subjects():
-        rows = [
-            f"| `{kind}` | {_first_line(kinds.load(subject, kind))} |" for kind in kinds.kinds_of(subject)
-        ]
-        blocks.append(
-            "\n".join([f"**{subject}**: {_meaning(subject)}", "", "| find | |", "|---|---|", *rows])
-        )
-    return "\n\n".join(blocks) + "\n"
+        asked = ", ".join(f"`{kind}`" for kind in kinds.kinds_of(subject))
+        rows.append(f"| `{subject}` | {_meaning(subject).removesuffix('.')} | {asked} |")
+    return "\n".join(rows) + "\n"
 
 
 def describe(kind: str) -> str:

@@ -114,7 +114,7 @@ def _build(
     for page in made:
         if isinstance(page, str):
             click.echo(page, nl=False)
-        elif page.suffix.lstrip(".") in formats:
+        elif page.parent == target:  # and no picture of a page
             say(str(page))
 
 
@@ -174,7 +174,10 @@ def watch(sheet: Path, formats: tuple[str, ...], output: str, problems: bool, pd
             pass
         say(f"watching {sheet}; Ctrl-C ends it")
 
-    again()
-    for changed in changes(sheet.parent, raise_interrupt=False):
-        if any(Path(path).suffix in (".yaml", ".yml") for _, path in changed):
-            again()
+    try:
+        again()
+        for changed in changes(sheet.parent):
+            if any(Path(path).suffix in (".yaml", ".yml") for _, path in changed):
+                again()
+    except KeyboardInterrupt:
+        return

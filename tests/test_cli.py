@@ -8,6 +8,8 @@ from click.testing import CliRunner, Result
 
 from derive import build as pipeline
 from derive.cli import main
+from derive.errors import Place, SheetError
+from derive.messages import written
 
 SHEET = """\
 title: A planar arm
@@ -67,12 +69,52 @@ def test_nothing_is_written_if_one_sheet_is_wrong(folder: Path) -> None:
         ("nothing.yaml",), ("week1.yaml", "--format", "odt"), ("week1.yaml", "--format", ","),
         ("week1.yaml", "--what"),
         ("week1.yaml", "--output", "-"), ("week1.yaml", "--format", "pdf", "--output", "-"), ("build",),
-        ("new", "week1"), ("empty",),
+        ("new", "week1"), ("empty",), ("bild", "week1.yaml"), ("watch", "empty"),
+        ("watch", "week1.yaml", "--output", "-"),
+        ("week1.yaml", "second.yaml", "--format", "md", "--output", "-"),
     ],
 )  # fmt: skip
 def test_a_wrong_command_line(folder: Path, arguments: tuple[str, ...]) -> None:
     (folder / "empty").mkdir()
+    (folder / "second.yaml").write_text(SHEET, encoding="utf-8")
     assert run(*arguments).exit_code == 2
+
+
+def test_a_misspelt_command() -> None:
+    assert "did you mean build?" in run("bild", "week1.yaml").stderr
+
+
+@pytest.mark.parametrize(
+    "arguments", [("week1.yaml", "--format", "md", "--output", "taken"), ("new", "no/x")]
+)
+def test_a_place_that_cannot_be_written(folder: Path, arguments: tuple[str, ...]) -> None:
+    (folder / "taken").write_text("a file", encoding="utf-8")
+    done = run(*arguments)
+    assert done.exit_code == 1
+    assert done.stderr.count("\n") == 1
+    assert "derive failed" not in done.stderr
+
+
+def test_a_question_without_text_is_asked_all_the_same(folder: Path) -> None:
+    page = run("week1.yaml", "--problems", "--format", "md", "--output", "-").stdout
+    assert "Find the link parameters of the arm" in page
+    asked = SHEET.replace("- robot", "- text: Fill in the table.\n  robot")
+    (folder / "week1.yaml").write_text(asked, encoding="utf-8")
+    page = run("week1.yaml", "--format", "md", "--output", "-").stdout
+    assert "Fill in the table." in page
+    assert "Find the link parameters" not in page
+
+
+def test_lengths_keep_their_unit_in_the_table(folder: Path) -> None:
+    (folder / "week1.yaml").write_text(SHEET.replace("d: 0,", "d: 100 mm,"), encoding="utf-8")
+    assert "| $0.1$ m |" in run("week1.yaml", "--format", "md", "--output", "-").stdout
+
+
+def test_a_long_line_is_cut_around_the_fault() -> None:
+    text = "a" * 200 + "!" + "b" * 200
+    line, caret = written(SheetError("no", Place("x.yaml", 1, 201, text))).splitlines()[1:]
+    assert len(line) < 140
+    assert line[caret.index("^")] == "!"
 
 
 def test_the_unexpected_is_an_apology(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -134,7 +134,20 @@ class Nesting:
         )
         most = 1 if len(terms) > MOST_SEARCHED else 6 if len(terms) > 8 else len(frequent)
         turn = min((key(a)[1:] for a in frequent if is_trig(a)), default=())
-        return [self._split(terms, atom, turn) for atom in frequent[:most]]
+        shared = self._shared_numbers(terms) if len(terms) <= MOST_SEARCHED else []
+        return [*(self._split(terms, atom, turn) for atom in frequent[:most]), *shared]
+
+    def _shared_numbers(self, terms: Terms) -> list[Plan]:
+        """(x^2 + y^2)/2 - 1: terms with the same number, that number taken out."""
+        counts = Counter(abs(k) for k in terms.values())
+        plans: list[Plan] = []
+        for k, n in counts.items():
+            if k != 1 and 1 < n < len(terms):
+                taken = {m: value for m, value in terms.items() if abs(value) == k}
+                rest = {m: value for m, value in terms.items() if m not in taken}
+                inner, other = self.plan(taken), self.plan(rest)
+                plans.append(Split(((taken, inner), (rest, other)), inner.price + other.price + 1))
+        return plans
 
     def _split(self, terms: Terms, atom: int, turn: SortKey) -> Plan:
         """atom * (...) + the rest."""
@@ -155,7 +168,7 @@ class Nesting:
 
     @staticmethod
     def _product(monomial: Monomial, coefficient: Fraction, sums: tuple[tuple[Plan, int], ...]) -> Plan:
-        factors = len(sums) if monomial or abs(coefficient) != 1 else len(sums) - 1
+        factors = len(sums) if monomial or abs(coefficient.numerator) != 1 else len(sums) - 1
         inside = sum(plan.price + int(power > 1) + 0.25 for plan, power in sums)
         return Taken(coefficient, monomial, sums, _operations(monomial, coefficient) + factors + inside)
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import reduce
+from functools import partial, reduce
 from operator import add, mul
 from typing import TypeAlias
+
+from flint import fmpq_mpoly
 
 from derive.algebra.angles import PI, RADIAN, Form
 from derive.algebra.fixed import fixed_trig
@@ -15,9 +17,19 @@ from derive.algebra.kernels import absolute, opaque, root
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.ring import Ring, ring
 from derive.algebra.scalar import Scalar, as_fraction, common_ring, trig
+from derive.algebra.values import (
+    MATRIX_FUNCTIONS,
+    Combine,
+    Value,
+    halved,
+    joined,
+    matrix_of,
+    product,
+    raised,
+    times,
+)
 from derive.errors import NotDerivable
 from derive.expression import (
-    Approximate,
     Call,
     Degrees,
     Derivative,
@@ -33,7 +45,6 @@ from derive.expression import (
     children,
 )
 
-Value: TypeAlias = Scalar | ScalarMatrix
 Names: TypeAlias = Mapping[Expr, Expr]
 
 
@@ -59,32 +70,36 @@ def normal_matrix(expr: Expr, names: Names | None = None) -> ScalarMatrix:
 def walk_over(exprs: Iterable[Expr], names: Names) -> Walk:
     """A walk whose leaves are already known, all in one ring: what follows never changes rings."""
     walk = Walk(names)
-    leaves: dict[Expr, Scalar] = {}
-    seen: set[Expr] = set()
-    for leaf in dict.fromkeys(leaf for expr in exprs for leaf in _leaves(expr, names, seen)):
-        value = walk.value(leaf)
-        if isinstance(value, Scalar):
-            leaves[leaf] = value
+    values = {leaf: walk.value(leaf) for leaf in _leaves(exprs, names)}
+    leaves = {leaf: value for leaf, value in values.items() if isinstance(value, Scalar)}
     home = common_ring(leaves.values())
     return Walk(names, home, {leaf: value.into(home) for leaf, value in leaves.items()})
 
 
-def _leaves(expr: Expr, names: Names, seen: set[Expr]) -> Iterator[Expr]:
-    """Symbols, and sines and cosines as a whole, through the definitions of names."""
-    if isinstance(expr, Symbol | Indexed) and expr in names:
-        if expr not in seen:
-            seen.add(expr)  # a definition is looked through once
-            yield from _leaves(names[expr], names, seen)
-    elif isinstance(expr, Symbol) or (isinstance(expr, Call) and expr.function in ("cos", "sin")):
-        yield expr
-    elif not isinstance(expr, Indexed):
-        for part in children(expr):
-            yield from _leaves(part, names, seen)
+def _leaves(exprs: Iterable[Expr], names: Names) -> dict[Expr, None]:
+    """Symbols, and sines and cosines as a whole, in order, through the definitions of names."""
+    found: dict[Expr, None] = {}
+    seen: set[Expr] = set()
+    pending = list(exprs)[::-1]
+    while pending:
+        expr = pending.pop()
+        if isinstance(expr, Symbol | Indexed) and expr in names:
+            if expr not in seen:
+                seen.add(expr)  # a definition is looked through once
+                pending.append(names[expr])
+        elif isinstance(expr, Symbol) or (isinstance(expr, Call) and expr.function in ("cos", "sin")):
+            found[expr] = None
+        elif not isinstance(expr, Indexed | Number):
+            pending.extend(children(expr)[::-1])
+    return found
 
 
 @dataclass(frozen=True, slots=True)
 class Walk:
-    """One walk under fixed names; what a name, a sine or a cosine stands for is computed once."""
+    """One walk under fixed names; what a name, a sine or a cosine stands for is computed once.
+
+    Polynomials of the home ring are added and multiplied as they are, and reduced once they are whole.
+    """
 
     names: Names
     home: Ring = field(default_factory=ring)
@@ -92,17 +107,34 @@ class Walk:
 
     def value(self, expr: Expr) -> Value:
         """The scalar or matrix of a tree."""
+        return self._settled(self._loose(expr))
+
+    def _settled(self, value: Value | fmpq_mpoly) -> Value:
+        return Scalar(self.home, self.home.reduce(value)) if isinstance(value, fmpq_mpoly) else value
+
+    def _loose(self, expr: Expr) -> Value | fmpq_mpoly:
+        """The value, or a polynomial of the home ring that is not yet reduced."""
         match expr:
             case Number(exact):
-                return Scalar(self.home, self.home.constant(exact))
+                return self.home.constant(exact)
+            case Product(factors):
+                return self._combined(factors, mul, product)
+            case Symbol() | Indexed():
+                return self._opened(self._name(expr))
+            case Call(function, arguments):
+                known = self.known.get(expr)
+                return self._opened(self._call(function, arguments) if known is None else known)
+            case Power(base, Number(exact)) if exact.denominator == 1 and exact > 0:
+                return self._raised(base, int(exact))
+            case Sum(terms):
+                return self._combined(terms, add, partial(reduce, add))
+            case _:
+                return self._rarer(expr)
+
+    def _rarer(self, expr: Expr) -> Value:
+        match expr:
             case Degrees(degrees):
                 return Scalar.symbol(PI) * (degrees / 180)
-            case Symbol() | Indexed():
-                return self._name(expr)
-            case Sum(terms):
-                return reduce(add, map(self.value, terms))
-            case Product(factors):
-                return product([self.value(factor) for factor in factors])
             case Quotient(top, bottom):
                 return times(self.value(top), 1 / self.scalar(bottom))
             case Power(base, exponent):
@@ -113,10 +145,27 @@ class Walk:
                 if expr not in self.known:
                     self.known[expr] = self.value(of).diff(by.name)
                 return self.known[expr]
-            case Call(function, arguments):
-                return self.known[expr] if expr in self.known else self._call(function, arguments)
-            case Approximate():
+            case _:
                 raise NotDerivable("a floating-point number has no exact value")
+
+    def _opened(self, value: Value) -> Value | fmpq_mpoly:
+        """A scalar of the home ring as its polynomial."""
+        if isinstance(value, Scalar) and value.ring is self.home and value.denominator is None:
+            return value.numerator
+        return value
+
+    def _combined(
+        self, parts: tuple[Expr, ...], loosely: Combine, otherwise: Callable[[list[Value]], Value]
+    ) -> Value | fmpq_mpoly:
+        """A sum or a product: of polynomials as they are, of anything else by its own rules."""
+        values = [self._loose(part) for part in parts]
+        if all(isinstance(value, fmpq_mpoly) for value in values):
+            return halved(values, loosely)
+        return otherwise([self._settled(value) for value in values])
+
+    def _raised(self, base: Expr, power: int) -> Value | fmpq_mpoly:
+        value = self._loose(base)
+        return value**power if isinstance(value, fmpq_mpoly) else raised(value, power)
 
     def scalar(self, expr: Expr) -> Scalar:
         value = self.value(expr)
@@ -154,7 +203,7 @@ class Walk:
             return self._flat(self.scalar(arguments[1]))
         values = [self.value(argument) for argument in arguments]
         if function in MATRIX_FUNCTIONS:
-            return MATRIX_FUNCTIONS[function](*map(_matrix, values))
+            return MATRIX_FUNCTIONS[function](*map(matrix_of, values))
         scalars = tuple(value for value in values if isinstance(value, Scalar))
         if len(scalars) < len(values):
             raise NotDerivable(f"{function} of a matrix")
@@ -224,62 +273,6 @@ def linear_form(angle: Scalar) -> tuple[Fraction, Form]:
             atom = "*".join(n if e == 1 else f"{n}^{e}" for n, e in powers) or RADIAN
             parts[atom] = as_fraction(coefficient)
     return turns, Form.of(parts)
-
-
-def product(values: list[Value]) -> Value:
-    """The product of scalars and matrices; polynomials of one ring are reduced once at the end."""
-    first = values[0]
-    if isinstance(first, Scalar) and all(
-        isinstance(v, Scalar) and v.ring is first.ring and v.denominator is None for v in values
-    ):
-        numerator = reduce(mul, (v.numerator for v in values if isinstance(v, Scalar)))
-        return Scalar(first.ring, first.ring.reduce(numerator))
-    return reduce(times, values)
-
-
-def times(left: Value, right: Value) -> Value:
-    """The product of scalars, of matrices, or of one with the other."""
-    if isinstance(left, ScalarMatrix):
-        return left @ right if isinstance(right, ScalarMatrix) else left.scaled(right)
-    return right.scaled(left) if isinstance(right, ScalarMatrix) else left * right
-
-
-def raised(base: Value, power: int) -> Value:
-    """An integer power of a scalar or a square matrix."""
-    if isinstance(base, Scalar):
-        return base**power
-    if power < 0:
-        return raised(base.inverse(), -power)
-    return reduce(ScalarMatrix.__matmul__, [base] * power, ScalarMatrix.identity(base.shape[0]))
-
-
-def joined(rows: list[list[Value]]) -> ScalarMatrix:
-    """Blocks joined into one matrix; a zero beside a block stands for a block of zeros."""
-    strips = []
-    for row in rows:
-        height = max((v.shape[0] for v in row if isinstance(v, ScalarMatrix)), default=1)
-        strips.append(ScalarMatrix.beside([_block(value, height) for value in row]))
-    return ScalarMatrix.stacked(strips)
-
-
-def _block(value: Value, height: int) -> ScalarMatrix:
-    if isinstance(value, ScalarMatrix):
-        return value
-    if height > 1 and value != 0:
-        raise NotDerivable("a scalar beside a block of a matrix")
-    return ScalarMatrix.of([[value]] * height)
-
-
-def _matrix(value: Value) -> ScalarMatrix:
-    return value if isinstance(value, ScalarMatrix) else ScalarMatrix.of([[value]])
-
-
-MATRIX_FUNCTIONS: dict[str, Callable[..., Value]] = {
-    "transpose": lambda a: a.T,
-    "inverse": lambda a: a.inverse(),
-    "cross": lambda a, b: a.cross(b),
-    "det": lambda a: a.det(),
-}
 
 
 def _added(a: tuple[Scalar, Scalar], b: tuple[Scalar, Scalar]) -> tuple[Scalar, Scalar]:

@@ -6,6 +6,8 @@ import math
 from collections.abc import Callable, Mapping
 from typing import Any, TypeAlias
 
+from flint import fmpq, fmpq_mpoly
+
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
 from derive.errors import NotDerivable
@@ -118,12 +120,8 @@ def _atom(atom: str, point: Point) -> float:
     return math.prod(point[name] ** int(power or 1) for name, _, power in factors)
 
 
-def _polynomial(polynomial: Any, gens: list[float]) -> float:
-    total = 0.0
-    for exponents, coefficient in polynomial.terms():
-        term = int(coefficient.p) / int(coefficient.q)
-        for gen, power in zip(gens, exponents, strict=True):
-            if power:
-                term *= gen ** int(power)
-        total += term
-    return total
+def _polynomial(polynomial: fmpq_mpoly, gens: list[float]) -> float:
+    """The exact value where the generators are exactly these floats, rounded once; FLINT is several times
+    faster at that than Python at the terms."""
+    value = polynomial(*(fmpq(*gen.as_integer_ratio()) for gen in gens))
+    return int(value.p) / int(value.q)

@@ -19,7 +19,7 @@ from functools import cache, cached_property, lru_cache
 
 from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
 
-from derive.algebra.angles import Form, combination
+from derive.algebra.angles import PI, Form, combination
 
 Pair = tuple[fmpq_mpoly, fmpq_mpoly]
 
@@ -68,6 +68,11 @@ class Ring:
     def opaque(self) -> tuple[str, ...]:
         """The symbols that stand for functions left as they are: `exp(x)`."""
         return tuple(name for name in self.symbols if "(" in name)
+
+    @cached_property
+    def fixed(self) -> Form | None:
+        """The one form that is a multiple of pi, if there is one; others would be multiples of it."""
+        return next((form for form in self.angles if form.of_atom(PI)), None)
 
     @cached_property
     def zero(self) -> fmpq_mpoly:

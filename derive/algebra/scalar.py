@@ -16,6 +16,7 @@ from flint import fmpq_mpoly
 from derive.algebra.angles import Form
 from derive.algebra.calculus import derivative, with_rates
 from derive.algebra.ring import Ring, carry, ring
+from derive.algebra.settled import vanishes
 
 Like = Union["Scalar", int, Fraction]
 
@@ -67,7 +68,7 @@ class Scalar:
 
     def __truediv__(self, other: Like) -> Scalar:
         a, b = _together(self, other)
-        if b.numerator == 0:
+        if not b:
             raise ZeroDivisionError("division by an expression that is identically zero")
         top = a.numerator if b.denominator is None else a.numerator * b.denominator
         return fraction(a.ring, top, _times(a.denominator, b.numerator))
@@ -101,16 +102,16 @@ class Scalar:
             return NotImplemented
         a, b = _together(self, other)
         if a.denominator is None and b.denominator is None:
-            return bool(a.numerator == b.numerator)
+            return bool(a.numerator == b.numerator) or vanishes(a.numerator - b.numerator, a.ring)
         left = a.numerator if b.denominator is None else a.numerator * b.denominator
         right = b.numerator if a.denominator is None else b.numerator * a.denominator
-        return bool(a.ring.reduce(left - right) == 0)
+        return vanishes(a.ring.reduce(left - right), a.ring)
 
     def __hash__(self) -> int:
         raise TypeError("scalars are equal across rings and have no hash")
 
     def __bool__(self) -> bool:
-        return bool(self.numerator != 0)
+        return not vanishes(self.numerator, self.ring)
 
     def __repr__(self) -> str:
         bottom = "" if self.denominator is None else f" / ({self.denominator})"

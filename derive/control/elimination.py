@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 
 from derive.control.linear import Form, combined, form_of, term, tree
 from derive.control.ratios import Ratio
@@ -50,6 +51,7 @@ class Solution:
     values: Mapping[Expr, Expr]
 
 
+@lru_cache(maxsize=64)
 def solve(system: System, source: Symbol | None = None, decimals: bool = False) -> Solution:
     """The output over `source` (the input, or the disturbance). Raises NotDerivable."""
     source = source or system.input

@@ -11,7 +11,7 @@ from typing import Any
 from derive.algebra.numeric import number
 from derive.control.signals import signals, unknowns
 from derive.control.system import Equation, System
-from derive.expression import Expr, Power, Product, Quotient, Sum, Symbol, free_symbols
+from derive.expression import Expr, Number, Power, Product, Quotient, Sum, Symbol, free_symbols
 
 EULER = 12  # terms averaged by Euler summation
 DAMPING = 20.0  # e^-DAMPING is the error of the method
@@ -19,11 +19,11 @@ DAMPING = 20.0  # e^-DAMPING is the error of the method
 
 def value(expr: Expr, point: Mapping[str, complex]) -> complex:
     """A tree at complex values of some of its names."""
-    if not any(isinstance(point[name], complex) for name in free_symbols(expr)):
-        return complex(number(expr, {name: point[name].real for name in free_symbols(expr)}))
     match expr:
+        case Number(exact):
+            return complex(float(exact))
         case Symbol(name):
-            return complex(point[name])
+            return complex(math.pi if name == "pi" else point[name])
         case Sum(terms):
             return sum((value(term, point) for term in terms), 0j)
         case Product(factors):
@@ -32,7 +32,10 @@ def value(expr: Expr, point: Mapping[str, complex]) -> complex:
             return value(top, point) / value(bottom, point)
         case Power(base, exponent):
             return complex(value(base, point) ** value(exponent, point))
-    raise ValueError(f"{type(expr).__name__} at complex numbers")
+    names = free_symbols(expr)
+    if any(isinstance(point[name], complex) and point[name].imag for name in names):
+        raise ValueError(f"{type(expr).__name__} at complex numbers")
+    return complex(number(expr, {name: point[name].real for name in names}))
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,10 +46,19 @@ class Numeric:
     source: Symbol
     point: Mapping[str, float]
     found: tuple[Symbol, ...]  # its signals
+    entries: tuple[tuple[int, int], ...]  # (equation, signal) where the one holds the other
 
     @staticmethod
     def of(system: System, source: Symbol, point: Mapping[str, float]) -> Numeric:
-        return Numeric(system, source, point, signals(system))
+        found = signals(system)
+        columns = (*unknowns(system, found), source)
+        entries = tuple(
+            (row, column)
+            for row, equation in enumerate(system.equations)
+            for column, signal in enumerate(columns)
+            if signal.name in free_symbols(equation.left) | free_symbols(equation.right)
+        )
+        return Numeric(system, source, point, found, entries)
 
     def gain(self, s: complex) -> complex:
         """output / source at one s, all other inputs zero."""
@@ -72,19 +84,15 @@ class Numeric:
 
         unknown = unknowns(self.system, self.found)
         quiet = {**self.point, "s": complex(s), **{each.name: 0j for each in self.found}}
-        rows = [
-            [_coefficient(equation, signal, quiet) for signal in (*unknown, self.source)]
-            for equation in self.system.equations
-        ]
-        whole = numpy.array(rows, dtype=complex)
+        columns = (*unknown, self.source)
+        whole = numpy.zeros((len(self.system.equations), len(columns)), dtype=complex)
+        for row, column in self.entries:
+            whole[row, column] = _coefficient(self.system.equations[row], columns[column], quiet)
         return whole[:, :-1], whole[:, -1], unknown.index(self.system.output)
 
 
 def _coefficient(equation: Equation, signal: Symbol, quiet: Mapping[str, complex]) -> complex:
     """What left - right is with this signal one and all others zero."""
-    sides = (equation.left, equation.right)
-    if not any(signal.name in free_symbols(side) for side in sides):
-        return 0j
     at = {**quiet, signal.name: 1 + 0j}
     return value(equation.left, at) - value(equation.right, at)
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 from derive.algebra.normal import normal
 from derive.control.system import Equation, System
@@ -33,6 +34,7 @@ class Reading:
             yield Reading(self.signals | {name}, self.parameters | (term - {name}))
 
 
+@lru_cache(maxsize=64)
 def signals(system: System) -> tuple[Symbol, ...]:
     """The signals in the order they are met: input, output, disturbance and all between.
 

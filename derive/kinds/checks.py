@@ -8,7 +8,8 @@ from itertools import pairwise
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import Names, Value, Walk, walk_over
+from derive.algebra.normal import Names, Walk, walk_over
+from derive.algebra.values import Value
 from derive.derivation import Claim, Step
 from derive.expression import Approximate, Expr, Indexed, Symbol, walk
 

@@ -12,7 +12,9 @@ from derive.algebra.normal import Names, normal, normal_matrix
 from derive.algebra.readable import readable, readable_matrix
 from derive.algebra.scalar import Scalar
 from derive.algebra.terms import Style
+from derive.control.system import System
 from derive.derivation import Derivation
+from derive.errors import NotDerivable
 from derive.expression import Degrees, Expr, Matrix, Number, Symbol, free_symbols, walk
 from derive.kinds.registry import load
 
@@ -30,6 +32,7 @@ class Problem:
     assumptions: Mapping[str, str] = field(default_factory=dict)
     derived: dict[tuple[str, Any], Derivation] = field(default_factory=dict)
     written: dict[Hashable, Expr] = field(default_factory=dict)
+    questions: tuple[tuple[str, Any], ...] = ()  # kind and options of all that is asked about the subject
 
     def ask(self, kind: str, **options: Any) -> Derivation:
         """The derivation of a question about this subject, made once however often it is asked.
@@ -43,8 +46,20 @@ class Problem:
         """The same with the options as the kind's own model."""
         key = (kind, options)
         if key not in self.derived:
-            self.derived[key] = load(self.name, kind).derive(self.subject, options, self)
+            self.derived[key] = self._distinct(load(self.name, kind).derive(self.subject, options, self))
         return self.derived[key]
+
+    def _distinct(self, derivation: Derivation) -> Derivation:
+        """The derivation, unless one of its names means something else on the sheet."""
+        if isinstance(self.subject, System):  # its equations define the author's own names
+            return derivation
+        own = {name.name for name in derivation.definitions if isinstance(name, Symbol)}
+        taken = sorted(own & self.symbols)
+        if taken:
+            raise NotDerivable(
+                f"the sheet's own '{taken[0]}' is also a name of this answer; choose another name for it"
+            )
+        return derivation
 
     @cached_property
     def symbols(self) -> frozenset[str]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from importlib import import_module
-from importlib.metadata import entry_points
 from pathlib import Path
 from types import ModuleType
 
@@ -44,6 +43,7 @@ def load(subject: str, kind: str) -> ModuleType:
 
 def _plugins(subject: str) -> dict[str, str]:
     """Entry points named `subject/kind`; looked up only where no kind of ours answers."""
+    from importlib.metadata import entry_points  # slow to import, and seldom needed
 
     pairs = ((plugin.name.partition("/"), plugin.value) for plugin in entry_points(group=PLUGINS))
     return {kind: value for (owner, _, kind), value in pairs if owner == subject}

@@ -82,6 +82,15 @@ class Document:
             for claim in worked.derivation.claims
         )
 
+    def files(self) -> dict[str, str]:
+        """Every file of the page by its path, relative to the page."""
+        return {
+            file_path(self.figures, problem.number, question.number, name): text
+            for problem, question in self.questions()
+            for worked in question.order
+            for name, text in worked.derivation.files.items()
+        }
+
     def plots(self) -> dict[str, Plot]:
         """Every plot of the page by the path of its picture, relative to the page and without suffix."""
         return {
@@ -90,6 +99,11 @@ class Document:
             for worked in question.order
             for plot in worked.derivation.plots
         }
+
+
+def file_path(folder: str, problem: int, question: int, name: str) -> str:
+    """Where a file is kept: `week6/problem_1_2_model.m`, a name that MATLAB and Python can run."""
+    return str(PurePosixPath(folder, f"problem_{problem}_{question}_{name}"))
 
 
 def plot_path(folder: str, problem: int, question: int, name: str) -> str:

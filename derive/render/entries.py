@@ -23,7 +23,8 @@ def with_named_entries(chain: Chain, printer: Printer) -> tuple[Chain, tuple[Cha
         return chain, ()
     if width(printer.write(matrix)) <= NAMED_BEYOND:
         return chain, ()
-    letter = name.name[0].lower()
+    stem, _, index = name.name.partition("^")[0].partition("_")
+    letter = f"{stem[0].lower()}_{index}_" if index else f"{stem[0].lower()}_"
     named: list[Chain] = []
 
     def entry(row: int, column: int, value: Expr) -> Expr:
@@ -31,7 +32,7 @@ def with_named_entries(chain: Chain, printer: Printer) -> tuple[Chain, tuple[Cha
             return value
         known = next((symbol for symbol, listed in named if listed == value), None)
         if known is None:
-            known = Symbol(f"{letter}_{row}{column}")
+            known = Symbol(f"{letter}{row}{column}")
             named.append((known, value))
         return known
 

@@ -14,7 +14,7 @@ GREEK_NAMES = (
 GREEK = frozenset(GREEK_NAMES.split(" "))
 WORD = re.compile(r"[A-Za-z]+")
 STEM_AND_INDEX = re.compile(r"([A-Za-z]+)(\d+[xyz]?)")  # theta1, r11, v1x
-LETTER_AND_AXES = re.compile(r"([A-Za-z])([xyz]{1,2})")  # Ixx, vx
+LETTER_AND_AXES = re.compile(r"([A-Za-z])([xyz]{1,2}\d*)")  # Ixx, Ixx1, vx
 SIZE = re.compile(r"(\d+)x(\d+)")  # the zero block 0_3x1
 ACCENTS = {"dot": r"\dot", "ddot": r"\ddot"}
 
@@ -72,7 +72,7 @@ def _split(head: str) -> tuple[str, str]:
     stem, _, index = head.partition("_")
     if stem in GREEK:
         return stem, index
-    for pattern in (STEM_AND_INDEX, LETTER_AND_AXES):
+    for pattern in (LETTER_AND_AXES, STEM_AND_INDEX):
         if found := pattern.fullmatch(stem):
             return found[1], found[2] + index
     return stem, index

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 
 from derive.render.author_text import latex_prose, markdown_prose
-from derive.render.document import Document, ProblemPage, QuestionPage, Worked, plot_path
+from derive.render.document import Document, ProblemPage, QuestionPage, Worked, file_path, plot_path
 from derive.render.evaluated import evaluated_words
 from derive.render.plain_text import latex_text, markdown_text
-from derive.render.skin import Skin, environment
+from derive.render.skin import HELD_LINE, Skin, environment
 from derive.render.words import words
 
 MARKDOWN = Skin("markdown", markdown_prose, markdown_text)
@@ -27,7 +27,7 @@ def render_markdown(document: Document, front: bool = True) -> str:
 
 def render_latex(document: Document) -> str:
     """The sheet as a LaTeX document that pdflatex compiles. Raises ForgottenStep."""
-    return BEFORE_DISPLAY.sub("\n", _tidy(_page(document, LATEX, True)))
+    return _tidy(BEFORE_DISPLAY.sub("\n", BLANK_LINES.sub("\n\n", _page(document, LATEX, True))))
 
 
 def _page(document: Document, skin: Skin, front: bool) -> str:
@@ -41,9 +41,19 @@ def _page(document: Document, skin: Skin, front: bool) -> str:
 
 def _answer(document: Document, problem: ProblemPage, question: QuestionPage, skin: Skin) -> str:
     told = [_told(document, problem, question, worked, skin) for worked in question.order]
+    if not told and document.solutions:
+        told.append(_above(problem, question, skin))
     if question.derivation and document.solutions:
         told.append(evaluated_words(question.derivation, question.at, skin, document.notation))
     return "\n\n".join(filter(None, told))
+
+
+def _above(problem: ProblemPage, question: QuestionPage, skin: Skin) -> str:
+    """Where the answer stands, if an earlier question needed it already."""
+    for earlier in problem.questions:
+        if any(worked.derivation is question.derivation for worked in earlier.order):
+            return skin.above(earlier.number)
+    return ""
 
 
 def _told(
@@ -53,8 +63,12 @@ def _told(
         plot.name: plot_path(document.figures, problem.number, question.number, plot.name)
         for plot in worked.derivation.plots
     }
-    return words(worked.derivation, worked.folder, skin, document.notation, worked.asked, plots)
+    files = {
+        name: file_path(document.figures, problem.number, question.number, name)
+        for name in worked.derivation.files
+    }
+    return words(worked.derivation, worked.folder, skin, document.notation, worked.asked, plots, files)
 
 
 def _tidy(page: str) -> str:
-    return BLANK_LINES.sub("\n\n", page).strip() + "\n"
+    return BLANK_LINES.sub("\n\n", page).strip().replace(HELD_LINE, "\n") + "\n"

@@ -11,7 +11,7 @@ from shutil import which
 # Strict Markdown and what our pages use beyond it. No raw HTML, no raw TeX, no attributes.
 READER = (
     "markdown_strict-raw_html+all_symbols_escapable+intraword_underscores+space_in_atx_header"
-    "+tex_math_dollars+pipe_tables+implicit_figures+startnum"
+    "+tex_math_dollars+pipe_tables+implicit_figures+startnum+backtick_code_blocks"
 )
 NEVER_FOLD = "100000"  # a table row longer than `--columns` would be given fixed column widths
 

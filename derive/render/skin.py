@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -12,6 +13,8 @@ from jinja2.runtime import Context
 
 from derive.render.layout import Display
 from derive.render.resources import templates
+
+HELD_LINE = "\x1e"  # ends a line of a listing until the page is laid out, which may move other lines
 
 
 @cache
@@ -43,6 +46,12 @@ def _listed(context: Context, values: Iterable[Any], conjunction: str = "and") -
     return f" {conjunction} ".join(filter(None, (", ".join(written[:-1]), *written[-1:])))
 
 
+def _fence(text: str) -> str:
+    """Backticks that a text does not hold."""
+    longest = max(map(len, re.findall("`+", text)), default=0)
+    return "`" * max(3, longest + 1)
+
+
 @dataclass(frozen=True, slots=True)
 class Skin:
     """The look of one format. `prose` turns an author's Markdown into the format, `plain` a plain text."""
@@ -71,6 +80,16 @@ class Skin:
     def figure(self, path: str, caption: str = "") -> str:
         """A picture; `path` is relative to the page."""
         return self._macro("figure", path, caption)
+
+    def listing(self, text: str, language: str) -> str:
+        """A program as it stands."""
+        lines = text.rstrip("\n").replace("\r\n", "\n").replace("\t", "    ").split("\n")
+        return self._macro("listing", HELD_LINE.join(lines), language, _fence(text))
+
+    def above(self, number: int) -> str:
+        """The sentence of an answer that an earlier question needed already."""
+        english: Any = environment().get_template("words/_english.j2").module
+        return f"{english.above} {number}."
 
     def _macro(self, name: str, *arguments: Any) -> str:
         module = environment().get_template(f"{self.name}/skin.j2").module

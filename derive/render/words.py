@@ -1,15 +1,16 @@
 """Runs the words of a kind: a Jinja template whose sentences refer to the steps of a derivation.
 
 In scope of a words template: `d`, `step(name)`, `facts` (also as `options`), `asked`, the filters `m`
-and `listed`, and the functions `show`, `inline`, `tell`, `table`, `plot`, `em`, `strong`, `items`. Its block
-`question` is left out here. A step the words neither show nor tell is an error: nothing that was derived
-goes unsaid unnoticed.
+and `listed`, and the functions `show`, `inline`, `tell`, `table`, `plot`, `listing`, `path`, `em`, `strong`,
+`items`. Its block `question` is left out here. A step the words neither show nor tell is an error: nothing
+that was derived goes unsaid unnoticed.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from pathlib import PurePosixPath
 from typing import Any, Literal
 
 from jinja2 import Template
@@ -25,6 +26,7 @@ from derive.render.skin import Skin, environment
 
 QUESTION = "question"  # the block of a words template that asks for its derivation
 Mathematics = Expr | Step | str | int | tuple[Expr, ...]
+LANGUAGES = {".m": "matlab", ".py": "python"}
 
 
 class ForgottenStep(Exception):
@@ -36,14 +38,15 @@ class ForgottenStep(Exception):
 
 def words(
     derivation: Derivation, folder: str, skin: Skin, notation: Notation, asked: bool = True,
-    plots: Mapping[str, str] | None = None,
+    plots: Mapping[str, str] | None = None, files: Mapping[str, str] | None = None,
 ) -> str:  # fmt: skip
-    """The sentences and equations of a derivation. `plots` maps names of plots to paths without suffix.
+    """The sentences and equations of a derivation. `plots` maps names of plots to paths without suffix,
+    `files` those of files to theirs.
 
     Raises ForgottenStep; where the derivation was not asked for, its words may leave steps out.
     """
     short_names = frozenset(derivation.facts.get("short_names", ()))
-    telling = Telling(derivation, skin, replace(notation, short_names=short_names), plots or {})
+    telling = Telling(derivation, skin, replace(notation, short_names=short_names), plots or {}, files or {})
     template = words_of(folder, derivation.kind)
     context = template.new_context({**telling.scope(), "asked": asked})
     context.blocks[QUESTION] = [lambda _: iter(())]  # asked on the page already: see render/questions.py
@@ -77,6 +80,7 @@ class Telling:
     skin: Skin
     notation: Notation
     plots: Mapping[str, str]
+    files: Mapping[str, str]
     told: set[str] = field(default_factory=set)
 
     def scope(self) -> dict[str, Any]:
@@ -85,7 +89,7 @@ class Telling:
             "d": self.d, "step": self.d.step, "facts": self.d.facts, "options": self.d.facts,
             "show": self.show, "inline": self.inline, "tell": self.tell, "table": self.table,
             "plot": self.plot, "em": self.skin.em, "strong": self.skin.strong, "items": self.skin.items,
-            "math": self.math, "formula": self.formula,
+            "listing": self.listing, "path": self.path, "math": self.math, "formula": self.formula,
         }  # fmt: skip
 
     def show(
@@ -125,6 +129,15 @@ class Telling:
     def plot(self, name: str, caption: str = "") -> str:
         """The picture of a plot of this derivation."""
         return self.skin.figure(self.plots[name] + ".svg", caption)
+
+    def listing(self, name: str) -> str:
+        """A file of this derivation, printed as it stands."""
+        language = LANGUAGES.get(PurePosixPath(name).suffix, "text")
+        return self.skin.listing(self.d.files[name], language)
+
+    def path(self, name: str) -> str:
+        """Where a file of this derivation is kept, seen from the page."""
+        return self.skin.plain(self.files.get(name, name))
 
     def forgotten(self) -> list[str]:
         """The steps with something to say that were not told."""

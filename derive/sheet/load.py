@@ -165,7 +165,7 @@ def _figure(at: At, typed: str) -> bool | Path:
     if not path.resolve().is_relative_to(folder.resolve()):
         raise SheetErrors([at.fault("the picture lies outside the folder of the sheet", ("figure",))])
     if not path.is_file():
-        hint = "write figure: true to have the subject drawn"
+        hint = "its path is relative to the sheet"
         raise SheetErrors([at.fault(f"there is no picture {typed}", ("figure",), hint)])
     return path
 

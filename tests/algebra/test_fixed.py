@@ -40,9 +40,6 @@ def test_whole_turns_and_half_turns_of_any_angle(turns: Fraction) -> None:
     assert fixed_trig(turns + Fraction(1, 2)) == (-s, c)
 
 
-@pytest.mark.xfail(
-    strict=True, reason="a limit: relations between fixed angles other than multiples of 15 degrees"
-)
 @pytest.mark.parametrize(
     ("left", "right"),
     [
@@ -51,7 +48,7 @@ def test_whole_turns_and_half_turns_of_any_angle(turns: Fraction) -> None:
         ("cos(60 deg)", "4 cos(20 deg)^3 - 3 cos(20 deg)"),
     ],
 )
-def test_what_is_equal_and_not_known_to_be(left: str, right: str) -> None:
+def test_relations_between_fixed_angles(left: str, right: str) -> None:
     assert normal(formula(left)) == normal(formula(right))
 
 

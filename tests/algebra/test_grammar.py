@@ -68,11 +68,14 @@ def test_tree(text: str, tree: Expr) -> None:
     ("text", "dimension", "tree"),
     [
         ("0.1 m", LENGTH, Number(Fraction(1, 10), decimal=True)),
-        ("100mm", LENGTH, number("1/10")),
+        ("100mm", LENGTH, number("1/10", True)),
         ("1e-3 km", LENGTH, Number(Fraction(1), decimal=True)),
         ("1/2 m", LENGTH, Quotient(number(1), TWO)),
-        ("(1/2) mm", LENGTH, number("1/2000")),
-        ("L*2 mm", LENGTH, Product((L, number("1/500")))),
+        ("1000 mm", LENGTH, number(1)),
+        ("(1/3) mm", LENGTH, number("1/3000")),
+        ("22.5 deg", ANGLE, Degrees(Fraction(45, 2))),
+        ("(1/2) mm", LENGTH, number("1/2000", True)),
+        ("L*2 mm", LENGTH, Product((L, number("1/500", True)))),
         ("-30 deg", ANGLE, Degrees(Fraction(-30))),
         ("90°", ANGLE, Degrees(Fraction(90))),
         ("2*30 deg", ANGLE, Product((TWO, Degrees(Fraction(30))))),
@@ -80,7 +83,7 @@ def test_tree(text: str, tree: Expr) -> None:
         ("9.81 m/s^2", ACCELERATION, Number(Fraction(981, 100), decimal=True)),
         ("9.81 m / s^2", ACCELERATION, Number(Fraction(981, 100), decimal=True)),
         ("2 kg*m^2", INERTIA, TWO),
-        ("20 g", MASS, number("1/50")),
+        ("20 g", MASS, number("1/50", True)),
         ("3 N m", ANY, number(3)),
         ("30 deg/s", ANY, Degrees(Fraction(30))),
         # where a letter is a symbol all the same
@@ -105,7 +108,7 @@ def test_units(text: str, dimension: Wanted, tree: Expr) -> None:
     [
         ("2 m", LENGTH, TWO),
         ("2 m", MASS, Product((TWO, m))),
-        ("2 g", MASS, number("1/500")),
+        ("2 g", MASS, number("1/500", True)),
         ("2 g", ACCELERATION, Product((TWO, g))),
         ("L*2 m", LENGTH, Product((L, TWO, m))),
         ("9.81 m/s^2", ANY, Number(Fraction(981, 100), decimal=True)),
@@ -237,3 +240,18 @@ def test_any_text_is_a_tree_or_a_fault(text: str) -> None:
             read(text, dimension=LENGTH)
         except FormulaError as error:
             assert 0 <= error.offset <= len(text)
+
+
+@pytest.mark.parametrize(("text", "unit"), [("100 mm", "m"), ("-0.1 m", "m"), ("0.1", ""), ("2 kg", "")])
+def test_a_length_remembers_its_unit(text: str, unit: str) -> None:
+    tree = parse(text, dimension="any")
+    assert isinstance(tree, Number)
+    assert tree.unit == unit
+
+
+@pytest.mark.parametrize("text", ["3 ft", "2 Nm", "90 degrees", "5 lb"])
+def test_a_foreign_unit_is_no_symbol(text: str) -> None:
+    with pytest.raises(FormulaError, match="is not known") as caught:
+        parse(text, dimension="any")
+    assert "mm" in caught.value.hint
+    assert parse(text, dimension="any", names=frozenset({text.split()[1]})) == parse(text.replace(" ", "*"))

@@ -2,12 +2,13 @@ from __future__ import annotations
 
 import pytest
 from jinja2 import DictLoader
+from markdown_it import MarkdownIt
 
 from derive.derivation import Derivation, Step
 from derive.expression import Approximate, Symbol, number
 from derive.render.notation import Notation
 from derive.render.page import LATEX, MARKDOWN
-from derive.render.skin import environment
+from derive.render.skin import HELD_LINE, environment
 from derive.render.words import ForgottenStep, words
 
 A, B = Symbol("A"), Symbol("B")
@@ -50,3 +51,14 @@ def test_a_display_stands_apart() -> None:
         "\\begin{align*}\na &= b \\\\\n&= c\n\\end{align*}"
     )
     assert LATEX.display(Display(("a = b",), wide=True)).strip() == "\\[\n\\fitted{a = b}\n\\]"
+
+
+@pytest.mark.parametrize("text", ["a = 1;\n\n\n\nb'", "```\n````", "\\end{listing}\n\\[", "$x$ <b>&amp; # %"])
+def test_a_listing_stands_as_it_is(text: str) -> None:
+    shown = MARKDOWN.listing(text, "matlab").replace(HELD_LINE, "\n")
+    tokens = MarkdownIt().parse(shown)
+    assert [(token.type, token.content) for token in tokens] == [("fence", text + "\n")]
+    latex = LATEX.listing(text, "matlab").replace(HELD_LINE, "\n").strip()
+    first, _, rest = latex.partition("\n")
+    assert rest == f"{text}\n{first.replace('begin', 'end').partition('[')[0]}"
+    assert first.replace("begin", "end") not in text

@@ -16,6 +16,9 @@ KINDS = {
 @pytest.fixture(autouse=True)
 def stand_in_kinds(monkeypatch: pytest.MonkeyPatch) -> None:
     """The kinds of `tests/sheet/kinds` in place of the real ones."""
-    monkeypatch.setattr(
-        registry, "kinds_of", lambda subject: {kind: f"tests.sheet.kinds.{kind}" for kind in KINDS[subject]}
-    )
+
+    def kinds_of(subject: str) -> dict[str, str]:
+        return {kind: f"tests.sheet.kinds.{kind}" for kind in KINDS[subject]}
+
+    monkeypatch.setattr(registry, "kinds_of", kinds_of)
+    monkeypatch.setattr(registry, "module_name", lambda subject, kind: kinds_of(subject)[kind])

@@ -53,7 +53,7 @@ problems:
     )
     (problem,) = sheet.problems
     assert problem.where["L_c"] == Quotient(Symbol("L"), number(2))
-    assert problem.where["L"] == number("1/2")
+    assert problem.where["L"] == number("1/2", True)
     assert problem.assumptions == {"m": "positive"}
     first, second = problem.questions
     assert (first.marks, first.hint, first.text) == (10, "Think.", "Find $T$.")
@@ -67,7 +67,7 @@ def test_motion(tmp_path: Path) -> None:
     assert only(motion, tmp_path).subject == Motion(
         (
             Move("rotate", "x", Symbol("alpha"), "world"),
-            Move("translate", (one, one, ZERO), number("1/10"), "current"),
+            Move("translate", (one, one, ZERO), number("1/10", True), "current"),
         )
     )
 
@@ -151,6 +151,6 @@ def test_options_know_the_declared_names(tmp_path: Path) -> None:
         tmp_path,
     )
     options = sheet.problems[0].questions[0].options
-    assert options.at[1] == number("1/10")
+    assert options.at[1] == number("1/10", True)
     assert options.at[0] == number(2)  # a length is wanted, so m is the metre
     assert options.frame == 2

@@ -86,10 +86,10 @@ def plant(problem: Problem, source: str | None, point: Point | None, typed: Iter
 
 
 def asked(problem: Problem, kind: str, **options: Any) -> Derivation:
-    """The derivation of a question, the one already asked at some point if there is one."""
-    for (name, given), derivation in problem.derived.items():
+    """The derivation of a question: the sheet's own, whatever it is evaluated at, if the sheet asks it."""
+    for name, given in (*problem.questions, *problem.derived):
         if name == kind and all(getattr(given, key) == value for key, value in options.items()):
-            return derivation
+            return problem.answer(name, given)
     return problem.ask(kind, **options)
 
 

@@ -1,0 +1,1 @@
+"""What derivations cost here and elsewhere, as ratios to `import sympy`: `python3 -m benchmarks`."""

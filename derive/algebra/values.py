@@ -1,0 +1,74 @@
+"""Scalars and matrices together: what the nodes of a tree do with values of either sort."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import reduce
+from typing import TypeAlias
+
+from flint import fmpq_mpoly
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.scalar import Scalar
+from derive.errors import NotDerivable
+
+Value: TypeAlias = Scalar | ScalarMatrix
+Combine: TypeAlias = Callable[[fmpq_mpoly, fmpq_mpoly], fmpq_mpoly]
+
+
+def halved(parts: Sequence[fmpq_mpoly], combine: Combine) -> fmpq_mpoly:
+    """Halves first: long sums are then copied a few times and not once for every term."""
+    if len(parts) <= 2:
+        return reduce(combine, parts)
+    middle = len(parts) // 2
+    return combine(halved(parts[:middle], combine), halved(parts[middle:], combine))
+
+
+def product(values: list[Value]) -> Value:
+    """The product of scalars and matrices in this order."""
+    return reduce(times, values)
+
+
+def times(left: Value, right: Value) -> Value:
+    """The product of scalars, of matrices, or of one with the other."""
+    if isinstance(left, ScalarMatrix):
+        return left @ right if isinstance(right, ScalarMatrix) else left.scaled(right)
+    return right.scaled(left) if isinstance(right, ScalarMatrix) else left * right
+
+
+def raised(base: Value, power: int) -> Value:
+    """An integer power of a scalar or a square matrix."""
+    if isinstance(base, Scalar):
+        return base**power
+    if power < 0:
+        return raised(base.inverse(), -power)
+    return reduce(ScalarMatrix.__matmul__, [base] * power, ScalarMatrix.identity(base.shape[0]))
+
+
+def joined(rows: list[list[Value]]) -> ScalarMatrix:
+    """Blocks joined into one matrix; a zero beside a block stands for a block of zeros."""
+    strips = []
+    for row in rows:
+        height = max((v.shape[0] for v in row if isinstance(v, ScalarMatrix)), default=1)
+        strips.append(ScalarMatrix.beside([_block(value, height) for value in row]))
+    return ScalarMatrix.stacked(strips)
+
+
+def _block(value: Value, height: int) -> ScalarMatrix:
+    if isinstance(value, ScalarMatrix):
+        return value
+    if height > 1 and value != 0:
+        raise NotDerivable("a scalar beside a block of a matrix")
+    return ScalarMatrix.of([[value]] * height)
+
+
+def matrix_of(value: Value) -> ScalarMatrix:
+    return value if isinstance(value, ScalarMatrix) else ScalarMatrix.of([[value]])
+
+
+MATRIX_FUNCTIONS: dict[str, Callable[..., Value]] = {
+    "transpose": lambda a: a.T,
+    "inverse": lambda a: a.inverse(),
+    "cross": lambda a, b: a.cross(b),
+    "det": lambda a: a.det(),
+}

@@ -1,0 +1,252 @@
+"""The block diagram of the system, in its loop where there is a controller, as scripts that simulate it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from derive.algebra.normal import normal
+from derive.algebra.numeric import scalar_number
+from derive.control.drawing import Wired, parameters
+from derive.control.laplace import Numeric, is_close, quotient, value
+from derive.control.model import Model
+from derive.control.python_control import python_control
+from derive.control.rational import Rational, written
+from derive.control.response import step_response
+from derive.control.roots import roots
+from derive.control.simulink import simulink
+from derive.control.system import System
+from derive.derivation import Claim, Derivation, Step
+from derive.errors import NotDerivable
+from derive.expression import (
+    ONE,
+    Expr,
+    Product,
+    Quotient,
+    Symbol,
+    add,
+    free_symbols,
+    is_negative,
+    multiply,
+    subtract,
+)
+from derive.kinds.checks import SECOND_ROUTE, links, random_points
+from derive.kinds.fields import OptionsModel
+from derive.kinds.problem import Problem
+from derive.kinds.system._modelled import Answer, controller_formula, modelled
+from derive.kinds.system._options import ControllerField, PointField
+from derive.kinds.system._plant import Plant, asked, plant, point_chains
+from derive.kinds.system.closed_loop import closed
+
+RESULTS = {
+    "matlab": "a script that draws the block diagram in Simulink and simulates a unit step",
+    "python": "a script that does the same with python-control",
+}
+EXAMPLE = """\
+title: DC motor with a controller
+problems:
+- motor: {control: armature, output: angle}
+  find: model
+  controller: {PD: {K_p: 1, K_d: 1}}
+  evaluate: {J: 2, K_m: 10, R_a: 1, L_a: 1, b: 0.5, K_b: 0.1}
+"""
+S = Symbol("s")
+POINTS = 3
+
+
+class Options(OptionsModel):
+    """With a controller the loop is closed and the reference steps, without one the input does."""
+
+    controller: ControllerField | None = None
+    evaluate: PointField = None
+
+
+def derive(system: System, options: Options, problem: Problem) -> Derivation:
+    """One block or two an equation, as a person draws them; scripts with the values typed.
+
+    Raises NotDerivable for a system that differentiates, and where a name has no value.
+    """
+    base, transfer, solved = _asked(options, problem)
+    numeric = solved.numeric(transfer)
+    if not numeric.proper:
+        raise NotDerivable("the transfer function is improper: its step response begins with an impulse")
+    answer = modelled(solved, options.controller, transfer)
+    model = _model(answer, numeric)
+    files = {"model.m": simulink(model), "model.py": python_control(model)}
+    steps, definitions = tuple(_steps(answer)), _definitions(answer)
+    told = {f"{rule}s": tuple(s.name for s in steps if s.rule == rule) for rule in ("block", "integrator")}
+    claims = (*links(steps, {**problem.names, **definitions}), *_claims(answer))
+    return Derivation(
+        "model",
+        steps,
+        {"matlab": files["model.m"], "python": files["model.py"]},
+        claims,
+        definitions,
+        uses=(base,),
+        facts={**_facts(answer, options), **told},
+        files=files,
+    )
+
+
+def _asked(options: Options, problem: Problem) -> tuple[Derivation, Rational, Plant]:
+    """The derivation this rests on, the transfer function with everything in it, and the plant."""
+    if options.controller is None:
+        solved = plant(problem, None, options.evaluate)
+        return asked(problem, "transfer-function", source=None), solved.rational, solved
+    loop = closed(problem, options.controller, options.evaluate)
+    return asked(problem, "closed-loop", controller=options.controller), loop.transfer, loop.plant
+
+
+# -- the scripts --------------------------------------------------------------------------------------
+
+
+def _model(answer: Answer, numeric: Rational) -> Model:
+    solved = answer.plant
+    reduced = numeric.reduced()
+    last = step_response(*reduced.numbers(), roots(reduced.den)).times[-1]
+    notes = tuple((name.name, "filter of the derivative [s]") for name, _ in answer.filter)
+    return Model(
+        answer.diagram,
+        tuple(_values(answer)),
+        solved.solution.ratio.expr(solved.decimals),
+        controller_formula(answer),
+        _round_above(last),
+        "motor" if solved.system.motor else "system",
+        notes,
+    )
+
+
+def _round_above(size: float) -> float:
+    """Two digits."""
+    unit = 10.0 ** (math.floor(math.log10(size)) - 1)
+    return float(f"{math.ceil(size / unit - 1e-9) * unit:.2g}")
+
+
+def _values(answer: Answer) -> Iterator[tuple[str, Expr]]:
+    """Every name the scripts use, after those its value is made of."""
+    known = [(name, tree) for name, tree in answer.table.items() if name != tree]
+    table = {name.name: tree for name, tree in known if isinstance(name, Symbol)}
+    used = {name for b in answer.diagram.blocks for c in (*b.num, *b.den) for name in free_symbols(c)}
+    used |= free_symbols(answer.plant.solution.ratio.expr())
+    done: set[str] = set()
+    yield from _in_order(table, [name for name in table if name in used], done)
+
+
+def _in_order(table: Mapping[str, Expr], names: list[str], done: set[str]) -> Iterator[tuple[str, Expr]]:
+    for name in names:
+        if name not in done and name in table:
+            done.add(name)
+            yield from _in_order(table, sorted(free_symbols(table[name])), done)
+            yield name, table[name]
+
+
+# -- the page -----------------------------------------------------------------------------------------
+
+
+def _steps(answer: Answer) -> Iterator[Step]:
+    style = answer.plant.style
+    for wired in answer.wired:
+        each = wired.realised
+        facts = {"equation": f"equation_{each.equation + 1}", "signal": each.signal}
+        branches = [
+            multiply(*_factors(written(branch.num, style)), Symbol(start))
+            for branch, start in zip(each.branches, wired.starts, strict=True)
+        ]
+        below = written(each.den, style)
+        inside = add(*sorted(branches, key=is_negative))
+        chain = (Symbol(_head(wired)), inside if below == ONE else Quotient(inside, below))
+        if chain[0] != chain[1]:
+            yield Step(f"{_head(wired)}_block", chain, "block", facts)
+        for after, before in zip(wired.stages, (*wired.stages[1:], _head(wired)), strict=True):
+            if after not in (before, _head(wired)):
+                yield Step(f"{after}_block", (Symbol(after), Quotient(Symbol(before), S)), "integrator")
+
+
+def _head(wired: Wired) -> str:
+    """The block in front of the integrators; where there is none, what enters them."""
+    return wired.stages[-1] if len(wired.stages) > wired.realised.integrators else wired.starts[0]
+
+
+def _factors(expr: Expr) -> tuple[Expr, ...]:
+    return expr.factors if isinstance(expr, Product) else (expr,)
+
+
+def _definitions(answer: Answer) -> dict[Expr, Expr]:
+    """Every signal by the input, the derivatives among them."""
+    found = dict(answer.plant.solution.values)
+    for wired in answer.wired:
+        for order, name in enumerate(wired.stages):
+            if order:
+                derivative = multiply(*[S] * order, found[wired.realised.signal])
+                found[Symbol(name)] = derivative
+    return found
+
+
+def _facts(answer: Answer, options: Options) -> dict[str, Any]:
+    solved, diagram = answer.plant, answer.diagram
+    taps = any(branch.tap for wired in answer.wired for branch in wired.realised.branches)
+    return {
+        "numbers": (),
+        "closed": answer.controller is not None,
+        "family": answer.controller.family if answer.controller else "",
+        "motor": solved.system.motor,
+        "one_block": not answer.wired,
+        "taps": taps,
+        "input": solved.system.input,
+        "output": solved.system.output,
+        "reference": Symbol(diagram.input),
+        "error": (Symbol("e"), subtract(Symbol(diagram.input), solved.system.output)),
+        "disturbances": tuple(map(Symbol, diagram.disturbances)),
+        "controller": controller_formula(answer),
+        "filter": answer.filter,
+        "gains": tuple((name, tree) for name, tree in answer.gains if name != tree),
+        "point": point_chains(options.evaluate, solved.problem.where),
+    }
+
+
+# -- what it is held to -------------------------------------------------------------------------------
+
+
+def _claims(answer: Answer) -> Iterator[Claim]:
+    name = "T" if answer.controller else "G"
+    yield Claim(
+        f"the blocks and lines make up {name}, composed in complex numbers", SECOND_ROUTE, _composes(answer)
+    )
+    if answer.filter:
+        claim = "with the filter they make up the loop of the equations and the filtered controller"
+        yield Claim(claim, SECOND_ROUTE, _composes_filtered(answer))
+
+
+def _composes(answer: Answer) -> bool:
+    """At random parameters and complex s, with an ideal derivative."""
+    names = {name for _, tree in answer.gains for name in free_symbols(tree)}
+    names |= {name for tree in answer.plant.problem.names.values() for name in free_symbols(tree)}
+    names |= parameters(answer.plant.system) - {"pi"}
+    return all(
+        _agrees(answer, point, complex(point["s"], 1.0 + k))
+        for k, point in enumerate(random_points(sorted(names | {"s"}), POINTS))
+    )
+
+
+def _agrees(answer: Answer, point: Mapping[str, float], s: complex) -> bool:
+    at: dict[str, complex] = {name: complex(x) for name, x in point.items()}
+    at |= {each.name: value(tree, at) for each, tree in answer.gains}
+    at |= {each.name: 0j for each, _ in answer.filter}
+    num, den = (
+        [scalar_number(c, point) if c else 0.0 for c in side]
+        for side in (answer.transfer.num, answer.transfer.den)
+    )
+    return is_close(answer.diagram.gain(s, at), quotient(num, den, s))
+
+
+def _composes_filtered(answer: Answer) -> bool:
+    """At the values of the sheet, the equations solved as typed."""
+    solved, controller = answer.plant, controller_formula(answer)
+    names = {name: tree for name, tree in answer.table.items() if name != tree}
+    point = {each.name: scalar_number(normal(each, names), {}) for each in names if isinstance(each, Symbol)}
+    other = Numeric.of(solved.system, solved.system.input, point)
+    return controller is not None and all(
+        is_close(answer.diagram.gain(s, point), other.closed(s, controller))
+        for s in (0.3 + 1.1j, 1.7 + 0.4j, 0.1 + 2.3j)
+    )

@@ -1,0 +1,69 @@
+"""Relations between fixed angles, and with the roots of numbers."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from derive.algebra.fixed import fixed_trig
+from derive.algebra.normal import normal
+from tests.trees import formula
+
+TURNS = st.fractions(0, 2, max_denominator=12)
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        ("cos(36 deg)", "(1 + sqrt(5))/4"),
+        ("sin(18 deg)", "(sqrt(5) - 1)/4"),
+        ("cos(35 deg)", "cos(45 deg) cos(10 deg) + sin(45 deg) sin(10 deg)"),
+        ("cos(22.5 deg)", "sqrt(2 + sqrt(2))/2"),
+        ("tan(22.5 deg)", "sqrt(2) - 1"),
+        ("tan(20 deg) tan(40 deg) tan(80 deg)", "sqrt(3)"),
+        ("sin(20 deg) sin(40 deg) sin(80 deg)", "sqrt(3)/8"),
+        ("cos(pi/7) - cos(2 pi/7) + cos(3 pi/7)", "1/2"),
+        ("tan(3 pi/11) + 4 sin(2 pi/11)", "sqrt(11)"),
+        ("cos(1 deg)", "sin(89 deg)"),
+        ("sqrt(6) cos(24 deg)", "sqrt(3) sqrt(2) sin(66 deg)"),
+        ("cos(x + 20 deg) + cos(x + 140 deg) + cos(x - 100 deg)", "0"),
+        ("x cos(20 deg) + x cos(100 deg) + x cos(140 deg)", "0"),
+    ],
+)
+def test_known_relations(left: str, right: str) -> None:
+    assert normal(formula(left)) == normal(formula(right))
+    assert not normal(formula(f"{left} - ({right})"))
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        ("cos(20 deg)", "cos(21 deg)"),
+        ("cos(36 deg)", "(1 - sqrt(5))/4"),
+        ("cos(72 deg)", "cos(144 deg)"),
+        ("tan(3 pi/11) + 4 sin(2 pi/11)", "-sqrt(11)"),
+        ("cos(22.5 deg)", "-sqrt(2 + sqrt(2))/2"),
+        ("cos(20 deg) + cos(40 deg)", "sqrt(3)"),
+    ],
+)
+def test_conjugates_differ(left: str, right: str) -> None:
+    assert normal(formula(left)) != normal(formula(right))
+
+
+@given(TURNS, TURNS)
+def test_the_addition_theorem(p: Fraction, q: Fraction) -> None:
+    (c, s), (d, t) = fixed_trig(p), fixed_trig(q)
+    assert fixed_trig(p + q) == (c * d - s * t, s * d + c * t)
+
+
+def test_division_by_what_is_zero() -> None:
+    with pytest.raises(ZeroDivisionError):
+        normal(formula("1/(cos(36 deg) - (1 + sqrt(5))/4)"))
+
+
+@pytest.mark.xfail(strict=True, reason="a limit: roots of sums are not sought among the fixed angles")
+def test_a_root_of_a_sum() -> None:
+    assert normal(formula("sin(36 deg)")) == normal(formula("sqrt(10 - 2 sqrt(5))/4"))

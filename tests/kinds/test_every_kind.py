@@ -1,0 +1,96 @@
+"""What every kind promises: its example builds, its results bear the names it lists, its words tell all."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+
+from derive.build import derive_all, render
+from derive.derivation import Branch
+from derive.kinds import registry
+from derive.sheet.load import load_sheet
+from derive.sheet.subjects.registry import subjects
+
+KINDS = [(subject, kind) for subject in registry.FOLDERS for kind in registry.kinds_of(subject)]
+MODULES = sorted({registry.module_name(subject, kind) for subject, kind in KINDS})
+every_kind = pytest.mark.parametrize(("subject", "kind"), KINDS, ids=[f"{s}-{k}" for s, k in KINDS])
+WORDS = Path(__file__).parents[2] / "templates" / "words"
+
+
+@pytest.fixture
+def document(subject: str, kind: str, tmp_path: Path):
+    """The example of a kind, built."""
+    path = tmp_path / "example.yaml"
+    path.write_text(registry.load(subject, kind).EXAMPLE, encoding="utf-8")
+    (built,) = derive_all([load_sheet(path)], True, lambda _: None)
+    return built
+
+
+def pattern(listed: str) -> re.Pattern[str]:
+    """`T_1^0, T_2^1, ...` as a pattern: any number may stand for a number or for n."""
+    names = [name for name in listed.split(", ") if name != "..."]
+    texts = [re.sub(r"\d+|(?<=_)n(?=\\)", r"\\d+", re.escape(name)) for name in names]
+    return re.compile("|".join(texts))
+
+
+def test_every_subject_has_kinds_and_every_folder_a_subject() -> None:
+    assert set(subjects()) == set(registry.FOLDERS)
+    folders = {path.name for path in registry.KINDS.iterdir() if path.is_dir() and path.name[0] not in "_."}
+    assert folders == {folder for owners in registry.FOLDERS.values() for folder in owners}
+
+
+@every_kind
+def test_the_example_is_of_this_kind_and_its_claims_hold(document, kind: str) -> None:
+    derivations = [question.derivation for _, question in document.questions()]
+    assert kind in {derivation.kind for derivation in derivations if derivation}
+    assert all(claim.holds for derivation in derivations for claim in derivation.claims)
+
+
+@every_kind
+def test_results_bear_the_names_that_are_listed(document, subject: str, kind: str) -> None:
+    listed = [pattern(name) for name in registry.load(subject, kind).RESULTS]
+    for _, question in document.questions():
+        if question.derivation.kind == kind:
+            names = question.derivation.results
+            unlisted = [name for name in names if not any(each.fullmatch(name) for each in listed)]
+            assert unlisted == []
+
+
+@every_kind
+def test_every_format_of_text_is_rendered(document) -> None:
+    markdown, latex, results = (render(document, kind) for kind in ("md", "tex", "json"))
+    assert "$" in markdown
+    assert latex.count(r"\begin{") == latex.count(r"\end{")
+    assert json.loads(results)["title"] == document.title
+
+
+@every_kind
+def test_solutions_say_when(document) -> None:
+    for _, question in document.questions():
+        for result in question.derivation.results.values():
+            if isinstance(result, tuple) and result and isinstance(result[0], Branch):
+                assert all(branch.when for branch in result)
+
+
+@every_kind
+def test_options_have_defaults_that_are_frozen(subject: str, kind: str) -> None:
+    options = registry.load(subject, kind).Options
+    assert options.model_config["frozen"]
+    assert options.model_config["extra"] == "forbid"
+
+
+@pytest.mark.parametrize("module", MODULES)
+def test_a_kind_has_a_first_line_and_words(module: str) -> None:
+    _, _, folder, stem = module.split(".")
+    loaded = __import__(module, fromlist=["derive"])
+    assert (loaded.__doc__ or "").strip()
+    assert (WORDS / folder / f"{stem}.j2").is_file()
+    assert loaded.derive.__doc__
+
+
+def test_no_words_are_left_over() -> None:
+    kept = {f"derive.kinds.{path.parent.name}.{path.stem}" for path in WORDS.glob("*/[!_]*.j2")}
+    assert kept == set(MODULES)
