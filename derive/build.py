@@ -10,9 +10,8 @@ from shutil import copyfile
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from derive.derivation import Branch, Derivation, Result
+from derive.derivation import Derivation
 from derive.errors import NotDerivable, SheetError, SheetErrors
-from derive.expression import Expr
 from derive.kinds.problem import Problem as Working
 from derive.kinds.registry import module_name
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked
@@ -165,33 +164,20 @@ def _question(
 
 def _evaluated(answer: Derivation, question: Question, where: Mapping[str, Any]) -> Derivation:
     """The answer with its results in numbers at the point its author gave. Raises SheetErrors."""
-    from derive.algebra.numeric import number
+    from derive.kinds.values_at import NOT_REAL, point_of, values_at
 
     try:
-        point = {name: number(value, {}) for name, value in (question.evaluate or {}).items()}
-        point |= {name: number(value, point) for name, value in where.items()}
-        values = {name: _numbers(result, point) for name, result in answer.results.items()}
+        return replace(answer, evaluated=values_at(answer, point_of(question.evaluate or {}, where)))
     except KeyError as error:
-        hint = f"give {error.args[0]} a value under evaluate: or where:"
-        raise SheetErrors(
-            [SheetError(f"no value is known for {error.args[0]}", question.place, hint)]
-        ) from error
-    return replace(answer, evaluated=values)
-
-
-def _numbers(result: Result | Branch | tuple[Expr, ...], point: Mapping[str, float]) -> Any:
-    """A result in floats, in the shape it has in the JSON."""
-    from derive.algebra.numeric import numbers
-
-    match result:
-        case Branch(values, when):
-            return {**{name: _numbers(value, point) for name, value in values.items()}, "when": when}
-        case tuple():
-            return [_numbers(part, point) for part in result]
-        case float() | int() | str():
-            return result
-        case _:
-            return numbers(result, point)
+        name = error.args[0]
+        fault = SheetError(
+            f"no value is known for {name}", question.place, f"give {name} a value under evaluate: or where:"
+        )
+    except NOT_REAL as error:
+        fault = SheetError(
+            f"the answer has no real value at this point ({error})", question.place, "choose another point"
+        )
+    raise SheetErrors([fault])
 
 
 def _name(sheet: Sheet, solutions: bool) -> str:

@@ -79,7 +79,8 @@ class Derivation:
     `results` and `evaluated` are named as in the JSON contract. `definitions` says what each name
     in the chains stands for, so that every chain can be checked from end to end. `uses` are the
     derivations this one rests on, printed before it unless an earlier question printed them.
-    `files` are texts written beside the page, by file name: scripts to run.
+    `files` are texts written beside the page, by file name: scripts to run. `matrices` names the results
+    that are matrices even where they have one column only (J of one joint), and no vectors.
     """
 
     kind: str
@@ -92,6 +93,7 @@ class Derivation:
     plots: tuple[Plot, ...] = ()
     facts: Mapping[str, Any] = field(default_factory=dict)
     files: Mapping[str, str] = field(default_factory=dict)
+    matrices: frozenset[str] = frozenset()
 
     def step(self, name: str) -> Step:
         """The step of this name, however deep. Raises KeyError."""

@@ -77,6 +77,11 @@ def numbers(expr: Expr, point: Point) -> Any:
         return number(expr, point)
     if expr.shape[1] == 1:
         return [number(entry, point) for (entry,) in expr.rows]
+    return number_rows(expr, point)
+
+
+def number_rows(expr: Matrix, point: Point) -> list[list[float]]:
+    """A list of rows, of one entry each in a matrix of one column."""
     return [[number(entry, point) for entry in row] for row in expr.rows]
 
 

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from typing import Any
 
 from derive.algebra.text import text
-from derive.derivation import Branch, Derivation, Result
+from derive.derivation import Branch, Claim, Derivation, Result
 from derive.expression import Expr, Matrix
 from derive.render.document import Document, ProblemPage, QuestionPage
 
@@ -28,27 +29,38 @@ def _question(question: QuestionPage) -> dict[str, Any]:
     found: dict[str, Any] = {"number": question.number, "find": question.find}
     if question.derivation:
         found |= _derivation(question.derivation)
+        found["checks"] = [
+            {"claim": claim.claim, "by": claim.by, "holds": claim.holds} for claim in _claims(question)
+        ]
     return found
 
 
 def _derivation(derivation: Derivation) -> dict[str, Any]:
-    found: dict[str, Any] = {"results": {name: plain(result) for name, result in derivation.results.items()}}
-    if derivation.evaluated:
-        found["evaluated"] = dict(derivation.evaluated)
-    found["checks"] = [
-        {"claim": claim.claim, "by": claim.by, "holds": claim.holds} for claim in derivation.claims
-    ]
-    return found
+    results = {name: plain(result, name in derivation.matrices) for name, result in derivation.results.items()}
+    evaluated = {"evaluated": dict(derivation.evaluated)} if derivation.evaluated else {}
+    return {"results": results, **evaluated}
 
 
-def plain(result: Result | Branch | tuple[Expr, ...] | dict[str, Any]) -> Plain:
-    """A result as JSON: a scalar is a text, a matrix a list of rows, a column vector a flat list, branches a
-    list of objects with `when`."""
+def _claims(question: QuestionPage) -> Iterator[Claim]:
+    """What was verified of the answer, then of what it rests on and is printed with it."""
+    own = question.derivation
+    if own:
+        yield from own.claims
+    for worked in question.order:
+        if own is None or worked.derivation.claims is not own.claims:
+            yield from worked.derivation.claims
+
+
+def plain(result: Result | Branch | tuple[Expr, ...] | dict[str, Any], matrix: bool = False) -> Plain:
+    """A result as JSON: a scalar is a text, a matrix a list of rows, a column vector a flat list (unless it
+    is a `matrix` of one column), branches a list of objects with `when`."""
     match result:
         case str() | float() | int():
             return result
+        case Matrix(rows) if matrix or result.shape[1] > 1:
+            return [[plain(entry) for entry in row] for row in rows]
         case Matrix(rows):
-            return _rows(rows)
+            return [plain(entry) for (entry,) in rows]
         case Branch(values, when):
             return {**{name: plain(value) for name, value in values.items()}, "when": when}
         case dict():
@@ -57,9 +69,3 @@ def plain(result: Result | Branch | tuple[Expr, ...] | dict[str, Any]) -> Plain:
             return [plain(part) for part in result]
         case _:
             return text(result)
-
-
-def _rows(rows: tuple[tuple[Any, ...], ...]) -> list[Any]:
-    if all(len(row) == 1 for row in rows):
-        return [plain(row[0]) for row in rows]
-    return [[plain(entry) for entry in row] for row in rows]

@@ -39,7 +39,8 @@ def local_definitions(problem: Problem, bodies: tuple[Weighted, ...]) -> dict[Ex
 
 def local_parts(bodies: tuple[Weighted, ...]) -> tuple[Step, ...]:
     """D_i of each link in the names of its local Jacobians."""
-    return tuple(Step(f"D_{body.i}", (Symbol(f"D_{body.i}"), _formula(body)), "link-inertia") for body in bodies)
+    named = ((f"D_{body.i}", _formula(body)) for body in bodies)
+    return tuple(Step(name, (Symbol(name), formula), "link-inertia") for name, formula in named)
 
 
 def _formula(body: Weighted) -> Expr:

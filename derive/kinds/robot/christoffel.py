@@ -61,7 +61,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     steps = tuple(_step(problem, ijk, values[ijk], robot.variables, named) for ijk in shown)
     found = {step.facts["index"]: step.result for step in steps}
     found |= {ijk: _final(problem, value, named) for ijk, value in values.items() if ijk not in found}
-    definitions = {**base.definitions, **{Symbol(_name(ijk)): found[_ordered(ijk)] for ijk in symbols}}
+    definitions: dict[Expr, Expr] = {**base.definitions}
+    definitions |= {Symbol(_name(ijk)): found[_ordered(ijk)] for ijk in symbols}
     results = {_name(ijk): found[_ordered(ijk)] for ijk in sorted(symbols)}
     claims = (*links(steps, {**problem.names, **definitions}), *_laws(D, symbols, robot.variables))
     facts = {

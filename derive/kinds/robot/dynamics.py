@@ -52,7 +52,16 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     results = {"D": inertia.results["D"], **speed.results, **weight.results, "tau": tau}
     known = {**problem.names, **names, **moment_names(inertia)}
     claims = (*links(steps, known), _second_route(problem, tau))
-    return Derivation("dynamics", steps, results, claims, names, uses=(inertia, speed, weight), facts={"big": big})
+    return Derivation(
+        "dynamics",
+        steps,
+        results,
+        claims,
+        names,
+        uses=(inertia, speed, weight),
+        facts={"big": big},
+        matrices=frozenset({"D"}),
+    )
 
 
 def _equation(k: int, terms: list[tuple[Expr, Expr]]) -> Step:

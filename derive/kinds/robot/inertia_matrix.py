@@ -65,7 +65,16 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         *_second_routes(problem, results),
     )
     facts = {"shapes": bool(named), "big": big}
-    return Derivation("inertia-matrix", steps, results, claims, definitions, uses=(poses,), facts=facts)
+    return Derivation(
+        "inertia-matrix",
+        steps,
+        results,
+        claims,
+        definitions,
+        uses=(poses,),
+        facts=facts,
+        matrices=frozenset(results),
+    )
 
 
 def _base(

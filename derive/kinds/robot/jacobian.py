@@ -65,7 +65,14 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     names = {**problem.names, **poses.definitions, **definitions}
     claims = (*links(steps, names), *_laws(found, point, J), _second_route(problem, point, J))
     return Derivation(
-        "jacobian", steps, {"J": result}, claims, definitions, uses=(poses,), facts=_facts(found, point)
+        "jacobian",
+        steps,
+        {"J": result},
+        claims,
+        definitions,
+        uses=(poses,),
+        facts=_facts(found, point),
+        matrices=frozenset({"J"}),
     )
 
 
