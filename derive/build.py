@@ -20,6 +20,7 @@ from derive.sheet.load import load_sheet
 from derive.sheet.model import Problem, Question, Sheet
 
 Progress = Callable[[str], None]
+Warn = Callable[[SheetError], None]
 TEXT_FORMATS = ("md", "tex", "json")
 FORMATS = (*TEXT_FORMATS, "pdf", "html", "docx")
 
@@ -31,12 +32,15 @@ def build(
     problems: bool = False,
     pdf_engine: str = "typst",
     progress: Progress = lambda _: None,
+    warn: Warn = lambda _: None,
 ) -> tuple[Path | str, ...]:
     """Builds every sheet and says what was written; without `output` it gives the pages as texts.
 
-    Raises SheetErrors, before anything is written, with the faults of all the sheets.
+    `warn` is told what is strange about a sheet, though it can be built. Raises SheetErrors, before anything is written, with the faults of all the sheets.
     """
     sheets = load_all(paths, progress)
+    for warning in (found for sheet in sheets for each in sheet.problems for found in each.warnings):
+        warn(warning)
     documents = derive_all(sheets, not problems, progress)
     if output is None:
         return tuple(render(document, kind) for document in documents for kind in formats)

@@ -8,7 +8,7 @@ from typing import Any
 
 import click
 
-from derive.messages import guarded, progress, say
+from derive.messages import guarded, progress, say, warn
 
 FORMATS = ("md", "tex", "pdf", "html", "docx", "json")
 
@@ -110,7 +110,7 @@ def _build(
     from derive.build import build as build_sheets
 
     with progress() as step:
-        made = build_sheets(sheets, formats, target, problems, pdf_engine, step)
+        made = build_sheets(sheets, formats, target, problems, pdf_engine, step, warn)
     for page in made:
         if isinstance(page, str):
             click.echo(page, nl=False)

@@ -62,6 +62,11 @@ def report(errors: SheetErrors) -> None:
     click.echo(f"{count} fault{'s' * (count != 1)}; nothing was written", err=True)
 
 
+def warn(warning: SheetError) -> None:
+    """Something strange on the standard error, which stops nothing."""
+    click.echo(written(SheetError(f"warning: {warning.message}", warning.place, warning.hint)), err=True)
+
+
 def written(error: SheetError) -> str:
     """A fault as plain text: place and message, the line, a caret, what to write instead."""
     place = error.place

@@ -15,6 +15,7 @@ from derive.algebra.angles import PI, RADIAN, Form
 from derive.algebra.fixed import fixed_trig
 from derive.algebra.kernels import absolute, opaque, root
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.opaque_rates import partial as partial_derivative
 from derive.algebra.ring import Ring, ring
 from derive.algebra.scalar import Scalar, as_fraction, common_ring, trig
 from derive.algebra.values import (
@@ -143,7 +144,7 @@ class Walk:
                 return joined([[self.value(entry) for entry in row] for row in rows])
             case Derivative(of, by):
                 if expr not in self.known:
-                    self.known[expr] = self.value(of).diff(by.name)
+                    self.known[expr] = _partial(self.value(of), by.name)
                 return self.known[expr]
             case _:
                 raise NotDerivable("a floating-point number has no exact value")
@@ -251,6 +252,10 @@ class Walk:
             case Sum(parts) | Product(parts):
                 return any(map(self._has_inverse, parts))
         return False
+
+
+def _partial(value: Value, name: str) -> Value:
+    return value.diff(name) if isinstance(value, ScalarMatrix) else partial_derivative(value, name, normal)
 
 
 def trig_of(angle: Scalar) -> tuple[Scalar, Scalar]:

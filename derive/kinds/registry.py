@@ -13,6 +13,7 @@ FOLDERS = {
     "robot": ("robot", "pose"),
     "system": ("system",),
     "motor": ("system",),
+    "function": ("function",),
 }
 KINDS = Path(__file__).parent
 PLUGINS = "derive.kinds"  # entry points named `subject/kind`, each a module like those here

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
-from derive.expression import ZERO, Expr, add, multiply, number, squared
+from derive.expression import ZERO, Expr, add, multiply, negate, number, squared
 
 AxisName: TypeAlias = Literal["x", "y", "z"]
 
@@ -59,15 +59,44 @@ Inertia: TypeAlias = Moments | Box | Rod | Cylinder | Sphere | PointMass
 @dataclass(frozen=True, slots=True)
 class Body:
     """What dynamics needs of a link. `com` is in the link's own frame (m); "center" is the middle
-    between the origins of this frame and the one before. `inertia` is about the com."""
+    between the origins of this frame and the one before. `inertia` is about the com, or, with a com
+    in coordinates, about the origin of the frame."""
 
     mass: Expr
     com: tuple[Expr, Expr, Expr] | Literal["center"]
     inertia: Inertia
+    about: Literal["com", "origin"] = "com"
 
 
-def moments(body: Body) -> tuple[Expr, Expr, Expr, Expr, Expr, Expr]:
+Six: TypeAlias = tuple[Expr, Expr, Expr, Expr, Expr, Expr]
+
+
+def moments(body: Body) -> Six:
     """Ixx, Iyy, Izz, Ixy, Iyz, Ixz of a body about its com (Beer and Johnston, inside back cover)."""
+    if body.about == "com":
+        return given_moments(body)
+    pairs = zip(given_moments(body), steiner(body), strict=True)
+    xx, yy, zz, xy, yz, xz = (add(given, negate(shift) if shift != ZERO else ZERO) for given, shift in pairs)
+    return xx, yy, zz, xy, yz, xz
+
+
+def steiner(body: Body) -> Six:
+    """m (c^T c 1 - c c^T) as six elements: what the inertia about the origin has more than that about
+    the com. Raises ValueError for a com without coordinates."""
+    if body.com == "center":
+        raise ValueError("the com has no coordinates yet")
+    x, y, z = body.com
+    xx, yy, zz = (_times("1", body.mass, _square_sum(*pair)) for pair in ((y, z), (x, z), (x, y)))
+    xy, yz, xz = (_times("-1", body.mass, p, q) for p, q in ((x, y), (y, z), (x, z)))
+    return xx, yy, zz, xy, yz, xz
+
+
+def _square_sum(p: Expr, q: Expr) -> Expr:
+    return add(*(squared(part) for part in (p, q) if part != ZERO))
+
+
+def given_moments(body: Body) -> Six:
+    """The six elements as the sheet has them, or those of its shape about its com."""
     match body.inertia:
         case Moments(values):
             return values

@@ -9,25 +9,33 @@ from functools import reduce
 
 from derive.algebra.angles import Form
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import Names
+from derive.algebra.normal import Names, normal
 from derive.algebra.ring import Ring, ring
+from derive.algebra.scalar import Scalar
 from derive.expression import Symbol, walk
 from derive.mechanics.bodies import moments
+from derive.mechanics.drives import reflected
 from derive.mechanics.dh import moves
 from derive.mechanics.motion import Move
 from derive.mechanics.poses import composed, position_part, rotation_part, unit_vector
-from derive.mechanics.robot import JointType, Robot, gravity_of
+from derive.mechanics.frame_tree import pose_of
+from derive.mechanics.robot import JointType, Link, Robot, ScrewRow, gravity_of
+
+
+ZERO_PITCH = Scalar.of(0)
 
 
 @dataclass(frozen=True, slots=True)
 class Joint:
     """A joint and where it acts: frame i-1, then `before` (4 by 4), then about or along `axis`
-    (3 by 1, in the frame reached so far). `variable` is its name."""
+    (3 by 1, in the frame reached so far). `variable` is its name; `pitch` of a helical joint is in
+    metres a radian."""
 
     variable: str
     type: JointType
     before: ScalarMatrix
     axis: ScalarMatrix
+    pitch: Scalar = ZERO_PITCH
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,15 +77,20 @@ def chain(robot: Robot, names: Names | None = None) -> Chain:
     """The robot in one ring: its angles are the sums over parallel axes, its symbols all those of the
     robot, bodies and gravity included, so that nothing has to change rings later."""
     rows = [moves(link, robot) for link in robot.links]
-    joints = tuple(
-        _joint(row, link.variable, link.joint, names) for row, link in zip(rows, robot.links, strict=True)
-    )
+    joints = tuple(_joint(row, link, names) for row, link in zip(rows, robot.links, strict=True))
     local = [composed(row, names) for row in rows]
-    base, tool = composed(robot.base, names), composed(robot.tool, names)
+    base, tool = composed(robot.base, names), tool_pose(robot, names)
     home = _home([base, *local, tool], _sums(rows, joints, names), parameters(robot))
     T_local = tuple(T.into(home) for T in local)
     T = _products(base.into(home), T_local)
     return Chain(T_local, T, T[-1] @ tool.into(home), joints)
+
+
+def tool_pose(robot: Robot, names: Names | None = None) -> ScalarMatrix:
+    """T (4 by 4) of the end-effector in the last row's frame: the home pose of a chain of screws, and the
+    tool."""
+    tool = composed(robot.tool, names)
+    return tool if robot.home is None else pose_of(robot.home, names) @ tool
 
 
 def _products(base: ScalarMatrix, local: Sequence[ScalarMatrix]) -> tuple[ScalarMatrix, ...]:
@@ -99,18 +112,18 @@ def parameters(robot: Robot) -> tuple[str, ...]:
         if link.body:
             com = () if link.body.com == "center" else link.body.com
             trees += [link.body.mass, *com, *moments(link.body)]
+        trees.append(reflected(link.motor))
     nodes = (node for tree in trees for node in walk(tree))
     return tuple(dict.fromkeys(node.name for node in nodes if isinstance(node, Symbol)))
 
 
-def _joint(
-    row: tuple[Move, ...], variable: str | None, type_: JointType, names: Names | None
-) -> Joint | None:
-    if variable is None:
+def _joint(row: tuple[Move, ...], link: Link, names: Names | None) -> Joint | None:
+    if link.variable is None:
         return None
-    k = acting(row, variable)
+    k = acting(row, link.variable)
     axis = ScalarMatrix.column(unit_vector(row[k].axis, names))
-    return Joint(variable, type_, composed(row[:k], names), axis)
+    pitch = normal(link.row.pitch, names) if isinstance(link.row, ScrewRow) else ZERO_PITCH
+    return Joint(link.variable, link.joint, composed(row[:k], names), axis, pitch)
 
 
 def acting(row: tuple[Move, ...], variable: str) -> int:
@@ -126,7 +139,7 @@ def _sums(
     carried = ScalarMatrix.identity(3)  # fixed rotation since the last revolute axis
     axis: ScalarMatrix | None = None
     for row, joint in zip(rows, joints, strict=True):
-        if joint is None or joint.type != "revolute":
+        if joint is None or joint.type == "prismatic":
             carried = carried @ rotation_part(composed(row, names))
             continue
         k = acting(row, joint.variable)

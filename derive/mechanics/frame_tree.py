@@ -8,7 +8,7 @@ from functools import reduce
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, normal, normal_matrix
 from derive.errors import NotDerivable
-from derive.mechanics.frames import ByMatrix, Frame, Frames, Observed
+from derive.mechanics.frames import ByMatrix, Frame, Frames, FrameSource, Observed
 from derive.mechanics.poses import composed, homogeneous, inverse_pose
 
 
@@ -24,7 +24,11 @@ class Way:
 
 def local(frame: Frame, names: Names | None = None) -> ScalarMatrix:
     """T (4 by 4) of a frame in its parent."""
-    source = frame.source
+    return pose_of(frame.source, names)
+
+
+def pose_of(source: FrameSource, names: Names | None = None) -> ScalarMatrix:
+    """T (4 by 4) of a frame however it is given."""
     if isinstance(source, Observed):
         axes = [[normal(part, names) for part in axis] for axis in (source.x, source.y, source.z)]
         return homogeneous(ScalarMatrix.of(axes).T, [normal(part, names) for part in source.origin])

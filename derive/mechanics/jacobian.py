@@ -15,10 +15,13 @@ def jacobian(chain: Chain, point: ScalarMatrix, last: int) -> ScalarMatrix:
 
 
 def column(chain: Chain, point: ScalarMatrix, i: int, last: int) -> ScalarMatrix:
-    """z x (p - o) over z for a revolute joint; z over 0 for a prismatic one; 0 beyond `last`."""
+    """z x (p - o) over z for a revolute joint, h z more above where it has the pitch h; z over 0 for a
+    prismatic one; 0 beyond `last`."""
     if i > last:
         return ScalarMatrix.zeros(6, 1)
     z = chain.axis(i)
     if chain.joint(i).type == "prismatic":
         return ScalarMatrix.stacked([z, ScalarMatrix.zeros(3, 1)])
-    return ScalarMatrix.stacked([z.cross(point - chain.point(i)), z])
+    v = z.cross(point - chain.point(i))
+    pitch = chain.joint(i).pitch
+    return ScalarMatrix.stacked([v + z.scaled(pitch) if pitch else v, z])

@@ -15,7 +15,9 @@ from derive.algebra.numeric import Point, number
 from derive.expression import Expr, Symbol, free_symbols
 from derive.mechanics.bodies import Body, moments
 from derive.mechanics.dh import moves
-from derive.mechanics.motion import Move
+from derive.mechanics.drives import friction_force, reflected
+from derive.mechanics.frames import ByMatrix
+from derive.mechanics.motion import Motion, Move
 from derive.mechanics.robot import Robot, gravity_of
 
 if TYPE_CHECKING:
@@ -55,7 +57,19 @@ class Oracle:
 
     def tool(self, point: Point) -> Array:
         """T of the end-effector."""
-        return self.poses(point)[-1] @ compose(self.robot.tool, point)
+        return self.poses(point)[-1] @ self.home(point) @ compose(self.robot.tool, point)
+
+    def home(self, point: Point) -> Array:
+        """T of the end-effector of a chain of screws while its joints are at zero."""
+        import numpy as np
+
+        match self.robot.home:
+            case None:
+                return np.eye(4)
+            case Motion(made):
+                return compose(made, point)
+            case ByMatrix(matrix):
+                return np.array([[number(entry, point) for entry in row] for row in matrix.rows])
 
     def jacobian(self, point: Point, frame: int, offset: Sequence[float]) -> Array:
         """J (6 by n) by central differences: of a point fixed in a frame (n+1: the tool's)."""
@@ -78,11 +92,13 @@ class Oracle:
         """tau (n) by the motion of each body; rates and accelerations in the point by their names."""
         import numpy as np
 
-        motion = _Sweep(self, self.at(point)).bodies()
+        at = self.at(point)
+        motion = _Sweep(self, at).bodies()
         torques = []
-        for name in self.robot.variables:
+        for name, link in ((link.variable, link) for link in self.robot.links if link.variable):
             axis, origin, first, revolute = next(j for j in motion.joints if j[0] == name)[1:]
-            total = 0.0
+            total = number(reflected(link.motor), at) * at[f"{name}_ddot"]
+            total += number(friction_force(link.friction, name), at)
             for i, (c, F, N) in motion.loads.items():
                 if i >= first:
                     total += axis @ (N + np.cross(c - origin, F) if revolute else F)

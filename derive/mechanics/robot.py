@@ -7,9 +7,11 @@ from typing import Literal, TypeAlias
 
 from derive.expression import ZERO, Expr, Symbol, negate
 from derive.mechanics.bodies import Body
-from derive.mechanics.motion import Move
+from derive.mechanics.drives import Friction, Motor
+from derive.mechanics.frames import ByMatrix
+from derive.mechanics.motion import Axis, Motion, Move
 
-JointType: TypeAlias = Literal["revolute", "prismatic", "fixed"]
+JointType: TypeAlias = Literal["revolute", "prismatic", "helical", "fixed"]
 Convention: TypeAlias = Literal["standard", "modified"]
 
 
@@ -31,18 +33,37 @@ class FreeRow:
 
 
 @dataclass(frozen=True, slots=True)
-class Link:
-    """Row i and the body it carries. `variable` is the starred name, None for a fixed row."""
+class ScrewRow:
+    """A joint by its axis in the base frame, all joints at zero: a turn by `by` about the axis `through` a
+    point, `pitch` metres along it a radian; or a slide by `by` along it."""
 
-    row: DHRow | FreeRow
+    axis: Axis
+    through: tuple[Expr, Expr, Expr]
+    by: Expr
+    pitch: Expr = ZERO
+    slide: bool = False
+
+
+Row: TypeAlias = DHRow | FreeRow | ScrewRow
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """Row i, the body it carries, and the motor and friction of its joint. `variable` is the starred
+    name, None for a fixed row."""
+
+    row: Row
     joint: JointType
     variable: str | None
     body: Body | None = None
+    motor: Motor | None = None
+    friction: Friction | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Robot:
-    """An open chain from base to tool. `gravity` is the acceleration in the base frame (m/s^2)."""
+    """An open chain from base to tool. `gravity` is the acceleration in the base frame (m/s^2); `home` is
+    where the end-effector stands while all joints of a chain of screws are at zero."""
 
     name: str
     convention: Convention
@@ -50,6 +71,17 @@ class Robot:
     base: tuple[Move, ...] = ()
     tool: tuple[Move, ...] = ()
     gravity: tuple[Expr, Expr, Expr] | None = None
+    home: Motion | ByMatrix | None = None
+
+    @property
+    def by_screws(self) -> bool:
+        """Whether the joints are given by their axes in the base frame."""
+        return any(isinstance(link.row, ScrewRow) for link in self.links)
+
+    @property
+    def ends_in_tool(self) -> bool:
+        """Whether the end-effector has a frame of its own after the last row."""
+        return bool(self.tool) or self.home is not None
 
     @property
     def variables(self) -> tuple[str, ...]:

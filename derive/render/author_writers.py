@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import groupby
 from typing import TYPE_CHECKING
 
 from derive.render.plain_text import latex_text, markdown_text
@@ -10,6 +11,7 @@ from derive.render.plain_text import latex_text, markdown_text
 if TYPE_CHECKING:
     from markdown_it.tree import SyntaxTreeNode
 
+TEXTS = ("text", "text_special")
 ADDRESSES = ("https://", "http://", "mailto:")
 
 
@@ -87,8 +89,22 @@ class Writer:
 class MarkdownWriter(Writer):
     em, strong = ("*", "*"), ("**", "**")
 
+    def inlines(self, node: SyntaxTreeNode) -> str:
+        """Neighbouring pieces of text are one: an escaped `1\\.` stays escaped."""
+        written = ""
+        for plain, group in groupby(node.children, lambda child: child.type in TEXTS):
+            if plain:
+                continues = written != "" and not written.endswith("\n")
+                written += self._text("".join(child.content for child in group), continues)
+            else:
+                written += "".join(map(self.inline, group))
+        return written
+
     def text(self, text: str) -> str:
-        escaped = markdown_text(text)
+        return self._text(text, continues=False)
+
+    def _text(self, text: str, continues: bool) -> str:
+        escaped = markdown_text(text, continues)
         return escaped[:-1] + r"\!" if escaped.endswith("!") else escaped  # no picture of a link after it
 
     def code(self, code: str) -> str:

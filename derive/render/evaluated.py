@@ -9,6 +9,7 @@ from typing import Any
 from derive.derivation import Derivation
 from derive.expression import Approximate, Expr, Matrix, Number, Product, Quotient, Sum, Symbol, column
 from derive.expression import Power as Raised
+from derive.render.conditions import condition
 from derive.render.latex import Printer
 from derive.render.layout import lay_out
 from derive.render.notation import Notation
@@ -37,20 +38,23 @@ def evaluated_words(derivation: Derivation, at: Mapping[str, Expr], skin: Skin, 
     context = {
         "point": [f"${printer.write(Symbol(name))} = {printer.write(value)}$" for name, value in at.items()],
         "display": skin.display(lay_out(tuple(chains))) if chains else "",
-        "branches": [_branch(branch, printer) for branch in values.get("solutions", ())],
+        "branches": [_branch(branch, at, printer, skin) for branch in values.get("solutions", ())],
         "items": skin.items,
     }
     return environment().get_template("words/_evaluated.j2").render(context).strip()
 
 
-def _branch(branch: Mapping[str, Any], printer: Printer) -> dict[str, Any]:
+def _branch(
+    branch: Mapping[str, Any], at: Mapping[str, Expr], printer: Printer, skin: Skin
+) -> dict[str, Any]:
     """One solution: its equations as inline mathematics, and when it is the one."""
     values = {name: numeric(value) for name, value in branch.items() if name not in ("when", "real")}
     shown = [
         chain_links((Symbol(name), value), printer) for name, value in values.items() if value is not None
     ]
     equations = [f"${first.latex} {second.relation} {second.latex}$" for first, second in shown]
-    return {"when": branch.get("when", ""), "real": branch.get("real", True), "equations": equations}
+    when = condition(branch.get("when", ""), {*values, *at}, printer, skin.plain)
+    return {"when": when, "real": branch.get("real", True), "equations": equations}
 
 
 def numeric(value: Any) -> Expr | None:

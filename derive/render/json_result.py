@@ -36,7 +36,9 @@ def _question(question: QuestionPage) -> dict[str, Any]:
 
 
 def _derivation(derivation: Derivation) -> dict[str, Any]:
-    results = {name: plain(result, name in derivation.matrices) for name, result in derivation.results.items()}
+    results = {
+        name: plain(result, name in derivation.matrices) for name, result in derivation.results.items()
+    }
     evaluated = {"evaluated": dict(derivation.evaluated)} if derivation.evaluated else {}
     return {"results": results, **evaluated}
 

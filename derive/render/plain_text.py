@@ -36,10 +36,10 @@ def latex_text(text: str) -> str:
     return text.translate(LATEX)
 
 
-def markdown_text(text: str) -> str:
-    """Text for a Markdown paragraph."""
+def markdown_text(text: str, continues: bool = False) -> str:
+    """Text for a Markdown paragraph; one that `continues` a line cannot start a list or a heading."""
     escaped = MARKDOWN_SPECIAL.sub(lambda found: "\\" + found[0], text)
-    return MARKDOWN_LINE_START.sub(_escaped_start, escaped)
+    return escaped if continues else MARKDOWN_LINE_START.sub(_escaped_start, escaped)
 
 
 def _escaped_start(found: re.Match[str]) -> str:

@@ -80,6 +80,7 @@ def _problem(at: At, data: Any, number: int, outer: Known) -> Problem:
         faults.extend(errors.errors)
     subject: Any = None
     asked: tuple[Question, ...] = ()
+    strange: tuple[SheetError, ...] = ()
     try:
         name = subject_name(at, data)
     except SheetErrors as errors:
@@ -92,6 +93,7 @@ def _problem(at: At, data: Any, number: int, outer: Known) -> Problem:
         place = subject_place(at, name)
         subject = build_subject(place, name, known)
         faults.extend(_unmet(asked, name, subject, place))
+        strange = _strange(name, subject, place, known)
     except SheetErrors as errors:
         faults.extend(errors.errors)
     if faults or given is None:
@@ -99,8 +101,9 @@ def _problem(at: At, data: Any, number: int, outer: Known) -> Problem:
     figure = _figure(at, given.figure)
     where = at.place()
     return Problem(
-        number, name, subject, asked, where, given.title, given.text, figure, known.where, known.assumptions
-    )
+        number, name, subject, asked, where, given.title, given.text, figure, known.where,
+        known.assumptions, strange,
+    )  # fmt: skip
 
 
 def _asked(at: At, data: dict[str, Any], name: str, known: Known) -> tuple[Question, ...]:
@@ -141,6 +144,12 @@ def _unmet(asked: tuple[Question, ...], name: str, subject: Any, place: At) -> l
     missing = getattr(registry.load(name), "missing", None)
     needs = {need: None for question in asked for need in getattr(question.kind, "NEEDS", ())}
     return [fault for need in needs for fault in missing(subject, need, place)] if missing else []
+
+
+def _strange(name: str, subject: Any, place: At, known: Known) -> tuple[SheetError, ...]:
+    """What is strange about a subject, though it can be worked with."""
+    warnings = getattr(registry.load(name), "warnings", None)
+    return tuple(warnings(subject, place, known)) if warnings else ()
 
 
 def _known(at: At, given: GivenSheet | GivenProblem, outer: Known) -> Known:

@@ -8,7 +8,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, Literal
 
-from derive.errors import Place
+from derive.errors import Place, SheetError
 from derive.expression import Expr
 
 
@@ -46,7 +46,7 @@ class Problem:
     """A subject and the questions about it. `subject` is a frozen value of mechanics or control.
 
     `figure` is True to draw the subject, or the path of a picture. `where` and `assumptions` include
-    those of the sheet.
+    those of the sheet; `warnings` are what is strange about the subject.
     """
 
     number: int
@@ -59,6 +59,7 @@ class Problem:
     figure: bool | Path = False
     where: Mapping[str, Expr] = field(default_factory=dict)
     assumptions: Mapping[str, str] = field(default_factory=dict)
+    warnings: tuple[SheetError, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,6 +18,9 @@ from derive.render.author_text import latex_prose, markdown_prose
         ("- one\n- two", "- one\n- two", "\\begin{itemize}\\tight\n\\item one\n\\item two\n\\end{itemize}"),
         ("See [here](https://x.org/a#b).", "See [here](<https://x.org/a#b>).",
          r"See \href{https://x.org/a\#b}{here}."),
+        ("The $z$-axis, *not* - the\n\\- x.", "The $z$-axis, *not* - the\n\\- x.",
+         "The $z$-axis, \\emph{not} - the\n- x."),
+        ("1\\. no list", "1\\. no list", "1. no list"),
         ("$$\nx = 1\n$$", "$$\nx = 1\n$$", "\\[\nx = 1\n\\]"),
     ],
 )  # fmt: skip

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from dataclasses import replace as replace_fields
 from functools import cached_property
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numeric import number, numbers
+from derive.algebra.readable import readable_matrix
 from derive.algebra.scalar import Scalar
 from derive.algebra.text import text
 from derive.derivation import Branch, Claim, Step
@@ -58,8 +60,8 @@ class Work:
 
     @cached_property
     def written(self) -> Matrix:
-        """The matrix of the sequence in its angles."""
-        return self.problem.readable_matrix(self.euler.matrix)
+        """The matrix of the sequence in its angles, which stand in their order in every product."""
+        return readable_matrix(self.euler.matrix, replace_fields(self.problem.style, order=self.euler.names))
 
     @cached_property
     def factors(self) -> tuple[Indexed, ...]:

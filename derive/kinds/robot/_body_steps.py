@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal
 from derive.algebra.operations import operations
 from derive.derivation import Step
 from derive.expression import Expr, Indexed, Matrix, Product, Symbol
@@ -34,7 +35,7 @@ def com_jacobian_steps(problem: Problem, found: Chain, body: Weighted) -> tuple[
     return jacobian_steps(problem, found, body.J, Symbol(f"J_c{i}"), Symbol(f"o_c{i}"), i)
 
 
-def inertia_steps(bodies: tuple[Weighted, ...]) -> tuple[Step, ...]:
+def inertia_steps(problem: Problem, bodies: tuple[Weighted, ...]) -> tuple[Step, ...]:
     """I_1 = I_2 about the com in the link's frame, equal ones once; then what the names of a shape's
     moments stand for."""
     alike: dict[Matrix, list[int]] = {}
@@ -46,8 +47,14 @@ def inertia_steps(bodies: tuple[Weighted, ...]) -> tuple[Step, ...]:
         for matrix, same in alike.items()
     ]
     values = {name: value for body in bodies for name, value in body.named.items()}
-    named = [Step(name.name, (name, values[name]), "moment") for name in values if isinstance(name, Symbol)]
+    named = [_moment(problem, name, value) for name, value in values.items() if isinstance(name, Symbol)]
     return (*matrices, *named)
+
+
+def _moment(problem: Problem, name: Symbol, value: Expr) -> Step:
+    """I_zz = m/12 (L^2 + (L/10)^2) = 101 m L^2/1200: as the tables have it, then multiplied out."""
+    short = problem.readable(normal(value))
+    return Step(name.name, (name, value) if short == value else (name, value, short), "moment")
 
 
 def body_definitions(problem: Problem, found: Chain, body: Weighted) -> dict[Expr, Expr]:

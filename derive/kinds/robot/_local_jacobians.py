@@ -49,5 +49,3 @@ def _formula(body: Weighted) -> Expr:
     if not body.turns:
         return linear
     return Sum((linear, Product((transpose(J_w), Symbol(f"I_{body.i}"), J_w))))
-
-

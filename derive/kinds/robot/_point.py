@@ -48,7 +48,7 @@ def tracked(problem: Problem, chain: Chain, point: PointOn | None) -> Tracked:
         raise NotDerivable(f"the point is on link {frame}, but the arm has {rows} row{'s' * (rows != 1)}")
     if any(part != ZERO for part in at):
         return _offset(problem, chain, frame, at)
-    whole = point is None and bool(problem.subject.tool)
+    whole = point is None and problem.subject.ends_in_tool
     name = Symbol("o_e" if whole else f"o_{frame}")
     position = position_part(chain.T_tool if whole else chain.T[frame])
     step = Step(name.name, (name, problem.readable_matrix(position)), "extract", {"frame": frame})

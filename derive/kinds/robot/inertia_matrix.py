@@ -94,7 +94,7 @@ def _local(
     """By those Jacobians in the frames of the links; D stays a sum over them."""
     parts = local_parts(bodies)
     total = Step("D", (Symbol("D"), Sum(tuple(Symbol(part.name) for part in parts))), "sum")
-    steps = (*local_steps(problem, bodies), *inertia_steps(bodies), *parts, total)
+    steps = (*local_steps(problem, bodies), *inertia_steps(problem, bodies), *parts, total)
     # The step of D compares the sum over the links with D itself, multiplied out.
     return steps, named_results(steps) | local_definitions(problem, bodies)
 
@@ -107,7 +107,7 @@ def _motion(problem: Problem, found: Chain, bodies: tuple[Weighted, ...]) -> tup
         *(step for body in bodies for step in com_steps(problem, found, body)),
         *axis_steps(problem, found, last),
         *(step for body in bodies for step in com_jacobian_steps(problem, found, body)),
-        *inertia_steps(bodies),
+        *inertia_steps(problem, bodies),
     ]
     return tuple({step.name: step for step in steps}.values())
 

@@ -1,4 +1,4 @@
-"""What authors write beside `find` for systems: a controller with its gains, and a point to evaluate at."""
+"""What authors write beside `find` for systems: a controller with its gains."""
 
 from __future__ import annotations
 
@@ -7,14 +7,11 @@ from typing import Annotated, Any, TypeAlias
 
 from pydantic import PlainValidator, ValidationInfo, WithJsonSchema
 
-from derive.algebra.grammar import parse
-from derive.algebra.units import ANY
 from derive.control.controllers import FAMILIES, GAINS, Controller, Family
 from derive.errors import FormulaError
 from derive.expression import Expr, Symbol
-from derive.kinds.fields import TREES, declared, read_name, text_of
+from derive.kinds.evaluation import formula
 
-Point: TypeAlias = tuple[tuple[str, Expr], ...]  # names and their values, in the order typed
 AS_WRITTEN = "write it as {PID: {K_p: 20, K_i: 5, K_d: 10}}, or PID for symbolic gains"
 
 
@@ -30,17 +27,6 @@ def read_controller(typed: Any, info: ValidationInfo) -> Controller:
     family = _family(name)
     given = _gains(family, gains)
     return Controller(family, tuple(_gain(letter, given, info) for letter in family))
-
-
-def read_point(typed: Any, info: ValidationInfo) -> Point | None:
-    """Names with values, or `true` where no name is left without one. Raises FormulaError."""
-    if typed is None or isinstance(typed, tuple):
-        return typed
-    if typed is True or typed == "true":
-        return ()
-    if not isinstance(typed, Mapping):
-        raise FormulaError("names and their values are wanted here", hint="write {J: 2, b: 0.5}, or true")
-    return tuple((read_name(name), _formula(value, info)) for name, value in typed.items())
 
 
 def _family(name: Any) -> Family:
@@ -69,22 +55,11 @@ def _letter(family: Family, name: Any) -> str:
 
 def _gain(letter: str, given: Mapping[str, Any], info: ValidationInfo) -> Expr:
     value = given.get(letter)
-    return Symbol(GAINS[letter]) if value is None else _formula(value, info)
-
-
-def _formula(typed: Any, info: ValidationInfo) -> Expr:
-    return typed if isinstance(typed, TREES) else parse(text_of(typed), dimension=ANY, names=declared(info))
+    return Symbol(GAINS[letter]) if value is None else formula(value, info)
 
 
 ControllerField: TypeAlias = Annotated[
     Controller,
     PlainValidator(read_controller),
     WithJsonSchema({"type": ["string", "object"], "description": AS_WRITTEN}),
-]
-PointField: TypeAlias = Annotated[
-    Point | None,
-    PlainValidator(read_point),
-    WithJsonSchema(
-        {"type": ["object", "boolean", "string"], "description": "names and their values, or true"}
-    ),
 ]

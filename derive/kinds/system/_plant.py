@@ -25,8 +25,8 @@ from derive.expression import (
     number,
     walk,
 )
+from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
-from derive.kinds.system._options import Point
 
 WHOLE_BELOW = 10**6
 J = Symbol("j")
@@ -71,7 +71,7 @@ class Plant:
         return value
 
 
-def plant(problem: Problem, source: str | None, point: Point | None, typed: Iterable[Expr] = ()) -> Plant:
+def plant(problem: Problem, source: str | None, point: Place | None, typed: Iterable[Expr] = ()) -> Plant:
     """The system solved. `typed` are further trees of the author; decimals in them are kept as such.
 
     Raises NotDerivable.
@@ -139,6 +139,6 @@ def rounded(value: float) -> Expr:
     return number(int(value)) if whole else Approximate(value)
 
 
-def point_chains(point: Point | None, where: Mapping[str, Expr]) -> tuple[tuple[Expr, ...], ...]:
+def point_chains(point: Place | None, where: Mapping[str, Expr]) -> tuple[tuple[Expr, ...], ...]:
     """`J = 2`, ... for the words."""
     return tuple((Symbol(name), value) for name, value in (*where.items(), *(point or ())))

@@ -16,9 +16,10 @@ from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import ONE, ZERO, Expr, Product, Quotient, Sum, Symbol, walk
 from derive.kinds.checks import law, links
+from derive.kinds.evaluation import Evaluation, Place
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.system._options import ControllerField, Point, PointField
+from derive.kinds.system._options import ControllerField
 from derive.kinds.system._oracle import agrees
 from derive.kinds.system._plant import (
     Plant,
@@ -52,7 +53,7 @@ class Options(OptionsModel):
     """`controller`: P, PI, PD or PID with its gains; a gain without a value stays symbolic."""
 
     controller: ControllerField
-    evaluate: PointField = None
+    evaluate: Evaluation = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +67,7 @@ class Closed:
     reduced: Rational
 
 
-def closed(problem: Problem, controller: Controller, point: Point | None) -> Closed:
+def closed(problem: Problem, controller: Controller, point: Place | None) -> Closed:
     """The loop. Raises NotDerivable where it has no response."""
     solved = plant(problem, None, point, controller.gains)
     ratio = controller.ratio(solved.decimals)

@@ -32,10 +32,11 @@ from derive.expression import (
     subtract,
 )
 from derive.kinds.checks import SECOND_ROUTE, links, random_points
+from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._modelled import Answer, controller_formula, modelled
-from derive.kinds.system._options import ControllerField, PointField
+from derive.kinds.system._options import ControllerField
 from derive.kinds.system._plant import Plant, asked, plant, point_chains
 from derive.kinds.system.closed_loop import closed
 
@@ -59,7 +60,7 @@ class Options(OptionsModel):
     """With a controller the loop is closed and the reference steps, without one the input does."""
 
     controller: ControllerField | None = None
-    evaluate: PointField = None
+    evaluate: Evaluation = None
 
 
 def derive(system: System, options: Options, problem: Problem) -> Derivation:

@@ -20,9 +20,10 @@ from derive.derivation import Claim, Derivation, Plot, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Number, Quotient, Symbol, number
 from derive.kinds.checks import SECOND_ROUTE, law, links
+from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.system._options import ControllerField, PointField
+from derive.kinds.system._options import ControllerField
 from derive.kinds.system._plant import Plant, asked, plant, point_chains, root_tree, rounded, verdict
 from derive.kinds.system.closed_loop import closed
 
@@ -50,7 +51,7 @@ class Options(OptionsModel):
     """With a controller the reference steps, without one the input does."""
 
     controller: ControllerField | None = None
-    evaluate: PointField = None
+    evaluate: Evaluation = None
 
 
 @dataclass(frozen=True, slots=True)

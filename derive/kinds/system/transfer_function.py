@@ -15,9 +15,9 @@ from derive.control.system import System
 from derive.derivation import Claim, Derivation, Step
 from derive.expression import ZERO, Expr, Quotient, free_symbols, walk
 from derive.kinds.checks import law, links
+from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import Name, OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.system._options import PointField
 from derive.kinds.system._oracle import agrees
 from derive.kinds.system._plant import (
     Plant,
@@ -44,7 +44,7 @@ class Options(OptionsModel):
     """`from`: the disturbance, for its transfer function instead of the input's."""
 
     source: Name | None = Field(None, alias="from")
-    evaluate: PointField = None
+    evaluate: Evaluation = None
 
 
 def derive(system: System, options: Options, problem: Problem) -> Derivation:

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal, TypeAlias
 
 from pydantic import Discriminator, Field, Tag
 
-from derive.expression import ZERO
+from derive.expression import ONE, ZERO
 from derive.kinds.fields import (
     Angle,
     InertiaMoment,
@@ -14,10 +14,12 @@ from derive.kinds.fields import (
     Mass,
     OptionsModel,
     Point,
+    Quantity,
     StarredAngle,
     StarredLength,
 )
 from derive.mechanics.bodies import Body, Box, Cylinder, Inertia, Moments, PointMass, Rod, Sphere
+from derive.mechanics.drives import Friction, Motor
 from derive.sheet.faults import NO_FORM
 from derive.sheet.subjects.moves import MoveJointField, Named
 
@@ -96,12 +98,29 @@ ComField: TypeAlias = Annotated[
 ]
 
 
+class MotorField(OptionsModel):
+    """A rotor's inertia about its axis, and how many times as fast as the joint it turns."""
+
+    inertia: InertiaMoment
+    ratio: Quantity = ONE
+
+
+class FrictionField(OptionsModel):
+    """Friction in a joint: viscous * rate + coulomb * sign(rate)."""
+
+    viscous: Quantity = ZERO
+    coulomb: Quantity = ZERO
+
+
 class Carried(OptionsModel):
-    """The body of a link, in the link's own frame."""
+    """The body of a link, in the link's own frame, and what its joint adds."""
 
     mass: Mass | None = None
     com: ComField | None = None
     inertia: InertiaField | None = None
+    about: Literal["com", "origin"] = "com"
+    motor: MotorField | None = None
+    friction: FrictionField | None = None
 
 
 class DHLink(Carried):
@@ -144,7 +163,15 @@ def body(given: Carried) -> Body | None:
     """The body of a link, None where none is given or part of it is missing."""
     if given.mass is None or given.com is None or given.inertia is None:
         return None
-    return Body(given.mass, given.com, _inertia(given.inertia))
+    return Body(given.mass, given.com, _inertia(given.inertia), given.about)
+
+
+def motor(given: Carried) -> Motor | None:
+    return Motor(given.motor.inertia, given.motor.ratio) if given.motor else None
+
+
+def friction(given: Carried) -> Friction | None:
+    return Friction(given.friction.viscous, given.friction.coulomb) if given.friction else None
 
 
 def _inertia(given: InertiaField) -> Inertia:

@@ -12,8 +12,18 @@ from derive.errors import SheetError, SheetErrors
 from derive.expression import Expr, Symbol, walk
 from derive.kinds.fields import Acceleration, OptionsModel, Starred
 from derive.mechanics.robot import DHRow, FreeRow, JointType, Link, Robot
+from derive.sheet.body_faults import body_faults, body_warnings
 from derive.sheet.source import At, Route
-from derive.sheet.subjects.link import BODY_KEYS, DHLink, FreeLink, LinkField, body, lacking
+from derive.sheet.subjects.link import (
+    BODY_KEYS,
+    DHLink,
+    FreeLink,
+    LinkField,
+    body,
+    friction,
+    lacking,
+    motor,
+)
 from derive.sheet.subjects.moves import MoveField, RotateJoint, joint_move, move
 from derive.sheet.subjects.registry import Known
 
@@ -32,18 +42,26 @@ class Given(OptionsModel):
 
 
 def build(given: Given, at: At, known: Known) -> Robot:
-    """The robot. Raises SheetErrors: joints without a star, variables used twice, half a body."""
+    """The robot. Raises SheetErrors: joints without a star, variables used twice, half a body, a
+    negative mass."""
     faults = [*_star_faults(given, at, known), *_repeated(given, at), *_half_bodies(given, at)]
+    links = tuple(_link(row) for row in given.links)
+    faults += body_faults(links, at, known)
     if faults:
         raise SheetErrors(faults)
     return Robot(
         given.name,
         given.convention,
-        tuple(_link(row) for row in given.links),
+        links,
         tuple(move(entry) for entry in given.base),
         tuple(move(entry) for entry in given.tool),
         given.gravity,
     )
+
+
+def warnings(subject: Robot, at: At, known: Known) -> list[SheetError]:
+    """What is strange about the robot, though it can be worked with."""
+    return list(body_warnings(subject.links, at, known))
 
 
 def missing(subject: Robot, need: str, at: At) -> list[SheetError]:
@@ -63,9 +81,10 @@ def missing(subject: Robot, need: str, at: At) -> list[SheetError]:
 def _link(given: LinkField) -> Link:
     joint, variable = _joint(given)
     if isinstance(given, FreeLink):
-        return Link(FreeRow(tuple(joint_move(entry) for entry in given.motion)), joint, variable, body(given))
-    row = DHRow(given.theta.expr, given.d.expr, given.a, given.alpha)
-    return Link(row, joint, variable, body(given))
+        row: DHRow | FreeRow = FreeRow(tuple(joint_move(entry) for entry in given.motion))
+    else:
+        row = DHRow(given.theta.expr, given.d.expr, given.a, given.alpha)
+    return Link(row, joint, variable, body(given), motor(given), friction(given))
 
 
 def _starred(given: LinkField) -> Iterator[tuple[Route, JointType, Starred]]:

@@ -1,0 +1,58 @@
+"""Partial derivatives of a function, exactly and by differences."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+from derive.algebra import numeric
+from derive.algebra.normal import normal
+from derive.algebra.scalar import Scalar
+from derive.derivation import Claim, Step
+from derive.expression import Derivative, Expr, Symbol
+from derive.kinds.checks import agreement
+from derive.kinds.problem import Problem
+
+STEP = 1e-4
+DIFFERENCES = 1e-6  # what differences over that step leave
+
+
+def partial(of: Expr, name: str) -> Scalar:
+    """The partial derivative, names of `where` kept. Raises NotDerivable where no rule is known."""
+    return normal(Derivative(of, Symbol(name)))
+
+
+def partial_step(problem: Problem, symbol: Symbol, of: Expr, name: str) -> Step:
+    """df/dx worked out."""
+    by = Symbol(name)
+    step_name = f"d{symbol.name}_d{name}"
+    return Step(step_name, (Derivative(symbol, by), problem.readable(partial(of, name))), "partial")
+
+
+def by_differences(of: Expr, name: str, at: Mapping[str, float]) -> float:
+    """Five points of the function itself, no rule of differentiation."""
+
+    def value(steps: int) -> float:
+        return numeric.number(of, {**at, name: at[name] + steps * STEP})
+
+    return (8 * (value(1) - value(-1)) - (value(2) - value(-2))) / (12 * STEP)
+
+
+def agrees(
+    claim: str, problem: Problem, found: Iterable[Expr], pairs: Sequence[tuple[Expr, str]]
+) -> Claim:
+    """Each derivative found against the differences of its function."""
+    ours = tuple(found)
+
+    def complete(at: Mapping[str, float]) -> dict[str, float]:
+        known = dict(at)
+        for name, value in problem.where.items():
+            known[name] = numeric.number(value, known)
+        return known
+
+    return agreement(
+        claim,
+        problem.symbols,
+        lambda at: [numeric.number(expr, complete(at)) for expr in ours],
+        lambda at: [by_differences(of, name, complete(at)) for of, name in pairs],
+        DIFFERENCES,
+    )

@@ -1,0 +1,60 @@
+"""What a motion along one coordinate is asked to do: distances and limits, or places and times."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+from derive.expression import Expr
+
+Sort: TypeAlias = Literal["length", "angle", ""]  # what moves; "" where nothing typed says it
+
+
+@dataclass(frozen=True, slots=True)
+class Axis:
+    """A distance to be covered from rest to rest within a velocity and an acceleration."""
+
+    distance: Expr
+    v_max: Expr
+    a_max: Expr
+
+
+@dataclass(frozen=True, slots=True)
+class Via:
+    """A place to be passed at a time; `velocity` where it is prescribed."""
+
+    time: Expr
+    place: Expr
+    velocity: Expr | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Journey:
+    """From one place to another; None stands for what was not given.
+
+    Velocities and accelerations at the ends are zero unless given. `cruise`, `acceleration` and `blend` say
+    how a linear segment with parabolic blends is made: its velocity, its acceleration, or their duration.
+    """
+
+    start: Expr
+    end: Expr
+    start_velocity: Expr
+    end_velocity: Expr
+    start_acceleration: Expr
+    end_acceleration: Expr
+    via: tuple[Via, ...] = ()
+    cruise: Expr | None = None
+    acceleration: Expr | None = None
+    blend: Expr | None = None
+    v_max: Expr | None = None
+    a_max: Expr | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Profile:
+    """Axes to be moved within limits, or a journey; `time` is the whole duration where it is given."""
+
+    axes: tuple[Axis, ...] = ()
+    journey: Journey | None = None
+    time: Expr | None = None
+    sort: Sort = ""

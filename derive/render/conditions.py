@@ -1,0 +1,52 @@
+"""When a branch is the one: its kind says it in plain words and formulas, which are typeset here."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from operator import add
+
+from derive.algebra.grammar import parse
+from derive.algebra.units import ANY
+from derive.errors import FormulaError
+from derive.expression import Expr, Symbol
+from derive.render.latex import Printer
+
+CLAUSES = re.compile(r"(, (?:where )?|; |: | and | or | if | where )")
+RELATION = re.compile(r" (<=|>=|!=|<|>|=) ")
+SIGNS = {"<=": r"\leq", ">=": r"\geq", "!=": r"\neq"}
+
+
+def condition(words: str, names: Iterable[str], printer: Printer, plain: Callable[[str], str]) -> str:
+    """`elbow up, theta2 > 0` with its relation as inline mathematics; of other words only `names` are.
+
+    `plain` makes text safe for the format.
+    """
+    known = frozenset(names)
+    return "".join(
+        part if place % 2 else _clause(part, known, printer, plain)
+        for place, part in enumerate(CLAUSES.split(words))
+    )
+
+
+def _clause(clause: str, names: frozenset[str], printer: Printer, plain: Callable[[str], str]) -> str:
+    sides = RELATION.split(clause)
+    if len(sides) > 1:
+        try:
+            written = [printer.write(_tree(side)) for side in sides[::2]]
+        except FormulaError:
+            return _words(clause, names, printer, plain)
+        signs = [SIGNS.get(sign, sign) for sign in sides[1::2]]
+        return (
+            f"${' '.join(part for pair in zip(written, [*signs, ''], strict=True) for part in pair).strip()}$"
+        )
+    return _words(clause, names, printer, plain)
+
+
+def _tree(side: str) -> Expr:
+    return parse(side, dimension=ANY)
+
+
+def _words(text: str, names: frozenset[str], printer: Printer, plain: Callable[[str], str]) -> str:
+    pieces = re.split(r"(\w+)", text)
+    return "".join(f"${printer.write(Symbol(p))}$" if p in names else plain(p) for p in pieces)

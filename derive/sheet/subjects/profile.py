@@ -1,0 +1,281 @@
+"""profile: a distance within limits of velocity and acceleration, or a way from one value to another."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Annotated, Any, TypeAlias
+
+from pydantic import (
+    BaseModel,
+    Discriminator,
+    Field,
+    GetCoreSchemaHandler,
+    Tag,
+    ValidationInfo,
+)
+from pydantic_core import CoreSchema, core_schema
+
+from derive.algebra.grammar import parse
+from derive.algebra.normal import normal
+from derive.algebra.numeric import scalar_number
+from derive.algebra.units import ANGLE, LENGTH, Dimension, power, times
+from derive.algebra.units import TIME as SECONDS
+from derive.errors import FormulaError, NotDerivable, SheetError, SheetErrors
+from derive.expression import ZERO, Expr, Symbol, subtract
+from derive.kinds.fields import TREES, OptionsModel, Time, declared, text_of
+from derive.mechanics.profile import Axis, Journey, Profile, Sort, Via
+from derive.sheet.faults import NO_FORM
+from derive.sheet.source import At, Route
+from derive.sheet.subjects.registry import Known
+
+FORMS = "write {distance: d, v_max: v_M, a_max: a_M}, a list of such axes, or {from: q0, to: qf, time: t_f}"
+
+
+@dataclass(frozen=True, slots=True)
+class Measured:
+    """A quantity of a motion, and whether it is one of a length or of an angle ("" where both could be)."""
+
+    expr: Expr
+    sort: Sort
+
+
+@dataclass(frozen=True, slots=True)
+class _Reader:
+    """A length or an angle, per second to the power `rate`."""
+
+    rate: int
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        return core_schema.with_info_plain_validator_function(self.read)
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: Any) -> dict[str, Any]:
+        unit = ("", "/s", "/s^2")[self.rate]
+        return {"type": ["string", "number"], "description": f"a length or an angle (m{unit}, rad{unit})"}
+
+    def read(self, typed: Any, info: ValidationInfo) -> Measured:
+        if isinstance(typed, Measured):
+            return typed
+        if isinstance(typed, TREES):
+            return Measured(typed, "")
+        text, names = text_of(typed), declared(info)
+        angular = _read(text, self.dimension(ANGLE), names)
+        linear = _read(text, self.dimension(LENGTH), names)
+        if isinstance(linear, FormulaError):
+            if isinstance(angular, FormulaError):
+                raise linear
+            return Measured(angular, "angle")
+        return Measured(linear, "length" if isinstance(angular, FormulaError) else "")
+
+    def dimension(self, of: Dimension) -> Dimension:
+        return times(of, power(SECONDS, -self.rate))
+
+
+def _read(text: str, dimension: Dimension, names: frozenset[str]) -> Expr | FormulaError:
+    try:
+        return parse(text, dimension=dimension, names=names)
+    except FormulaError as error:
+        return error
+
+
+Stretch: TypeAlias = Annotated[Measured, _Reader(0)]
+Rate: TypeAlias = Annotated[Measured, _Reader(1)]
+Push: TypeAlias = Annotated[Measured, _Reader(2)]
+
+
+class GivenAxis(OptionsModel):
+    """One axis and its limits."""
+
+    distance: Stretch
+    v_max: Rate
+    a_max: Push
+
+
+class GivenOne(GivenAxis):
+    """One axis, and the time it is to take, if that is given."""
+
+    time: Time | None = None
+
+
+class GivenAxes(OptionsModel):
+    """Several axes that are to arrive together."""
+
+    axes: Annotated[list[GivenAxis], Field(min_length=1, max_length=12)]
+    time: Time | None = None
+
+
+class GivenVia(OptionsModel):
+    """A place passed on the way, at a time counted from the start."""
+
+    time: Time
+    place: Stretch = Field(alias="at")
+    velocity: Rate | None = None
+
+
+class GivenJourney(OptionsModel):
+    """From one value to another, with what is prescribed on the way and the limits to be kept."""
+
+    start: Stretch = Field(alias="from")
+    end: Stretch = Field(alias="to")
+    time: Time | None = None
+    start_velocity: Rate | None = None
+    end_velocity: Rate | None = None
+    start_acceleration: Push | None = None
+    end_acceleration: Push | None = None
+    via: Annotated[list[GivenVia], Field(max_length=12)] = []
+    cruise: Rate | None = None
+    acceleration: Push | None = None
+    blend: Time | None = None
+    v_max: Rate | None = None
+    a_max: Push | None = None
+
+
+def _form(value: Any) -> str | None:
+    if isinstance(value, list):
+        return "=list"
+    keys = value if isinstance(value, dict) else ()
+    forms = {"axes": "=axes", "from": "=journey", "to": "=journey", "distance": "=one"}
+    return next((form for key, form in forms.items() if key in keys), None)
+
+
+Given: TypeAlias = Annotated[
+    Annotated[GivenOne, Tag("=one")]
+    | Annotated[GivenAxes, Tag("=axes")]
+    | Annotated[GivenJourney, Tag("=journey")]
+    | Annotated[list[GivenAxis], Field(min_length=1, max_length=12), Tag("=list")],
+    Discriminator(_form, custom_error_type=NO_FORM, custom_error_message=FORMS),
+]
+
+
+def build(given: Given, at: At, known: Known) -> Profile:
+    """The profile. Raises SheetErrors: limits that are not positive, lengths beside angles, no way to go."""
+    faults = [*_faults(given, at, known)]
+    if faults:
+        raise SheetErrors(faults)
+    sort = next((each.sort for _, each in _measured(given) if each.sort), "")
+    if isinstance(given, GivenJourney):
+        journey = _journey(given)
+        axes: tuple[Axis, ...] = ()
+        if journey.v_max is not None and journey.a_max is not None:
+            axes = (Axis(subtract(journey.end, journey.start), journey.v_max, journey.a_max),)
+        return Profile(axes, journey, given.time, sort)
+    if isinstance(given, GivenOne):
+        axis = _axis(given)
+        nothing = (ZERO,) * 4
+        whole = Journey(ZERO, axis.distance, *nothing, v_max=axis.v_max, a_max=axis.a_max)
+        return Profile((axis,), whole, given.time, sort)
+    listed = given.axes if isinstance(given, GivenAxes) else given
+    time = given.time if isinstance(given, GivenAxes) else None
+    return Profile(tuple(map(_axis, listed)), None, time, sort if len(_sorts(given)) < 2 else "")
+
+
+def missing(subject: Profile, need: str, at: At) -> list[SheetError]:
+    """The faults where a kind needs "limits", a "journey", or its "time"."""
+    hints = {
+        "limits": (not subject.axes, "no distance within limits is given", "{distance: d, v_max: v_M, a_max: a_M}"),
+        "journey": (subject.journey is None, "no way from one value to another is given", "{from: q0, to: qf, time: t_f}"),
+        "time": (subject.journey is not None and subject.time is None, "'time' is missing", "time: t_f"),
+    }  # fmt: skip
+    lacking, message, hint = hints[need]
+    return [at.fault(message, (), f"write {hint}", key=True)] if lacking else []
+
+
+def _axis(given: GivenAxis) -> Axis:
+    return Axis(given.distance.expr, given.v_max.expr, given.a_max.expr)
+
+
+def _journey(given: GivenJourney) -> Journey:
+    def rest(value: Measured | None) -> Expr:
+        return ZERO if value is None else value.expr
+
+    def maybe(value: Measured | None) -> Expr | None:
+        return None if value is None else value.expr
+
+    return Journey(
+        given.start.expr,
+        given.end.expr,
+        rest(given.start_velocity),
+        rest(given.end_velocity),
+        rest(given.start_acceleration),
+        rest(given.end_acceleration),
+        tuple(Via(via.time, via.place.expr, maybe(via.velocity)) for via in given.via),
+        maybe(given.cruise),
+        maybe(given.acceleration),
+        given.blend,
+        maybe(given.v_max),
+        maybe(given.a_max),
+    )
+
+
+# -- what is refused ----------------------------------------------------------------------------------
+
+
+def _parts(given: Any) -> Iterator[tuple[Route, Any]]:
+    """Everything typed, with where it stands."""
+    if isinstance(given, BaseModel):
+        for name, field in type(given).model_fields.items():
+            for route, value in _parts(getattr(given, name)):
+                yield (field.alias or name, *route), value
+    elif isinstance(given, list):
+        for index, entry in enumerate(given):
+            for route, value in _parts(entry):
+                yield (index, *route), value
+    elif given is not None:
+        yield (), given
+
+
+def _measured(given: Any) -> Iterator[tuple[Route, Measured]]:
+    return ((route, value) for route, value in _parts(given) if isinstance(value, Measured))
+
+
+def _sorts(given: Any) -> set[str]:
+    return {each.sort for _, each in _measured(given)} - {""}
+
+
+def _faults(given: Given, at: At, known: Known) -> Iterator[SheetError]:
+    yield from _not_positive(given, at, known)
+    each = given.axes if isinstance(given, GivenAxes) else given if isinstance(given, list) else [given]
+    for index, one in enumerate(each):
+        if len(_sorts(one)) > 1:
+            route = () if one is given else (index,) if isinstance(given, list) else ("axes", index)
+            hint = "give all of them in m, m/s and m/s^2, or all in rad (or deg), rad/s and rad/s^2"
+            yield at.fault("lengths and angles are mixed in one motion", route, hint)
+    if isinstance(given, GivenJourney):
+        yield from _wrong_journey(given, at, known)
+
+
+def _not_positive(given: Given, at: At, known: Known) -> Iterator[SheetError]:
+    for route, value in _parts(given):
+        name = route[-1]
+        if name in ("v_max", "a_max", "time", "blend", "cruise", "acceleration"):
+            size = _number(value.expr if isinstance(value, Measured) else value, known)
+            if size is not None and size <= 0 and name not in ("cruise", "acceleration"):
+                yield at.fault(f"{name} must be positive", route, "limits are sizes, and time runs on")
+            elif size == 0:
+                yield at.fault(f"{name} is zero: nothing would move", route)
+        if name == "distance" and isinstance(value, Measured) and _number(value.expr, known) == 0:
+            yield at.fault("the distance is zero: there is nothing to move", route)
+
+
+def _wrong_journey(given: GivenJourney, at: At, known: Known) -> Iterator[SheetError]:
+    chosen = [name for name in ("cruise", "acceleration", "blend") if getattr(given, name) is not None]
+    if len(chosen) > 1:
+        yield at.fault(f"give one of {' and '.join(chosen)}: each follows from the other", (chosen[1],))
+    before: float | None = 0.0
+    for index, via in enumerate(given.via):
+        now = _number(via.time, known)
+        if before is not None and now is not None and now <= before:
+            hint = "times count from the start, and the list is in the order of travel"
+            yield at.fault("a via point must be later than the one before", ("via", index, "time"), hint)
+        before = now
+    last = None if given.time is None else _number(given.time, known)
+    if given.via and before is not None and last is not None and last <= before:
+        yield at.fault("the last via point must be before the end", ("time",), "time is the whole duration")
+
+
+def _number(expr: Expr, known: Known) -> float | None:
+    """The value, None where it depends on symbols."""
+    try:
+        return scalar_number(normal(expr, {Symbol(name): value for name, value in known.where.items()}), {})
+    except (KeyError, NotDerivable, ZeroDivisionError, ValueError):
+        return None
