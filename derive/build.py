@@ -147,7 +147,9 @@ def _order(
 
 
 def _folder(answer: Derivation, subject: str) -> str:
-    return module_name(subject, answer.kind).split(".")[-2]
+    """Where the words of a kind are: the folder of ours, the package of another's."""
+    package = module_name(subject, answer.kind).rpartition(".")[0]
+    return package.removeprefix("derive.kinds.")
 
 
 def _question(

@@ -69,6 +69,15 @@ class Plot:
     marks: Mapping[str, float] = field(default_factory=dict)  # horizontal lines
 
 
+@dataclass(frozen=True, slots=True)
+class Panels:
+    """Plots one above the other over the same horizontal axis."""
+
+    name: str
+    plots: tuple[Plot, ...]
+
+
+Figure: TypeAlias = Plot | Panels
 Result: TypeAlias = Expr | tuple[Branch, ...] | tuple[tuple[Expr, ...], ...] | float | str
 
 
@@ -90,7 +99,7 @@ class Derivation:
     definitions: Mapping[Expr, Expr] = field(default_factory=dict)
     evaluated: Mapping[str, Any] = field(default_factory=dict)
     uses: tuple[Derivation, ...] = ()
-    plots: tuple[Plot, ...] = ()
+    plots: tuple[Figure, ...] = ()
     facts: Mapping[str, Any] = field(default_factory=dict)
     files: Mapping[str, str] = field(default_factory=dict)
     matrices: frozenset[str] = frozenset()

@@ -6,23 +6,26 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-# The folders that hold the kinds of each subject. `pose` serves every subject that ends in a pose.
+# Kinds stand in the folder of their subject; `pose` serves every subject that ends in a pose.
 FOLDERS = {
     "motion": ("motion", "pose"),
     "frames": ("frames", "pose"),
     "robot": ("robot", "pose"),
-    "system": ("system",),
     "motor": ("system",),
-    "function": ("function",),
 }
 KINDS = Path(__file__).parent
 PLUGINS = "derive.kinds"  # entry points named `subject/kind`, each a module like those here
 
 
+def folders_of(subject: str) -> tuple[str, ...]:
+    """The folders of the kinds of a subject."""
+    return FOLDERS.get(subject, (subject,))
+
+
 def kinds_of(subject: str) -> dict[str, str]:
     """Kind -> module name, for one subject, in alphabetical order; those of other packages too."""
     found = {}
-    for folder in FOLDERS[subject]:
+    for folder in folders_of(subject):
         for path in (KINDS / folder).glob("[!_]*.py"):
             found[path.stem.replace("_", "-")] = f"derive.kinds.{folder}.{path.stem}"
     return dict(sorted({**_plugins(subject), **found}.items()))
@@ -30,7 +33,7 @@ def kinds_of(subject: str) -> dict[str, str]:
 
 def module_name(subject: str, kind: str) -> str:
     """Where a kind is kept. Raises KeyError."""
-    for folder in FOLDERS[subject]:
+    for folder in folders_of(subject):
         stem = kind.replace("-", "_")
         if stem.isidentifier() and (KINDS / folder / f"{stem}.py").is_file():
             return f"derive.kinds.{folder}.{stem}"

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath
 
-from derive.derivation import Derivation, Plot
+from derive.derivation import Derivation, Figure
 from derive.expression import Expr
 from derive.render.notation import Notation
 
@@ -91,7 +91,7 @@ class Document:
             for name, text in worked.derivation.files.items()
         }
 
-    def plots(self) -> dict[str, Plot]:
+    def plots(self) -> dict[str, Figure]:
         """Every plot of the page by the path of its picture, relative to the page and without suffix."""
         return {
             plot_path(self.figures, problem.number, question.number, plot.name): plot

@@ -6,12 +6,15 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from derive.derivation import Plot
+from derive.derivation import Figure as Picture
+from derive.derivation import Panels, Plot
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 SIZE = (5.6, 3.4)  # inches
+PANEL = 1.5  # inches, the height of one plot among several
 MARGINS = {"left": 0.13, "right": 0.97, "bottom": 0.16, "top": 0.96}  # laying them out takes longest
 TICKS = "{x:g}"  # plain text: mathtext is parsed anew for each tick of each picture
 STYLE: dict[str, Any] = {
@@ -28,7 +31,7 @@ NO_DATES: dict[str, dict[str, None]] = {
 }
 
 
-def draw(plot: Plot, target: Path, kinds: tuple[str, ...] = ("svg", "pdf")) -> tuple[Path, ...]:
+def draw(plot: Picture, target: Path, kinds: tuple[str, ...] = ("svg", "pdf")) -> tuple[Path, ...]:
     """Draws a plot to files of these kinds; `target` is their path without suffix. Says what it wrote."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
@@ -38,15 +41,39 @@ def draw(plot: Plot, target: Path, kinds: tuple[str, ...] = ("svg", "pdf")) -> t
     written = tuple(target.with_name(f"{target.name}.{kind}") for kind in kinds)
     with context(STYLE):
         figure = Figure(figsize=SIZE)
-        figure.subplots_adjust(**MARGINS)
         FigureCanvasAgg(figure)
-        _fill(figure.add_subplot(), plot)
+        _compose(figure, plot)
         for kind, path in zip(kinds, written, strict=True):
             figure.savefig(path, format=kind, metadata=NO_DATES[kind], dpi=200)
     return written
 
 
-def _fill(axes: Axes, plot: Plot) -> None:
+def _compose(figure: Figure, picture: Picture) -> None:
+    """Everything of a picture, on the figure made large enough for it."""
+    match picture:
+        case Plot():
+            figure.subplots_adjust(**MARGINS)
+            _fill(figure.add_subplot(), picture)
+        case Panels(_, plots):
+            _stack(figure, plots)
+
+
+def _stack(figure: Figure, plots: tuple[Plot, ...]) -> None:
+    """One above the other; what the horizontal axis is, is said below the last."""
+    height = PANEL * len(plots) + 0.55
+    figure.set_size_inches(SIZE[0], height)
+    figure.subplots_adjust(left=0.13, right=0.97, bottom=0.5 / height, top=1 - 0.08 / height, hspace=0.16)
+    rows = figure.subplots(len(plots), 1, sharex=True)
+    for place, (axes, plot) in enumerate(zip(rows, plots, strict=True)):
+        _fill(axes, plot, legend=place == 0)
+        axes.margins(y=0.12)
+        if place < len(plots) - 1:
+            axes.set_xlabel("")
+            axes.tick_params(labelbottom=False)
+    figure.align_ylabels(rows)
+
+
+def _fill(axes: Axes, plot: Plot, legend: bool = True) -> None:
     for place, (name, (x, y)) in enumerate(plot.series.items()):
         style = STYLES[place // len(COLOURS) % len(STYLES)]
         axes.plot(x, y, style, color=COLOURS[place % len(COLOURS)], linewidth=1.6, label=name)
@@ -63,5 +90,5 @@ def _fill(axes: Axes, plot: Plot) -> None:
     axes.grid(True, color="0.9", linewidth=0.6)
     axes.spines[["top", "right"]].set_visible(False)
     axes.margins(x=0)
-    if len(plot.series) > 1:
+    if legend and len(plot.series) > 1:
         axes.legend(frameon=False)

@@ -9,7 +9,7 @@ from functools import cache
 GREEK_NAMES = (
     "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi pi "
     "rho sigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi "
-    "Psi Omega"
+    "Psi Omega nabla"
 )
 GREEK = frozenset(GREEK_NAMES.split(" "))
 WORD = re.compile(r"[A-Za-z]+")

@@ -6,9 +6,18 @@ import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache
+from importlib.util import find_spec
+from pathlib import Path, PurePosixPath
 from typing import Any
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined, pass_context
+from jinja2 import (
+    ChoiceLoader,
+    Environment,
+    FileSystemLoader,
+    FunctionLoader,
+    StrictUndefined,
+    pass_context,
+)
 from jinja2.runtime import Context
 
 from derive.render.layout import Display
@@ -21,7 +30,7 @@ HELD_LINE = "\x1e"  # ends a line of a listing until the page is laid out, which
 def environment() -> Environment:
     """The templates, compiled once a process for all formats."""
     made = Environment(
-        loader=FileSystemLoader(templates()),
+        loader=ChoiceLoader([FileSystemLoader(templates()), FunctionLoader(_beside_the_module)]),
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
@@ -30,6 +39,17 @@ def environment() -> Environment:
     made.filters["m"] = _mathematics
     made.filters["listed"] = _listed
     return made
+
+
+def _beside_the_module(name: str) -> str | None:
+    """The words of another package's kind: `words/their.package/kind.j2` stands beside `their.package.kind`."""
+    folder, package, file = PurePosixPath(name).parts if name.count("/") == 2 else ("", "", "")
+    spec = find_spec(package) if folder == "words" else None
+    for place in spec.submodule_search_locations or () if spec else ():
+        path = Path(place, file)
+        if path.is_file():
+            return path.read_text(encoding="utf-8")
+    return None
 
 
 @pass_context

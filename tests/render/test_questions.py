@@ -11,9 +11,10 @@ from derive.kinds import registry
 from derive.sheet.load import sheet_of
 from derive.sheet.reader import read_text
 from derive.sheet.source import At
+from derive.sheet.subjects.registry import subjects
 from derive.sheet.tex import check_text
 
-KINDS = [(subject, kind) for subject in registry.FOLDERS for kind in registry.kinds_of(subject)]
+KINDS = [(subject, kind) for subject in subjects() for kind in registry.kinds_of(subject)]
 
 
 @pytest.mark.parametrize(("subject", "kind"), KINDS)

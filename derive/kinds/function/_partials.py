@@ -10,6 +10,7 @@ from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Step
 from derive.expression import Derivative, Expr, Symbol
 from derive.kinds.checks import agreement
+from derive.kinds.pose._numbers import completed
 from derive.kinds.problem import Problem
 
 STEP = 1e-4
@@ -43,16 +44,10 @@ def agrees(
     """Each derivative found against the differences of its function."""
     ours = tuple(found)
 
-    def complete(at: Mapping[str, float]) -> dict[str, float]:
-        known = dict(at)
-        for name, value in problem.where.items():
-            known[name] = numeric.number(value, known)
-        return known
-
     return agreement(
         claim,
         problem.symbols,
-        lambda at: [numeric.number(expr, complete(at)) for expr in ours],
-        lambda at: [by_differences(of, name, complete(at)) for of, name in pairs],
+        lambda at: [numeric.number(expr, completed(at, problem.where)) for expr in ours],
+        lambda at: [by_differences(of, name, completed(at, problem.where)) for of, name in pairs],
         DIFFERENCES,
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from derive.algebra.function import Function
 from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
-from derive.expression import Derivative, Expr, Matrix, Symbol, column
+from derive.expression import Derivative, Expr, Matrix, Product, Symbol, column
 from derive.kinds.checks import links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.function._naming import function_name
@@ -32,16 +32,15 @@ def derive(function: Function, options: Options, problem: Problem) -> Derivation
     name, value = function_name(problem), function.values[0]
     partials = tuple(partial_step(problem, name, value, each) for each in function.variables)
     row = Matrix((tuple(Derivative(name, Symbol(each)) for each in function.variables),))
-    nabla = Symbol(f"grad_{name.name}")
     steps = (
         Step(name.name, (name, value), "given"),
         *partials,
-        Step(nabla.name, (nabla, row, Matrix((tuple(step.result for step in partials),))), "gradient"),
+        Step("gradient", (row, Matrix((tuple(step.result for step in partials),))), "gradient"),
     )
     result = problem.final(column(step.result for step in partials))
     definitions: dict[Expr, Expr] = {name: value}
     claims = (*links(steps, {**problem.names, **definitions}), _second_route(function, problem, steps))
-    facts = {"gradient": nabla.name, "name": name, "partials": tuple(step.name for step in partials)}
+    facts = {"nabla": Product((Symbol("nabla"), name)), "name": name}
     return Derivation("gradient", steps, {"gradient": result}, claims, definitions, facts=facts)
 
 

@@ -51,11 +51,11 @@ def weighted(problem: Problem, found: Chain) -> tuple[Weighted, ...]:
     if not carried:
         raise NotDerivable("no link has a mass; give each link `mass`, `com` and `inertia`")
     alike = len({(body.mass, body.inertia) for _, body in carried}) == 1
-    return tuple(_weighted(found, i, body, "" if alike else str(i)) for i, body in carried)
+    return tuple(_weighted(problem, found, i, body, "" if alike else str(i)) for i, body in carried)
 
 
-def _weighted(found: Chain, i: int, body: Body, index: str) -> Weighted:
-    written, named = _moments(body, index)
+def _weighted(problem: Problem, found: Chain, i: int, body: Body, index: str) -> Weighted:
+    written, named = _moments(problem, body, index)
     com = _com(found, i, body)
     T = found.T[i]
     position = position_part(T) + rotation_part(T) @ com
@@ -74,9 +74,11 @@ def _weighted(found: Chain, i: int, body: Body, index: str) -> Weighted:
     return Weighted(i, body, com, written, named, motion, J)
 
 
-def _moments(body: Body, index: str) -> tuple[tuple[Expr, ...], dict[Expr, Expr]]:
+def _moments(problem: Problem, body: Body, index: str) -> tuple[tuple[Expr, ...], dict[Expr, Expr]]:
     """A shape's moments go by names (I_xx, I_xx1) while working; given ones stand as given."""
     values = moments(body)
+    if body.about == "origin":
+        return tuple(problem.readable(normal(value)) for value in values), {}
     if isinstance(body.inertia, Moments | PointMass):
         return values, {}
     named: dict[Expr, Expr] = {}

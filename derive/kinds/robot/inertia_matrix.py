@@ -18,6 +18,7 @@ from derive.kinds.robot._bodies import Weighted, weighted
 from derive.kinds.robot._body_steps import body_definitions, com_jacobian_steps, com_steps, inertia_steps
 from derive.kinds.robot._chain import axis_steps, chain_of, oracle_of
 from derive.kinds.robot._columns import pose_steps
+from derive.kinds.robot._drives import rotor_steps, with_rotors
 from derive.kinds.robot._local_jacobians import local_definitions, local_parts, local_steps
 from derive.mechanics.chain import Chain
 from derive.mechanics.dynamics import inertia_matrix, link_inertia
@@ -51,7 +52,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     found = chain_of(problem)
     bodies = weighted(problem, found)
     poses = problem.ask("forward-kinematics")
-    D = inertia_matrix([body.motion for body in bodies])
+    D = with_rotors(inertia_matrix([body.motion for body in bodies]), robot)
     written = problem.readable_matrix(D)
     named = {name: value for body in bodies for name, value in body.named.items()}
     big = max(map(operations, children(written))) > LONGEST_ENTRY
@@ -92,7 +93,7 @@ def _local(
     problem: Problem, found: Chain, bodies: tuple[Weighted, ...], written: Matrix, named: dict[Expr, Expr]
 ) -> tuple[tuple[Step, ...], dict[Expr, Expr]]:
     """By those Jacobians in the frames of the links; D stays a sum over them."""
-    parts = local_parts(bodies)
+    parts = (*local_parts(bodies), *rotor_steps(problem.subject))
     total = Step("D", (Symbol("D"), Sum(tuple(Symbol(part.name) for part in parts))), "sum")
     steps = (*local_steps(problem, bodies), *inertia_steps(problem, bodies), *parts, total)
     # The step of D compares the sum over the links with D itself, multiplied out.
@@ -121,6 +122,7 @@ def _sum(
         name, own = Symbol(f"D_{body.i}"), problem.readable_matrix(link_inertia(body.motion))
         chain = (name, _formula(body), own) if _fits(own) else (name, _formula(body))
         parts.append(Step(name.name, chain, "link-inertia"))
+    parts += rotor_steps(problem.subject)
     total = Sum(tuple(Symbol(step.name) for step in parts)) if len(parts) > 1 else Symbol(parts[0].name)
     if not _fits(written):
         entries = [Step(str(name.name), (name, value), "entry") for name, value in _upper(written).items()]

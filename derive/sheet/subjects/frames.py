@@ -86,7 +86,7 @@ def _source(given: FrameField, number: int, parent: int, at: At, known: Known) -
     if isinstance(given, MotionFrame):
         return Motion(tuple(move(entry) for entry in given.motion))
     if isinstance(given, MatrixFrame):
-        return _by_matrix(given, number, at, known)
+        return by_matrix(given.matrix, f"frame {number}", at / "matrix", known)
     return _observed(given, number, parent, at, known)
 
 
@@ -101,42 +101,34 @@ def _observed(given: ObservedFrame, number: int, parent: int, at: At, known: Kno
             faults.append(at.fault(f"{name}: {error}", (name,), hint + ", or say which frame with 'in:'"))
     if faults:
         raise SheetErrors(faults)
-    _require_orthonormal(read, "axes", number, at, known)
+    _require_orthonormal(read, "axes", f"frame {number}", at, known)
     return Observed(read[0], read[1], read[2], given.origin)
 
 
-def _by_matrix(given: MatrixFrame, number: int, at: At, known: Known) -> ByMatrix:
-    size = len(given.matrix)
+def by_matrix(matrix: list[list[Expr]], whose: str, at: At, known: Known) -> ByMatrix:
+    """A transform (4 rows) or a rotation (3) written out. Raises SheetErrors where it is neither."""
+    size = len(matrix)
     if size not in (3, 4):
-        raise SheetErrors([at.fault(f"a matrix of {size} rows", ("matrix",), SIZES)])
-    for index, row in enumerate(given.matrix):
+        raise SheetErrors([at.fault(f"a matrix of {size} rows", (), SIZES)])
+    for index, row in enumerate(matrix):
         if len(row) != size:
-            raise SheetErrors(
-                [at.fault(f"a row of {len(row)} in a matrix of {size} rows", ("matrix", index), SIZES)]
-            )
-    rows = tuple(tuple(row) for row in given.matrix)
-    _require_last_row(rows, at, known)
+            raise SheetErrors([at.fault(f"a row of {len(row)} in a matrix of {size} rows", (index,), SIZES)])
+    rows = tuple(tuple(row) for row in matrix)
+    _require_last_row(rows, at)
     columns = [(rows[0][j], rows[1][j], rows[2][j]) for j in range(3)]
-    _require_orthonormal(columns, "columns", number, at / "matrix", known)
+    _require_orthonormal(columns, "columns", whose, at, known)
     return ByMatrix(Matrix(rows))
 
 
-def _require_last_row(rows: tuple[tuple[Expr, ...], ...], at: At, known: Known) -> None:
+def _require_last_row(rows: tuple[tuple[Expr, ...], ...], at: At) -> None:
     if len(rows) == 4 and [rational(entry) for entry in rows[3]] != [0, 0, 0, 1]:
-        raise SheetErrors(
-            [
-                at.fault(
-                    "the last row of a homogeneous transform is 0, 0, 0, 1",
-                    ("matrix", 3),
-                    "write [0, 0, 0, 1]",
-                )
-            ]
-        )
+        message = "the last row of a homogeneous transform is 0, 0, 0, 1"
+        raise SheetErrors([at.fault(message, (3,), "write [0, 0, 0, 1]")])
 
 
 def _require_orthonormal(
-    axes: list[tuple[Expr, Expr, Expr]], what: str, number: int, at: At, known: Known
+    axes: list[tuple[Expr, Expr, Expr]], what: str, whose: str, at: At, known: Known
 ) -> None:
     if product := failed_product(axes, known.where):
-        message = f"the {what} of frame {number} are not right-handed and orthonormal: {product}"
+        message = f"the {what} of {whose} are not right-handed and orthonormal: {product}"
         raise SheetErrors([at.fault(message, (), "check the signs and that every axis has length 1")])

@@ -17,11 +17,13 @@ from derive.kinds.fields import (
     Quantity,
     StarredAngle,
     StarredLength,
+    StarredQuantity,
 )
 from derive.mechanics.bodies import Body, Box, Cylinder, Inertia, Moments, PointMass, Rod, Sphere
 from derive.mechanics.drives import Friction, Motor
 from derive.sheet.faults import NO_FORM
 from derive.sheet.subjects.moves import MoveJointField, Named
+from derive.sheet.subjects.screws import ScrewField
 
 SHAPES = ("box", "rod", "cylinder", "sphere")
 
@@ -138,12 +140,23 @@ class FreeLink(Carried):
     motion: Annotated[list[MoveJointField], Field(min_length=1, max_length=20)]
 
 
+class ScrewLink(Carried):
+    """A joint by its axis in the base frame while all joints are at zero."""
+
+    screw: ScrewField
+    variable: StarredQuantity
+
+
 def _link_form(value: Any) -> str:
-    return "=motion" if isinstance(value, dict) and "motion" in value else "=row"
+    keys = value if isinstance(value, dict) else ()
+    return next((f"={form}" for form in ("motion", "screw") if form in keys), "=row")
 
 
 LinkField: TypeAlias = Annotated[
-    Annotated[DHLink, Tag("=row")] | Annotated[FreeLink, Tag("=motion")], Discriminator(_link_form)
+    Annotated[DHLink, Tag("=row")]
+    | Annotated[FreeLink, Tag("=motion")]
+    | Annotated[ScrewLink, Tag("=screw")],
+    Discriminator(_link_form),
 ]
 BODY_KEYS = {
     "mass": "add mass: m",

@@ -1,4 +1,4 @@
-"""robot: an open chain given by Denavit-Hartenberg rows or free motions."""
+"""robot: an open chain given by Denavit-Hartenberg rows, free motions, or the screw axes of its joints."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pydantic import Field
 from derive.errors import SheetError, SheetErrors
 from derive.expression import Expr, Symbol, walk
 from derive.kinds.fields import Acceleration, OptionsModel, Starred
-from derive.mechanics.robot import DHRow, FreeRow, JointType, Link, Robot
+from derive.mechanics.robot import DHRow, FreeRow, JointType, Link, Robot, Row
 from derive.sheet.body_faults import body_faults, body_warnings
 from derive.sheet.source import At, Route
 from derive.sheet.subjects.link import (
@@ -19,6 +19,7 @@ from derive.sheet.subjects.link import (
     DHLink,
     FreeLink,
     LinkField,
+    ScrewLink,
     body,
     friction,
     lacking,
@@ -26,6 +27,7 @@ from derive.sheet.subjects.link import (
 )
 from derive.sheet.subjects.moves import MoveField, RotateJoint, joint_move, move
 from derive.sheet.subjects.registry import Known
+from derive.sheet.subjects.screws import HomeField, home_pose, joint_type, screw_row
 
 NO_JOINT = "a star marks the joint variable: write {name}*"
 
@@ -39,6 +41,7 @@ class Given(OptionsModel):
     base: Annotated[tuple[MoveField, ...], Field(max_length=20)] = ()
     tool: Annotated[tuple[MoveField, ...], Field(max_length=20)] = ()
     gravity: tuple[Acceleration, Acceleration, Acceleration] | None = None
+    home: HomeField | None = None
 
 
 def build(given: Given, at: At, known: Known) -> Robot:
@@ -46,7 +49,7 @@ def build(given: Given, at: At, known: Known) -> Robot:
     negative mass."""
     faults = [*_star_faults(given, at, known), *_repeated(given, at), *_half_bodies(given, at)]
     links = tuple(_link(row) for row in given.links)
-    faults += body_faults(links, at, known)
+    faults += [*_mixed(given, at), *body_faults(links, at, known)]
     if faults:
         raise SheetErrors(faults)
     return Robot(
@@ -56,6 +59,7 @@ def build(given: Given, at: At, known: Known) -> Robot:
         tuple(move(entry) for entry in given.base),
         tuple(move(entry) for entry in given.tool),
         given.gravity,
+        None if given.home is None else home_pose(given.home, at / "home", known),
     )
 
 
@@ -81,7 +85,9 @@ def missing(subject: Robot, need: str, at: At) -> list[SheetError]:
 def _link(given: LinkField) -> Link:
     joint, variable = _joint(given)
     if isinstance(given, FreeLink):
-        row: DHRow | FreeRow = FreeRow(tuple(joint_move(entry) for entry in given.motion))
+        row: Row = FreeRow(tuple(joint_move(entry) for entry in given.motion))
+    elif isinstance(given, ScrewLink):
+        row = screw_row(given.screw, given.variable.expr)
     else:
         row = DHRow(given.theta.expr, given.d.expr, given.a, given.alpha)
     return Link(row, joint, variable, body(given), motor(given), friction(given))
@@ -92,6 +98,9 @@ def _starred(given: LinkField) -> Iterator[tuple[Route, JointType, Starred]]:
     if isinstance(given, DHLink):
         yield ("theta",), "revolute", given.theta
         yield ("d",), "prismatic", given.d
+        return
+    if isinstance(given, ScrewLink):
+        yield ("variable",), joint_type(given.screw), given.variable
         return
     for index, entry in enumerate(given.motion):
         joint: JointType = "revolute" if isinstance(entry, RotateJoint) else "prismatic"
@@ -131,6 +140,21 @@ def _forgotten(row: LinkField, index: int, at: At, known: Known) -> Iterator[She
                 )
                 yield at.fault(f"row {index + 1} has no joint variable", ("links", index, *route), hint)
                 return
+
+
+def _mixed(given: Given, at: At) -> Iterator[SheetError]:
+    """Screw axes are those of the base frame: rows of other forms, and a home without screws, are faults."""
+    screws = [isinstance(row, ScrewLink) for row in given.links]
+    hint = "give every joint its screw, or every link its row"
+    if any(screws) and not all(screws):
+        index = screws.index(False) if screws[0] else screws.index(True)
+        yield at.fault("screws and other rows stand in one robot", ("links", index), hint)
+    if given.home is not None and not any(screws):
+        hint = "leave it out; the last row, or tool:, says where the end-effector is"
+        yield at.fault("home: belongs to a robot of screws", ("home",), hint, key=True)
+    for index, row in enumerate(given.links):
+        if isinstance(row, ScrewLink) and row.variable.variable is None:
+            yield at.fault("this screw has no joint variable", ("links", index, "variable"), "write theta1*")
 
 
 def _names(expr: Expr) -> list[str]:

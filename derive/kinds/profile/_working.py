@@ -1,0 +1,109 @@
+"""Lines of working: a formula in names, the same with numbers put in, and what comes out."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+
+from derive.algebra.normal import normal
+from derive.algebra.numeric import scalar_number
+from derive.algebra.scalar import Scalar
+from derive.algebra.signs import sign_of
+from derive.derivation import Step
+from derive.errors import NotDerivable
+from derive.expression import PI, Degrees, Expr, Product, Symbol, free_symbols
+from derive.expression import replace as replaced
+from derive.kinds.problem import Problem
+
+CLOSE = 1e-12
+
+
+def named(standard: str, value: Expr) -> Symbol:
+    """What a given quantity is called: as its author calls it, else by its usual name."""
+    return value if isinstance(value, Symbol) and value != PI else Symbol(standard)
+
+
+@dataclass(frozen=True, slots=True)
+class Working:
+    """Given quantities by their names on the page, and the lines worked out from them so far.
+
+    `angular` writes multiples of pi in degrees, as the author typed them.
+    """
+
+    problem: Problem
+    values: Mapping[Expr, Expr]  # names on the page -> trees in the symbols of the sheet
+    angular: bool = False
+    steps: tuple[Step, ...] = field(default=())
+
+    @property
+    def given(self) -> tuple[tuple[Expr, Expr], ...]:
+        """Names that stand for something typed, as chains."""
+        return tuple((name, value) for name, value in self.values.items() if name != value)
+
+    @property
+    def definitions(self) -> dict[Expr, Expr]:
+        """What every name stands for, that of a symbol of the sheet left out."""
+        return {name: value for name, value in self.values.items() if name != value}
+
+    def scalar(self, expr: Expr) -> Scalar:
+        """The normal form in the symbols of the sheet, those of `where` replaced."""
+        return normal(expr, {**self.problem.names, **self.definitions})
+
+    def value(self, expr: Expr) -> Expr:
+        """What an expression comes to, names of `where` kept."""
+        return self.written(normal(expr, self.definitions))
+
+    def written(self, value: Scalar) -> Expr:
+        """A scalar as a person writes it; an angle in degrees where the author did."""
+        if self.angular:
+            turns = (value / Scalar.symbol("pi")).constant
+            if turns is not None and value.constant is None:
+                return Degrees(turns * 180)
+        return self.problem.readable(value)
+
+    def sign(self, expr: Expr) -> int | None:
+        """1, 0 or -1; None where symbols leave it open."""
+        value = self.scalar(expr)
+        if (known := sign_of(value, self._positive())) is not None:
+            return known
+        try:
+            number = scalar_number(value, {})
+        except (KeyError, ValueError, ZeroDivisionError):
+            return None
+        return 0 if abs(number) < CLOSE else 1 if number > 0 else -1
+
+    def _positive(self) -> frozenset[str]:
+        return frozenset(n for n, what in self.problem.assumptions.items() if what == "positive")
+
+    def line(self, name: str, formula: Expr, answer: Expr | None = None, step: str = "") -> Working:
+        """One line more: `name = formula = numbers put in = what comes out` (`answer` where that is to be
+        written in a certain way)."""
+        symbol = Symbol(name)
+        out = self.value(formula) if answer is None else answer
+        filled = replaced(formula, {key: value for key, value in self.values.items() if key != value})
+        chain = _distinct((symbol, formula, *((filled,) if not free_symbols(filled) else ()), out))
+        values = {**self.values, symbol: out}
+        return replace(self, values=values, steps=(*self.steps, Step(step or name, chain)))
+
+    def final(self, name: str) -> Expr:
+        """The value of a line with everything replaced."""
+        return self.problem.final(self.values[Symbol(name)])
+
+
+def _distinct(chain: tuple[Expr, ...]) -> tuple[Expr, ...]:
+    """Without an expression that repeats the one before it; a name alone is told of itself."""
+    kept: list[Expr] = []
+    for expr in chain:
+        if not kept or expr != kept[-1]:
+            kept.append(expr)
+    return tuple(kept) if len(kept) > 1 else (kept[0], kept[0])
+
+
+def number_of(problem: Problem, expr: Expr) -> float:
+    """A value without symbols left. Raises NotDerivable that names one that is left."""
+    try:
+        return scalar_number(normal(expr, problem.names), {})
+    except KeyError as error:
+        raise NotDerivable(f"no value is known for {error.args[0]}") from error
+
+

@@ -1,0 +1,52 @@
+"""The motors and the friction of an arm's joints, as its dynamics needs them."""
+
+from __future__ import annotations
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal_matrix
+from derive.derivation import Step
+from derive.expression import ZERO, Expr, Matrix, Symbol, add, column
+from derive.mechanics.drives import reflected, resistance
+from derive.mechanics.robot import Link, Robot
+
+ROTORS = Symbol("D_m")
+
+
+def moving(robot: Robot) -> tuple[Link, ...]:
+    """The rows with a joint."""
+    return tuple(link for link in robot.links if link.variable)
+
+
+def rotors(robot: Robot) -> Matrix | None:
+    """What the rotors add to D: G^2 J on its diagonal; None without motors."""
+    values = [reflected(link.motor) for link in moving(robot)]
+    if all(value == ZERO for value in values):
+        return None
+    return Matrix(
+        tuple(
+            tuple(value if i == j else ZERO for j in range(len(values))) for i, value in enumerate(values)
+        )
+    )
+
+
+def rotor_steps(robot: Robot) -> tuple[Step, ...]:
+    """D_m, where there are motors."""
+    matrix = rotors(robot)
+    return () if matrix is None else (Step(ROTORS.name, (ROTORS, matrix), "rotors"),)
+
+
+def with_rotors(D: ScalarMatrix, robot: Robot) -> ScalarMatrix:
+    """D of the links with the rotors added."""
+    matrix = rotors(robot)
+    return D if matrix is None else D + normal_matrix(matrix)
+
+
+def friction_terms(robot: Robot) -> tuple[tuple[Expr, ...], ...]:
+    """The terms of friction of each joint, in the order of the joints."""
+    return tuple(resistance(link.friction, link.variable or "") for link in moving(robot))
+
+
+def friction_column(robot: Robot) -> Matrix | None:
+    """The friction of the joints (n by 1), None where there is none."""
+    terms = friction_terms(robot)
+    return column(add(*each) for each in terms) if any(terms) else None
