@@ -10,7 +10,7 @@ from shutil import copyfile
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from derive.derivation import Derivation
+from derive.derivation import Claim, Derivation
 from derive.errors import NotDerivable, SheetError, SheetErrors
 from derive.kinds.problem import Problem as Working
 from derive.kinds.registry import module_name
@@ -128,11 +128,18 @@ def _answer(question: Question, working: Working) -> Derivation:
         derivation = working.answer(question.find, question.options)
     except NotDerivable as error:
         raise SheetErrors([SheetError(str(error), question.place)]) from error
-    failed = [claim for claim in derivation.claims if not claim.holds]
+    failed = next((claim for claim in _claims(derivation) if not claim.holds), None)
     if failed:
-        message = f"the answer failed its own check: {failed[0].claim} (by {failed[0].by})"
+        message = f"the answer failed its own check: {failed.claim} (by {failed.by})"
         raise SheetErrors([SheetError(message, question.place, "please report this with the sheet")])
     return derivation
+
+
+def _claims(derivation: Derivation) -> Iterator[Claim]:
+    """Those of the answer and of all it rests on."""
+    yield from derivation.claims
+    for used in derivation.uses:
+        yield from _claims(used)
 
 
 def _order(

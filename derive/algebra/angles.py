@@ -6,6 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from flint import fmpq, fmpq_mat
+
 PI = "pi"  # the atom of fixed angles; every other atom is the name of an angle
 RADIAN = "1"  # the atom of fixed angles given as plain numbers
 
@@ -42,29 +44,18 @@ class Form:
 
 def combination(form: Form, basis: Sequence[Form]) -> tuple[Fraction, ...] | None:
     """The coefficients that write `form` in linearly independent `basis`; None if there are none."""
-    rows = {atom for member in (form, *basis) for atom, _ in member.parts}
-    table = [[b.of_atom(atom) for b in basis] + [form.of_atom(atom)] for atom in sorted(rows)]
-    pivots = _eliminate(table, len(basis))
-    if any(row[-1] and not any(row[:-1]) for row in table):
+    if not basis:
+        return None if form.parts else ()
+    atoms = sorted({atom for member in (form, *basis) for atom, _ in member.parts})
+    columns = [dict(member.parts) for member in (*basis, form)]
+    table = [rational(column.get(atom, 0)) for atom in atoms for column in columns]
+    reduced, rank = fmpq_mat(len(atoms), len(columns), table).rref()
+    if rank > len(basis):
         return None
-    found = [Fraction(0)] * len(basis)
-    for row, col in enumerate(pivots):
-        found[col] = table[row][-1]
-    return tuple(found)
+    entries = (reduced[row, len(basis)] for row in range(len(basis)))
+    return tuple(Fraction(int(entry.p), int(entry.q)) for entry in entries)
 
 
-def _eliminate(table: list[list[Fraction]], columns: int) -> list[int]:
-    """Gauss-Jordan in place; returns the pivot columns, one a row."""
-    pivots: list[int] = []
-    for col in range(columns):
-        top = len(pivots)
-        pivot = next((r for r in range(top, len(table)) if table[r][col]), None)
-        if pivot is None:
-            continue
-        table[top], table[pivot] = table[pivot], table[top]
-        table[top] = [entry / table[top][col] for entry in table[top]]
-        for r, row in enumerate(table):
-            if r != top and row[col]:
-                table[r] = [a - row[col] * b for a, b in zip(row, table[top], strict=True)]
-        pivots.append(col)
-    return pivots
+def rational(value: Fraction | int) -> fmpq:
+    """Python's rational as FLINT's."""
+    return fmpq(value.numerator, value.denominator)

@@ -53,16 +53,23 @@ def with_rates(home: Ring, name: str) -> Ring:
 
 def _along_symbols_and_angles(polynomial: fmpq_mpoly, home: Ring, name: str) -> fmpq_mpoly:
     result = polynomial.derivative(home.index[name]) if name in home.index else home.zero
-    for k, form in enumerate(home.angles):
-        rates = _rate(form, name)
-        if not rates:
-            continue
+    turning = _turning(home, name)
+    for k, rate in turning:
         (c, s), (c_at, s_at) = home.pair(k), home.pair_index(k)
         along = polynomial.derivative(s_at) * c - polynomial.derivative(c_at) * s
-        if rates != ONE:
-            along = along * home.polynomial((powers, n) for n, powers in rates)
-        result = result + along
-    return home.reduce(result)
+        result = result + (along if rate is None else along * rate)
+    return home.reduce(result) if turning else result
+
+
+@lru_cache(maxsize=1024)
+def _turning(home: Ring, name: str) -> tuple[tuple[int, fmpq_mpoly | None], ...]:
+    """(k, rate) of the angles of the ring that change with the name; None for a rate of 1."""
+    rates = ((k, _rate(form, name)) for k, form in enumerate(home.angles))
+    return tuple(
+        (k, None if rate == ONE else home.polynomial((powers, n) for n, powers in rate))
+        for k, rate in rates
+        if rate
+    )
 
 
 @lru_cache(maxsize=1024)

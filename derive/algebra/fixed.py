@@ -28,8 +28,9 @@ def square_root(value: Fraction) -> Scalar:
 def fixed_trig(turns: Fraction) -> tuple[Scalar, Scalar]:
     """(cosine, sine) of `turns * pi`: with square roots for multiples of 15 degrees.
 
-    Any other fixed angle becomes a generator pair of its own: still exact, but relations between
-    several such angles are not all known.
+    Any other fixed angle becomes a generator pair of its own, of which its ring knows c^2 + s^2 = 1
+    only; what else holds between fixed angles, and between them and roots, `derive.algebra.settled`
+    knows and `==` asks there.
     """
     turns %= 2
     if (12 * turns).denominator == 1:
@@ -40,22 +41,27 @@ def fixed_trig(turns: Fraction) -> tuple[Scalar, Scalar]:
 
 
 def _fifteenths(steps: int) -> tuple[Scalar, Scalar]:
-    """Multiples of 15 degrees by the addition theorem from their quarter, 30 and 45 degrees."""
-    half = Scalar.of(Fraction(1, 2))
-    base = {
-        0: (Scalar.of(1), Scalar.of(0)),
-        2: (square_root(Fraction(3, 4)), half),
-        3: (square_root(Fraction(1, 2)), square_root(Fraction(1, 2))),
-        4: (half, square_root(Fraction(3, 4))),
-    }
+    """Multiples of 15 degrees from those of the first quarter."""
     quarter, rest = divmod(steps, 6)
-    if rest in base:
-        c, s = base[rest]
-    else:
-        (c1, s1), (c2, s2) = base[3], base[2]
-        sign = 1 if rest == 5 else -1
-        c, s = c1 * c2 - sign * s1 * s2, s1 * c2 + sign * c1 * s2
+    c, s = _of_quarter(rest)
     return ((c, s), (-s, c), (-c, -s), (s, -c))[quarter]
+
+
+def _of_quarter(steps: int) -> tuple[Scalar, Scalar]:
+    """15 and 75 degrees by the addition theorem from 45 and 30."""
+    half = Fraction(1, 2)
+    match steps:
+        case 0:
+            return Scalar.of(1), Scalar.of(0)
+        case 2:
+            return square_root(Fraction(3, 4)), Scalar.of(half)
+        case 3:
+            return square_root(half), square_root(half)
+        case 4:
+            return Scalar.of(half), square_root(Fraction(3, 4))
+    (c1, s1), (c2, s2) = _of_quarter(3), _of_quarter(2)
+    sign = 1 if steps == 5 else -1
+    return c1 * c2 - sign * s1 * s2, s1 * c2 + sign * c1 * s2
 
 
 def _prime_root(prime: int) -> Scalar:

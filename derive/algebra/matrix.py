@@ -76,15 +76,17 @@ class ScalarMatrix:
         return ScalarMatrix(tuple(tuple(row[j] for j in which) for row in self.rows))
 
     def into(self, home: Ring) -> ScalarMatrix:
-        return self.map(lambda entry: entry.into(home))
+        """The same matrix in a larger ring."""
+        return self if self.ring is home else self.map(lambda entry: entry.into(home))
 
     def map(self, change: Callable[[Scalar], Scalar]) -> ScalarMatrix:
         """`change` must keep the entries in one ring."""
         return ScalarMatrix(tuple(tuple(map(change, row)) for row in self.rows))
 
     def __add__(self, other: ScalarMatrix) -> ScalarMatrix:
-        pairs = zip(self.rows, other.rows, strict=True)
-        return ScalarMatrix.of([a + b for a, b in zip(*rows, strict=True)] for rows in pairs)
+        home = self.ring.union(other.ring)
+        pairs = zip(self.into(home).rows, other.into(home).rows, strict=True)
+        return ScalarMatrix(tuple(tuple(map(Scalar.__add__, *rows)) for rows in pairs))
 
     def __neg__(self) -> ScalarMatrix:
         return self.map(lambda entry: -entry)
@@ -93,7 +95,8 @@ class ScalarMatrix:
         return self + (-other)
 
     def scaled(self, by: Like) -> ScalarMatrix:
-        return ScalarMatrix.of([entry * by for entry in row] for row in self.rows)
+        home = self.ring.union(Scalar.of(by).ring)
+        return self.into(home).map(lambda entry: entry * by)
 
     def __matmul__(self, other: ScalarMatrix) -> ScalarMatrix:
         home = self.ring.union(other.ring)
@@ -121,8 +124,11 @@ class ScalarMatrix:
 
     def cross(self, other: ScalarMatrix) -> ScalarMatrix:
         """The vector product of two columns of three."""
-        (ax, ay, az), (bx, by, bz) = self.entries, other.entries
-        return ScalarMatrix.column((ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx))
+        home = self.ring.union(other.ring)
+        (ax, ay, az), (bx, by, bz) = self.into(home).entries, other.into(home).entries
+        return ScalarMatrix(
+            ((dot((ay, -az), (bz, by)),), (dot((az, -ax), (bx, bz)),), (dot((ax, -ay), (by, bx)),))
+        )
 
     def minor(self, i: int, j: int) -> ScalarMatrix:
         """Without row i and column j."""
@@ -153,12 +159,14 @@ class ScalarMatrix:
 def dot(left: Sequence[Scalar], right: Sequence[Scalar]) -> Scalar:
     """The sum of products of scalars of one ring, reduced once at the end."""
     home = left[0].ring
+    pairs = [(a, b) for a, b in zip(left, right, strict=True) if a.numerator and b.numerator]
+    if len(pairs) <= 1:
+        return pairs[0][0] * pairs[0][1] if pairs else Scalar(home, home.zero)
     total = home.zero
-    for a, b in zip(left, right, strict=True):
+    for a, b in pairs:
         if a.denominator is not None or b.denominator is not None:
-            return sum((x * y for x, y in zip(left, right, strict=True)), Scalar(home, home.zero))
-        if a.numerator and b.numerator:
-            total = total + a.numerator * b.numerator
+            return sum((x * y for x, y in pairs), Scalar(home, home.zero))
+        total = total + a.numerator * b.numerator
     return Scalar(home, home.reduce(total))
 
 

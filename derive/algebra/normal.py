@@ -54,6 +54,8 @@ def normal(expr: Expr, names: Names | None = None) -> Scalar:
 
     Raises NotDerivable where the expression is a matrix or has no exact value.
     """
+    if isinstance(expr, Symbol | Number) and expr not in (names or ()):
+        return Scalar.symbol(expr.name) if isinstance(expr, Symbol) else Scalar.of(expr.value)
     value = walk_over([expr], names or {}).value(expr)
     if isinstance(value, ScalarMatrix):
         if value.shape != (1, 1):
@@ -230,8 +232,10 @@ class Walk:
                 return reduce(_added, map(self.trig, terms))
             case Product((Number(n), rest)) if self._has_inverse(rest) and n.denominator == 1:
                 return _multiple(self.trig(rest), int(n))
-            case Symbol() if angle in self.names:
-                return self.trig(self.names[angle])
+            case Degrees(degrees):
+                return fixed_trig(degrees / 180)
+            case Symbol(name) if name != PI:
+                return self.trig(self.names[angle]) if angle in self.names else trig(Form.of({name: 1}))
             case Call("atan2", (y, x)):
                 return _of_direction(self.scalar(y), self.scalar(x))
             case Call("atan", (slope,)):

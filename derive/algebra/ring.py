@@ -17,9 +17,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property, lru_cache
 
-from flint import Ordering, fmpq, fmpq_mpoly, fmpq_mpoly_ctx
+from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
-from derive.algebra.angles import PI, Form, combination
+from derive.algebra.angles import PI, Form, combination, rational
 
 Pair = tuple[fmpq_mpoly, fmpq_mpoly]
 
@@ -83,7 +83,7 @@ class Ring:
         return self.constant(1)
 
     def constant(self, value: Fraction | int) -> fmpq_mpoly:
-        return self.context.constant(_fmpq(value))
+        return self.context.constant(rational(value))
 
     def gen(self, name: str) -> fmpq_mpoly:
         return self.context.gen(self.index[name])
@@ -116,7 +116,7 @@ class Ring:
             exponents = [0] * len(self.names)
             for name, power in powers:
                 exponents[self.index[name]] = power
-            entries[tuple(exponents)] = _fmpq(coefficient)
+            entries[tuple(exponents)] = rational(coefficient)
         return self.context.from_dict(entries)
 
     def terms(self, polynomial: fmpq_mpoly) -> tuple[tuple[tuple[tuple[str, int], ...], Fraction], ...]:
@@ -133,6 +133,8 @@ class Ring:
 
     def reduce(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
         """The unique representative: no root and no sine to a power above one."""
+        if not polynomial:
+            return polynomial
         degrees = polynomial.degrees()
         for i, relation in self.relations:
             if degrees[i] > 1:
@@ -178,6 +180,8 @@ def ring(roots: tuple[Root, ...] = (), angles: tuple[Form, ...] = (), symbols: t
 
 @lru_cache(maxsize=4096)
 def _trig(home: Ring, form: Form) -> Pair | None:
+    if form in home.angles:
+        return home.pair(home.angles.index(form))
     multiples = combination(form, home.angles)
     if multiples is None or any(n.denominator != 1 for n in multiples):
         return None
@@ -227,14 +231,21 @@ def carry(polynomial: fmpq_mpoly, source: Ring, target: Ring) -> fmpq_mpoly:
     """The same element in a larger ring."""
     if source is target:
         return polynomial
-    if polynomial.is_constant():
-        return target.context.constant(polynomial.leading_coefficient()) if polynomial else target.zero
+    if not polynomial:
+        return target.zero
+    if len(polynomial) == 1:  # a symbol or a number: FLINT takes longer to project it
+        return _carried_term(polynomial, source, target)
     moved = images(source, target)
     if moved is None:
         return polynomial.project_to_context(target.context)
     return target.reduce(polynomial.compose(*moved, ctx=target.context))
 
 
-def _fmpq(value: Fraction | int) -> fmpq:
-    value = Fraction(value)
-    return fmpq(value.numerator, value.denominator)
+def _carried_term(polynomial: fmpq_mpoly, source: Ring, target: Ring) -> fmpq_mpoly:
+    ((exponents, coefficient),) = polynomial.terms()
+    found = target.context.constant(coefficient)
+    moved = images(source, target)
+    for i, power in enumerate(exponents):
+        if power:
+            found = found * (moved[i] if moved else target.gen(source.names[i])) ** int(power)
+    return found if moved is None else target.reduce(found)

@@ -13,7 +13,7 @@ from typing import Union
 
 from flint import fmpq_mpoly
 
-from derive.algebra.angles import Form
+from derive.algebra.angles import Form, rational
 from derive.algebra.calculus import derivative, with_rates
 from derive.algebra.ring import Ring, carry, ring
 from derive.algebra.settled import vanishes
@@ -60,11 +60,20 @@ class Scalar:
         return self + (-Scalar.of(other))
 
     def __mul__(self, other: Like) -> Scalar:
+        if not isinstance(other, Scalar):  # a number leaves nothing to reduce
+            return Scalar(self.ring, self.numerator * rational(other), self.denominator if other else None)
         a, b = _together(self, other)
-        product = a.ring.reduce(a.numerator * b.numerator)
         if a.denominator is None and b.denominator is None:
-            return Scalar(a.ring, product)
+            return a._times_polynomial(b)
+        product = a.ring.reduce(a.numerator * b.numerator)
         return fraction(a.ring, product, _times(a.denominator, b.denominator))
+
+    def _times_polynomial(self, other: Scalar) -> Scalar:
+        """The product of polynomials of one ring; most that a matrix multiplies are 0 or 1."""
+        p, q = self.numerator, other.numerator
+        if not p or q.is_one():
+            return self
+        return other if not q or p.is_one() else Scalar(self.ring, self.ring.reduce(p * q))
 
     def __truediv__(self, other: Like) -> Scalar:
         a, b = _together(self, other)

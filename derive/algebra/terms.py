@@ -161,8 +161,8 @@ def put(terms: Terms, monomial: Monomial, coefficient: Fraction) -> None:
 
 
 def terminates(value: Fraction) -> bool:
-    """Whether it is a decimal fraction of at most six places."""
-    return value.denominator > 1 and (value * 10**6).denominator == 1
+    """Whether it is a decimal fraction of at most eight places."""
+    return value.denominator > 1 and (value * 10**8).denominator == 1
 
 
 def frozen(terms: Mapping[Monomial, Fraction]) -> frozenset[tuple[Monomial, Fraction]]:

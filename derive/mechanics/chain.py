@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
+from typing import TypeVar
 
 from derive.algebra.angles import Form
 from derive.algebra.matrix import ScalarMatrix
@@ -14,14 +15,14 @@ from derive.algebra.ring import Ring, ring
 from derive.algebra.scalar import Scalar
 from derive.expression import Symbol, walk
 from derive.mechanics.bodies import moments
-from derive.mechanics.drives import reflected
 from derive.mechanics.dh import moves
+from derive.mechanics.drives import reflected
+from derive.mechanics.frame_tree import pose_of
 from derive.mechanics.motion import Move
 from derive.mechanics.poses import composed, position_part, rotation_part, unit_vector
-from derive.mechanics.frame_tree import pose_of
 from derive.mechanics.robot import JointType, Link, Robot, ScrewRow, gravity_of
 
-
+Part = TypeVar("Part")
 ZERO_PITCH = Scalar.of(0)
 
 
@@ -39,14 +40,23 @@ class Joint:
 
 
 @dataclass(frozen=True, slots=True)
+class Line:
+    """Where the axis of a joint lies in the base frame: its direction and a point on it (3 by 1 each)."""
+
+    direction: ScalarMatrix
+    point: ScalarMatrix
+
+
+@dataclass(frozen=True, slots=True)
 class Chain:
     """T_local[i] takes frame i+1 to frame i; T[i] frame i to the base, T[n] the last row's, the base
-    motion included. T_tool is the pose of the end-effector. joints[i] belongs to row i+1."""
+    motion included. T_tool is the pose of the end-effector. joints[i] and lines[i] belong to row i+1."""
 
     T_local: tuple[ScalarMatrix, ...]
     T: tuple[ScalarMatrix, ...]
     T_tool: ScalarMatrix
     joints: tuple[Joint | None, ...]
+    lines: tuple[Line | None, ...]
 
     @property
     def variables(self) -> tuple[str, ...]:
@@ -59,31 +69,58 @@ class Chain:
 
     def axis(self, i: int) -> ScalarMatrix:
         """The axis of the joint of row i in the base frame (3 by 1)."""
-        joint = self.joint(i)
-        return rotation_part(self.T[i - 1]) @ rotation_part(joint.before) @ joint.axis
+        return self._line(i).direction
 
     def point(self, i: int) -> ScalarMatrix:
         """A point on the axis of the joint of row i in the base frame (3 by 1)."""
-        return position_part(self.T[i - 1] @ self.joint(i).before)
+        return self._line(i).point
 
     def joint(self, i: int) -> Joint:
-        joint = self.joints[i - 1]
-        if joint is None:
-            raise ValueError(f"row {i} has no joint")
-        return joint
+        return _existing(self.joints[i - 1], i)
+
+    def _line(self, i: int) -> Line:
+        return _existing(self.lines[i - 1], i)
+
+
+def _existing(part: Part | None, i: int) -> Part:
+    if part is None:
+        raise ValueError(f"row {i} has no joint")
+    return part
+
+
+@dataclass(frozen=True, slots=True)
+class _Row:
+    """The motions of a row in three parts (4 by 4): before its joint's, that one, and after it."""
+
+    parts: tuple[ScalarMatrix, ScalarMatrix, ScalarMatrix]
+    joint: Joint | None
+
+    def local(self, home: Ring) -> ScalarMatrix:
+        """Frame i-1 to frame i."""
+        before, own, after = (part.into(home) for part in self.parts)
+        return before @ own @ after
 
 
 def chain(robot: Robot, names: Names | None = None) -> Chain:
     """The robot in one ring: its angles are the sums over parallel axes, its symbols all those of the
     robot, bodies and gravity included, so that nothing has to change rings later."""
-    rows = [moves(link, robot) for link in robot.links]
-    joints = tuple(_joint(row, link, names) for row, link in zip(rows, robot.links, strict=True))
-    local = [composed(row, names) for row in rows]
+    rows = [_row(moves(link, robot), link, names) for link in robot.links]
     base, tool = composed(robot.base, names), tool_pose(robot, names)
-    home = _home([base, *local, tool], _sums(rows, joints, names), parameters(robot))
-    T_local = tuple(T.into(home) for T in local)
+    parts = [base, *(part for row in rows for part in row.parts), tool]
+    home = _home(parts, _sums(rows), parameters(robot))
+    T_local = tuple(row.local(home) for row in rows)
     T = _products(base.into(home), T_local)
-    return Chain(T_local, T, T[-1] @ tool.into(home), joints)
+    joints = tuple(row.joint for row in rows)
+    return Chain(T_local, T, T[-1] @ tool.into(home), joints, tuple(map(_line, T, joints)))
+
+
+def _line(T: ScalarMatrix, joint: Joint | None) -> Line | None:
+    """The axis of the joint that follows the frame of pose T."""
+    if joint is None:
+        return None
+    before = joint.before.into(T.ring)
+    direction = rotation_part(T) @ (rotation_part(before) @ joint.axis)
+    return Line(direction, rotation_part(T) @ position_part(before) + position_part(T))
 
 
 def tool_pose(robot: Robot, names: Names | None = None) -> ScalarMatrix:
@@ -101,8 +138,10 @@ def _products(base: ScalarMatrix, local: Sequence[ScalarMatrix]) -> tuple[Scalar
 
 
 def _home(matrices: Sequence[ScalarMatrix], sums: tuple[Form, ...], names: Iterable[str]) -> Ring:
-    home = reduce(Ring.union, (matrix.ring for matrix in matrices), ring(angles=sums))
-    return home.with_symbols(names)
+    """All symbols at once, so that few rings are made on the way."""
+    rings = list(dict.fromkeys(matrix.ring for matrix in matrices))
+    symbols = [name for each in rings for name in each.symbols]
+    return reduce(Ring.union, rings, ring(angles=sums).with_symbols([*symbols, *names]))
 
 
 def parameters(robot: Robot) -> tuple[str, ...]:
@@ -117,13 +156,15 @@ def parameters(robot: Robot) -> tuple[str, ...]:
     return tuple(dict.fromkeys(node.name for node in nodes if isinstance(node, Symbol)))
 
 
-def _joint(row: tuple[Move, ...], link: Link, names: Names | None) -> Joint | None:
+def _row(row: tuple[Move, ...], link: Link, names: Names | None) -> _Row:
+    nothing = ScalarMatrix.identity(4)
     if link.variable is None:
-        return None
+        return _Row((composed(row, names), nothing, nothing), None)
     k = acting(row, link.variable)
+    before, own, after = (composed(part, names) for part in (row[:k], row[k : k + 1], row[k + 1 :]))
     axis = ScalarMatrix.column(unit_vector(row[k].axis, names))
     pitch = normal(link.row.pitch, names) if isinstance(link.row, ScrewRow) else ZERO_PITCH
-    return Joint(link.variable, link.joint, composed(row[:k], names), axis, pitch)
+    return _Row((before, own, after), Joint(link.variable, link.joint, before, axis, pitch))
 
 
 def acting(row: tuple[Move, ...], variable: str) -> int:
@@ -131,23 +172,22 @@ def acting(row: tuple[Move, ...], variable: str) -> int:
     return next(k for k, move in enumerate(row) if Symbol(variable) in walk(move.by))
 
 
-def _sums(
-    rows: Sequence[tuple[Move, ...]], joints: Sequence[Joint | None], names: Names | None
-) -> tuple[Form, ...]:
+def _sums(rows: Sequence[_Row]) -> tuple[Form, ...]:
     """One form for each revolute joint: its angle, added to that before where the axes are parallel."""
     forms: list[Form] = []
     carried = ScalarMatrix.identity(3)  # fixed rotation since the last revolute axis
     axis: ScalarMatrix | None = None
-    for row, joint in zip(rows, joints, strict=True):
+    for row in rows:
+        before, own, after = map(rotation_part, row.parts)
+        joint = row.joint
         if joint is None or joint.type == "prismatic":
-            carried = carried @ rotation_part(composed(row, names))
+            carried = carried @ before @ own @ after
             continue
-        k = acting(row, joint.variable)
-        here = carried @ rotation_part(joint.before) @ joint.axis
-        own = Form.of({joint.variable: 1})
+        here = carried @ before @ joint.axis
+        angle = Form.of({joint.variable: 1})
         sign = 1 if axis == here else -1 if axis == -here else 0
-        forms.append(forms[-1] + own.scaled(sign * _side(forms[-1])) if axis is not None and sign else own)
-        carried, axis = rotation_part(composed(row[k + 1 :], names)), joint.axis
+        forms.append(forms[-1] + angle.scaled(sign * _side(forms[-1])) if axis is not None and sign else angle)
+        carried, axis = after, joint.axis
     return tuple(forms)
 
 

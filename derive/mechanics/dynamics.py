@@ -33,7 +33,7 @@ def inertia_matrix(links: Sequence[LinkMotion]) -> ScalarMatrix:
 
 def link_inertia(link: LinkMotion) -> ScalarMatrix:
     """The part of D that one link brings (n by n)."""
-    linear = _gram(link.J_v, link.J_v).scaled(link.mass)
+    linear = _gram(link.J_v, link.J_v.scaled(link.mass))
     if not link.inertia:
         return linear
     local = link.R.T @ link.J_w  # angular velocity in the link's own frame

@@ -22,7 +22,7 @@ ELEMENTARY: dict[str, Callable[[Scalar, Scalar], list[list[Like]]]] = {
     "y": lambda c, s: [[c, 0, s], [0, 1, 0], [-s, 0, c]],
     "z": lambda c, s: [[c, -s, 0], [s, c, 0], [0, 0, 1]],
 }
-UNIT = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}
+UNIT: dict[str, tuple[int, int, int]] = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}
 
 
 def rotation(axis: Axis, angle: Pair, names: Names | None = None) -> ScalarMatrix:
@@ -38,9 +38,13 @@ def rotation(axis: Axis, angle: Pair, names: Names | None = None) -> ScalarMatri
 
 def unit_vector(axis: Axis, names: Names | None = None) -> tuple[Scalar, Scalar, Scalar]:
     """The direction of an axis; a written axis is divided by its length."""
+    x, y, z = map(Scalar.of, _direction(axis, names))
+    return x, y, z
+
+
+def _direction(axis: Axis, names: Names | None) -> tuple[Like, Like, Like]:
     if isinstance(axis, str):
-        x, y, z = UNIT[axis]
-        return Scalar.of(x), Scalar.of(y), Scalar.of(z)
+        return UNIT[axis]
     parts = [normal(part, names) for part in axis]
     length = root(parts[0] * parts[0] + parts[1] * parts[1] + parts[2] * parts[2])
     return parts[0] / length, parts[1] / length, parts[2] / length
@@ -71,8 +75,7 @@ def pose(move: Move, names: Names | None = None) -> ScalarMatrix:
     if move.kind == "rotate":
         return homogeneous(rotation(move.axis, Walk(names or {}).trig(move.by), names), (0, 0, 0))
     length = normal(move.by, names)
-    k = unit_vector(move.axis, names)
-    return homogeneous(ScalarMatrix.identity(3), [part * length for part in k])
+    return homogeneous(ScalarMatrix.identity(3), [length * part for part in _direction(move.axis, names)])
 
 
 def composed(moves: Iterable[Move], names: Names | None = None) -> ScalarMatrix:

@@ -36,10 +36,8 @@ def _clause(clause: str, names: frozenset[str], printer: Printer, plain: Callabl
             written = [printer.write(_tree(side)) for side in sides[::2]]
         except FormulaError:
             return _words(clause, names, printer, plain)
-        signs = [SIGNS.get(sign, sign) for sign in sides[1::2]]
-        return (
-            f"${' '.join(part for pair in zip(written, [*signs, ''], strict=True) for part in pair).strip()}$"
-        )
+        signs = [f" {SIGNS.get(sign, sign)} " for sign in sides[1::2]]
+        return f"${written[0]}{''.join(map(add, signs, written[1:]))}$"
     return _words(clause, names, printer, plain)
 
 

@@ -23,25 +23,32 @@ IMAGINARY = Symbol("j")
 def evaluated_words(derivation: Derivation, at: Mapping[str, Expr], skin: Skin, notation: Notation) -> str:
     """The sentence "At theta1 = 30 deg:" and the numbers; "" where nothing was evaluated.
 
-    A derivation may choose what is worth printing by a fact `numbers`, a tuple of result names.
+    A derivation may choose what is worth printing by a fact `numbers`, a tuple of result names, and by a
+    fact `page_names` what they are called on the page.
     """
     shown = derivation.facts.get("numbers", tuple(derivation.evaluated))
     values = {name: value for name, value in derivation.evaluated.items() if name in shown}
     if not values:
         return ""
-    printer = Printer(notation)
+    printer, called = Printer(notation), derivation.facts.get("page_names", {})
     chains = [
-        chain_links((Symbol(name), number), printer)
+        chain_links((Symbol(called.get(name, name)), number), printer)
         for name, value in values.items()
         if (number := numeric(value)) is not None
     ]
     context = {
-        "point": [f"${printer.write(Symbol(name))} = {printer.write(value)}$" for name, value in at.items()],
+        "point": [_given(name, value, printer) for name, value in at.items()],
         "display": skin.display(lay_out(tuple(chains))) if chains else "",
         "branches": [_branch(branch, at, printer, skin) for branch in values.get("solutions", ())],
         "items": skin.items,
     }
     return environment().get_template("words/_evaluated.j2").render(context).strip()
+
+
+def _given(name: str, value: Expr, printer: Printer) -> str:
+    """A value of the point, with the unit its author gave it."""
+    unit = f" {value.unit}" if isinstance(value, Number) and value.unit else ""
+    return f"${printer.write(Symbol(name))} = {printer.write(value)}${unit}"
 
 
 def _branch(

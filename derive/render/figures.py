@@ -19,7 +19,7 @@ MARGINS = {"left": 0.13, "right": 0.97, "bottom": 0.16, "top": 0.96}  # laying t
 TICKS = "{x:g}"  # plain text: mathtext is parsed anew for each tick of each picture
 STYLE: dict[str, Any] = {
     "svg.hashsalt": "derive", "svg.fonttype": "path", "pdf.fonttype": 3, "mathtext.fontset": "cm",
-    "font.family": "serif", "font.serif": ["cmr10", "DejaVu Serif"], "axes.formatter.use_mathtext": True,
+    "font.family": ["cmr10", "DejaVu Serif"], "axes.formatter.use_mathtext": True,
     "font.size": 11.0, "axes.unicode_minus": True,
 }  # fmt: skip
 COLOURS = ("#1f4e8c", "#b5461e", "#3b7a3b", "#6b4a8a", "#8a6d1f", "#333333")

@@ -198,6 +198,8 @@ class Printer:
                 return f"e{script('^', self._exponent(first))}", RAISED
             case "abs":
                 return rf"\lvert {self.write(first)} \rvert", ATOM
+            case "bracket":
+                return f"[{self.write(first)}]", ATOM
             case "cross":
                 return r" \times ".join(self.held(part, PRODUCT) for part in arguments), SUM
             case "atan2":

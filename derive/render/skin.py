@@ -42,7 +42,7 @@ def environment() -> Environment:
 
 
 def _beside_the_module(name: str) -> str | None:
-    """The words of another package's kind: `words/their.package/kind.j2` stands beside `their.package.kind`."""
+    """The words of another package's kind: `words/their.package/kind.j2` stands beside its module."""
     folder, package, file = PurePosixPath(name).parts if name.count("/") == 2 else ("", "", "")
     spec = find_spec(package) if folder == "words" else None
     for place in spec.submodule_search_locations or () if spec else ():

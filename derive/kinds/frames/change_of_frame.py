@@ -13,8 +13,8 @@ from derive.expression import Expr, Matrix, Product, Sum, Symbol, column
 from derive.kinds.checks import agreement, is_rotation, links
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.frames._frames import is_given, numeric_pose, origin_name, pose_name, rotation_name
-from derive.kinds.pose._numbers import completed
 from derive.kinds.problem import Problem
+from derive.kinds.values_at import completed
 from derive.mechanics.frame_tree import relative, way
 from derive.mechanics.frames import Frames
 from derive.mechanics.poses import position_part, rotation_part

@@ -11,8 +11,8 @@ from derive.expression import Call, Expr, Matrix, Product, Symbol
 from derive.kinds.checks import agreement, is_rotation, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.frames._frames import is_given, local_definitions, local_matrix, numeric_pose, pose_name
-from derive.kinds.pose._numbers import completed
 from derive.kinds.problem import Problem
+from derive.kinds.values_at import completed
 from derive.mechanics.frame_tree import Way, along, relative, way
 from derive.mechanics.frames import Frame, Frames
 from derive.mechanics.poses import inverse_pose, rotation_part

@@ -17,8 +17,8 @@ from derive.kinds.frames._frames import (
     pose_name,
     read_axes,
 )
-from derive.kinds.pose._numbers import completed
 from derive.kinds.problem import Problem
+from derive.kinds.values_at import completed
 from derive.mechanics.frame_tree import along, ancestry
 from derive.mechanics.frames import Frame, Frames
 from derive.mechanics.poses import rotation_part

@@ -10,8 +10,8 @@ from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Step
 from derive.expression import Derivative, Expr, Symbol
 from derive.kinds.checks import agreement
-from derive.kinds.pose._numbers import completed
 from derive.kinds.problem import Problem
+from derive.kinds.values_at import completed
 
 STEP = 1e-4
 DIFFERENCES = 1e-6  # what differences over that step leave

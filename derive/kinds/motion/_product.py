@@ -12,8 +12,9 @@ from derive.derivation import Claim, Derivation, Result, Step
 from derive.expression import Expr, Matrix, Symbol
 from derive.kinds.checks import agreement, is_rotation, law, links
 from derive.kinds.motion._factors import Factors, factors_of
-from derive.kinds.pose._numbers import completed, rounded_matrix, value_of
+from derive.kinds.pose._numbers import rounded_matrix, value_of
 from derive.kinds.problem import Problem
+from derive.kinds.values_at import completed
 from derive.mechanics.motion import Move
 from derive.mechanics.poses import homogeneous, position_part, rotation_part
 from derive.mechanics.sequences import mode, order

@@ -61,7 +61,7 @@ def _exponential(vector: Matrix, point: dict[str, float], problem: Problem) -> o
     import numpy as np
 
     from derive.algebra.numeric import number
-    from derive.kinds.pose._numbers import completed
+    from derive.kinds.values_at import completed
 
     x, y, z = (number(entry, completed(point, problem.where)) for (entry,) in vector.rows)
     S, term = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]]), np.eye(3)
@@ -75,7 +75,7 @@ def _exponential(vector: Matrix, point: dict[str, float], problem: Problem) -> o
 def _made(moves: tuple[Move, ...], point: dict[str, float], problem: Problem) -> object:
     import numpy as np
 
-    from derive.kinds.pose._numbers import completed
+    from derive.kinds.values_at import completed
     from derive.mechanics.oracle import elementary
 
     T, at = np.eye(4), completed(point, problem.where)

@@ -41,9 +41,9 @@ from derive.kinds.checks import law
 from derive.kinds.evaluation import Place
 from derive.kinds.pose._angles import fixed_angle, known_angle, turns_of
 from derive.kinds.pose._given import Given
-from derive.kinds.pose._numbers import completed
 from derive.kinds.pose._roots import shortened
 from derive.kinds.problem import Problem
+from derive.kinds.values_at import completed
 from derive.mechanics.elementary import factor_name
 from derive.mechanics.euler import SIGNS, Direction, Euler, Sign, Singular
 

@@ -17,8 +17,8 @@ from derive.errors import NotDerivable
 from derive.expression import Matrix, Symbol
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
-from derive.kinds.pose._numbers import completed
 from derive.kinds.problem import Problem
+from derive.kinds.values_at import completed
 from derive.mechanics.frames import Frames
 from derive.mechanics.motion import Motion
 from derive.mechanics.poses import pose, rotation_part
@@ -114,10 +114,11 @@ def _of_frames(frames: Frames, options: PoseOptions, problem: Problem) -> Given:
 
 
 def _of_robot(robot: Robot, problem: Problem) -> Given:
+    from derive.kinds.robot._chain import end_frame
     from derive.mechanics.chain import chain
     from derive.mechanics.oracle import Oracle
 
-    oracle, n = Oracle(robot, problem.where), len(robot.links)
+    oracle, n = Oracle(robot, problem.where), end_frame(robot)
     return Given(
         Symbol(f"T_{n}^0"),
         Symbol(f"R_{n}^0"),

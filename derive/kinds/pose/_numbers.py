@@ -2,22 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from derive.algebra.normal import normal
-from derive.algebra.numeric import Point, number
+from derive.algebra.numeric import number
 from derive.expression import Approximate, Expr, Matrix, Symbol, free_symbols
 from derive.kinds.problem import Problem
-
-
-def completed(point: Point, where: Mapping[str, Expr]) -> Point:
-    """The point with the values of `where` added, those that rest on others after them. Names whose
-    value is not decided by the point are left out."""
-    found = dict(point)
-    pending = dict(where)
-    while ready := [name for name, value in pending.items() if free_symbols(value) <= found.keys()]:
-        found.update({name: number(pending.pop(name), found) for name in ready})
-    return found
+from derive.kinds.values_at import completed
 
 
 def value_of(expr: Expr, problem: Problem) -> float | None:

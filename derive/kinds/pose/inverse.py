@@ -11,8 +11,8 @@ from derive.derivation import Derivation, Step
 from derive.expression import ONE, ZERO, Call, Expr, Matrix, Symbol, column, multiply, negate, transpose
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.pose._given import PoseOptions, given_pose
-from derive.kinds.pose._numbers import completed
 from derive.kinds.problem import Problem
+from derive.kinds.values_at import completed
 from derive.mechanics.poses import inverse_pose, position_part
 
 NO_ROW = Symbol("0")  # three zeros side by side

@@ -11,7 +11,7 @@ from derive.algebra.scalar import Scalar
 from derive.algebra.signs import sign_of
 from derive.derivation import Step
 from derive.errors import NotDerivable
-from derive.expression import PI, Degrees, Expr, Product, Symbol, free_symbols
+from derive.expression import PI, Degrees, Expr, Symbol, free_symbols
 from derive.expression import replace as replaced
 from derive.kinds.problem import Problem
 
@@ -75,15 +75,17 @@ class Working:
     def _positive(self) -> frozenset[str]:
         return frozenset(n for n, what in self.problem.assumptions.items() if what == "positive")
 
-    def line(self, name: str, formula: Expr, answer: Expr | None = None, step: str = "") -> Working:
+    def line(self, name: str, formula: Expr, answer: Expr | None = None, rule: str = "") -> Working:
         """One line more: `name = formula = numbers put in = what comes out` (`answer` where that is to be
-        written in a certain way)."""
+        written in a certain way). A quantity that is given is none."""
         symbol = Symbol(name)
+        if formula == symbol:
+            return self
         out = self.value(formula) if answer is None else answer
         filled = replaced(formula, {key: value for key, value in self.values.items() if key != value})
         chain = _distinct((symbol, formula, *((filled,) if not free_symbols(filled) else ()), out))
         values = {**self.values, symbol: out}
-        return replace(self, values=values, steps=(*self.steps, Step(step or name, chain)))
+        return replace(self, values=values, steps=(*self.steps, Step(name, chain, rule)))
 
     def final(self, name: str) -> Expr:
         """The value of a line with everything replaced."""
@@ -91,12 +93,8 @@ class Working:
 
 
 def _distinct(chain: tuple[Expr, ...]) -> tuple[Expr, ...]:
-    """Without an expression that repeats the one before it; a name alone is told of itself."""
-    kept: list[Expr] = []
-    for expr in chain:
-        if not kept or expr != kept[-1]:
-            kept.append(expr)
-    return tuple(kept) if len(kept) > 1 else (kept[0], kept[0])
+    """Without an expression that repeats the one before it."""
+    return tuple(expr for k, expr in enumerate(chain) if k == 0 or expr != chain[k - 1])
 
 
 def number_of(problem: Problem, expr: Expr) -> float:

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.operations import operations
 from derive.derivation import Step
-from derive.expression import Expr, Indexed, Matrix, Product, Symbol
+from derive.expression import Expr, Indexed, Matrix, Product, Sum, Symbol, negate
 from derive.kinds.naming import LONGEST_ROW
 from derive.kinds.problem import Problem
 from derive.kinds.robot._bodies import Weighted
 from derive.kinds.robot._chain import pose_name
 from derive.kinds.robot._columns import jacobian_steps
+from derive.mechanics.bodies import given_moments, steiner
 from derive.mechanics.chain import Chain
 from derive.mechanics.poses import homogeneous
 
@@ -40,7 +43,7 @@ def inertia_steps(problem: Problem, bodies: tuple[Weighted, ...]) -> tuple[Step,
     moments stand for."""
     alike: dict[Matrix, list[int]] = {}
     for body in bodies:
-        if body.turns:
+        if body.turns and body.body.about == "com":
             alike.setdefault(body.matrix, []).append(body.i)
     matrices = [
         Step(f"I_{same[0]}", (*(Symbol(f"I_{i}") for i in same), matrix), "inertia")
@@ -48,7 +51,21 @@ def inertia_steps(problem: Problem, bodies: tuple[Weighted, ...]) -> tuple[Step,
     ]
     values = {name: value for body in bodies for name, value in body.named.items()}
     named = [_moment(problem, name, value) for name, value in values.items() if isinstance(name, Symbol)]
-    return (*matrices, *named)
+    return (*matrices, *_moved(problem, bodies), *named)
+
+
+def _moved(problem: Problem, bodies: tuple[Weighted, ...]) -> Iterator[Step]:
+    """I_1 from the inertia about the origin of the frame, by the theorem of parallel axes."""
+    for body in bodies:
+        if body.body.about == "origin" and body.turns:
+            shift = tuple(problem.readable(normal(part)) for part in steiner(body.body))
+            route = Sum((_square(given_moments(body.body)), negate(_square(shift))))
+            yield Step(f"I_{body.i}", (Symbol(f"I_{body.i}"), route, body.matrix), "parallel-axes")
+
+
+def _square(six: tuple[Expr, ...]) -> Matrix:
+    xx, yy, zz, xy, yz, xz = six
+    return Matrix(((xx, xy, xz), (xy, yy, yz), (xz, yz, zz)))
 
 
 def _moment(problem: Problem, name: Symbol, value: Expr) -> Step:

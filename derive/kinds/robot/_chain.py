@@ -30,12 +30,19 @@ def pose_name(i: int, reference: int = 0) -> Symbol:
     return Symbol(f"T_{i}^{reference}")
 
 
+def end_frame(robot: Robot) -> str:
+    """The index of the end-effector's frame: `e` where a tool follows the last row."""
+    return TOOL if robot.tool and not robot.by_screws else str(len(robot.links))
+
+
 def axis_names(found: Chain, robot: Robot, i: int) -> tuple[Symbol, Symbol]:
     """(axis, point) of joint i: z_{i-1}, o_{i-1} after Denavit and Hartenberg, z_i, o_i in the modified
-    convention; k_i, p_i where a free row puts its axis elsewhere."""
+    convention; k_i, p_i where a free row or the base puts its axis elsewhere."""
     if robot.convention == "modified" and isinstance(robot.links[i - 1].row, DHRow):
         return Symbol(f"z_{i}"), Symbol(f"o_{i}")
     joint = found.joint(i)
+    if i == 1 and robot.base:
+        return Symbol("k_1"), Symbol("p_1")
     if joint.before == ScalarMatrix.identity(4) and joint.axis == ScalarMatrix.column((0, 0, 1)):
         return Symbol(f"z_{i - 1}"), Symbol(f"o_{i - 1}")
     return Symbol(f"k_{i}"), Symbol(f"p_{i}")

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.operations import operations
+from derive.algebra.readable import readable
 from derive.derivation import Step
-from derive.expression import ZERO, Expr, Matrix, Product, Symbol, cross, subtract
+from derive.expression import ZERO, Expr, Matrix, Product, Symbol, add, cross, subtract
 from derive.kinds.naming import LONGEST_ROW
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import axis_names, pose_name
+from derive.kinds.robot._chain import TOOL, axis_names, end_frame, pose_name
 from derive.mechanics.chain import Chain
 from derive.mechanics.robot import Robot
 
@@ -20,18 +21,23 @@ def column_blocks(found: Chain, robot: Robot, i: int, point: Symbol, last: int) 
     if i > last:
         return ZERO, ZERO
     z, o = axis_names(found, robot, i)
-    if found.joint(i).type == "prismatic":
+    joint = found.joint(i)
+    if joint.type == "prismatic":
         return z, ZERO
-    return cross(z, subtract(point, o)), z
+    turned = cross(z, subtract(point, o))
+    return (add(turned, Product((readable(joint.pitch), z))) if joint.pitch else turned), z
 
 
 def jacobian_steps(
     problem: Problem, found: Chain, J: ScalarMatrix, name: Symbol, point: Symbol, last: int
 ) -> tuple[Step, ...]:
-    """J as a block matrix and written out; column by column where it is too wide for that."""
+    """J as a block matrix and written out; column by column where it is too wide for that. Where nothing
+    turns there are no blocks to tell, but the columns themselves."""
     robot = problem.subject
     blocks = [column_blocks(found, robot, i, point, last) for i, _ in found.moving]
     written = problem.readable_matrix(J)
+    if all(angular == ZERO for _, angular in blocks):
+        return (Step(name.name, (name, written), "jacobian-columns"),)
     if len(blocks) <= MOST_BLOCKS:
         block = Matrix(tuple(zip(*blocks, strict=True)))
         return (Step(name.name, (name, block, written), "jacobian-columns"),)
@@ -55,10 +61,11 @@ def _by_columns(written: Matrix, blocks: list[tuple[Expr, Expr]], name: Symbol) 
 def pose_steps(problem: Problem, found: Chain, last: int) -> tuple[Step, ...]:
     """T_2^0, T_3^0, ... on the way to frame `last`, those that fit on a line.
 
-    T_1^0 is a local pose, and the last of all belongs to the forward kinematics.
+    T_1^0 is a local pose, and that of the end-effector belongs to the forward kinematics.
     """
     steps = []
-    for i in range(2, min(last + 1, len(found.T_local))):
+    rows = len(found.T_local) + (end_frame(problem.subject) == TOOL)
+    for i in range(2, min(last + 1, rows)):
         written = problem.readable_matrix(found.T[i])
         if all(sum(map(operations, row)) <= LONGEST_ROW for row in written.rows):
             product = Product((pose_name(i - 1), pose_name(i, i - 1)))

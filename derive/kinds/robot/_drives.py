@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.derivation import Step
@@ -50,3 +52,8 @@ def friction_column(robot: Robot) -> Matrix | None:
     """The friction of the joints (n by 1), None where there is none."""
     terms = friction_terms(robot)
     return column(add(*each) for each in terms) if any(terms) else None
+
+
+def rigid(robot: Robot) -> Robot:
+    """The same arm without friction: what the equations of Euler and Lagrange describe."""
+    return replace(robot, links=tuple(replace(link, friction=None) for link in robot.links))

@@ -7,7 +7,7 @@ short where those of D would fill pages; D, its derivatives and g are sums over 
 from __future__ import annotations
 
 from derive.derivation import Step
-from derive.expression import Expr, Product, Sum, Symbol, transpose
+from derive.expression import ZERO, Expr, Product, Sum, Symbol, transpose
 from derive.kinds.problem import Problem
 from derive.kinds.robot._bodies import Weighted
 
@@ -48,4 +48,5 @@ def _formula(body: Weighted) -> Expr:
     linear = Product((body.body.mass, transpose(J_v), J_v))
     if not body.turns:
         return linear
-    return Sum((linear, Product((transpose(J_w), Symbol(f"I_{body.i}"), J_w))))
+    angular = Product((transpose(J_w), Symbol(f"I_{body.i}"), J_w))
+    return angular if body.body.mass == ZERO else Sum((linear, angular))

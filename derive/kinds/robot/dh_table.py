@@ -1,15 +1,25 @@
-"""The table of link parameters after Denavit and Hartenberg."""
+"""The table of link parameters after Denavit and Hartenberg: as given, found from the axes, or restated."""
 
 from __future__ import annotations
 
-from derive.derivation import Derivation, Step, Table
-from derive.errors import NotDerivable
-from derive.expression import MINUS_ONE, Expr, Indexed, Matrix, Sum, Symbol, number, replace
+from typing import Any, Literal
+
+from derive.derivation import Claim, Derivation, Result, Step
+from derive.expression import ZERO
+from derive.kinds.checks import links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.mechanics.robot import DHRow, Robot
+from derive.kinds.robot._dh_found import FrameSteps, found_rows
+from derive.kinds.robot._dh_rows import Rows
+from derive.mechanics.motion import Move
+from derive.mechanics.poses import composed
+from derive.mechanics.robot import Convention, DHRow, Robot
 
-RESULTS = {"DH": "one row a link: theta, d, a, alpha; the joint variable unstarred"}
+RESULTS = {
+    "DH": "one row a link: theta, d, a, alpha; the joint variable unstarred",
+    "T_base": "frame 0 in the base (4 by 4), where rows were found or restated and it is not the same",
+    "T_tool": "the end-effector in frame n (4 by 4), where it is not the same",
+}
 EXAMPLE = """\
 title: Link parameters
 problems:
@@ -17,56 +27,80 @@ problems:
     links:
     - {theta: theta1*, d: 0, a: a1, alpha: 0}
     - {theta: theta2*, d: 0, a: a2, alpha: 0}
-  find: dh-table
+  questions:
+  - {find: dh-table}
+  - {find: dh-table, convention: modified}
 """
-COLUMNS = ("theta", "d", "a", "alpha")
 
 
 class Options(OptionsModel):
-    """None."""
+    """`convention`: standard or modified; that of the robot if left out."""
+
+    convention: Literal["standard", "modified"] | None = None
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
-    """The rows as given, each joint variable marked; in the modified convention a and alpha are
-    those of the axis before (a_{i-1}, alpha_{i-1})."""
-    rows = [link.row for link in robot.links]
-    if not all(isinstance(row, DHRow) for row in rows):
-        free = [str(i) for i, row in enumerate(rows, 1) if not isinstance(row, DHRow)]
-        raise NotDerivable(f"row {', '.join(free)} is a free motion and has no Denavit-Hartenberg parameters")
-    values = tuple(_values(row) for row in rows if isinstance(row, DHRow))
-    joints = [link.variable for link in robot.links]
-    facts = {
-        "convention": robot.convention,
-        "revolute": [Symbol(link.variable or "") for link in robot.links if link.joint == "revolute"],
-        "prismatic": [Symbol(link.variable or "") for link in robot.links if link.joint == "prismatic"],
-        "table": _table(robot, values, joints),
-    }
-    return Derivation(
-        "dh-table",
-        (Step("DH", (), "dh-parameters"),),
-        {"DH": Matrix(tuple(tuple(problem.final(entry) for entry in row) for row in values))},
-        facts=facts,
+    """The rows as given, each joint variable marked; in the modified convention a and alpha are those of
+    the axis before (a_{i-1}, alpha_{i-1}). Rows of the other convention are shifted by one; an arm without
+    rows has its frames assigned (Spong et al., section 3.2.2; Craig, section 3.4)."""
+    convention = options.convention or robot.convention
+    given = _given(robot)
+    if given is None:
+        return _found(robot, convention, problem)
+    if convention == robot.convention:
+        return _derivation(given, problem, "given", (Step("DH", (), "dh-parameters"),), (), {})
+    rows = restated(robot, given, convention)
+    steps = (*rows.ends(problem), Step("DH", (), "dh-parameters"))
+    facts = {"before": given.table()}
+    return _derivation(rows, problem, "restated", steps, rows.claims(problem), facts)
+
+
+def _given(robot: Robot) -> Rows | None:
+    """The rows of the robot; None where some are of another form."""
+    rows = tuple(link.row for link in robot.links if isinstance(link.row, DHRow))
+    if len(rows) < len(robot.links):
+        return None
+    variables, joints = zip(*((link.variable, link.joint) for link in robot.links), strict=True)
+    return Rows(robot.convention, rows, variables, joints)
+
+
+def restated(robot: Robot, given: Rows, convention: Convention) -> Rows:
+    """The same arm in the other convention: theta and d stay in their rows, a and alpha go to the row after
+    (to modified) or before (to standard), and what is left over to the tool or the base."""
+    rows = given.rows
+    if convention == "modified":
+        last = (Move("translate", "x", rows[-1].a), Move("rotate", "x", rows[-1].alpha))
+        lengths = ((ZERO, ZERO), *((row.a, row.alpha) for row in rows[:-1]))
+        base, tool = composed(robot.base), composed((*last, *robot.tool))
+    else:
+        first = (Move("rotate", "x", rows[0].alpha), Move("translate", "x", rows[0].a))
+        lengths = (*((row.a, row.alpha) for row in rows[1:]), (ZERO, ZERO))
+        base, tool = composed((*robot.base, *first)), composed(robot.tool)
+    shifted = tuple(DHRow(row.theta, row.d, *pair) for row, pair in zip(rows, lengths, strict=True))
+    return Rows(convention, shifted, given.variables, given.joints, base, tool)
+
+
+def _found(robot: Robot, convention: Convention, problem: Problem) -> Derivation:
+    rows, found = found_rows(robot, convention, problem)
+    frames = FrameSteps(problem, found, convention)
+    steps = (*frames.steps(), *rows.ends(problem), Step("DH", (), "dh-parameters"))
+    claims = (
+        *links(steps, {**problem.names, **frames.definitions()}),
+        *rows.claims(problem),
     )
+    facts = {"frames": frames.facts(), "screws": robot.by_screws, "n": len(rows.rows)}
+    return _derivation(rows, problem, "found", steps, claims, facts)
 
 
-def _values(row: DHRow) -> tuple[Expr, Expr, Expr, Expr]:
-    return row.theta, row.d, row.a, row.alpha
+def _derivation(
+    rows: Rows,
+    problem: Problem,
+    mode: Literal["given", "found", "restated"],
+    steps: tuple[Step, ...],
+    claims: tuple[Claim, ...],
+    facts: dict[str, Any],
+) -> Derivation:
+    results: dict[str, Result] = {"DH": rows.matrix(problem)}
+    results |= {step.name: problem.final(step.result) for step in rows.ends(problem)}
+    return Derivation("dh-table", steps, results, claims, facts={**rows.facts(), "mode": mode, **facts})
 
-
-def _table(robot: Robot, rows: tuple[tuple[Expr, ...], ...], joints: list[str | None]) -> Table:
-    """Under theta_i, d_i, a_i, alpha_i (a_{i-1}, alpha_{i-1} where modified); joint variables starred."""
-    before = robot.convention == "modified"
-    headings = [Indexed(name, (_index(before and name in ("a", "alpha")),)) for name in COLUMNS]
-    lines = [
-        (number(i), *(_starred(entry, joint) for entry in row))
-        for i, (row, joint) in enumerate(zip(rows, joints, strict=True), 1)
-    ]
-    return Table((Symbol("i"), *headings), tuple(lines))
-
-
-def _index(before: bool) -> Expr:
-    return Sum((Symbol("i"), MINUS_ONE)) if before else Symbol("i")
-
-
-def _starred(entry: Expr, variable: str | None) -> Expr:
-    return entry if variable is None else replace(entry, {Symbol(variable): Symbol(f"{variable}*")})

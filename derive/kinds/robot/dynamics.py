@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from fractions import Fraction
 from math import prod
+from typing import Literal
 
 from derive.algebra import numeric
 from derive.algebra.normal import normal_matrix
@@ -14,6 +16,8 @@ from derive.kinds.checks import agreement, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of, moment_names, oracle_of, scalar_of
+from derive.kinds.robot._drives import friction_column, friction_terms
+from derive.kinds.robot._khatib_dynamics import khatib_dynamics
 from derive.mechanics.robot import Robot
 
 RESULTS = {
@@ -22,6 +26,7 @@ RESULTS = {
     "P": "potential energy",
     "g": "its partial derivatives (n)",
     "tau": "the joint forces (n), with rates theta1_dot and accelerations theta1_ddot",
+    "M, C, B, v, G": "with `notation: khatib`, in place of those above: M qddot + v + G = tau",
 }
 NEEDS = ("bodies",)
 EXAMPLE = """\
@@ -38,20 +43,34 @@ LONGEST = 45  # operations; a longer equation stays in the names of its terms
 
 
 class Options(OptionsModel):
-    """None."""
+    """`notation`: spong (D, c_ijk, g by Euler and Lagrange) or khatib (M, v, G)."""
+
+    notation: Literal["spong", "khatib"] = "spong"
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """tau_k = sum d_kj qddot_j + sum c_ijk qdot_i qdot_j + g_k (Spong et al., eq. 6.39)."""
+    if options.notation == "khatib":
+        return khatib_dynamics(problem)
     inertia, speed, weight = (problem.ask(kind) for kind in ("inertia-matrix", "christoffel", "gravity"))
     names: dict[Expr, Expr] = {**inertia.definitions, **speed.definitions, **weight.definitions}
-    terms = [_terms(inertia, speed, weight, robot.variables, k) for k in range(1, len(robot.variables) + 1)]
+    rubbing = friction_terms(robot)
+    terms = [
+        [
+            *_terms(inertia, speed, weight, robot.variables, k),
+            *((term, problem.final(term)) for term in rubbing[k - 1]),
+        ]
+        for k in range(1, len(robot.variables) + 1)
+    ]
     big = inertia.facts["big"]
     steps = () if big else tuple(_equation(k, pairs) for k, pairs in enumerate(terms, 1))
     tau = Matrix(tuple((add(*[value for _, value in pairs]),) for pairs in terms))
     results = {"D": inertia.results["D"], **speed.results, **weight.results, "tau": tau}
     known = {**problem.names, **names, **moment_names(inertia)}
-    claims = (*links(steps, known), _second_route(problem, tau))
+    rigid = Matrix(
+        tuple((add(*[value for _, value in pairs[: len(pairs) - len(rubbing[k])]]),) for k, pairs in enumerate(terms))
+    )
+    claims = (*links(steps, known), _second_route(problem, rigid))
     return Derivation(
         "dynamics",
         steps,
@@ -59,7 +78,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         claims,
         names,
         uses=(inertia, speed, weight),
-        facts={"big": big},
+        facts={"big": big, "friction": friction_column(robot) is not None, "notation": "spong"},
         matrices=frozenset({"D"}),
     )
 
@@ -111,13 +130,21 @@ def _product(value: Expr, factors: tuple[Expr, ...]) -> Expr:
     return multiply(Number(prod(numbers, start=Fraction(1))), *rest)
 
 
-def _second_route(problem: Problem, tau: Matrix) -> Claim:
+def _second_route(problem: Problem, rigid: Matrix) -> Claim:
+    """Newton's and Euler's laws for each body, against tau without friction and with it."""
     oracle, names = oracle_of(problem), problem.subject.variables
     rates = {f"{name}{dots}" for name in names for dots in ("_dot", "_ddot")}
-    torques = normal_matrix(tau)
+    torques, rubbing = normal_matrix(rigid), friction_column(problem.subject)
+
+    def ours(at: Mapping[str, float]) -> list[float]:
+        whole = oracle.at(at)
+        found = [row[0] for row in numeric.matrix_numbers(torques, whole)]
+        friction = numeric.numbers(rubbing, whole) if rubbing else [0.0] * len(found)
+        return [a + b for a, b in zip(found, friction, strict=True)]
+
     return agreement(
         "tau agrees with the motion of each body (Newton-Euler)",
         problem.symbols | rates | {"g"},
-        lambda at: numeric.matrix_numbers(torques, oracle.at(at)),
+        ours,
         lambda at: oracle.torques(at),
     )

@@ -14,7 +14,8 @@ from derive.kinds.checks import agreement, is_rotation, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.naming import with_named_entries
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import chain_of, oracle_of, pose_name
+from derive.kinds.robot._chain import TOOL, chain_of, end_frame, oracle_of, pose_name
+from derive.kinds.robot._exponentials import Exponentials
 from derive.mechanics.chain import Chain
 from derive.mechanics.dh import CONVENTIONS
 from derive.mechanics.motion import Move
@@ -48,43 +49,78 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     if last > len(robot.links):
         rows = f"{len(robot.links)} row{'s' * (len(robot.links) != 1)}"
         raise NotDerivable(f"frame {last} is asked for, but the arm has {rows}")
-    found, whole = chain_of(problem), options.to is None or last == len(robot.links)
-    local = _local(problem, found, last)
-    base, tool = _ends(problem, whole)
+    whole = options.to is None or last == len(robot.links)
+    if robot.by_screws:
+        return _by_screws(robot, problem, last, whole)
+    found = chain_of(problem)
+    rows, base = _rows(problem, found, last), _base(problem, found)
+    local = [*base[-1:], *rows[len(base[-1:]) :]]
+    tool = [_fixed(problem, f"T_{TOOL}^{last}", robot.tool)] if robot.tool and whole else []
     T = found.T_tool if whole else found.T[last]
-    parts = [*base, *local, *tool]
-    steps = (*_law(robot, local), *parts, *_product(problem, T, parts, last))
+    name = Symbol(f"T_{end_frame(robot)}^0") if whole else pose_name(last)
+    product = _product(problem, name, T, [*local, *tool])
+    steps = (*_law(robot, rows), *rows, *base, *tool, *product)
     definitions = named_results(step for step in steps if step.rule != "law")
     written = problem.readable_matrix(T)
     results: dict[str, Expr] = {s.name: problem.final(s.result) for s in local}
-    name = pose_name(last)
-    results[name.name] = problem.final(written)
+    results[pose_name(last).name] = problem.final(written)
     definitions[name] = written
     claims = (
         *links(steps, {**problem.names, **definitions}),
-        *is_rotation(rotation_part(T), f"R_{last}^0"),
+        *is_rotation(rotation_part(T), name.name.replace("T", "R", 1)),
         _second_route(problem, T, last, whole),
     )
     facts = {
+        "by_screws": False,
         "convention": robot.convention,
-        "dh_rows": [step.facts["i"] for step in local if step.rule == "dh-row"],
-        "free_rows": [step.facts["i"] for step in local if step.rule == "motion"],
-        "locals": [step.name for step in local],
-        "base": bool(base),
-        "tool": bool(tool),
-        "product": name.name if len(parts) > 1 else "",
+        "dh_rows": [step.facts["i"] for step in rows if step.rule == "dh-row"],
+        "free_rows": [step.facts["i"] for step in rows if step.rule == "motion"],
+        "locals": [step.name for step in rows],
+        "base": [step.name for step in base],
+        "tool": [step.name for step in tool],
+        "product": name.name if product else "",
+        "page_names": {pose_name(last).name: name.name},
     }
     return Derivation("forward-kinematics", steps, results, claims, definitions, facts=facts)
 
 
-def _local(problem: Problem, found: Chain, last: int) -> list[Step]:
+def _by_screws(robot: Robot, problem: Problem, last: int, whole: bool) -> Derivation:
+    """T = e^{[S_1] q_1} ... e^{[S_n] q_n} M (Lynch and Park, eq. 4.14)."""
+    work = Exponentials(problem, robot, last, whole)
+    steps, definitions, T = work.steps(), work.definitions(), work.pose
+    results: dict[str, Expr] = {
+        step.name: problem.final(step.result) for step in steps if step.rule in ("exponential", "home", "twist")
+    }
+    results[work.name.name] = problem.final(definitions[work.name])
+    claims = (
+        *links(steps, {**problem.names, **definitions}),
+        *work.claims(),
+        *is_rotation(rotation_part(T), f"R_{last}^0"),
+        _second_route(problem, T, last, whole),
+    )
+    facts = work.facts()
+    return Derivation("forward-kinematics", steps, results, claims, definitions, facts=facts)
+
+
+def _rows(problem: Problem, found: Chain, last: int) -> list[Step]:
+    """The transformation of each row: each frame in the one before. On a base motion the first is A_1,
+    for frame 0 is that of the base."""
     steps = []
     for i, T in enumerate(found.T_local[:last], 1):
-        name = pose_name(i, i - 1)
+        name = Symbol("A_1") if i == 1 and problem.subject.base else pose_name(i, i - 1)
         row = problem.subject.links[i - 1].row
         rule = "dh-row" if isinstance(row, DHRow) else "motion"
         steps.append(Step(name.name, (name, problem.readable_matrix(T)), rule, {"i": i}))
     return steps
+
+
+def _base(problem: Problem, found: Chain) -> list[Step]:
+    """T_base and T_1^0 = T_base A_1, where there is a motion before the first row."""
+    if not problem.subject.base:
+        return []
+    fixed, name = _fixed(problem, "T_base", problem.subject.base), pose_name(1)
+    chain = (name, Product((Symbol(fixed.name), Symbol("A_1"))), problem.readable_matrix(found.T[1]))
+    return [fixed, Step(name.name, chain, "compose", {"entries": []})]
 
 
 def _law(robot: Robot, local: list[Step]) -> tuple[Step, ...]:
@@ -97,22 +133,13 @@ def _law(robot: Robot, local: list[Step]) -> tuple[Step, ...]:
     return (Step("A_i", (Symbol("A_i"), A), "law"),)
 
 
-def _ends(problem: Problem, whole: bool) -> tuple[list[Step], list[Step]]:
-    """The fixed motions before the first row and after the last, where there are any."""
-    robot = problem.subject
-    base = [_fixed(problem, "T_base", robot.base)] if robot.base else []
-    tool = [_fixed(problem, "T_tool", robot.tool)] if robot.tool and whole else []
-    return base, tool
-
-
 def _fixed(problem: Problem, name: str, moves: tuple[Move, ...]) -> Step:
     return Step(name, (Symbol(name), problem.readable_matrix(composed(moves))), "motion")
 
 
-def _product(problem: Problem, T: ScalarMatrix, factors: list[Step], last: int) -> tuple[Step, ...]:
+def _product(problem: Problem, name: Symbol, T: ScalarMatrix, factors: list[Step]) -> tuple[Step, ...]:
     if len(factors) < 2:
         return ()
-    name = pose_name(last)
     matrix, entries = with_named_entries(problem.readable_matrix(T))
     product = Product(tuple(Symbol(step.name) for step in factors))
     facts = {"entries": [step.name for step in entries]}

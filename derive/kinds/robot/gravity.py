@@ -6,7 +6,7 @@ from derive.algebra import numeric
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
 from derive.derivation import Claim, Derivation, Step, named_results
-from derive.expression import Derivative, Expr, Matrix, Product, Sum, Symbol, column, negate, transpose
+from derive.expression import ZERO, Derivative, Expr, Matrix, Product, Sum, Symbol, column, negate, transpose
 from derive.kinds.checks import agreement, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -54,6 +54,8 @@ def _energy(problem: Problem, body: Weighted, gravity: Matrix) -> Step:
     name, g, o = Symbol(f"P_{body.i}"), Symbol("g_0"), Symbol(f"o_c{body.i}")
     value = -(body.motion.mass * (normal_matrix(gravity).T @ body.motion.com)[0, 0])
     formula = negate(Product((body.body.mass, transpose(g), o)))
+    if body.body.mass == ZERO:
+        return Step(name.name, (name, ZERO), "potential-energy")
     return Step(name.name, (name, formula, problem.readable(value)), "potential-energy")
 
 

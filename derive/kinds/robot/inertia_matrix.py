@@ -9,7 +9,7 @@ from derive.algebra.common import factored_matrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.operations import operations
 from derive.derivation import Claim, Derivation, Step, named_results
-from derive.expression import Expr, Matrix, Product, Sum, Symbol, children, transpose
+from derive.expression import ZERO, Expr, Matrix, Product, Sum, Symbol, children, transpose
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.naming import LONGEST_ROW
@@ -65,7 +65,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         law("D = D^T", D == D.T),
         *_second_routes(problem, results),
     )
-    facts = {"shapes": bool(named), "big": big}
+    facts = {"shapes": bool(named), "big": big, "numbers": ("D",)}
     return Derivation(
         "inertia-matrix",
         steps,
@@ -137,9 +137,10 @@ def _formula(body: Weighted) -> Expr:
     i = body.i
     J_v, J_w, R = Symbol(f"J_v{i}"), Symbol(f"J_w{i}"), Symbol(f"R_{i}^0")
     linear = Product((body.body.mass, transpose(J_v), J_v))
+    angular = Product((transpose(J_w), R, Symbol(f"I_{i}"), transpose(R), J_w))
     if not body.turns:
         return linear
-    return Sum((linear, Product((transpose(J_w), R, Symbol(f"I_{i}"), transpose(R), J_w))))
+    return angular if body.body.mass == ZERO else Sum((linear, angular))
 
 
 def _fits(matrix: Matrix) -> bool:

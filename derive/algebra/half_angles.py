@@ -1,0 +1,148 @@
+"""Polynomials in sines and cosines by half angles, where factors are unique.
+
+Modulo c^2 + s^2 = 1 a polynomial has no unique factors: s^2 is also (1 - c)(1 + c). With u = sin(theta/2)
+and v = cos(theta/2) it becomes homogeneous of even degree in each pair (u, v), for c = v^2 - u^2,
+s = 2 u v and 1 = u^2 + v^2, and such polynomials factor in one way only. Stored is the part where v = 1,
+a polynomial in t = tan(theta/2), and the degree in each pair.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property, reduce
+
+from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
+
+from derive.algebra.ring import Ring
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Halved:
+    """A polynomial homogeneous in each pair: its part in t, and its degree in each angle."""
+
+    part: fmpq_mpoly
+    degrees: tuple[int, ...]
+
+    def __mul__(self, other: Halved) -> Halved:
+        degrees = tuple(a + b for a, b in zip(self.degrees, other.degrees, strict=True))
+        return Halved(self.part * other.part, degrees)
+
+    def __pow__(self, power: int) -> Halved:
+        return Halved(self.part**power, tuple(degree * power for degree in self.degrees))
+
+    def __floordiv__(self, other: Halved) -> Halved:
+        """The quotient; the other must be a factor."""
+        degrees = tuple(a - b for a, b in zip(self.degrees, other.degrees, strict=True))
+        return Halved(divmod(self.part, other.part)[0], degrees)
+
+    @property
+    def parity(self) -> tuple[int, ...]:
+        """1 for each angle of odd degree; with none it is a polynomial in sines and cosines."""
+        return tuple(degree % 2 for degree in self.degrees)
+
+
+@dataclass(frozen=True)
+class HalfAngles:
+    """The half angles of some of the angles of a ring, by their places there; all else stays as it is."""
+
+    home: Ring
+    places: tuple[int, ...]
+
+    @cached_property
+    def context(self) -> fmpq_mpoly_ctx:
+        return fmpq_mpoly_ctx.get((*(f"t{k}" for k in self.places), *self.home.names), Ordering.lex)
+
+    def of(self, polynomial: fmpq_mpoly) -> Halved:
+        """A polynomial of the ring, homogeneous in each pair."""
+        pairs = [self.home.pair_index(k) for k in self.places]
+        taken = {i for pair in pairs for i in pair}
+        terms = polynomial.to_dict()
+        most = tuple(max((e[c] + e[s] for e in terms), default=0) for c, s in pairs)
+        total = self.context.constant(0)
+        for exponents, coefficient in terms.items():
+            rest = tuple(0 if i in taken else e for i, e in enumerate(exponents))
+            term = self.context.from_dict({(*(0 for _ in pairs), *rest): coefficient})
+            for k, (c, s) in enumerate(pairs):
+                term = term * self._power(k, exponents[c], exponents[s], most[k])
+            total = total + term
+        return Halved(total, tuple(2 * int(m) for m in most))
+
+    def back(self, halved: Halved) -> fmpq_mpoly:
+        """The polynomial in sines and cosines. Raises ValueError where a degree is odd."""
+        if any(halved.parity):
+            raise ValueError("an odd degree in half angles")
+        pairs = [self.home.pair(k) for k in self.places]
+        total = self.home.zero
+        count = len(self.places)
+        for exponents, coefficient in halved.part.to_dict().items():
+            term = self.home.context.from_dict({tuple(exponents[count:]): coefficient})
+            for (c, s), power, degree in zip(pairs, exponents, halved.degrees, strict=False):
+                term = self.home.reduce(term * self._whole(c, s, int(power), degree))
+            total = total + term
+        return self.home.reduce(total)
+
+    def tangent(self, k: int) -> Halved:
+        """u of the k-th angle."""
+        return Halved(self.context.gen(k), self._unit(k))
+
+    def cotangent(self, k: int) -> Halved:
+        """v of the k-th angle: 1, of degree one."""
+        return Halved(self.context.constant(1), self._unit(k))
+
+    def common(self, several: Sequence[Halved]) -> Halved:
+        """The greatest common factor, the powers of v included."""
+        part = reduce(lambda a, b: a.gcd(b), (each.part for each in several))
+        spare = [min(each.degrees[k] - self._degree(each, k) for each in several) for k in self._counted]
+        return Halved(part, tuple(self._along(part, k) + spare[k] for k in self._counted))
+
+    def factors(self, halved: Halved) -> tuple[object, list[tuple[Halved, int]]]:
+        """(number, irreducible factors with their powers); u^2 + v^2 = 1 is left out."""
+        number, found = halved.part.factor()
+        factors = []
+        for part, power in found:
+            if any(part == self._one(k) for k in self._counted):
+                continue
+            factors.append((Halved(part, tuple(self._along(part, k) for k in self._counted)), int(power)))
+        for k in self._counted:
+            spare = halved.degrees[k] - self._degree(halved, k)
+            if spare:
+                factors.append((self.cotangent(k), spare))
+        return number, factors
+
+    @property
+    def _counted(self) -> range:
+        return range(len(self.places))
+
+    def _one(self, k: int) -> fmpq_mpoly:
+        return self.context.gen(k) ** 2 + 1
+
+    def _unit(self, k: int) -> tuple[int, ...]:
+        return tuple(int(i == k) for i in self._counted)
+
+    def _power(self, k: int, cosines: int, sines: int, degree: int) -> fmpq_mpoly:
+        """c^cosines s^sines of an angle, made of this degree by powers of 1 = u^2 + v^2."""
+        t = self.context.gen(k)
+        return (1 - t**2) ** int(cosines) * (2 * t) ** int(sines) * (1 + t**2) ** int(degree - cosines - sines)
+
+    @staticmethod
+    def _along(part: fmpq_mpoly, k: int) -> int:
+        return int(part.degrees()[k])
+
+    def _degree(self, halved: Halved, k: int) -> int:
+        return self._along(halved.part, k)
+
+    @staticmethod
+    def _whole(c: fmpq_mpoly, s: fmpq_mpoly, power: int, degree: int) -> fmpq_mpoly:
+        """u^power v^(degree - power), the degree even."""
+        odd = power % 2
+        return (
+            ((1 - c) / 2) ** ((power - odd) // 2) * ((1 + c) / 2) ** ((degree - power - odd) // 2) * (s / 2) ** odd
+        )
+
+
+def half_angles(home: Ring, names: Iterable[str]) -> HalfAngles:
+    """The half angles of all angles that hold one of these names."""
+    moving = set(names)
+    held = (k for k, form in enumerate(home.angles) if moving & {atom for atom, _ in form.parts})
+    return HalfAngles(home, tuple(held))

@@ -1,0 +1,103 @@
+"""A name given a value: an angle by its cosine and sine, any other symbol by a scalar."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import reduce
+
+from flint import fmpq_mpoly
+
+from derive.algebra.angles import Form
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.ring import Ring, ring
+from derive.algebra.scalar import Scalar, common_ring, trig
+from derive.errors import NotDerivable
+
+Pair = tuple[Scalar, Scalar]  # cosine, sine
+
+
+def pinned(value: Scalar, name: str, at: Pair | Scalar) -> Scalar:
+    """The scalar where the angle `name` has this cosine and sine, or the symbol this value.
+
+    Raises NotDerivable where the name stands inside a root or a fraction of the angle.
+    """
+    if isinstance(at, Scalar):
+        return value.substitute({name: at})
+    images = _images(value.ring, name, at)
+    if images is None:
+        return value
+    top = _composed(value.numerator, value.ring, images)
+    return top if value.denominator is None else top / _composed(value.denominator, value.ring, images)
+
+
+def pinned_matrix(matrix: ScalarMatrix, name: str, at: Pair | Scalar) -> ScalarMatrix:
+    """Entry by entry."""
+    return ScalarMatrix.of([pinned(entry, name, at) for entry in row] for row in matrix.rows)
+
+
+def _images(home: Ring, name: str, at: Pair) -> Mapping[int, Scalar] | None:
+    """What each sine and cosine that holds the angle becomes; None where none does."""
+    images = {}
+    for k, form in enumerate(home.angles):
+        times = form.of_atom(name)
+        if not times:
+            continue
+        if times.denominator != 1:
+            raise NotDerivable(f"a fraction of the angle {name}")
+        c, s = home.pair_index(k)
+        images[c], images[s] = _sum(_rest(form.without(name)), _multiple(at, int(times)))
+    _refuse_roots(home, images)
+    return images or None
+
+
+def _refuse_roots(home: Ring, images: Mapping[int, Scalar]) -> None:
+    names = {home.names[place] for place in images}
+    for root in home.roots:
+        if any(name in names for powers, _ in root.radicand for name, _ in powers):
+            raise NotDerivable("a joint variable inside a root")
+
+
+def _rest(form: Form) -> Pair:
+    return trig(form) if form.parts else (Scalar.of(1), Scalar.of(0))
+
+
+def _sum(a: Pair, b: Pair) -> Pair:
+    """The addition theorem."""
+    return a[0] * b[0] - a[1] * b[1], a[1] * b[0] + a[0] * b[1]
+
+
+def _multiple(pair: Pair, n: int) -> Pair:
+    base = pair if n >= 0 else (pair[0], -pair[1])
+    return reduce(_sum, [base] * abs(n), (Scalar.of(1), Scalar.of(0)))
+
+
+def _composed(polynomial: fmpq_mpoly, source: Ring, images: Mapping[int, Scalar]) -> Scalar:
+    """Term by term; terms with the same powers of what is replaced are taken together."""
+    groups: dict[tuple[int, ...], dict[tuple[int, ...], object]] = {}
+    for exponents, coefficient in polynomial.to_dict().items():
+        key = tuple(int(exponents[place]) for place in images)
+        rest = tuple(0 if place in images else e for place, e in enumerate(exponents))
+        groups.setdefault(key, {})[rest] = coefficient
+    parts = [
+        _product(Scalar(source, source.context.from_dict(rest)), tuple(images.values()), key)
+        for key, rest in groups.items()
+    ]
+    home = common_ring(parts)
+    return sum((part.into(home) for part in parts), Scalar(home, home.zero))
+
+
+def _product(rest: Scalar, values: Sequence[Scalar], powers: Sequence[int]) -> Scalar:
+    for value, power in zip(values, powers, strict=True):
+        if power:
+            rest = rest * value**power
+    return rest
+
+
+def in_single_angles(value: Scalar) -> Scalar:
+    """The same over single angles instead of sums of them, where each of its angles is a sum of those."""
+    home = value.ring
+    atoms = sorted({atom for form in home.angles for atom, _ in form.parts})
+    singles = ring((), tuple(Form.of({atom: 1}) for atom in atoms), home.symbols)
+    if any(singles.trig(form) is None for form in home.angles):
+        return value
+    return value.into(singles.union(home))

@@ -1,0 +1,136 @@
+"""Scalars read as polynomials in some of their symbols, the others being parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+from fractions import Fraction
+
+from flint import arb
+
+from derive.algebra.numeric import scalar_number
+from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.signs import sign_of
+from derive.errors import NotDerivable
+
+
+def holds(value: Scalar, names: Collection[str]) -> bool:
+    """Whether any of the names occurs."""
+    return any(name in names for name in value.generators())
+
+
+def numerator(value: Scalar) -> Scalar:
+    """What vanishes where the value does."""
+    return Scalar(value.ring, value.numerator)
+
+
+def coefficients(polynomial: Scalar, name: str) -> list[Scalar]:
+    """Those of the powers of one symbol, the constant term first; no trailing zeros."""
+    home = polynomial.ring
+    place = home.index.get(name)
+    if place is None:
+        return [polynomial]
+    groups: dict[int, dict[tuple[int, ...], object]] = {}
+    for exponents, k in polynomial.numerator.to_dict().items():
+        rest = tuple(0 if i == place else e for i, e in enumerate(exponents))
+        groups.setdefault(int(exponents[place]), {})[rest] = k
+    return [Scalar(home, home.context.from_dict(groups.get(e, {}))) for e in range(max(groups, default=0) + 1)]
+
+
+def monomials(polynomial: Scalar) -> list[Scalar]:
+    """The terms, each with its coefficient."""
+    home = polynomial.ring
+    return [
+        Scalar(home, home.context.from_dict({powers: k})) for powers, k in polynomial.numerator.to_dict().items()
+    ]
+
+
+def factors(polynomial: Scalar, names: Collection[str]) -> list[Scalar]:
+    """The distinct irreducible factors that hold any of the names."""
+    _, found = polynomial.numerator.factor()
+    parts = (Scalar(polynomial.ring, factor) for factor, _ in found)
+    return [part for part in parts if holds(part, names)]
+
+
+def degree(polynomial: Scalar, names: Collection[str]) -> int:
+    """The total degree in the names."""
+    places = [i for i, name in enumerate(polynomial.ring.names) if name in names]
+    powers = polynomial.numerator.to_dict()
+    return max((sum(int(exponents[i]) for i in places) for exponents in powers), default=0)
+
+
+def require_rational(values: Iterable[Scalar], names: Collection[str]) -> None:
+    """Raises NotDerivable where a name stands inside a sine, a root or another function."""
+    for value in values:
+        inner = [*value.ring.opaque, *(str(form) for form in value.ring.angles)]
+        inner += [root.name for root in value.ring.roots]
+        used = set(value.generators())
+        for name in names:
+            for text in inner:
+                is_used = any(text in each for each in used)
+                if is_used and name in _words(text):
+                    raise NotDerivable(
+                        f"{name} stands inside a function: only equations that are polynomials or fractions of "
+                        "polynomials in the variables are solved here"
+                    )
+
+
+def _words(text: str) -> set[str]:
+    return set("".join(c if c.isalnum() or c == "_" else " " for c in text).split())
+
+
+def known_sign(value: Scalar, positive: Collection[str] = ()) -> int | None:
+    """1, -1 or 0; None where the parameters decide it. Even powers count as positive."""
+    if not value:
+        return 0
+    try:
+        return 1 if scalar_number(value, {}) > 0 else -1
+    except KeyError:  # a parameter has no value
+        pass
+    if (direct := sign_of(value, positive)) is not None:
+        return direct
+    below = None if value.denominator is None else Scalar(value.ring, value.denominator)
+    above = _by_factors(numerator(value), positive)
+    if below is None or above is None:
+        return above
+    bottom = _by_factors(below, positive)
+    return None if bottom is None else above * bottom
+
+
+def _by_factors(polynomial: Scalar, positive: Collection[str]) -> int | None:
+    content, found = polynomial.numerator.factor()
+    sign = 1 if as_fraction(content) > 0 else -1
+    for factor, power in found:
+        if power % 2:
+            own = sign_of(Scalar(polynomial.ring, factor), positive)
+            if own is None:
+                return None
+            sign *= own
+    return sign
+
+
+def ball(value: Scalar, at: Mapping[str, arb]) -> arb:
+    """The value in ball arithmetic: an interval that certainly holds it. Raises KeyError."""
+    home, used = value.ring, set(value.generators())
+    known: dict[str, arb] = {name: at[name] for name in home.symbols if name in used}
+    for root in reversed(home.roots):
+        if root.name in used:
+            known[root.name] = ball(Scalar(home, home.polynomial(root.radicand)), at).sqrt()
+    points = [known.get(name, arb(0)) for name in home.names]
+    top = _ball(value.numerator.to_dict(), points)
+    return top if value.denominator is None else top / _ball(value.denominator.to_dict(), points)
+
+
+def _ball(terms: Mapping[tuple[int, ...], object], points: list[arb]) -> arb:
+    total = arb(0)
+    for exponents, k in terms.items():
+        exact = as_fraction(k)
+        term = arb(exact.numerator) / arb(exact.denominator)
+        for point, power in zip(points, exponents, strict=True):
+            term = term * point ** int(power) if power else term
+        total = total + term
+    return total
+
+
+def rational(value: Scalar) -> Fraction | None:
+    """A number without symbols and roots; None for anything else."""
+    return value.constant if value else Fraction(0)

@@ -1,0 +1,164 @@
+"""The real roots of a polynomial in one unknown: exactly where square roots suffice, else enclosed."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from math import isqrt
+
+from flint import arb, ctx, fmpq, fmpq_poly
+
+from derive.algebra.fixed import square_root
+from derive.algebra.kernels import root
+from derive.algebra.polynomials import ball, holds, known_sign
+from derive.algebra.scalar import Scalar, as_fraction
+from derive.errors import NotDerivable
+
+BITS = 160  # of the numbers that enclose a root
+
+
+@dataclass(frozen=True, slots=True)
+class RealRoot:
+    """A root, exactly or as a ball that holds it and no other; real only where `real_if` is positive."""
+
+    value: Scalar | arb
+    real_if: Scalar | None = None
+
+
+def real_roots(polynomial: Sequence[Scalar | arb], positive: Collection[str] = ()) -> list[RealRoot]:
+    """Of coefficients, the constant term first. Raises NotDerivable for what neither way reaches."""
+    if any(isinstance(k, arb) for k in polynomial):
+        return _of_balls([ball(k, {}) if isinstance(k, Scalar) else k for k in polynomial])
+    exact = [k for k in polynomial if isinstance(k, Scalar)]
+    while len(exact) > 1 and not exact[-1]:
+        exact.pop()
+    return [found for part in _irreducible(exact) for found in _of_irreducible(part, positive)]
+
+
+def _irreducible(exact: list[Scalar]) -> list[list[Scalar]]:
+    """Rational coefficients factored over the rationals; any others as they are."""
+    numbers = [k.constant for k in exact]
+    if len(exact) < 2 or None in numbers:
+        return [exact]
+    whole = fmpq_poly([fmpq(n.numerator, n.denominator) for n in numbers if n is not None])
+    _, found = whole.factor()
+    return [[Scalar.of(as_fraction(k)) for k in factor.coeffs()] for factor, _ in found]
+
+
+def _of_irreducible(k: list[Scalar], positive: Collection[str]) -> list[RealRoot]:
+    match len(k) - 1:
+        case 0:
+            return []
+        case 1:
+            return [RealRoot(-k[0] / k[1])]
+        case 2:
+            return _quadratic(k, positive)
+        case 4 if not k[1] and not k[3]:
+            return _biquadratic(k, positive)
+    return _enclosed(k)
+
+
+def _quadratic(k: list[Scalar], positive: Collection[str]) -> list[RealRoot]:
+    c, b, a = k
+    if not b:
+        return _signed(Scalar.of(0), -c / a, Scalar.of(1), positive)
+    return _signed(-b / (2 * a), b * b - 4 * a * c, 2 * a, positive)
+
+
+def _signed(middle: Scalar, square: Scalar, over: Scalar, positive: Collection[str]) -> list[RealRoot]:
+    """middle + and - sqrt(square)/over; the positive root first."""
+    sign = known_sign(square, positive)
+    if sign == -1:
+        return []
+    if sign == 0:
+        return [RealRoot(middle)]
+    away = either_root(square) / over
+    if known_sign(away, positive) == -1:
+        away = -away
+    needs = square if sign is None else None
+    return [RealRoot(middle + away, needs), RealRoot(middle - away, needs)]
+
+
+def _biquadratic(k: list[Scalar], positive: Collection[str]) -> list[RealRoot]:
+    """a v^4 + b v^2 + c by way of v^2."""
+    found = []
+    for outer in _quadratic([k[0], k[2], k[4]], positive):
+        if isinstance(outer.value, Scalar):
+            if outer.real_if is not None:
+                raise NotDerivable("whether this biquadratic equation has real roots depends on its parameters")
+            found += _signed(Scalar.of(0), outer.value, Scalar.of(1), positive)
+    return found
+
+
+def either_root(square: Scalar) -> Scalar:
+    """A square root of either sign: squares come out without the bars of an absolute value."""
+    if square.constant is not None:
+        return square_root(square.constant)
+    if (simpler := _denested(square)) is not None:
+        return simpler
+    bottom = square.ring.one if square.denominator is None else square.denominator
+    content, found = square.ring.reduce(square.numerator * bottom).factor_squarefree()
+    outside = 1 / Scalar(square.ring, bottom)
+    inside = Scalar.of(as_fraction(content))
+    for factor, power in found:
+        part = Scalar(square.ring, square.ring.reduce(factor))
+        outside = outside * part ** (power // 2)
+        inside = inside * part if power % 2 else inside
+    return outside * root(inside)
+
+
+def _denested(square: Scalar) -> Scalar | None:
+    """sqrt(a + b sqrt(d)) as sqrt((a + s)/2) +- sqrt((a - s)/2) where s^2 = a^2 - b^2 d is a square."""
+    used = list(square.generators())
+    roots = [each for each in square.ring.roots if each.name in used]
+    if square.denominator is not None or len(used) != 1 or len(roots) != 1:
+        return None
+    along = Scalar(square.ring, square.numerator.derivative(square.ring.index[roots[0].name]))
+    inside = Scalar(square.ring, square.ring.polynomial(roots[0].radicand)).constant
+    b, a = along.constant, (square - along * Scalar(square.ring, square.ring.gen(roots[0].name))).constant
+    if a is None or b is None or inside is None or (rest := a * a - b * b * inside) < 0:
+        return None
+    s = _exact_root(rest.numerator), _exact_root(rest.denominator)
+    if s[0] is None or not s[1]:
+        return None
+    half = Scalar.of(a) / 2, Scalar.of(s[0]) / (2 * s[1])
+    first, second = (half[0] + half[1]).constant, (half[0] - half[1]).constant
+    if first is None or second is None or min(first, second) < 0:
+        return None
+    sign = 1 if b > 0 else -1
+    return square_root(first) + sign * square_root(second)
+
+
+def _exact_root(n: int) -> int | None:
+    found = isqrt(n)
+    return found if found * found == n else None
+
+
+def _enclosed(k: list[Scalar]) -> list[RealRoot]:
+    """Isolated by FLINT: each ball certainly holds one root and no other."""
+    numbers = [value.constant for value in k]
+    if None in numbers:
+        names = "parameters" if any(holds(v, v.ring.symbols) for v in k) else "square roots"
+        raise NotDerivable(
+            f"an equation of degree {len(k) - 1} with {names} in it has no roots in square roots alone"
+        )
+    whole = fmpq_poly([fmpq(n.numerator, n.denominator) for n in numbers if n is not None])
+    with ctx.workprec(BITS):
+        return [RealRoot(c.real) for c, _ in whole.numer().complex_roots() if c.imag == 0]
+
+
+def _of_balls(k: list[arb]) -> list[RealRoot]:
+    """Of a linear or quadratic equation whose coefficients are only enclosed."""
+    with ctx.workprec(BITS):
+        while len(k) > 1 and k[-1] == 0:
+            k = k[:-1]
+        if len(k) == 2 and not k[1].contains(0):
+            return [RealRoot(-k[0] / k[1])]
+        if len(k) == 3 and not k[2].contains(0):
+            square = k[1] * k[1] - 4 * k[0] * k[2]
+            if square < 0:
+                return []
+            if square > 0:
+                away = square.sqrt()
+                return [RealRoot((-k[1] + away) / (2 * k[2])), RealRoot((-k[1] - away) / (2 * k[2]))]
+    raise NotDerivable("a numerical root leaves an equation whose roots cannot be told apart")

@@ -1,0 +1,30 @@
+"""A motion drawn: position, velocity and acceleration over time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import degrees
+
+from derive.derivation import Panels, Plot
+from derive.mechanics.course import Course, Points, sampled
+from derive.mechanics.profile import Sort
+
+ORDERS = ("position", "velocity", "acceleration")
+UNITS = {"length": ("m", "m/s", r"m/s$^2$"), "angle": ("rad", "rad/s", r"rad/s$^2$")}
+IN_DEGREES = ("deg", "deg/s", r"deg/s$^2$")
+
+
+def panels(courses: Mapping[str, Course], sort: Sort, in_degrees: bool) -> Panels:
+    """Three plots, one above the other; `courses` are named as in the legend."""
+    turned = sort == "angle" and in_degrees
+    units = IN_DEGREES if turned else UNITS.get(sort, ("", "", ""))
+    plots = []
+    for order, (what, unit) in enumerate(zip(ORDERS, units, strict=True)):
+        curves = {name: _scaled(sampled(course, order), turned) for name, course in courses.items()}
+        plots.append(Plot(what, "time [s]", f"{what} [{unit}]" if unit else what, curves))
+    return Panels("profile", tuple(plots))
+
+
+def _scaled(points: Points, turned: bool) -> Points:
+    times, values = points
+    return (times, tuple(map(degrees, values))) if turned else points

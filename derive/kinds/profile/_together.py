@@ -1,0 +1,101 @@
+"""Several axes that leave and arrive together: the slowest sets the time."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from derive.algebra.numeric import number as value_of
+from derive.derivation import Claim, Result, Step, Table
+from derive.errors import NotDerivable
+from derive.expression import Expr, Symbol, column, number
+from derive.kinds.problem import Problem
+from derive.kinds.profile._axis import Solved, claims_of, solved, steps_of, told
+from derive.kinds.profile._trapezoid import NAMES
+from derive.mechanics.profile import Profile
+
+HEADINGS = ("axis", "case", *(Symbol(name) for name in NAMES))
+
+
+@dataclass(frozen=True, slots=True)
+class Together:
+    """Each axis alone, each in the common time, and which is the slowest (None where a time was given)."""
+
+    alone: tuple[Solved, ...]
+    axes: tuple[Solved, ...]
+    time: Expr
+    slowest: int | None
+
+    @property
+    def infeasible(self) -> tuple[int, ...]:
+        """The axes, from 1, that cannot be there in time."""
+        return tuple(k for k, axis in enumerate(self.axes, 1) if axis.infeasible)
+
+    def steps(self) -> list[Step]:
+        steps: list[Step] = []
+        for k, axis in enumerate(self.alone if self.slowest is not None else (), 1):
+            steps += steps_of(axis, f"alone_{k}_")
+        for k, axis in enumerate(self.axes):
+            if k != self.slowest:
+                steps += steps_of(axis, f"axis_{k + 1}_")
+        return steps
+
+    def claims(self) -> list[Claim]:
+        found = [c for k, axis in enumerate(self.alone, 1) for c in claims_of(axis, f"axis {k} alone, ")]
+        return found + [c for k, axis in enumerate(self.axes, 1) for c in claims_of(axis, f"axis {k}, ")]
+
+    def results(self) -> dict[str, Result]:
+        """Vectors over the axes, but for the time they share."""
+        outcomes = [axis.outcomes[0] for axis in self.axes]
+        cases = tuple(outcome.case for outcome in outcomes)
+        if self.infeasible:
+            return {"case": cases, "t_min": self.alone[slowest(self.alone)].least}
+        values = [outcome.values for outcome in outcomes]
+        found: dict[str, Result] = {"case": cases}
+        for name in NAMES:
+            found[name] = self.time if name == "t_3" else column(each[name] for each in values)
+        return found
+
+    def facts(self) -> dict[str, Any]:
+        return {
+            "alone": tuple(told(axis, f"alone_{k}_") for k, axis in enumerate(self.alone, 1)),
+            "axes": tuple(told(axis, f"axis_{k}_") for k, axis in enumerate(self.axes, 1)),
+            "slowest": None if self.slowest is None else self.slowest + 1,
+            "time": (Symbol("t_3"), self.time),
+            "infeasible": self.infeasible,
+            "least": (Symbol("t_min"), self.alone[slowest(self.alone)].least),
+            "table": self._table(),
+        }
+
+    def _table(self) -> Table | None:
+        if self.infeasible:
+            return None
+        rows = []
+        for k, axis in enumerate(self.axes, 1):
+            outcome = axis.outcomes[0]
+            values = [outcome.working.values[Symbol(name)] for name in NAMES]
+            rows.append((number(k), outcome.case, *values))
+        return Table(HEADINGS, tuple(rows))
+
+
+def together(profile: Profile, problem: Problem) -> Together:
+    """The axes in the time given, or in that of the slowest. Raises NotDerivable where symbols leave open
+    which that is, or which case an axis has."""
+    alone = tuple(solved(axis, None, profile, problem) for axis in profile.axes)
+    if any(each.open for each in alone):
+        raise NotDerivable("the slowest axis cannot be told without numbers; give them, or values under where:")
+    last = None if profile.time is not None else slowest(alone)
+    time = profile.time if last is None else alone[last].outcomes[0].working.values[Symbol("t_3")]
+    if time is None:
+        raise NotDerivable("no time is known")
+    axes = tuple(solved(axis, time, profile, problem) for axis in profile.axes)
+    if any(each.open for each in axes):
+        raise NotDerivable("the case of each axis cannot be told without numbers; give values under where:")
+    return Together(alone, axes, time, last)
+
+
+def slowest(alone: Sequence[Solved]) -> int:
+    """The index of the axis that needs longest; the first of equals."""
+    times = [value_of(each.least, {}) for each in alone]
+    return max(range(len(times)), key=lambda index: times[index] * (1 - 1e-12 * index))

@@ -1,0 +1,194 @@
+"""One axis by its trapezoidal or triangular profile: every case that its numbers or symbols leave open."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from derive.algebra.text import text
+from derive.derivation import Step
+from derive.expression import (
+    Expr,
+    Product,
+    Quotient,
+    Symbol,
+    free_symbols,
+    negate,
+    number,
+    sqrt,
+    squared,
+    subtract,
+    symbols,
+)
+from derive.expression import add as plus
+from derive.expression import replace as replaced
+from derive.kinds.problem import Problem
+from derive.kinds.profile._working import Working, named
+from derive.mechanics.profile import Axis
+
+T_1, T_2, T_M, V, A = symbols("t_1 t_2 t_m v a")
+NAMES = ("t_1", "t_2", "t_3", "v", "a")
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """The names of the distance, the limits and the time, and the working they begin."""
+
+    d: Symbol
+    v_M: Symbol
+    a_M: Symbol
+    t_3: Symbol
+    working: Working
+    backwards: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """`left` < or <= or > `right`, in the symbols of the sheet."""
+
+    left: Expr
+    relation: str
+    right: Expr
+
+    def __str__(self) -> str:
+        left, right = (text(side).replace("**", "^") for side in (self.left, self.right))
+        return f"{left} {self.relation} {right}"
+
+
+@dataclass(frozen=True, slots=True)
+class Outcome:
+    """A case with its working; `when` is the condition that symbols leave open."""
+
+    case: str
+    working: Working
+    when: tuple[Condition, ...] = ()
+    probe: Step | None = None  # the comparison that decided for it
+    too_fast: bool = False  # infeasible because even the greatest velocity does not suffice
+    plateau: bool = True
+
+    @property
+    def values(self) -> dict[str, Expr]:
+        return {name: self.working.final(name) for name in NAMES}
+
+
+def begun(problem: Problem, axis: Axis, time: Expr | None, angular: bool) -> Given:
+    """The given quantities under their names; a distance backwards is counted as its size."""
+    bare = Working(problem, {}, angular)
+    backwards = bare.sign(axis.distance) == -1
+    d, size = named("d", axis.distance), axis.distance
+    if backwards:
+        d, size = Symbol("delta" if "d" in problem.where else "d"), bare.value(negate(axis.distance))
+    values: dict[Expr, Expr] = {d: size}
+    v_M, a_M = named("v_M", axis.v_max), named("a_M", axis.a_max)
+    values |= {v_M: axis.v_max, a_M: axis.a_max}
+    t_3 = Symbol("t_3")
+    if time is not None:
+        t_3 = named("t_3", time)
+        values[t_3] = time
+    return Given(d, v_M, a_M, t_3, Working(problem, values, angular), backwards)
+
+
+# -- in the shortest time -----------------------------------------------------------------------------
+
+
+def shortest(given: Given) -> tuple[Outcome, ...]:
+    """With a plateau where there is room for it, else a triangle."""
+    d, v_M, a_M, working = given.d, given.v_M, given.a_M, given.working
+    ramps = Quotient(squared(v_M), a_M)
+    probe = working.line("ramps", ramps).steps[-1]
+    probe = replace(probe, chain=probe.chain[1:])
+    room = working.sign(subtract(d, ramps))
+    left, right = (_condition(working, side) for side in (ramps, d))
+    with_plateau = Outcome("trapezoidal", _fast_trapezoid(given), (Condition(left, "<=", right),), probe)
+    without = Outcome("triangular", _fast_triangle(given), (Condition(left, ">", right),), probe, plateau=False)
+    if room is None:
+        return with_plateau, without
+    return (replace(with_plateau if room >= 0 else without, when=()),)
+
+
+def _fast_trapezoid(given: Given) -> Working:
+    working = given.working.line("t_1", Quotient(given.v_M, given.a_M))
+    working = working.line("t_2", Quotient(given.d, given.v_M)).line("t_3", plus(T_1, T_2))
+    return working.line("v", given.v_M).line("a", given.a_M)
+
+
+def _fast_triangle(given: Given) -> Working:
+    """d = a_M t_1^2; with symbols the roots are written as a person writes them."""
+    d, a_M, working = given.d, given.a_M, given.working
+    full, half, peak = sqrt(Quotient(Product((number(4), d)), a_M)), Quotient(Symbol("t_3"), number(2)), Product((a_M, T_1))
+    if not free_symbols(working.problem.final(working.value(Quotient(d, a_M)))):
+        working = working.line("t_3", full).line("t_1", half).line("t_2", T_1)
+        return working.line("v", peak).line("a", a_M)
+    root = sqrt(working.value(Quotient(d, a_M)))
+    working = working.line("t_3", full, Product((number(2), root))).line("t_1", half, root).line("t_2", T_1, root)
+    # a sqrt(d/a) is sqrt(a d) for a > 0 only, which the normal form does not know: the search checks it
+    working = working.line("v", peak, sqrt(working.value(Product((a_M, d)))), rule="law")
+    return working.line("a", a_M)
+
+
+# -- in a given time ----------------------------------------------------------------------------------
+
+
+def timed(given: Given) -> tuple[Outcome, ...]:
+    """With the least acceleration: a triangle unless its peak is too fast, then a plateau at v_M."""
+    d, v_M, t_3, working = given.d, given.v_M, given.t_3, given.working
+    peak = Quotient(Product((number(2), d)), t_3)
+    probe = working.line("peak", peak).steps[-1]
+    probe = replace(probe, chain=probe.chain[1:])
+    triangle, trapezoid = _slow_triangle(given), _slow_trapezoid(given)
+    left, right = (_condition(working, side) for side in (peak, v_M))
+    found = {1: (trapezoid,), 0: (triangle,), -1: (triangle,)}.get(
+        2 if (s := working.sign(subtract(peak, v_M))) is None else s, (triangle, trapezoid)
+    )
+    relation = {"triangular": "<=", "trapezoidal": ">"}
+    outcomes = []
+    for outcome in found:
+        own = (Condition(left, relation[outcome.case], right),) if len(found) > 1 else ()
+        when = (*own, *outcome.when)
+        outcomes.append(_checked(replace(outcome, when=when, probe=probe), given))
+    return tuple(outcomes)
+
+
+def _slow_triangle(given: Given) -> Outcome:
+    working = given.working.line("t_1", Quotient(given.t_3, number(2))).line("t_2", T_1)
+    working = _keep_time(working, given.t_3)
+    working = working.line("v", Quotient(given.d, T_1)).line("a", Quotient(V, T_1))
+    return Outcome("triangular", working, plateau=False)
+
+
+def _slow_trapezoid(given: Given) -> Outcome:
+    """The plateau follows from the area, d = v (t_3 + t_m)/2."""
+    d, v_M, t_3 = given.d, given.v_M, given.t_3
+    working = given.working.line("v", v_M)
+    working = working.line("t_m", subtract(Quotient(Product((number(2), d)), V), t_3))
+    working = working.line("t_1", Quotient(subtract(t_3, T_M), number(2)))
+    room = working.sign(T_1)
+    if room is not None and room <= 0:
+        return Outcome("infeasible", working, too_fast=True)
+    working = _keep_time(working.line("t_2", subtract(t_3, T_1)), t_3).line("a", Quotient(V, T_1))
+    limit = _condition(working, Quotient(d, v_M))
+    when = () if room else (Condition(_condition(working, t_3), ">", limit),)
+    return Outcome("trapezoidal", working, when)
+
+
+def _keep_time(working: Working, t_3: Symbol) -> Working:
+    """t_3 is a result under its own name too."""
+    values: Mapping[Expr, Expr] = {**working.values, Symbol("t_3"): working.values[t_3]}
+    return replace(working, values=values)
+
+
+def _checked(outcome: Outcome, given: Given) -> Outcome:
+    """Infeasible where the acceleration is beyond its limit; a condition where symbols leave that open."""
+    if outcome.case == "infeasible":
+        return outcome
+    beyond = outcome.working.sign(subtract(A, given.a_M))
+    if beyond is None:
+        limit = Condition(_condition(outcome.working, A), "<=", _condition(outcome.working, given.a_M))
+        return replace(outcome, when=(*outcome.when, limit))
+    return replace(outcome, case="infeasible") if beyond > 0 else outcome
+
+
+def _condition(working: Working, expr: Expr) -> Expr:
+    """A side of a condition, in the symbols of the sheet."""
+    shown = replaced(expr, {name: value for name, value in working.values.items() if name != value})
+    return working.value(shown)

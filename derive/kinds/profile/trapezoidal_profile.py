@@ -1,0 +1,157 @@
+"""The trapezoidal or triangular velocity profile over a distance, the fastest one or in a given time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from derive.algebra.numeric import number as value_of
+from derive.derivation import Branch, Derivation, Figure, Result
+from derive.errors import NotDerivable
+from derive.expression import Expr
+from derive.kinds.evaluation import Evaluation
+from derive.kinds.fields import OptionsModel
+from derive.kinds.problem import Problem
+from derive.kinds.profile._axis import Solved, claims_of, solved, steps_of, told
+from derive.kinds.profile._curves import panels
+from derive.kinds.profile._together import together
+from derive.kinds.profile._trapezoid import NAMES
+from derive.kinds.values_at import point_of
+from derive.mechanics import trapezoid
+from derive.mechanics.profile import Axis, Profile
+
+NEEDS = ("limits",)
+RESULTS = {
+    "case": "trapezoidal or triangular (with the condition where symbols leave it open), or infeasible",
+    "t_1": "the end of the acceleration; of several axes a vector, as what follows",
+    "t_2": "the beginning of the deceleration",
+    "t_3": "the whole duration, one for all axes",
+    "v": "the peak velocity",
+    "a": "the acceleration",
+    "t_min": "where the given time is too short: the shortest that is possible",
+    "solutions": "where symbols leave the case open: every case, and when; the others are of the first",
+}
+EXAMPLE = """\
+title: Velocity profiles
+problems:
+- profile: {distance: 3 m, v_max: 1 m/s, a_max: 2 m/s^2}
+  find: trapezoidal-profile
+- profile: {distance: d, v_max: v_M, a_max: a_M, time: t_3}
+  find: trapezoidal-profile
+- profile:
+  - {distance: 90 deg, v_max: 45 deg/s, a_max: 90 deg/s^2}
+  - {distance: -30 deg, v_max: 60 deg/s, a_max: 120 deg/s^2}
+  find: trapezoidal-profile
+"""
+Found = tuple[trapezoid.Switching, ...]
+
+
+class Options(OptionsModel):
+    """Where symbols stand for the distance and the limits, `evaluate` draws the profile at a point."""
+
+    evaluate: Evaluation = None
+
+
+def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
+    """The switching times t_1, t_2, t_3 (Khatib's notes; Siciliano et al., section 4.2.1).
+
+    Raises NotDerivable where the slowest of several axes cannot be told.
+    """
+    if len(profile.axes) > 1:
+        return _several(profile, options, problem)
+    each = solved(profile.axes[0], profile.time, profile, problem)
+    found = _numbers(profile, profile.time, options, problem)
+    return Derivation(
+        "trapezoidal-profile",
+        tuple(steps_of(each)),
+        _results(each),
+        tuple(claims_of(each)),
+        each.outcomes[0].working.definitions,
+        _evaluated(found, options),
+        plots=_plots(profile, found, problem),
+        facts={"several": False, **told(each), **_drawn(found, options)},
+    )
+
+
+def _several(profile: Profile, options: Options, problem: Problem) -> Derivation:
+    all_axes = together(profile, problem)
+    found = _numbers(profile, all_axes.time, options, problem)
+    return Derivation(
+        "trapezoidal-profile",
+        tuple(all_axes.steps()),
+        all_axes.results(),
+        tuple(all_axes.claims()),
+        evaluated=_evaluated(found, options),
+        plots=_plots(profile, found, problem),
+        facts={"several": True, **all_axes.facts(), **_drawn(found, options)},
+    )
+
+
+def _results(each: Solved) -> dict[str, Result]:
+    first = each.outcomes[0]
+    if each.infeasible:
+        return {"case": "infeasible", "t_min": each.least}
+    if not each.open:
+        return {"case": first.case, **first.values}
+    conditions = [(outcome, " and ".join(map(str, outcome.when))) for outcome in each.outcomes]
+    case = "; ".join(f"{outcome.case} if {when}" for outcome, when in conditions)
+    branches = tuple(Branch(outcome.values, f"{outcome.case}: {when}") for outcome, when in conditions)
+    return {"case": case, **first.values, "solutions": branches}
+
+
+# -- in numbers ---------------------------------------------------------------------------------------
+
+
+def _numbers(profile: Profile, time: Expr | None, options: Options, problem: Problem) -> Found | None:
+    """Every axis in floats; None where something is left open. Raises NotDerivable."""
+    try:
+        point = point_of(dict(options.evaluate or ()), problem.where)
+        t_3 = None if time is None else value_of(time, point)
+        return tuple(_switching(axis, t_3, point) for axis in profile.axes)
+    except KeyError as error:
+        if options.evaluate is None:
+            return None
+        message = f"no value is known for {error.args[0]}; give it one under evaluate: or where:"
+        raise NotDerivable(message) from error
+
+
+def _switching(axis: Axis, time: float | None, point: Mapping[str, float]) -> trapezoid.Switching:
+    d, v, a = (value_of(expr, point) for expr in (axis.distance, axis.v_max, axis.a_max))
+    if d == 0 or v <= 0 or a <= 0:
+        raise NotDerivable("a distance that is not zero and positive limits are needed at the point")
+    return trapezoid.shortest(abs(d), v, a) if time is None else trapezoid.timed(abs(d), v, a, time)
+
+
+def _evaluated(found: Found | None, options: Options) -> dict[str, Any]:
+    """Of several axes lists, but for the time they share."""
+    if found is None or options.evaluate is None:
+        return {}
+    if any(each.case == "infeasible" for each in found):
+        return {"case": "infeasible"}
+    names = ("case", *NAMES)
+    if len(found) == 1:
+        return {name: getattr(found[0], name) for name in names}
+    return {name: [getattr(each, name) for each in found] for name in names} | {"t_3": found[0].t_3}
+
+
+def _drawn(found: Found | None, options: Options) -> dict[str, Any]:
+    """For the words: whether there is a picture, and of which case at the point asked for."""
+    feasible = found is not None and all(each.case != "infeasible" for each in found)
+    at_point = found[0].case if found and options.evaluate else ""
+    return {"drawn": feasible, "at_point": at_point}
+
+
+def _plots(profile: Profile, found: Found | None, problem: Problem) -> tuple[Figure, ...]:
+    if found is None or any(each.case == "infeasible" for each in found):
+        return ()
+    courses = {}
+    for k, (axis, each) in enumerate(zip(profile.axes, found, strict=True), 1):
+        courses[f"axis {k}"] = trapezoid.course(each, 0.0, _direction(axis, problem))
+    return (panels(courses, profile.sort, problem.style.degrees),)
+
+
+def _direction(axis: Axis, problem: Problem) -> float:
+    try:
+        return -1.0 if value_of(problem.final(axis.distance), {}) < 0 else 1.0
+    except KeyError:
+        return 1.0

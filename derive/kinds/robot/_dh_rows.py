@@ -1,0 +1,108 @@
+"""Rows of link parameters as an answer: their table, what stands before and after them, and the proof."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import reduce
+from typing import Any
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal_matrix
+from derive.algebra.numeric import matrix_numbers
+from derive.derivation import Claim, Step, Table
+from derive.expression import MINUS_ONE, Expr, Indexed, Matrix, Sum, Symbol, number, replace
+from derive.kinds.checks import agreement, law
+from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import chain_of, oracle_of
+from derive.mechanics.dh import CONVENTIONS
+from derive.mechanics.poses import composed
+from derive.mechanics.robot import Convention, DHRow, JointType
+
+COLUMNS = ("theta", "d", "a", "alpha")
+IDENTITY = ScalarMatrix.identity(4)
+
+
+@dataclass(frozen=True, slots=True)
+class Rows:
+    """Rows in a convention; each joint's variable (None of a fixed row) and type; the poses (4 by 4) of
+    frame 0 in the base and of the end-effector in frame n."""
+
+    convention: Convention
+    rows: tuple[DHRow, ...]
+    variables: tuple[str | None, ...]
+    joints: tuple[JointType, ...]
+    base: ScalarMatrix = IDENTITY
+    tool: ScalarMatrix = IDENTITY
+
+    def matrix(self, problem: Problem) -> Matrix:
+        """theta, d, a, alpha of each row, the names of `where` replaced."""
+        return Matrix(tuple(tuple(problem.final(entry) for entry in values(row)) for row in self.rows))
+
+    def ends(self, problem: Problem) -> tuple[Step, ...]:
+        """T_base and T_tool, where they are no identity."""
+        poses = (("T_base", self.base), ("T_tool", self.tool))
+        return tuple(
+            Step(name, (Symbol(name), problem.readable_matrix(T)), "motion")
+            for name, T in poses
+            if T != IDENTITY
+        )
+
+    def facts(self) -> dict[str, Any]:
+        """What the words need."""
+        pairs = list(zip(self.joints, self.variables, strict=True))
+        return {
+            "convention": self.convention,
+            "revolute": [Symbol(name or "") for joint, name in pairs if joint == "revolute"],
+            "prismatic": [Symbol(name or "") for joint, name in pairs if joint == "prismatic"],
+            "table": self.table(),
+            "base": self.base != IDENTITY,
+            "tool": self.tool != IDENTITY,
+        }
+
+    def table(self) -> Table:
+        """Under theta_i, d_i, a_i, alpha_i (a_{i-1}, alpha_{i-1} where modified); joint variables starred."""
+        before = self.convention == "modified"
+        headings = [Indexed(name, (_index(before and name in ("a", "alpha")),)) for name in COLUMNS]
+        lines = [
+            (number(i), *(_starred(entry, joint) for entry in values(row)))
+            for i, (row, joint) in enumerate(zip(self.rows, self.variables, strict=True), 1)
+        ]
+        return Table((Symbol("i"), *headings), tuple(lines))
+
+    def pose(self) -> ScalarMatrix:
+        """T (4 by 4) of the end-effector by these rows."""
+        made = [composed(CONVENTIONS[self.convention](row)) for row in self.rows]
+        return self.base @ reduce(ScalarMatrix.__matmul__, made) @ self.tool
+
+    def claims(self, problem: Problem) -> tuple[Claim, ...]:
+        """The rows make the arm that was given: by normal form, and in numbers."""
+        T, oracle = self.pose(), oracle_of(problem)
+        names = problem.names
+        exact = normal_matrix(problem.readable_matrix(T), names)
+        given = normal_matrix(problem.readable_matrix(chain_of(problem).T_tool), names)
+
+        def other(at: Mapping[str, float]) -> Any:
+            return oracle.tool(oracle.at(at))
+
+        return (
+            law("the rows give the pose of the end-effector", exact == given),
+            agreement(
+                "the rows agree with the arm composed in numbers",
+                problem.symbols,
+                lambda at: matrix_numbers(T, oracle.at(at)),
+                other,
+            ),
+        )
+
+
+def values(row: DHRow) -> tuple[Expr, Expr, Expr, Expr]:
+    return row.theta, row.d, row.a, row.alpha
+
+
+def _index(before: bool) -> Expr:
+    return Sum((Symbol("i"), MINUS_ONE)) if before else Symbol("i")
+
+
+def _starred(entry: Expr, variable: str | None) -> Expr:
+    return entry if variable is None else replace(entry, {Symbol(variable): Symbol(f"{variable}*")})

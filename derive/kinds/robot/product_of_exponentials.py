@@ -1,0 +1,70 @@
+"""The pose of the end-effector as a product of exponentials of screw axes, for any arm."""
+
+from __future__ import annotations
+
+from derive.algebra.numeric import matrix_numbers
+from derive.derivation import Claim, Derivation
+from derive.expression import Expr
+from derive.kinds.checks import agreement, is_rotation, law, links
+from derive.kinds.fields import OptionsModel
+from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import chain_of, oracle_of
+from derive.kinds.robot._exponentials import Exponentials
+from derive.mechanics.poses import rotation_part
+from derive.mechanics.robot import Robot
+from derive.mechanics.screws import screw_form
+
+RESULTS = {
+    "S_1, S_2, ...": "the twist of each joint at zero (6, linear part first)",
+    "M": "the pose of the end-effector at zero (4 by 4)",
+    "T_1^0, T_2^1, ...": "the motion that each joint gives to all that follows (4 by 4)",
+    "T_n^0": "the pose of the end-effector (4 by 4)",
+}
+EXAMPLE = """\
+title: A planar arm by its screws
+problems:
+- robot:
+    links:
+    - {theta: theta1*, d: 0, a: a1, alpha: 0}
+    - {theta: theta2*, d: 0, a: a2, alpha: 0}
+  find: product-of-exponentials
+"""
+
+
+class Options(OptionsModel):
+    """None."""
+
+
+def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
+    """The joint axes at zero, their twists, the home pose and the product (Lynch and Park, section 4.1;
+    Murray, Li and Sastry, section 3.2). Raises NotDerivable where no joint moves."""
+    arm = screw_form(robot, problem.readable)
+    work = Exponentials(problem, arm, len(arm.links), True)
+    steps, definitions = work.steps(), work.definitions()
+    results: dict[str, Expr] = {
+        step.name: problem.final(step.result) for step in steps if step.rule in ("exponential", "home", "twist")
+    }
+    results[work.name.name] = problem.final(definitions[work.name])
+    claims = (
+        *links(steps, {**problem.names, **definitions}),
+        *work.claims(),
+        *is_rotation(rotation_part(work.pose), f"R_{len(arm.links)}^0"),
+        *_same_arm(problem, work),
+    )
+    uses = () if robot.by_screws else (problem.ask("forward-kinematics"),)
+    facts = {**work.facts(), "rows": not robot.by_screws}
+    return Derivation("product-of-exponentials", steps, results, claims, definitions, uses=uses, facts=facts)
+
+
+def _same_arm(problem: Problem, work: Exponentials) -> tuple[Claim, ...]:
+    """The product is the pose that the rows of the arm give."""
+    oracle = oracle_of(problem)
+    return (
+        law("the product gives the pose of the rows", work.pose == chain_of(problem).T_tool),
+        agreement(
+            "the product agrees with the poses composed in numbers",
+            problem.symbols,
+            lambda at: matrix_numbers(work.pose, oracle.at(at)),
+            lambda at: oracle.tool(oracle.at(at)),
+        ),
+    )

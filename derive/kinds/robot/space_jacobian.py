@@ -1,0 +1,157 @@
+"""The Jacobian whose columns are the twists of the joints: in the space frame or in that of the body."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Literal
+
+from pydantic import Field
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.numeric import matrix_numbers
+from derive.derivation import Claim, Derivation, Step, named_results
+from derive.expression import ZERO, Expr, Matrix, Product, Symbol, add, column, cross, negate, number, transpose
+from derive.kinds.checks import agreement, law, links
+from derive.kinds.fields import OptionsModel
+from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import axis_names, axis_steps, chain_of, closing, oracle_of
+from derive.mechanics.chain import Chain
+from derive.mechanics.poses import inverse_pose, position_part, rotation_part, skew
+from derive.mechanics.robot import Robot
+
+RESULTS = {
+    "J_s": "6 by n: the twists of the joints in the base frame, linear rows first",
+    "J_b": "with `in: body`: the same in the frame of the end-effector",
+}
+EXAMPLE = """\
+title: The twists of a planar arm
+problems:
+- robot:
+    links:
+    - {theta: theta1*, d: 0, a: a1, alpha: 0}
+    - {theta: theta2*, d: 0, a: a2, alpha: 0}
+  questions:
+  - {find: space-jacobian}
+  - {find: space-jacobian, in: body}
+"""
+STEP = 1e-6  # of differences
+DIFFERENCES = 1e-6  # what central differences leave
+NOTHING = Symbol("0")
+RE, OE, SO = Symbol("R_e"), Symbol("o_e"), Symbol("S(o_e)")
+
+
+class Options(OptionsModel):
+    """`in`: the frame of the twists, `space` (the base frame) or `body` (the end-effector's)."""
+
+    frame: Literal["space", "body"] = Field("space", alias="in")
+
+
+def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
+    """Column i is the screw of joint i where the joints before it have carried it, (o_i x z_i, z_i) or
+    (z_i, 0) (Lynch and Park, section 5.1)."""
+    found = chain_of(problem)
+    poses = problem.ask("forward-kinematics")
+    vectors = axis_steps(problem, found, len(robot.links))
+    J = ScalarMatrix.beside([twist(found, i) for i, _ in found.moving])
+    space = Step("J_s", (Symbol("J_s"), _blocks(problem, found, robot), problem.readable_matrix(J)), "twists")
+    steps: tuple[Step, ...] = (*vectors, space)
+    if options.frame == "body":
+        J, body = _body(problem, found, J)
+        steps = (*steps, *body)
+    name = steps[-1].name
+    result = problem.final(problem.readable_matrix(J))
+    steps = (*steps[:-1], closing(steps[-1], result))
+    definitions = {**named_results(steps), NOTHING: column((ZERO, ZERO, ZERO))}
+    claims = (
+        *links(steps, {**problem.names, **poses.definitions, **definitions}),
+        *_laws(found, J, options),
+        _second_route(problem, J, options),
+    )
+    facts = {**_facts(found), "body": options.frame == "body"}
+    return Derivation("space-jacobian", steps, {name: result}, claims, definitions, uses=(poses,), facts=facts)
+
+
+def twist(found: Chain, i: int) -> ScalarMatrix:
+    """The twist of joint i in the base frame (6 by 1) in any position of the arm."""
+    joint, z = found.joint(i), found.axis(i)
+    if joint.type == "prismatic":
+        return ScalarMatrix.stacked([z, ScalarMatrix.zeros(3, 1)])
+    v = found.point(i).cross(z)
+    return ScalarMatrix.stacked([v + z.scaled(joint.pitch) if joint.pitch else v, z])
+
+
+def _blocks(problem: Problem, found: Chain, robot: Robot) -> Matrix:
+    """The columns in the names of their vectors."""
+    columns: list[tuple[Expr, Expr]] = []
+    for i, joint in found.moving:
+        z, o = axis_names(found, robot, i)
+        if joint.type == "prismatic":
+            columns.append((z, NOTHING))
+        else:
+            along = (Product((problem.readable(joint.pitch), z)),) if joint.pitch else ()
+            columns.append((add(cross(o, z), *along), z))
+    return Matrix(tuple(zip(*columns, strict=True)))
+
+
+def _body(problem: Problem, found: Chain, J: ScalarMatrix) -> tuple[ScalarMatrix, tuple[Step, ...]]:
+    """J_b = Ad(T^-1) J_s, with R_e and o_e the end-effector's."""
+    T = found.T_tool
+    R, o, S = rotation_part(T), position_part(T), skew(position_part(T))
+    top = ScalarMatrix.beside([R.T, -(R.T @ S)])
+    bottom = ScalarMatrix.beside([ScalarMatrix.zeros(3, 3), R.T])
+    result = ScalarMatrix.stacked([top, bottom]) @ J
+    read = problem.readable_matrix
+    turned = transpose(RE)
+    adjoint = Matrix(((turned, negate(Product((turned, SO)))), (Symbol("0_3x3"), turned)))
+    return result, (
+        Step("R_e", (RE, read(R)), "extract"),
+        Step("o_e", (OE, read(o)), "extract"),
+        Step("S(o_e)", (SO, read(S)), "skew"),
+        Step("0_3x3", (Symbol("0_3x3"), read(ScalarMatrix.zeros(3, 3))), "zero"),
+        Step("J_b", (Symbol("J_b"), Product((adjoint, Symbol("J_s"))), read(result)), "adjoint"),
+    )
+
+
+def _laws(found: Chain, J: ScalarMatrix, options: Options) -> tuple[Claim, ...]:
+    """[J e_i] = dT/dq_i T^-1, of the body T^-1 dT/dq_i."""
+    T, back, holds = found.T_tool, inverse_pose(found.T_tool), True
+    for k, name in enumerate(found.variables):
+        v, w = J.columns(k).block(slice(0, 3), slice(0, 1)), J.columns(k).block(slice(3, 6), slice(0, 1))
+        bracket = ScalarMatrix.stacked([ScalarMatrix.beside([skew(w), v]), ScalarMatrix.zeros(1, 4)])
+        rate = T.diff(name) @ back if options.frame == "space" else back @ T.diff(name)
+        holds &= bracket == rate
+    return (law("[J e_i] = dT/dq_i T^-1" if options.frame == "space" else "[J e_i] = T^-1 dT/dq_i", holds),)
+
+
+def _second_route(problem: Problem, J: ScalarMatrix, options: Options) -> Claim:
+    oracle = oracle_of(problem)
+
+    def differences(point: Mapping[str, float]) -> Any:
+        import numpy as np
+
+        at = oracle.at(point)
+        back = np.linalg.inv(oracle.tool(at))
+        columns = []
+        for name in problem.subject.variables:
+            ahead, behind = (oracle.tool({**at, name: at[name] + h}) for h in (STEP, -STEP))
+            rate = (ahead - behind) / (2 * STEP)
+            S = rate @ back if options.frame == "space" else back @ rate
+            columns.append([*S[:3, 3], S[2, 1], S[0, 2], S[1, 0]])
+        return np.array(columns).T
+
+    return agreement(
+        "J agrees with differences of the poses",
+        problem.symbols,
+        lambda at: matrix_numbers(J, oracle.at(at)),
+        differences,
+        DIFFERENCES,
+    )
+
+
+def _facts(found: Chain) -> dict[str, Any]:
+    types = [(number(i), joint) for i, joint in found.moving]
+    return {
+        "turning": [i for i, joint in types if joint.type != "prismatic"],
+        "sliding": [i for i, joint in types if joint.type == "prismatic"],
+        "helical": [i for i, joint in types if joint.pitch],
+    }

@@ -1,0 +1,128 @@
+"""Which joint variables are known while the others are sought, and the angles in which to look for the next.
+
+Angles about parallel axes come as sums: a planar arm knows theta1 + theta2 + theta3 before it knows any of
+the three. So what is sought is a sum of neighbouring angles, or a displacement.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
+
+from derive.algebra.angles import Form, combination
+from derive.algebra.ring import Ring, ring
+from derive.mechanics.chain import Chain
+
+
+@dataclass(frozen=True, slots=True)
+class Knowledge:
+    """`runs` are the revolute joints about parallel axes, with their senses; `forms` the sums that are
+    known, `lengths` the displacements that are; `slides` all displacements."""
+
+    runs: tuple[Form, ...]
+    slides: tuple[str, ...]
+    forms: tuple[Form, ...] = ()
+    lengths: frozenset[str] = field(default_factory=frozenset)
+
+    @staticmethod
+    def of(chain: Chain, variables: Iterable[str]) -> Knowledge:
+        """Nothing known of these joint variables."""
+        wanted = tuple(variables)
+        turning = [j.variable for _, j in chain.moving if j.type == "revolute" and j.variable in wanted]
+        slides = [j.variable for _, j in chain.moving if j.type == "prismatic" and j.variable in wanted]
+        return Knowledge(tuple(_runs(chain.T_tool.ring, turning)), tuple(slides))
+
+    @property
+    def joints(self) -> tuple[str, ...]:
+        """The revolute joints."""
+        return tuple(atom for run in self.runs for atom, _ in run.parts)
+
+    def with_form(self, form: Form) -> Knowledge:
+        return replace(self, forms=(*self.forms, form))
+
+    def with_length(self, name: str) -> Knowledge:
+        return replace(self, lengths=self.lengths | {name})
+
+    def knows(self, form: Form) -> bool:
+        return combination(form, self.forms) is not None
+
+    def knows_joint(self, name: str) -> bool:
+        return name in self.lengths if name in self.slides else self.knows(Form.of({name: 1}))
+
+    @property
+    def complete(self) -> bool:
+        return all(map(self.knows_joint, (*self.joints, *self.slides)))
+
+    def unknown_joints(self) -> frozenset[str]:
+        return frozenset(name for name in (*self.joints, *self.slides) if not self.knows_joint(name))
+
+    def run_of(self, form: Form) -> Form:
+        """The parallel joints a sum belongs to."""
+        return next(run for run in self.runs if run.of_atom(form.parts[0][0]))
+
+    def sought(self) -> Iterator[Form]:
+        """The sums of neighbouring angles not known yet, short ones first; of those that differ by a known
+        one, the first."""
+        found: list[Form] = []
+        for form in sorted(self._neighbours(), key=lambda form: len(form.parts)):
+            if self.knows(form) or any(self._same(form, other) for other in found):
+                continue
+            found.append(form)
+            yield form
+
+    def basis(self, form: Form | None) -> tuple[Form, ...]:
+        """As many independent sums as there are joints: the known ones, the one sought, and single angles."""
+        found = [*self.forms, *([form] if form else [])]
+        for name in self.joints:
+            single = Form.of({name: 1})
+            if combination(single, found) is None:
+                found.append(single)
+        return tuple(found)
+
+    def unknown_generators(self, form: Form | None) -> frozenset[str]:
+        """The names of the generators that are not known, in the ring of that basis."""
+        rest = self.basis(form)[len(self.forms) :]
+        trig = [f"{function}({each})" for each in rest for function in ("cos", "sin")]
+        return frozenset((*trig, *(name for name in self.slides if name not in self.lengths)))
+
+    def home(self, form: Form | None, source: Ring) -> Ring:
+        """A ring in these angles that holds the elements of another."""
+        return ring((), self.basis(form), ()).union(source)
+
+    def _neighbours(self) -> Iterator[Form]:
+        for run in self.runs:
+            for start in range(len(run.parts)):
+                for stop in range(start + 1, len(run.parts) + 1):
+                    yield _positive(Form(run.parts[start:stop]))
+
+    def _same(self, form: Form, other: Form) -> bool:
+        return combination(form, (*self.forms, other)) is not None
+
+
+def _positive(form: Form) -> Form:
+    return form if form.parts[0][1] > 0 else form.scaled(-1)
+
+
+def _runs(home: Ring, turning: list[str]) -> Iterator[Form]:
+    """The longest sum of each set of parallel joints, its parts in the order of the joints."""
+    longest: dict[str, Form] = {}
+    for form in home.angles:
+        names = [name for name in turning if form.of_atom(name)]
+        for name in names:
+            if name not in longest or len(longest[name].parts) < len(names):
+                longest[name] = Form(tuple((each, form.of_atom(each)) for each in names))
+    for form in dict.fromkeys(longest[name] for name in turning if name in longest):
+        yield Form(tuple((name, Fraction(1 if n > 0 else -1)) for name, n in form.parts))
+
+
+def singles(chain: Chain) -> Ring:
+    """The chain's ring with every joint angle by itself."""
+    source = chain.T_tool.ring
+    forms: dict[Form, None] = {}
+    for form in source.angles:
+        if len(form.parts) == 1:
+            forms[form] = None
+        else:
+            forms.update((Form.of({atom: 1}), None) for atom, _ in form.parts)
+    return ring((), tuple(forms), ()).union(source)

@@ -1,0 +1,82 @@
+"""Two lines in space: whether they are skew, parallel or meet, and their common normal."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, TypeAlias
+
+from derive.algebra.kernels import root
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.scalar import Scalar, as_fraction
+
+Relation: TypeAlias = Literal["skew", "intersecting", "parallel", "coincident"]
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A unit direction and a point (3 by 1 each)."""
+
+    direction: ScalarMatrix
+    point: ScalarMatrix
+
+
+@dataclass(frozen=True, slots=True)
+class Normal:
+    """What joins line a to line b: how they lie, the unit direction of the common normal (of intersecting
+    lines a x b, of coincident ones none), and its feet on both; of parallel lines the normal through the
+    point of a."""
+
+    relation: Relation
+    direction: ScalarMatrix | None
+    foot_a: ScalarMatrix
+    foot_b: ScalarMatrix
+
+
+def dot(u: ScalarMatrix, v: ScalarMatrix) -> Scalar:
+    return (u.T @ v)[0, 0]
+
+
+def common_normal(a: Line, b: Line) -> Normal:
+    """From line a to line b."""
+    across = a.direction.cross(b.direction)
+    way = b.point - a.point
+    if not across:
+        return _between_parallels(a, way - a.direction.scaled(dot(way, a.direction)))
+    square = dot(across, across)
+    foot_a = a.point + a.direction.scaled(dot(way.cross(b.direction), across) / square)
+    if not dot(way, across):
+        return Normal("intersecting", unit(across), foot_a, foot_a)
+    foot_b = b.point + b.direction.scaled(dot(way.cross(a.direction), across) / square)
+    return Normal("skew", unit(foot_b - foot_a), foot_a, foot_b)
+
+
+def _between_parallels(a: Line, apart: ScalarMatrix) -> Normal:
+    if not apart:
+        return Normal("coincident", None, a.point, a.point)
+    return Normal("parallel", unit(apart), a.point, a.point + apart)
+
+
+def unit(vector: ScalarMatrix) -> ScalarMatrix:
+    """The unit vector along a vector that is not zero. Where only its length is symbolic, as in (0, -L, 0),
+    no root is taken: the symbols are left out and L counts as positive."""
+    first = next(entry for entry in vector.entries if entry)
+    ratios = [entry / first for entry in vector.entries]
+    if all(ratio.constant is not None for ratio in ratios):
+        vector = ScalarMatrix.column([ratio * _sign(first) for ratio in ratios])
+    length = root(dot(vector, vector))
+    return ScalarMatrix.column([entry / length for entry in vector.entries])
+
+
+def _sign(value: Scalar) -> int:
+    """Of a number; of a polynomial that of its leading term, its symbols counting as positive."""
+    return 1 if as_fraction(value.numerator.leading_coefficient()) > 0 else -1
+
+
+def on(point: ScalarMatrix, line: Line) -> bool:
+    """Whether a point lies on a line."""
+    return not (point - line.point).cross(line.direction)
+
+
+def foot(point: ScalarMatrix, line: Line) -> ScalarMatrix:
+    """The point of a line nearest to a point."""
+    return line.point + line.direction.scaled(dot(point - line.point, line.direction))
