@@ -11,6 +11,17 @@ Sort: TypeAlias = Literal["length", "angle", ""]  # what moves; "" where nothing
 
 
 @dataclass(frozen=True, slots=True)
+class Units:
+    """What follows a number: of a place, a velocity and an acceleration, and of a time."""
+
+    motion: tuple[str, str, str] = ("", "", "")
+    time: str = ""
+
+
+NO_UNITS = Units()
+
+
+@dataclass(frozen=True, slots=True)
 class Axis:
     """A distance to be covered from rest to rest within a velocity and an acceleration."""
 
@@ -58,3 +69,4 @@ class Profile:
     journey: Journey | None = None
     time: Expr | None = None
     sort: Sort = ""
+    units: Units = NO_UNITS

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 SIZE = (5.6, 3.4)  # inches
-PANEL = 1.5  # inches, the height of one plot among several
+PANEL = 1.2  # inches, the height of one plot among several
 MARGINS = {"left": 0.13, "right": 0.97, "bottom": 0.16, "top": 0.96}  # laying them out takes longest
 TICKS = "{x:g}"  # plain text: mathtext is parsed anew for each tick of each picture
 STYLE: dict[str, Any] = {

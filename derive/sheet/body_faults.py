@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from derive.algebra.normal import normal
+from derive.algebra.normal import Names, normal
 from derive.algebra.signs import sign_of
 from derive.errors import NotDerivable, SheetError
 from derive.expression import Expr, Symbol
@@ -34,7 +34,7 @@ def body_faults(links: Sequence[Link], at: At, known: Known) -> Iterator[SheetEr
 
 def body_warnings(links: Sequence[Link], at: At, known: Known) -> Iterator[SheetError]:
     """Inertias that no body has, but which well-known sets of parameters hold."""
-    names = {Symbol(name): value for name, value in known.where.items()}
+    names: Names = {Symbol(name): value for name, value in known.where.items()}
     for index, link in enumerate(links):
         if link.body is None or not isinstance(link.body.inertia, Moments):
             continue

@@ -72,8 +72,8 @@ def told(each: Solved, prefix: str = "") -> dict[str, Any]:
     probe = each.outcomes[0].probe
     return {
         "timed": each.time is not None,
-        "given": given.working.given,
-        "d": given.d, "v_M": given.v_M, "a_M": given.a_M, "t_3": given.t_3,
+        "given": tuple((name, value, _rate(given, name)) for name, value in given.working.given),
+        "d": given.d, "v_M": given.fastest, "a_M": given.strongest, "t_3": given.t_3,
         "backwards": given.backwards,
         **_laws(given, each.time is not None),
         "open": each.open,
@@ -94,9 +94,14 @@ def told(each: Solved, prefix: str = "") -> dict[str, Any]:
     }  # fmt: skip
 
 
+def _rate(given: Given, name: Expr) -> int | None:
+    """0 for the distance, 1 for the velocity, 2 for the acceleration; None for the time."""
+    return {given.d: 0, given.fastest: 1, given.strongest: 2}.get(name) if isinstance(name, Symbol) else None
+
+
 def _laws(given: Given, timed: bool) -> dict[str, Any]:
     """The areas under the velocity, as the words quote them."""
-    d, v_M, a_M, t_3 = given.d, given.v_M, given.a_M, given.t_3
+    d, v_M, a_M, t_3 = given.d, given.fastest, given.strongest, given.t_3
     v, t_1, t_2, t_m = symbols("v t_1 t_2 t_m")
     last = t_3 if timed else Symbol("t_3")
     return {

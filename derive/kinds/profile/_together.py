@@ -84,7 +84,7 @@ def together(profile: Profile, problem: Problem) -> Together:
     which that is, or which case an axis has."""
     alone = tuple(solved(axis, None, profile, problem) for axis in profile.axes)
     if any(each.open for each in alone):
-        raise NotDerivable("the slowest axis cannot be told without numbers; give them, or values under where:")
+        raise NotDerivable("the slowest axis cannot be told without numbers; give values under where:")
     last = None if profile.time is not None else slowest(alone)
     time = profile.time if last is None else alone[last].outcomes[0].working.values[Symbol("t_3")]
     if time is None:

@@ -35,8 +35,8 @@ class Given:
     """The names of the distance, the limits and the time, and the working they begin."""
 
     d: Symbol
-    v_M: Symbol
-    a_M: Symbol
+    fastest: Symbol
+    strongest: Symbol
     t_3: Symbol
     working: Working
     backwards: bool = False
@@ -93,34 +93,44 @@ def begun(problem: Problem, axis: Axis, time: Expr | None, angular: bool) -> Giv
 
 def shortest(given: Given) -> tuple[Outcome, ...]:
     """With a plateau where there is room for it, else a triangle."""
-    d, v_M, a_M, working = given.d, given.v_M, given.a_M, given.working
+    d, v_M, a_M, working = given.d, given.fastest, given.strongest, given.working
     ramps = Quotient(squared(v_M), a_M)
     probe = working.line("ramps", ramps).steps[-1]
     probe = replace(probe, chain=probe.chain[1:])
     room = working.sign(subtract(d, ramps))
     left, right = (_condition(working, side) for side in (ramps, d))
     with_plateau = Outcome("trapezoidal", _fast_trapezoid(given), (Condition(left, "<=", right),), probe)
-    without = Outcome("triangular", _fast_triangle(given), (Condition(left, ">", right),), probe, plateau=False)
+    without = Outcome(
+        "triangular", _fast_triangle(given), (Condition(left, ">", right),), probe, plateau=False
+    )
     if room is None:
         return with_plateau, without
     return (replace(with_plateau if room >= 0 else without, when=()),)
 
 
 def _fast_trapezoid(given: Given) -> Working:
-    working = given.working.line("t_1", Quotient(given.v_M, given.a_M))
-    working = working.line("t_2", Quotient(given.d, given.v_M)).line("t_3", plus(T_1, T_2))
-    return working.line("v", given.v_M).line("a", given.a_M)
+    working = given.working.line("t_1", Quotient(given.fastest, given.strongest))
+    working = working.line("t_2", Quotient(given.d, given.fastest))
+    total = plus(working.values[T_2], working.values[T_1]) if free_symbols(working.final("t_2")) else None
+    working = working.line("t_3", plus(T_1, T_2), total)
+    return working.line("v", given.fastest).line("a", given.strongest)
 
 
 def _fast_triangle(given: Given) -> Working:
     """d = a_M t_1^2; with symbols the roots are written as a person writes them."""
-    d, a_M, working = given.d, given.a_M, given.working
-    full, half, peak = sqrt(Quotient(Product((number(4), d)), a_M)), Quotient(Symbol("t_3"), number(2)), Product((a_M, T_1))
+    d, a_M, working = given.d, given.strongest, given.working
+    full, half, peak = (
+        sqrt(Quotient(Product((number(4), d)), a_M)),
+        Quotient(Symbol("t_3"), number(2)),
+        Product((a_M, T_1)),
+    )
     if not free_symbols(working.problem.final(working.value(Quotient(d, a_M)))):
         working = working.line("t_3", full).line("t_1", half).line("t_2", T_1)
         return working.line("v", peak).line("a", a_M)
     root = sqrt(working.value(Quotient(d, a_M)))
-    working = working.line("t_3", full, Product((number(2), root))).line("t_1", half, root).line("t_2", T_1, root)
+    working = (
+        working.line("t_3", full, Product((number(2), root))).line("t_1", half, root).line("t_2", T_1, root)
+    )
     # a sqrt(d/a) is sqrt(a d) for a > 0 only, which the normal form does not know: the search checks it
     working = working.line("v", peak, sqrt(working.value(Product((a_M, d)))), rule="law")
     return working.line("a", a_M)
@@ -131,7 +141,7 @@ def _fast_triangle(given: Given) -> Working:
 
 def timed(given: Given) -> tuple[Outcome, ...]:
     """With the least acceleration: a triangle unless its peak is too fast, then a plateau at v_M."""
-    d, v_M, t_3, working = given.d, given.v_M, given.t_3, given.working
+    d, v_M, t_3, working = given.d, given.fastest, given.t_3, given.working
     peak = Quotient(Product((number(2), d)), t_3)
     probe = working.line("peak", peak).steps[-1]
     probe = replace(probe, chain=probe.chain[1:])
@@ -158,7 +168,7 @@ def _slow_triangle(given: Given) -> Outcome:
 
 def _slow_trapezoid(given: Given) -> Outcome:
     """The plateau follows from the area, d = v (t_3 + t_m)/2."""
-    d, v_M, t_3 = given.d, given.v_M, given.t_3
+    d, v_M, t_3 = given.d, given.fastest, given.t_3
     working = given.working.line("v", v_M)
     working = working.line("t_m", subtract(Quotient(Product((number(2), d)), V), t_3))
     working = working.line("t_1", Quotient(subtract(t_3, T_M), number(2)))
@@ -181,9 +191,9 @@ def _checked(outcome: Outcome, given: Given) -> Outcome:
     """Infeasible where the acceleration is beyond its limit; a condition where symbols leave that open."""
     if outcome.case == "infeasible":
         return outcome
-    beyond = outcome.working.sign(subtract(A, given.a_M))
+    beyond = outcome.working.sign(subtract(A, given.strongest))
     if beyond is None:
-        limit = Condition(_condition(outcome.working, A), "<=", _condition(outcome.working, given.a_M))
+        limit = Condition(_condition(outcome.working, A), "<=", _condition(outcome.working, given.strongest))
         return replace(outcome, when=(*outcome.when, limit))
     return replace(outcome, case="infeasible") if beyond > 0 else outcome
 

@@ -9,9 +9,10 @@ from derive.algebra.normal import normal
 from derive.algebra.numeric import scalar_number
 from derive.algebra.scalar import Scalar
 from derive.algebra.signs import sign_of
+from derive.algebra.text import text
 from derive.derivation import Step
 from derive.errors import NotDerivable
-from derive.expression import PI, Degrees, Expr, Symbol, free_symbols
+from derive.expression import PI, Degrees, Expr, Number, Quotient, Symbol, children, free_symbols, walk
 from derive.expression import replace as replaced
 from derive.kinds.problem import Problem
 
@@ -83,7 +84,8 @@ class Working:
             return self
         out = self.value(formula) if answer is None else answer
         filled = replaced(formula, {key: value for key, value in self.values.items() if key != value})
-        chain = _distinct((symbol, formula, *((filled,) if not free_symbols(filled) else ()), out))
+        shown = (filled,) if not free_symbols(filled) and not _piled(filled) else ()
+        chain = _distinct((symbol, formula, *shown, out))
         values = {**self.values, symbol: out}
         return replace(self, values=values, steps=(*self.steps, Step(name, chain, rule)))
 
@@ -93,8 +95,21 @@ class Working:
 
 
 def _distinct(chain: tuple[Expr, ...]) -> tuple[Expr, ...]:
-    """Without an expression that repeats the one before it."""
-    return tuple(expr for k, expr in enumerate(chain) if k == 0 or expr != chain[k - 1])
+    """Without an expression that reads like the one before it."""
+    texts = [text(expr) for expr in chain]
+    return tuple(expr for k, expr in enumerate(chain) if k == 0 or texts[k] != texts[k - 1])
+
+
+def _piled(expr: Expr) -> bool:
+    """Whether a fraction stands in a fraction, which no one would write."""
+    quotients = [node for node in walk(expr) if isinstance(node, Quotient)]
+    return any(_fractional(part) for each in quotients for side in children(each) for part in walk(side))
+
+
+def _fractional(expr: Expr) -> bool:
+    return isinstance(expr, Quotient) or (
+        isinstance(expr, Number) and expr.value.denominator != 1 and not expr.decimal
+    )
 
 
 def number_of(problem: Problem, expr: Expr) -> float:
@@ -103,5 +118,3 @@ def number_of(problem: Problem, expr: Expr) -> float:
         return scalar_number(normal(expr, problem.names), {})
     except KeyError as error:
         raise NotDerivable(f"no value is known for {error.args[0]}") from error
-
-

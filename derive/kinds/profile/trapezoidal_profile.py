@@ -69,7 +69,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
         each.outcomes[0].working.definitions,
         _evaluated(found, options),
         plots=_plots(profile, found, problem),
-        facts={"several": False, **told(each), **_drawn(found, options)},
+        facts={"several": False, "units": profile.units, **told(each), **_drawn(found, options)},
     )
 
 
@@ -83,7 +83,7 @@ def _several(profile: Profile, options: Options, problem: Problem) -> Derivation
         tuple(all_axes.claims()),
         evaluated=_evaluated(found, options),
         plots=_plots(profile, found, problem),
-        facts={"several": True, **all_axes.facts(), **_drawn(found, options)},
+        facts={"several": True, "units": profile.units, **all_axes.facts(), **_drawn(found, options)},
     )
 
 
@@ -138,7 +138,7 @@ def _drawn(found: Found | None, options: Options) -> dict[str, Any]:
     """For the words: whether there is a picture, and of which case at the point asked for."""
     feasible = found is not None and all(each.case != "infeasible" for each in found)
     at_point = found[0].case if found and options.evaluate else ""
-    return {"drawn": feasible, "at_point": at_point}
+    return {"drawn": feasible, "at_point": at_point, "numbers": NAMES}
 
 
 def _plots(profile: Profile, found: Found | None, problem: Problem) -> tuple[Figure, ...]:

@@ -10,6 +10,7 @@ from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Matrix, Symbol
+from derive.kinds.naming import free_letter
 from derive.kinds.problem import Problem
 from derive.mechanics.bodies import Body, Moments, PointMass, moments
 from derive.mechanics.chain import Chain
@@ -32,6 +33,7 @@ class Weighted:
     named: dict[Expr, Expr]
     motion: LinkMotion
     J: ScalarMatrix
+    I: Symbol  # the name of the inertia matrix about the com
 
     @property
     def matrix(self) -> Matrix:
@@ -51,10 +53,11 @@ def weighted(problem: Problem, found: Chain) -> tuple[Weighted, ...]:
     if not carried:
         raise NotDerivable("no link has a mass; give each link `mass`, `com` and `inertia`")
     alike = len({(body.mass, body.inertia) for _, body in carried}) == 1
-    return tuple(_weighted(problem, found, i, body, "" if alike else str(i)) for i, body in carried)
+    letter = free_letter(problem, [str(i) for i, _ in carried], "I_", "I_c", "I_C")
+    return tuple(_weighted(problem, found, i, body, "" if alike else str(i), letter) for i, body in carried)
 
 
-def _weighted(problem: Problem, found: Chain, i: int, body: Body, index: str) -> Weighted:
+def _weighted(problem: Problem, found: Chain, i: int, body: Body, index: str, letter: str) -> Weighted:
     written, named = _moments(problem, body, index)
     com = _com(found, i, body)
     T = found.T[i]
@@ -71,7 +74,7 @@ def _weighted(problem: Problem, found: Chain, i: int, body: Body, index: str) ->
         R,
         inertia.into(home),
     )
-    return Weighted(i, body, com, written, named, motion, J)
+    return Weighted(i, body, com, written, named, motion, J, Symbol(f"{letter}{i}"))
 
 
 def _moments(problem: Problem, body: Body, index: str) -> tuple[tuple[Expr, ...], dict[Expr, Expr]]:

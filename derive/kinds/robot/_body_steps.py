@@ -41,14 +41,11 @@ def com_jacobian_steps(problem: Problem, found: Chain, body: Weighted) -> tuple[
 def inertia_steps(problem: Problem, bodies: tuple[Weighted, ...]) -> tuple[Step, ...]:
     """I_1 = I_2 about the com in the link's frame, equal ones once; then what the names of a shape's
     moments stand for."""
-    alike: dict[Matrix, list[int]] = {}
+    alike: dict[Matrix, list[Symbol]] = {}
     for body in bodies:
         if body.turns and body.body.about == "com":
-            alike.setdefault(body.matrix, []).append(body.i)
-    matrices = [
-        Step(f"I_{same[0]}", (*(Symbol(f"I_{i}") for i in same), matrix), "inertia")
-        for matrix, same in alike.items()
-    ]
+            alike.setdefault(body.matrix, []).append(body.I)
+    matrices = [Step(names[0].name, (*names, matrix), "inertia") for matrix, names in alike.items()]
     values = {name: value for body in bodies for name, value in body.named.items()}
     named = [_moment(problem, name, value) for name, value in values.items() if isinstance(name, Symbol)]
     return (*matrices, *_moved(problem, bodies), *named)
@@ -60,7 +57,7 @@ def _moved(problem: Problem, bodies: tuple[Weighted, ...]) -> Iterator[Step]:
         if body.body.about == "origin" and body.turns:
             shift = tuple(problem.readable(normal(part)) for part in steiner(body.body))
             route = Sum((_square(given_moments(body.body)), negate(_square(shift))))
-            yield Step(f"I_{body.i}", (Symbol(f"I_{body.i}"), route, body.matrix), "parallel-axes")
+            yield Step(body.I.name, (body.I, route, body.matrix), "parallel-axes")
 
 
 def _square(six: tuple[Expr, ...]) -> Matrix:
@@ -84,7 +81,7 @@ def body_definitions(problem: Problem, found: Chain, body: Weighted) -> dict[Exp
         Symbol(f"J_v{i}"): J_v,
         Symbol(f"J_w{i}"): J_w,
         Symbol(f"J_c{i}"): Matrix((*J_v.rows, *J_w.rows)),
-        Symbol(f"I_{i}"): body.matrix,
+        body.I: body.matrix,
         Symbol(f"o_c{i}"): problem.readable_matrix(motion.com),
     }
     shift = _shift(problem, body.com)

@@ -22,20 +22,29 @@ from derive.mechanics.screws import Screw, home_of, screws_of
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-M = Symbol("M")
+LETTERS = {"omega": ("omega", "w", "n"), "q": ("q", "p", "c"), "S": ("S", "xi"), "M": ("M", "T_home")}
 NOTHING = Symbol("0")  # three zeros
 SERIES = 60  # terms of the exponential series; far more than angles of a few radians need
 
 
 class Exponentials:
-    """A robot of screws written out up to row `last`; `whole` goes on to the end-effector."""
+    """A robot of screws written out up to row `last`; `whole` goes on to the end-effector. `frames` calls the
+    motion of joint i also T_i^{i-1}: the base frame, fixed to link i at zero, is its frame i."""
 
-    def __init__(self, problem: Problem, robot: Robot, last: int, whole: bool) -> None:
-        self.problem, self.robot, self.whole = problem, robot, whole
+    def __init__(self, problem: Problem, robot: Robot, last: int, whole: bool, frames: bool = True) -> None:
+        self.problem, self.robot, self.whole, self.frames = problem, robot, whole, frames
         self.screws = screws_of(robot)[:last]
         self.home = home_of(robot)
         self.base = composed(robot.base)
         self.name = Symbol(f"T_{last}^0")
+        self.letters = {letter: self._free(*names) for letter, names in LETTERS.items()}
+        self.M = Symbol(self.letters["M"])
+
+    def _free(self, *candidates: str) -> str:
+        """The first letter that no name of the problem begins with."""
+        names = (*self.problem.symbols, *self.problem.where)
+        taken = {name.rstrip("0123456789").rstrip("_") for name in names}
+        return next((letter for letter in candidates if letter not in taken), candidates[-1])
 
     @property
     def pose(self) -> ScalarMatrix:
@@ -50,41 +59,42 @@ class Exponentials:
     def _axes(self) -> list[Step]:
         found = []
         for screw in self.screws:
-            for name, value in ((_w(screw), screw.w), *(((_q(screw), screw.q),) if turns(screw) else ())):
+            for name, value in ((self._w(screw), screw.w), *(((self._q(screw), screw.q),) if turns(screw) else ())):
                 facts = {"joint": screw.i}
                 found.append(Step(name.name, (name, self._written(value)), "screw-axis", facts))
         return found
 
     def _twist(self, screw: Screw) -> Step:
-        name, w = Symbol(f"S_{screw.i}"), _w(screw)
+        name, w = self._S(screw), self._w(screw)
         if not turns(screw):
             blocks = Matrix(((w,), (NOTHING,)))
         else:
             along = (multiply(screw.row.pitch, w),) if screw.h else ()
-            blocks = Matrix(((total(cross(_q(screw), w), *along),), (w,)))
+            blocks = Matrix(((total(cross(self._q(screw), w), *along),), (w,)))
         return Step(name.name, (name, blocks, self._written(screw.S)), "twist", {"joint": screw.i})
 
     def ends(self) -> list[Step]:
         """T_base where there is one, and M."""
         base = [Step("T_base", (Symbol("T_base"), self._written(self.base)), "motion")] if self.robot.base else []
-        home = [Step("M", (M, self._written(self.home)), "home")] if self.whole else []
+        home = [Step(self.M.name, (self.M, self._written(self.home)), "home")] if self.whole else []
         return [*base, *home]
 
     def motions(self) -> list[Step]:
         """T_1^0 = e^{[S_1] theta1} = ..., the motion of each joint."""
         found = []
         for screw in self.screws:
+            chain = (self.exponential(screw), self._written(screw.exponential))
             name = Symbol(f"T_{screw.i}^{screw.i - 1}")
-            chain = (exponential(screw), self._written(screw.exponential))
-            if name != self.name or not self.whole:  # else the name is that of the whole
+            local = self.frames and (name != self.name or not self.whole)
+            if local:
                 chain = (name, *chain)
-            found.append(Step(name.name if chain[0] == name else "e_1", chain, "exponential", {"i": screw.i}))
+            found.append(Step(name.name if local else f"E_{screw.i}", chain, "exponential", {"i": screw.i}))
         return found
 
     def _product(self) -> tuple[Step, ...]:
         factors: list[Expr] = [Symbol("T_base")] if self.robot.base else []
-        factors += [exponential(screw) for screw in self.screws]
-        factors += [M] if self.whole else []
+        factors += [self.exponential(screw) for screw in self.screws]
+        factors += [self.M] if self.whole else []
         if len(factors) < 2:
             return ()
         matrix, entries = with_named_entries(self._written(self.pose))
@@ -97,12 +107,14 @@ class Exponentials:
         if self.robot.base:
             found[Symbol("T_base")] = self._written(self.base)
         for screw in self.screws:
-            found |= {_w(screw): self._written(screw.w), _q(screw): self._written(screw.q)}
-            found[Symbol(f"S_{screw.i}")] = self._written(screw.S)
-            found[exponential(screw)] = self._written(screw.exponential)
-            found[Symbol(f"T_{screw.i}^{screw.i - 1}")] = found[exponential(screw)]
+            found |= {self._w(screw): self._written(screw.w), self._q(screw): self._written(screw.q)}
+            found[self._S(screw)] = self._written(screw.S)
+            found[self.exponential(screw)] = self._written(screw.exponential)
+            if self.frames:
+                found[Symbol(f"T_{screw.i}^{screw.i - 1}")] = found[self.exponential(screw)]
         if self.whole:
-            found[M] = self._written(self.home)
+            found[self.M] = self._written(self.home)
+        found |= {Symbol(step.name): step.result for step in self._product()[1:]}
         found[self.name] = self._written(self.pose)
         return found
 
@@ -130,33 +142,45 @@ class Exponentials:
         """What the words need."""
         return {
             "by_screws": True,
+            "home": self.M.name,
+            "letters": {letter: f"{name}_i" for letter, name in self.letters.items()},
+            "turn": self._law(),
+            "slide": self._law(slide=True),
             "turning": [screw.i for screw in self.screws if turns(screw)],
             "sliding": [screw.i for screw in self.screws if not turns(screw)],
             "helical": [screw.i for screw in self.screws if screw.h],
             "whole": self.whole,
             "base": bool(self.robot.base),
-            "product": self.name.name if len(self.screws) + self.whole + bool(self.robot.base) > 1 else "",
+            "product": self.name.name if self._product() else "",
         }
+
+    def exponential(self, screw: Screw) -> Indexed:
+        """e^{[S_1] theta1}."""
+        return Indexed("e", (), (multiply(Call("bracket", (self._S(screw),)), screw.row.by),))
+
+    def _w(self, screw: Screw) -> Symbol:
+        return Symbol(f"{self.letters['omega']}_{screw.i}")
+
+    def _q(self, screw: Screw) -> Symbol:
+        return Symbol(f"{self.letters['q']}_{screw.i}")
+
+    def _S(self, screw: Screw) -> Symbol:
+        return Symbol(f"{self.letters['S']}_{screw.i}")
+
+    def _law(self, slide: bool = False) -> tuple[Expr, Expr]:
+        """S_i = (q_i x omega_i, omega_i), or (omega_i, 0) of a slide."""
+        S, w, q = (Symbol(f"{self.letters[letter]}_i") for letter in ("S", "omega", "q"))
+        if slide:
+            return S, Matrix(((w,), (ZERO,)))
+        along = (multiply(Symbol("h_i"), w),) if any(screw.h for screw in self.screws) else ()
+        return S, Matrix(((total(cross(q, w), *along),), (w,)))
 
     def _written(self, value: ScalarMatrix) -> Matrix:
         return self.problem.readable_matrix(value)
 
 
-def exponential(screw: Screw) -> Indexed:
-    """e^{[S_1] theta1}."""
-    return Indexed("e", (), (multiply(Call("bracket", (Symbol(f"S_{screw.i}"),)), screw.row.by),))
-
-
 def turns(screw: Screw) -> bool:
     return not screw.row.slide
-
-
-def _w(screw: Screw) -> Symbol:
-    return Symbol(f"omega_{screw.i}")
-
-
-def _q(screw: Screw) -> Symbol:
-    return Symbol(f"q_{screw.i}")
 
 
 def _series(bracket: Any, by: float) -> NDArray[Any]:

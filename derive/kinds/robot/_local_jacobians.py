@@ -32,7 +32,7 @@ def local_definitions(problem: Problem, bodies: tuple[Weighted, ...]) -> dict[Ex
         names[Symbol(f"J_v{body.i}")] = problem.readable_matrix(body.motion.J_v)
         names[Symbol(f"J_w{body.i}")] = problem.readable_matrix(body.motion.J_w)
         names[Symbol(f"R_{body.i}^0")] = problem.readable_matrix(body.motion.R)
-        names[Symbol(f"I_{body.i}")] = body.matrix
+        names[body.I] = body.matrix
         names[Symbol(f"o_c{body.i}")] = problem.readable_matrix(body.motion.com)
     return names
 
@@ -48,5 +48,5 @@ def _formula(body: Weighted) -> Expr:
     linear = Product((body.body.mass, transpose(J_v), J_v))
     if not body.turns:
         return linear
-    angular = Product((transpose(J_w), Symbol(f"I_{body.i}"), J_w))
+    angular = Product((transpose(J_w), body.I, J_w))
     return angular if body.body.mass == ZERO else Sum((linear, angular))

@@ -47,7 +47,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     symbols = symbols_of(problem)
     C = coriolis_matrix(symbols, names)
     big = inertia.facts["big"]
-    result = _entries(names, lambda name: scalar_of(speed, name))
+    result: Expr = _entries(names, lambda name: scalar_of(speed, name))
     steps: tuple[Step, ...] = ()
     if not big:
         written = problem.readable_matrix(C)

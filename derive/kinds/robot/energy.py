@@ -2,19 +2,34 @@
 
 from __future__ import annotations
 
-from derive.derivation import Derivation, named_results
+from collections.abc import Mapping
+from fractions import Fraction
+
+from derive.algebra import numeric
+from derive.algebra.normal import normal, normal_matrix
+from derive.algebra.operations import operations
+from derive.algebra.scalar import Scalar
+from derive.derivation import Claim, Derivation, Result, Step, Table, named_results
 from derive.expression import (
+    ZERO,
     Expr,
+    Matrix,
+    Product,
+    Sum,
     Symbol,
+    add,
     column,
+    multiply,
     number,
+    transpose,
 )
-from derive.kinds.checks import links
+from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import TREES, Problem
-from derive.kinds.robot._bodies import weighted
+from derive.kinds.robot._bodies import Weighted, weighted
 from derive.kinds.robot._chain import chain_of, moment_names
-from derive.kinds.robot._rates import rates
+from derive.kinds.robot._drives import ROTORS, rotors
+from derive.kinds.robot._rates import oracle, rate_column, rated, rates
 from derive.mechanics.dynamics import link_inertia
 from derive.mechanics.robot import Robot
 
@@ -111,7 +126,7 @@ def _link(problem: Problem, body: Weighted, named: Mapping[Expr, Expr], big: boo
 def _formula(body: Weighted) -> Expr:
     v, omega, R = Symbol(f"v_c{body.i}"), Symbol(f"omega_{body.i}"), Symbol(f"R_{body.i}^0")
     linear = multiply(HALF, body.body.mass, transpose(v), v)
-    angular = Product((HALF, transpose(omega), R, Symbol(f"I_{body.i}"), transpose(R), omega))
+    angular = Product((HALF, transpose(omega), R, body.I, transpose(R), omega))
     return add(linear, angular) if body.turns else linear
 
 

@@ -137,7 +137,7 @@ def _formula(body: Weighted) -> Expr:
     i = body.i
     J_v, J_w, R = Symbol(f"J_v{i}"), Symbol(f"J_w{i}"), Symbol(f"R_{i}^0")
     linear = Product((body.body.mass, transpose(J_v), J_v))
-    angular = Product((transpose(J_w), R, Symbol(f"I_{i}"), transpose(R), J_w))
+    angular = Product((transpose(J_w), R, body.I, transpose(R), J_w))
     if not body.turns:
         return linear
     return angular if body.body.mass == ZERO else Sum((linear, angular))

@@ -17,7 +17,7 @@ from derive.mechanics.screws import screw_form
 RESULTS = {
     "S_1, S_2, ...": "the twist of each joint at zero (6, linear part first)",
     "M": "the pose of the end-effector at zero (4 by 4)",
-    "T_1^0, T_2^1, ...": "the motion that each joint gives to all that follows (4 by 4)",
+    "E_1, E_2, ...": "the motion e^{[S_i] q_i} that each joint gives to all that follows (4 by 4)",
     "T_n^0": "the pose of the end-effector (4 by 4)",
 }
 EXAMPLE = """\
@@ -29,6 +29,8 @@ problems:
     - {theta: theta2*, d: 0, a: a2, alpha: 0}
   find: product-of-exponentials
 """
+NAMED = ("exponential", "home", "twist")
+ENDS = ("compose", "entry")  # what is left to say where the screws themselves are given
 
 
 class Options(OptionsModel):
@@ -39,10 +41,11 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """The joint axes at zero, their twists, the home pose and the product (Lynch and Park, section 4.1;
     Murray, Li and Sastry, section 3.2). Raises NotDerivable where no joint moves."""
     arm = screw_form(robot, problem.readable)
-    work = Exponentials(problem, arm, len(arm.links), True)
-    steps, definitions = work.steps(), work.definitions()
+    work = Exponentials(problem, arm, len(arm.links), True, frames=False)
+    written, definitions = work.steps(), work.definitions()
+    steps = tuple(step for step in written if step.rule in ENDS) if robot.by_screws else written
     results: dict[str, Expr] = {
-        step.name: problem.final(step.result) for step in steps if step.rule in ("exponential", "home", "twist")
+        step.name: problem.final(step.result) for step in written if step.rule in NAMED
     }
     results[work.name.name] = problem.final(definitions[work.name])
     claims = (
@@ -51,7 +54,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         *is_rotation(rotation_part(work.pose), f"R_{len(arm.links)}^0"),
         *_same_arm(problem, work),
     )
-    uses = () if robot.by_screws else (problem.ask("forward-kinematics"),)
+    uses = (problem.ask("forward-kinematics"),)
     facts = {**work.facts(), "rows": not robot.by_screws}
     return Derivation("product-of-exponentials", steps, results, claims, definitions, uses=uses, facts=facts)
 

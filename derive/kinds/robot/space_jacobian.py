@@ -10,7 +10,7 @@ from pydantic import Field
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numeric import matrix_numbers
 from derive.derivation import Claim, Derivation, Step, named_results
-from derive.expression import ZERO, Expr, Matrix, Product, Symbol, add, column, cross, negate, number, transpose
+from derive.expression import ZERO, Expr, Indexed, Matrix, Product, Symbol, add, column, cross, negate, number, transpose
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -36,8 +36,9 @@ problems:
 """
 STEP = 1e-6  # of differences
 DIFFERENCES = 1e-6  # what central differences leave
-NOTHING = Symbol("0")
-RE, OE, SO = Symbol("R_e"), Symbol("o_e"), Symbol("S(o_e)")
+NOTHING, NO_BLOCK = Symbol("0"), Symbol("0_3x3")
+RE, OE = Symbol("R_e"), Symbol("o_e")
+SO = Indexed("S", (OE,))  # S_{o_e} p = o_e x p
 
 
 class Options(OptionsModel):
@@ -48,27 +49,29 @@ class Options(OptionsModel):
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """Column i is the screw of joint i where the joints before it have carried it, (o_i x z_i, z_i) or
-    (z_i, 0) (Lynch and Park, section 5.1)."""
+    (z_i, 0); in the body, J_b = Ad(T^-1) J_s (Lynch and Park, section 5.1)."""
     found = chain_of(problem)
-    poses = problem.ask("forward-kinematics")
-    vectors = axis_steps(problem, found, len(robot.links))
     J = ScalarMatrix.beside([twist(found, i) for i, _ in found.moving])
-    space = Step("J_s", (Symbol("J_s"), _blocks(problem, found, robot), problem.readable_matrix(J)), "twists")
-    steps: tuple[Step, ...] = (*vectors, space)
-    if options.frame == "body":
-        J, body = _body(problem, found, J)
-        steps = (*steps, *body)
+    if options.frame == "space":
+        uses = problem.ask("forward-kinematics")
+        steps = (
+            *axis_steps(problem, found, len(robot.links)),
+            Step("J_s", (Symbol("J_s"), _blocks(problem, found, robot), problem.readable_matrix(J)), "twists"),
+        )
+    else:
+        uses = problem.ask("space-jacobian")
+        J, steps = _body(problem, found, J)
     name = steps[-1].name
     result = problem.final(problem.readable_matrix(J))
     steps = (*steps[:-1], closing(steps[-1], result))
-    definitions = {**named_results(steps), NOTHING: column((ZERO, ZERO, ZERO))}
+    definitions = {**named_results(steps), NOTHING: column((ZERO, ZERO, ZERO)), **_skew(problem, found)}
     claims = (
-        *links(steps, {**problem.names, **poses.definitions, **definitions}),
+        *links(steps, {**problem.names, **uses.definitions, **definitions}),
         *_laws(found, J, options),
         _second_route(problem, J, options),
     )
     facts = {**_facts(found), "body": options.frame == "body"}
-    return Derivation("space-jacobian", steps, {name: result}, claims, definitions, uses=(poses,), facts=facts)
+    return Derivation("space-jacobian", steps, {name: result}, claims, definitions, uses=(uses,), facts=facts)
 
 
 def twist(found: Chain, i: int) -> ScalarMatrix:
@@ -102,14 +105,19 @@ def _body(problem: Problem, found: Chain, J: ScalarMatrix) -> tuple[ScalarMatrix
     result = ScalarMatrix.stacked([top, bottom]) @ J
     read = problem.readable_matrix
     turned = transpose(RE)
-    adjoint = Matrix(((turned, negate(Product((turned, SO)))), (Symbol("0_3x3"), turned)))
+    adjoint = Matrix(((turned, negate(Product((turned, SO)))), (NO_BLOCK, turned)))
     return result, (
         Step("R_e", (RE, read(R)), "extract"),
         Step("o_e", (OE, read(o)), "extract"),
-        Step("S(o_e)", (SO, read(S)), "skew"),
-        Step("0_3x3", (Symbol("0_3x3"), read(ScalarMatrix.zeros(3, 3))), "zero"),
+        Step("S", (SO, read(S)), "skew"),
         Step("J_b", (Symbol("J_b"), Product((adjoint, Symbol("J_s"))), read(result)), "adjoint"),
     )
+
+
+def _skew(problem: Problem, found: Chain) -> dict[Expr, Expr]:
+    """What the matrices beside the rotation stand for."""
+    read = problem.readable_matrix
+    return {SO: read(skew(position_part(found.T_tool))), NO_BLOCK: read(ScalarMatrix.zeros(3, 3))}
 
 
 def _laws(found: Chain, J: ScalarMatrix, options: Options) -> tuple[Claim, ...]:

@@ -22,9 +22,9 @@ from derive.algebra.numeric import scalar_number
 from derive.algebra.units import ANGLE, LENGTH, Dimension, power, times
 from derive.algebra.units import TIME as SECONDS
 from derive.errors import FormulaError, NotDerivable, SheetError, SheetErrors
-from derive.expression import ZERO, Expr, Symbol, subtract
+from derive.expression import ZERO, Degrees, Expr, Symbol, subtract, walk
 from derive.kinds.fields import TREES, OptionsModel, Time, declared, text_of
-from derive.mechanics.profile import Axis, Journey, Profile, Sort, Via
+from derive.mechanics.profile import NO_UNITS, Axis, Journey, Profile, Sort, Units, Via
 from derive.sheet.faults import NO_FORM
 from derive.sheet.source import At, Route
 from derive.sheet.subjects.registry import Known
@@ -65,7 +65,9 @@ class _Reader:
             if isinstance(angular, FormulaError):
                 raise linear
             return Measured(angular, "angle")
-        return Measured(linear, "length" if isinstance(angular, FormulaError) else "")
+        if isinstance(angular, FormulaError) or linear != angular:  # a declared m is a symbol among angles
+            return Measured(linear, "length")
+        return Measured(linear, "")
 
     def dimension(self, of: Dimension) -> Dimension:
         return times(of, power(SECONDS, -self.rate))
@@ -122,7 +124,7 @@ class GivenJourney(OptionsModel):
     end_velocity: Rate | None = None
     start_acceleration: Push | None = None
     end_acceleration: Push | None = None
-    via: Annotated[list[GivenVia], Field(max_length=12)] = []
+    via: Annotated[list[GivenVia], Field(max_length=12)] = Field(default=[])
     cruise: Rate | None = None
     acceleration: Push | None = None
     blend: Time | None = None
@@ -158,25 +160,30 @@ def build(given: Given, at: At, known: Known) -> Profile:
         axes: tuple[Axis, ...] = ()
         if journey.v_max is not None and journey.a_max is not None:
             axes = (Axis(subtract(journey.end, journey.start), journey.v_max, journey.a_max),)
-        return Profile(axes, journey, given.time, sort)
+        return Profile(axes, journey, given.time, sort, _units(given, sort, known))
     if isinstance(given, GivenOne):
         axis = _axis(given)
         nothing = (ZERO,) * 4
         whole = Journey(ZERO, axis.distance, *nothing, v_max=axis.v_max, a_max=axis.a_max)
-        return Profile((axis,), whole, given.time, sort)
+        return Profile((axis,), whole, given.time, sort, _units(given, sort, known))
     listed = given.axes if isinstance(given, GivenAxes) else given
     time = given.time if isinstance(given, GivenAxes) else None
-    return Profile(tuple(map(_axis, listed)), None, time, sort if len(_sorts(given)) < 2 else "")
+    shared = sort if len(_sorts(given)) < 2 else ""
+    return Profile(tuple(map(_axis, listed)), None, time, shared, _units(given, shared, known))
 
 
 def missing(subject: Profile, need: str, at: At) -> list[SheetError]:
     """The faults where a kind needs "limits", a "journey", or its "time"."""
-    hints = {
-        "limits": (not subject.axes, "no distance within limits is given", "{distance: d, v_max: v_M, a_max: a_M}"),
-        "journey": (subject.journey is None, "no way from one value to another is given", "{from: q0, to: qf, time: t_f}"),
-        "time": (subject.journey is not None and subject.time is None, "'time' is missing", "time: t_f"),
-    }  # fmt: skip
-    lacking, message, hint = hints[need]
+    lacking, message, hint = {
+        "limits": (not subject.axes, "no distance within limits", "{distance: d, v_max: v_M, a_max: a_M}"),
+        "journey": (
+            subject.journey is None,
+            "no way from one value to another",
+            "{from: q0, to: qf, time: t_f}",
+        ),
+        "time": (subject.time is None, "no time", "time: t_f"),
+    }[need]
+    message += " is given"
     return [at.fault(message, (), f"write {hint}", key=True)] if lacking else []
 
 
@@ -205,6 +212,17 @@ def _journey(given: GivenJourney) -> Journey:
         maybe(given.v_max),
         maybe(given.a_max),
     )
+
+
+def _units(given: Given, sort: Sort, known: Known) -> Units:
+    """What is printed after the numbers of a motion; nothing where symbols stand for them."""
+    values = [value.expr if isinstance(value, Measured) else value for _, value in _parts(given)]
+    if not sort or any(_number(value, known) is None for value in values):
+        return NO_UNITS
+    if sort == "length":
+        return Units(("m", "m/s", "m/s^2"), "s")
+    in_degrees = any(isinstance(node, Degrees) for value in values for node in walk(value))
+    return Units(("", "/s", "/s^2") if in_degrees else ("rad", "rad/s", "rad/s^2"), "s")
 
 
 # -- what is refused ----------------------------------------------------------------------------------
