@@ -46,20 +46,24 @@ def raised(base: Value, power: int) -> Value:
 
 
 def joined(rows: list[list[Value]]) -> ScalarMatrix:
-    """Blocks joined into one matrix; a zero beside a block stands for a block of zeros."""
-    strips = []
-    for row in rows:
-        height = max((v.shape[0] for v in row if isinstance(v, ScalarMatrix)), default=1)
-        strips.append(ScalarMatrix.beside([_block(value, height) for value in row]))
+    """Blocks joined into one matrix; a zero beside blocks stands for a block of zeros as high and as wide
+    as they are."""
+    heights = [max((v.shape[0] for v in row if isinstance(v, ScalarMatrix)), default=1) for row in rows]
+    columns = zip(*rows, strict=True)
+    widths = [max((v.shape[1] for v in each if isinstance(v, ScalarMatrix)), default=1) for each in columns]
+    strips = [
+        ScalarMatrix.beside([_block(v, (height, width)) for v, width in zip(row, widths, strict=True)])
+        for row, height in zip(rows, heights, strict=True)
+    ]
     return ScalarMatrix.stacked(strips)
 
 
-def _block(value: Value, height: int) -> ScalarMatrix:
+def _block(value: Value, shape: tuple[int, int]) -> ScalarMatrix:
     if isinstance(value, ScalarMatrix):
         return value
-    if height > 1 and value != 0:
+    if shape != (1, 1) and value != 0:
         raise NotDerivable("a scalar beside a block of a matrix")
-    return ScalarMatrix.of([[value]] * height)
+    return ScalarMatrix.of([[value] * shape[1]] * shape[0])
 
 
 def matrix_of(value: Value) -> ScalarMatrix:

@@ -13,12 +13,17 @@ from derive.kinds.problem import Problem
 LONGEST_ROW = 24
 
 
+def fits(matrix: Matrix) -> bool:
+    """Whether it is no wider than a line."""
+    return all(sum(map(operations, row)) <= LONGEST_ROW for row in matrix.rows)
+
+
 def with_named_entries(matrix: Matrix) -> tuple[Matrix, tuple[Step, ...]]:
     """A pose (4 by 4) with its long blocks named: the rotation r_11, ..., the position p_x, p_y, p_z.
 
     The rotation is named as a whole, so that a reader need not look which entry is short.
     """
-    if all(sum(map(operations, row)) <= LONGEST_ROW for row in matrix.rows):
+    if fits(matrix):
         return matrix, ()
     named = {(i, j): Symbol(f"r_{i + 1}{j + 1}") for i in range(3) for j in range(3)}
     if any(operations(matrix.rows[i][3]) > LONGEST_ROW // 2 for i in range(3)):

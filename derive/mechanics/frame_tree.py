@@ -38,6 +38,22 @@ def pose_of(source: FrameSource, names: Names | None = None) -> ScalarMatrix:
     return composed(source.moves, names)
 
 
+def mismatch(frames: Frames, frame: Frame, names: Names | None = None) -> ScalarMatrix:
+    """E (4 by 4) of a frame given again: where the second description puts it, seen from where the first
+    one does. The identity where they agree."""
+    return inverse_pose(relative(frames, frame.number, frame.parent, names)) @ local(frame, names)
+
+
+def require_closed(frames: Frames, names: Names | None = None) -> None:
+    """Raises NotDerivable where a frame is given twice and in two places."""
+    for frame in frames.again:
+        if mismatch(frames, frame, names) != ScalarMatrix.identity(4):
+            raise NotDerivable(
+                f"frame {frame.number} is given twice, and the second time (in frame {frame.parent}) it stands "
+                "elsewhere; find: loop shows the difference"
+            )
+
+
 def ancestry(frames: Frames, number: int) -> tuple[Frame, ...]:
     """The frames from the one in the world down to `number`, itself included; empty for the world.
 

@@ -40,6 +40,8 @@ class Frame:
 
 @dataclass(frozen=True, slots=True)
 class Frames:
-    """The frames 1, 2, ... of an exercise; each parent comes before its child."""
+    """The frames 1, 2, ... of an exercise; each parent comes before its child. `again` gives some of them
+    a second time, in other frames: each closes a loop."""
 
     frames: tuple[Frame, ...]
+    again: tuple[Frame, ...] = ()

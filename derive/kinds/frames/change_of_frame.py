@@ -1,4 +1,4 @@
-"""A free vector or a point, given in one frame, in another."""
+"""A free vector, a point or a twist, given in one frame, in another."""
 
 from __future__ import annotations
 
@@ -9,17 +9,22 @@ from pydantic import Field, model_validator
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numeric import numbers
 from derive.derivation import Claim, Derivation, Step
-from derive.expression import Expr, Matrix, Product, Sum, Symbol, column
+from derive.expression import Expr, Indexed, Matrix, Product, Sum, Symbol, column
 from derive.kinds.checks import agreement, is_rotation, links
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.frames._frames import is_given, numeric_pose, origin_name, pose_name, rotation_name
+from derive.kinds.frames._twist_step import moved, twist_step
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
-from derive.mechanics.frame_tree import relative, way
+from derive.mechanics.frame_tree import relative, require_closed, way
 from derive.mechanics.frames import Frames
 from derive.mechanics.poses import position_part, rotation_part
 
-RESULTS = {"v^0": "the vector in frame `to`", "p^0": "or the point in frame `to`"}
+RESULTS = {
+    "v^0": "the vector in frame `to`",
+    "p^0": "or the point in frame `to`",
+    "V^0": "or the twist in frame `to` (6, linear part first)",
+}
 EXAMPLE = """\
 title: A velocity in another frame
 problems:
@@ -33,32 +38,41 @@ problems:
 
 
 class Options(OptionsModel):
-    """`vector` (free: a velocity, a force) or `point` (bound), its frame `from`, the frame wanted `to`."""
+    """`vector` (free: a velocity, a force), `point` (bound) or `twist` (the velocity of the point at the
+    origin of the frame, then the angular velocity), its frame `from`, the frame wanted `to`."""
 
     vector: tuple[Quantity, Quantity, Quantity] | None = None
     point: tuple[Quantity, Quantity, Quantity] | None = None
+    twist: tuple[Quantity, Quantity, Quantity, Quantity, Quantity, Quantity] | None = None
     source: int | None = Field(default=None, alias="from", ge=0)
     target: int = Field(default=0, alias="to", ge=0)
 
     @model_validator(mode="after")
     def _one_of_them(self) -> Options:
-        if (self.vector is None) == (self.point is None):
-            raise ValueError("give either vector: (free) or point: (bound)")
+        if sum(given is not None for given in (self.vector, self.point, self.twist)) != 1:
+            raise ValueError("give either vector: (free) or point: (bound) or twist:")
         return self
 
 
 def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
-    """v^0 = R_1^0 v^1; p^0 = R_1^0 p^1 + o_1^0 (Spong et al., sections 2.3 and 2.6)."""
+    """v^0 = R_1^0 v^1; p^0 = R_1^0 p^1 + o_1^0 (Spong et al., sections 2.3 and 2.6); of a twist the adjoint
+    (Lynch and Park, section 3.3.2)."""
+    require_closed(frames, problem.names)
     source = len(frames.frames) if options.source is None else options.source
-    given = options.vector or options.point or ()
+    given: tuple[Expr, ...] = options.vector or options.point or options.twist or ()
     # The vector counts as given too, where it is asked how numbers are to be written.
     wide = replace(problem, subject=(frames, given))
     T = relative(frames, source, options.target)
     R, o = wide.readable_matrix(rotation_part(T)), wide.readable_matrix(position_part(T))
-    step, definitions = _step(options, source, R, o, column(given), wide)
+    if options.twist:
+        steps, definitions = twist_step(options.twist, source, options.target, R, o, wide)
+    else:
+        only, definitions = _step(options, source, R, o, column(given), wide)
+        steps = (only,)
+    step = steps[-1]
     exact = step.chain[-1]
     claims = (
-        *links((step,), {**problem.names, **definitions}),
+        *links(steps, {**problem.names, **definitions}),
         *is_rotation(normal_matrix(R, problem.names), f"R_{source}^{options.target}"),
         _second_route(frames, options, source, exact, wide),
     )
@@ -67,6 +81,7 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     uses = () if direct else (problem.ask("transform", source=source, target=options.target),)
     facts = {
         "free": options.vector is not None,
+        "twist": options.twist is not None,
         "name": step.name,
         "source": source,
         "target": options.target,
@@ -74,9 +89,10 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
         "rotation": rotation_name(source, options.target),
         "origin": origin_name(source, options.target),
         "given": step.facts["given"],
+        "skew": Indexed("S", (origin_name(source, options.target),)),
     }
     return Derivation(
-        "change-of-frame", (step,), {step.name: exact}, claims, definitions, uses=uses, facts=facts
+        "change-of-frame", steps, {step.name: exact}, claims, definitions, uses=uses, facts=facts
     )
 
 
@@ -106,6 +122,9 @@ def _second_route(frames: Frames, options: Options, source: int, exact: Expr, pr
         import numpy as np
 
         at = completed(point, problem.where)
+        if options.twist:
+            T = np.linalg.solve(numeric_pose(path.down, at), numeric_pose(path.up, at))
+            return moved(T, options.twist, at)
         last = 0.0 if options.vector is not None else 1.0
         lifted = np.array([*numbers(column(entries), at), last])
         T = np.linalg.solve(numeric_pose(path.down, at), numeric_pose(path.up, at))

@@ -13,7 +13,7 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.frames._frames import is_given, local_definitions, local_matrix, numeric_pose, pose_name
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
-from derive.mechanics.frame_tree import Way, along, relative, way
+from derive.mechanics.frame_tree import Way, along, relative, require_closed, way
 from derive.mechanics.frames import Frame, Frames
 from derive.mechanics.poses import inverse_pose, rotation_part
 
@@ -39,6 +39,7 @@ class Options(OptionsModel):
 
 def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     """T of frame `from` in frame `to`, over the frame both stand in (Spong et al., section 2.6)."""
+    require_closed(frames, problem.names)
     source = len(frames.frames) if options.source is None else options.source
     path = way(frames, source, options.target)
     name = pose_name(source, options.target)

@@ -19,7 +19,7 @@ from derive.kinds.frames._frames import (
 )
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
-from derive.mechanics.frame_tree import along, ancestry
+from derive.mechanics.frame_tree import along, ancestry, require_closed
 from derive.mechanics.frames import Frame, Frames
 from derive.mechanics.poses import rotation_part
 
@@ -43,6 +43,7 @@ class Options(OptionsModel):
 
 def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     """T_1^0, T_2^1, ... and their product along the parents of the last frame (Spong et al., section 2.6)."""
+    require_closed(frames, problem.names)
     path = ancestry(frames, len(frames.frames))
     found = [step for frame in frames.frames for step in local_steps(frame, problem)]
     definitions: dict[Expr, Expr] = {}

@@ -93,8 +93,9 @@ def _of_frames(frames: Frames, options: PoseOptions, problem: Problem) -> Given:
     import numpy as np
 
     from derive.kinds.frames._frames import is_given, numeric_pose, pose_name, rotation_name
-    from derive.mechanics.frame_tree import relative, way
+    from derive.mechanics.frame_tree import relative, require_closed, way
 
+    require_closed(frames, problem.names)
     source = len(frames.frames) if options.source is None else options.source
     path = way(frames, source, options.target)
 

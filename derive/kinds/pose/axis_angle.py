@@ -9,8 +9,7 @@ from typing import Any
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, Step
-from derive.errors import NotDerivable
+from derive.derivation import Claim, Derivation, Result, Step
 from derive.expression import (
     Expr,
     Matrix,
@@ -20,6 +19,7 @@ from derive.expression import (
     add,
     atan2,
     column,
+    cos,
     number,
     replace,
     sin,
@@ -38,7 +38,7 @@ from derive.kinds.pose._rotation import Rotation, rotation_of
 from derive.kinds.problem import Problem
 from derive.mechanics.motion import Move
 
-RESULTS = {"angle": "the angle, from 0 to pi", "axis": "the unit vector along the axis"}
+RESULTS = {"angle": "the angle, from 0 to pi", "axis": "the unit vector along the axis; any where nothing is turned"}
 EXAMPLE = """\
 title: In a single turn
 problems:
@@ -76,13 +76,13 @@ class Options(PoseOptions):
 
 def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     """The angle from the trace, the axis from what R lacks of symmetry; from R + 1 for half a turn
-    (Siciliano et al., eqs. 2.27 and 2.28). Raises NotDerivable where nothing is turned."""
+    (Siciliano et al., eqs. 2.27 and 2.28)."""
     given = given_pose(options, problem)
     R = rotation_of(given, problem)
-    if R.matrix == ScalarMatrix.identity(3):
-        raise NotDerivable("nothing is turned: the angle is zero, and every axis is as good as another")
-    half = R.numeric and R.matrix == R.matrix.T
     names = _names(problem)
+    if R.matrix == ScalarMatrix.identity(3):
+        return _nothing(given, names)
+    half = R.numeric and R.matrix == R.matrix.T
     steps = _half_turn(R, names, problem) if half else _general(R, names, problem)
     angle, axis = steps[-2].chain[-1], _column(steps[-1])
     turn = _turn(R, names)
@@ -94,9 +94,11 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
         "rotation": given.rotation,
         "numeric": R.numeric,
         "half": half,
+        "zero": False,
         "angle": names.angle,
         "axis": names.axis,
     }
+    facts["turned"] = names.turn
     facts["twice"] = (names.turn, Product((number(2), sin(names.angle), names.axis)))
     facts["law"] = (
         given.rotation,
@@ -104,6 +106,21 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     )
     claims = (*_links(steps, R, names), *_laws(R, axis), _second_route(given, problem, results))
     definitions: dict[Expr, Expr] = {**R.entries, names.angle: angle, names.axis: axis}
+    return Derivation("axis-angle", steps, results, claims, definitions, uses=given.uses, facts=facts)
+
+
+def _nothing(given: Given, names: _Names) -> Derivation:
+    """The identity: the angle is zero, and every axis is as good as another."""
+    cosine = Quotient(add(*(Symbol(f"r_{i}{i}") for i in (1, 2, 3)), number(-1)), number(2))
+    entries: dict[Expr, Expr] = {Symbol(f"r_{i}{i}"): number(1) for i in (1, 2, 3)}
+    steps = (
+        Step("cosine", (cos(names.angle), cosine, number(1))),
+        Step("angle", (names.angle, number(0))),
+    )
+    claims = links(steps, {**entries, names.angle: number(0)})
+    facts = {"rotation": given.rotation, "zero": True, "angle": names.angle}
+    definitions: dict[Expr, Expr] = {**entries, names.angle: number(0)}
+    results: dict[str, Result] = {"angle": number(0), "axis": "any"}
     return Derivation("axis-angle", steps, results, claims, definitions, uses=given.uses, facts=facts)
 
 

@@ -6,10 +6,9 @@ from collections.abc import Iterator
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
-from derive.algebra.operations import operations
 from derive.derivation import Step
 from derive.expression import Expr, Indexed, Matrix, Product, Sum, Symbol, negate
-from derive.kinds.naming import LONGEST_ROW
+from derive.kinds.naming import fits
 from derive.kinds.problem import Problem
 from derive.kinds.robot._bodies import Weighted
 from derive.kinds.robot._chain import pose_name
@@ -25,7 +24,7 @@ def com_steps(problem: Problem, found: Chain, body: Weighted) -> tuple[Step, ...
     pose = homogeneous(body.motion.R, body.motion.com.entries)
     written = problem.readable_matrix(pose)
     o = Step(origin.name, (origin, problem.readable_matrix(body.motion.com)), "extract", {"from": name.name})
-    if any(sum(map(operations, row)) > LONGEST_ROW for row in written.rows):
+    if not fits(written):
         return (o,)
     shift = _shift(problem, body.com)
     route = (pose_name(body.i),) if shift is None else (Product((pose_name(body.i), shift)),)

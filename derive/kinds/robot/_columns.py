@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.operations import operations
 from derive.algebra.readable import readable
 from derive.derivation import Step
 from derive.expression import ZERO, Expr, Matrix, Product, Symbol, add, cross, subtract
-from derive.kinds.naming import LONGEST_ROW
+from derive.kinds.naming import fits
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL, axis_names, end_frame, pose_name
 from derive.mechanics.chain import Chain
@@ -53,8 +52,8 @@ def _by_columns(written: Matrix, blocks: list[tuple[Expr, Expr]], name: Symbol) 
         chain = (column_name, block, entries) if linear != ZERO else (column_name, entries)
         columns.append(Step(column_name.name, chain, "jacobian-column"))
     side_by_side = Matrix((tuple(Symbol(step.name) for step in columns),))
-    fits = all(sum(map(operations, row)) <= LONGEST_ROW for row in written.rows)
-    whole = Step(name.name, (name, side_by_side, written) if fits else (name, side_by_side), "jacobian")
+    chain = (name, side_by_side, written) if fits(written) else (name, side_by_side)
+    whole = Step(name.name, chain, "jacobian")
     return (*columns, whole)
 
 
@@ -67,7 +66,7 @@ def pose_steps(problem: Problem, found: Chain, last: int) -> tuple[Step, ...]:
     rows = len(found.T_local) + (end_frame(problem.subject) == TOOL)
     for i in range(2, min(last + 1, rows)):
         written = problem.readable_matrix(found.T[i])
-        if all(sum(map(operations, row)) <= LONGEST_ROW for row in written.rows):
+        if fits(written):
             product = Product((pose_name(i - 1), pose_name(i, i - 1)))
             steps.append(Step(f"T_{i}^0", (pose_name(i), product, written), "compose"))
     return tuple(steps)

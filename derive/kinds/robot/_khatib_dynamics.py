@@ -44,12 +44,11 @@ def khatib_dynamics(problem: Problem) -> Derivation:
     tau = rigid if friction is None else _sum(rigid, friction)
     big = bool(inertia.facts["big"])
     steps = (*_weights(problem, g, big), *_torques(tau, friction))
-    definitions = {
-        **inertia.definitions, **speed.definitions, **named_results(steps),
-        MASS: M, Symbol("v"): v, WEIGHT: g, Symbol("tau"): tau,
-        ACCELERATION: column(rises(problem.subject.variables)),
-        **({FRICTION: friction} if friction else {}),
-    }
+    definitions: dict[Expr, Expr] = {**inertia.definitions, **speed.definitions, **named_results(steps)}
+    definitions |= {MASS: M, WEIGHT: g, Symbol("v"): v, Symbol("tau"): tau}
+    definitions[ACCELERATION] = column(rises(problem.subject.variables))
+    if friction:
+        definitions[FRICTION] = friction
     claims = (
         *links(() if big else steps, {**problem.names, **definitions, **moment_names(inertia)}),
         *_laws(problem, g),

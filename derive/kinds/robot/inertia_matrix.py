@@ -12,12 +12,11 @@ from derive.derivation import Claim, Derivation, Step, named_results
 from derive.expression import ZERO, Expr, Matrix, Product, Sum, Symbol, children, transpose
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
-from derive.kinds.naming import LONGEST_ROW
+from derive.kinds.naming import fits
 from derive.kinds.problem import Problem
 from derive.kinds.robot._bodies import Weighted, weighted
 from derive.kinds.robot._body_steps import body_definitions, com_jacobian_steps, com_steps, inertia_steps
-from derive.kinds.robot._chain import axis_steps, chain_of, oracle_of
-from derive.kinds.robot._columns import pose_steps
+from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._drives import rotor_steps, with_rotors
 from derive.kinds.robot._local_jacobians import local_definitions, local_parts, local_steps
 from derive.mechanics.chain import Chain
@@ -51,14 +50,14 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """D = sum of m J_v^T J_v + J_w^T R I R^T J_w (Spong et al., eq. 6.30)."""
     found = chain_of(problem)
     bodies = weighted(problem, found)
-    poses = problem.ask("forward-kinematics")
     D = with_rotors(inertia_matrix([body.motion for body in bodies]), robot)
     written = problem.readable_matrix(D)
     named = {name: value for body in bodies for name, value in body.named.items()}
     big = max(map(operations, children(written))) > LONGEST_ENTRY
+    rests_on = problem.ask("forward-kinematics" if big else "joint-axes")
     working = _local if big else _base
     steps, definitions = working(problem, found, bodies, written, named)
-    definitions = {**poses.definitions, **definitions, **_entries(written), **named, Symbol("D"): written}
+    definitions = {**rests_on.definitions, **definitions, **_entries(written), **named, Symbol("D"): written}
     results = _results(problem, bodies, written, named)
     claims = (
         *links(steps, {**problem.names, **definitions}),
@@ -72,7 +71,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         results,
         claims,
         definitions,
-        uses=(poses,),
+        uses=(rests_on,),
         facts=facts,
         matrices=frozenset(results),
     )
@@ -102,11 +101,8 @@ def _local(
 
 def _motion(problem: Problem, found: Chain, bodies: tuple[Weighted, ...]) -> tuple[Step, ...]:
     """Frames, axes, coms, Jacobians and inertias; the same name once."""
-    last = max(body.i for body in bodies)
     steps = [
-        *pose_steps(problem, found, last - 1),
         *(step for body in bodies for step in com_steps(problem, found, body)),
-        *axis_steps(problem, found, last),
         *(step for body in bodies for step in com_jacobian_steps(problem, found, body)),
         *inertia_steps(problem, bodies),
     ]
@@ -120,11 +116,11 @@ def _sum(
     parts = []
     for body in bodies:
         name, own = Symbol(f"D_{body.i}"), problem.readable_matrix(link_inertia(body.motion))
-        chain = (name, _formula(body), own) if _fits(own) else (name, _formula(body))
+        chain = (name, _formula(body), own) if fits(own) else (name, _formula(body))
         parts.append(Step(name.name, chain, "link-inertia"))
     parts += rotor_steps(problem.subject)
     total = Sum(tuple(Symbol(step.name) for step in parts)) if len(parts) > 1 else Symbol(parts[0].name)
-    if not _fits(written):
+    if not fits(written):
         entries = [Step(str(name.name), (name, value), "entry") for name, value in _upper(written).items()]
         return (*parts, Step("D", (Symbol("D"), total), "sum"), *entries)
     final = problem.final(written, named)
@@ -141,10 +137,6 @@ def _formula(body: Weighted) -> Expr:
     if not body.turns:
         return linear
     return angular if body.body.mass == ZERO else Sum((linear, angular))
-
-
-def _fits(matrix: Matrix) -> bool:
-    return all(sum(map(operations, row)) <= LONGEST_ROW for row in matrix.rows)
 
 
 def _entries(D: Matrix) -> dict[Expr, Expr]:

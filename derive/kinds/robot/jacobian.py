@@ -9,13 +9,14 @@ from pydantic import Field
 
 from derive.algebra import numeric
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal_matrix
 from derive.derivation import Claim, Derivation, Step, named_results
-from derive.expression import Indexed, Symbol, free_symbols, number
+from derive.expression import ZERO, Indexed, Matrix, Product, Symbol, free_symbols, number, transpose
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import axis_steps, chain_of, closing, oracle_of
-from derive.kinds.robot._columns import jacobian_steps, pose_steps
+from derive.kinds.robot._chain import TOOL, chain_of, closing, oracle_of
+from derive.kinds.robot._columns import jacobian_steps
 from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.mechanics.chain import Chain
 from derive.mechanics.jacobian import jacobian
@@ -51,35 +52,55 @@ class Options(OptionsModel):
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """z x (o - o_i) over z for each revolute joint, z over 0 for each prismatic one
     (Spong et al., eq. 4.56 and 4.57; Siciliano et al., eq. 3.30)."""
+    if options.rows or options.frame == "tool":
+        return _restated(options, problem)
     found = chain_of(problem)
     point = tracked(problem, found, options.point)
-    poses = problem.ask("forward-kinematics")
+    axes = problem.ask("joint-axes")
     J = jacobian(found, point.position, point.last)
     columns = jacobian_steps(problem, found, J, Symbol("J"), point.name, point.last)
-    asked, more = _asked_for(problem, found, J, point, options)
-    steps = (*pose_steps(problem, found, point.last), *_vectors(problem, found, point), *columns, *more)
-    result = problem.final(problem.readable_matrix(asked))
-    steps = (*steps[:-1], closing(steps[-1], result))
-    definitions = {**point.definitions, **named_results(steps)}
-    definitions[Symbol("J")] = problem.readable_matrix(J)
-    names = {**problem.names, **poses.definitions, **definitions}
-    claims = (*links(steps, names), *_laws(found, point, J), _second_route(problem, point, J))
+    own_point = () if point.name in axes.definitions else (point.step,)
+    written = problem.readable_matrix(J)
+    result = problem.final(written)
+    steps = (*own_point, *columns[:-1], closing(columns[-1], result))
+    definitions = {**axes.definitions, **point.definitions, **named_results(steps), Symbol("J"): written}
+    claims = (
+        *links(steps, {**problem.names, **definitions}),
+        *_laws(found, point, J),
+        _second_route(problem, point, J),
+    )
     return Derivation(
         "jacobian",
         steps,
         {"J": result},
         claims,
         definitions,
-        uses=(poses,),
-        facts=_facts(found, point),
+        uses=(axes,),
+        facts={**_facts(found, point), "restated": False},
         matrices=frozenset({"J"}),
     )
 
 
-def _vectors(problem: Problem, found: Chain, point: Tracked) -> tuple[Step, ...]:
-    """The axes, their points, and the point itself unless it is one of them."""
-    steps = axis_steps(problem, found, point.last)
-    return steps if any(s.name == point.name.name for s in steps) else (*steps, point.step)
+def _restated(options: Options, problem: Problem) -> Derivation:
+    """The Jacobian in the frame and with the rows asked for, from that in the base."""
+    base = problem.ask("jacobian", point=options.point)
+    found = chain_of(problem)
+    point = tracked(problem, found, options.point)
+    J, steps = _asked_for(problem, found, normal_matrix(base.definitions[Symbol("J")]), point, options)
+    result = problem.final(problem.readable_matrix(J))
+    steps = (*steps[:-1], closing(steps[-1], result))
+    definitions = {**base.definitions, **named_results(steps)}
+    definitions[_rotation(found, point)] = problem.readable_matrix(rotation_part(_pose(found, point)))
+    return Derivation(
+        "jacobian",
+        steps,
+        {"J": result},
+        links(steps, {**problem.names, **definitions}),
+        definitions,
+        uses=(base,),
+        facts={"restated": True},
+        matrices=frozenset({"J"}),
+    )
 
 
 def _asked_for(
@@ -90,12 +111,19 @@ def _asked_for(
     if options.frame == "tool":
         R_T = rotation_part(_pose(found, point)).T
         J = ScalarMatrix.stacked([R_T @ J.block(rows, slice(None)) for rows in (slice(0, 3), slice(3, 6))])
-        steps.append(Step("J^e", (Symbol("J^e"), problem.readable_matrix(J)), "other-frame"))
+        R = transpose(_rotation(found, point))
+        turn = Product((Matrix(((R, ZERO), (ZERO, R))), Symbol("J")))
+        steps.append(Step("J^e", (Symbol("J^e"), turn, problem.readable_matrix(J)), "other-frame"))
     if options.rows:
         name = Indexed("J", tuple(Symbol(row) for row in options.rows))
         J = ScalarMatrix(tuple(J.rows[ROWS.index(row)] for row in options.rows))
         steps.append(Step("rows", (name, problem.readable_matrix(J)), "rows"))
     return J, tuple(steps)
+
+
+def _rotation(found: Chain, point: Tracked) -> Symbol:
+    """R_2^0 of the frame the point is fixed in; R_e^0 of the tool's."""
+    return Symbol(f"R_{TOOL if point.frame > len(found.T_local) else point.frame}^0")
 
 
 def _pose(found: Chain, point: Tracked) -> ScalarMatrix:

@@ -9,6 +9,7 @@ from derive.derivation import Claim, Derivation, Step
 from derive.expression import Expr, Matrix, Product, Symbol, column
 from derive.kinds.checks import law, links
 from derive.kinds.fields import OptionsModel
+from derive.kinds.naming import fits
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, closing
 from derive.kinds.robot._point import PointOn, tracked
@@ -42,9 +43,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     written = problem.readable_matrix(twist)
     name = Matrix(((Symbol("v"),), (Symbol("omega"),)))
     v, omega = Matrix(written.rows[:3]), Matrix(written.rows[3:])
-    step = Step(
-        "twist", (name, Product((Symbol("J"), Symbol("q_dot"))), Product((J, rate)), written), "velocity"
-    )
+    product = Product((Symbol("J"), Symbol("q_dot")))
+    chain = (name, product, Product((J, rate)), written) if fits(J) else (name, product, written)
+    step = Step("twist", chain, "velocity")
     definitions: dict[Expr, Expr] = {
         Symbol("q_dot"): rate,
         Symbol("v"): v,

@@ -6,15 +6,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar
 from derive.mechanics.chain import Chain
-from derive.mechanics.inverse.goal import Goal
-from derive.mechanics.poses import homogeneous, inverse_pose, rotation_part
+from derive.mechanics.poses import homogeneous, inverse_pose
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,6 +23,9 @@ class View:
 
     first: int
     last: int | None
+
+
+Place: TypeAlias = tuple[View, int, int]
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,69 +39,67 @@ class Equation:
     right: Scalar
 
     @property
+    def place(self) -> Place:
+        return self.view, self.row, self.col
+
+    @property
     def is_position(self) -> bool:
         return self.col == 3
 
 
-def position_equations(chain: Chain, goal: Goal, home: Ring) -> Iterator[Equation]:
-    """The position seen from each frame; from the base alone where a coordinate is not known."""
-    target = chain.T_tool.into(home)
-    frames = [0, *(i for i, _ in chain.moving)] if goal.whole_position else [0]
-    for i in frames:
-        left, right = _seen(chain, goal, home, i), _rest(chain, target, home, i)
+@dataclass(frozen=True, slots=True)
+class Frames:
+    """The poses of the frames of an arm, or of its part after frame `base`, in that frame; `end` is the
+    end-effector's. `moving` are the rows that move."""
+
+    T: Mapping[int, ScalarMatrix]
+    end: ScalarMatrix
+    moving: tuple[int, ...]
+    base: int = 0
+
+    @staticmethod
+    def of(chain: Chain, home: Ring, base: int = 0, last: int | None = None) -> Frames:
+        """From frame `base` to the end-effector, or to frame `last`, whose origin ends the part then."""
+        whole = [T.into(home) for T in chain.T]
+        back = inverse_pose(whole[base]) if base else None
+        stop = len(whole) - 1 if last is None else last
+        T = {i: back @ whole[i] if back else whole[i] for i in range(base, stop + 1)}
+        end = chain.T_tool.into(home) if last is None else whole[last]
+        rows = tuple(i for i, _ in chain.moving if base < i <= stop)
+        return Frames(T, back @ end if back else end, rows, base)
+
+    def seen_from(self, i: int, T: ScalarMatrix) -> ScalarMatrix:
+        """A pose (or points in columns, 4 high) given in the base, in frame i."""
+        return T if i == self.base else inverse_pose(self.T[i]) @ T
+
+
+def position_equations(frames: Frames, goal: Sequence[Scalar | None], point: ScalarMatrix) -> Iterator[Equation]:
+    """The position of a point (3 by 1, in the end's frame) seen from each frame; from the base alone where
+    a coordinate is not known."""
+    there = frames.end @ ScalarMatrix.column((*point.entries, 1))
+    whole = None not in goal
+    known = ScalarMatrix.column([*(part if part is not None else 0 for part in goal), 1])
+    for i in (frames.base, *(frames.moving if whole else ())):
+        left, right = frames.seen_from(i, known), frames.seen_from(i, there)
         for row in range(3):
-            known = left[row]
-            if known is not None:
-                yield Equation(View(i, None), row, 3, known, right[row, 3])
+            if goal[row] is not None or whole:
+                yield Equation(View(i, None), row, 3, left[row, 0], right[row, 0])
 
 
-def _rest(chain: Chain, target: ScalarMatrix, home: Ring, i: int) -> ScalarMatrix:
-    return inverse_pose(chain.T[i].into(home)) @ target if i else target
-
-
-def _seen(chain: Chain, goal: Goal, home: Ring, i: int) -> tuple[Scalar | None, ...]:
-    if i == 0:
-        return goal.p
-    p = ScalarMatrix.column([*(part for part in goal.p if part is not None), 1])
-    return (inverse_pose(chain.T[i].into(home)) @ p).columns(0).entries[:3]
-
-
-def orientation_equations(chain: Chain, goal: Goal, home: Ring) -> Iterator[Equation]:
-    """The orientation seen from each frame towards each later one."""
-    if goal.R is None:
-        return
-    pose = homogeneous(goal.R, (0, 0, 0))
-    for equation in _views(chain, pose, home):
-        if equation.col < 3:
-            yield equation
-
-
-def pose_equations(chain: Chain, goal: Goal, home: Ring) -> Iterator[Equation]:
-    """The whole pose seen from each frame towards each later one."""
-    if goal.R is None or not goal.whole_position:
-        return
-    yield from _views(chain, homogeneous(goal.R, [part for part in goal.p if part is not None]), home)
-
-
-def _views(chain: Chain, pose: ScalarMatrix, home: Ring) -> Iterator[Equation]:
-    rows = [i for i, _ in chain.moving]
-    T_0 = {i: chain.T[i].into(home) for i in range(len(chain.T))}
-    T_e = chain.T_tool.into(home)
-    for i in (0, *rows):
-        left = inverse_pose(T_0[i]) @ pose if i else pose
-        yield from _entries(View(i, None), left, inverse_pose(T_0[i]) @ T_e if i else T_e)
-        for j in (row - 1 for row in rows):
+def pose_equations(frames: Frames, R: ScalarMatrix, p: Sequence[Scalar] | None) -> Iterator[Equation]:
+    """The pose seen from each frame towards each later one; the orientation alone without `p`."""
+    pose = homogeneous(R, p or (0, 0, 0))
+    width = 4 if p else 3
+    for i in (frames.base, *frames.moving):
+        left = frames.seen_from(i, pose)
+        yield from _entries(View(i, None), left, frames.seen_from(i, frames.end), width)
+        for j in (row - 1 for row in frames.moving):
             if j > i:
-                after = inverse_pose(inverse_pose(T_0[j]) @ T_e)
-                yield from _entries(View(i, j), left @ after, inverse_pose(T_0[i]) @ T_0[j])
+                after = inverse_pose(inverse_pose(frames.T[j]) @ frames.end)
+                yield from _entries(View(i, j), left @ after, frames.seen_from(i, frames.T[j]), width)
 
 
-def _entries(view: View, left: ScalarMatrix, right: ScalarMatrix) -> Iterator[Equation]:
+def _entries(view: View, left: ScalarMatrix, right: ScalarMatrix, width: int) -> Iterator[Equation]:
     for row in range(3):
-        for col in range(4):
+        for col in range(width):
             yield Equation(view, row, col, left[row, col], right[row, col])
-
-
-def rotation_of(chain: Chain, first: int) -> ScalarMatrix:
-    """R of the end-effector in frame `first`."""
-    return rotation_part(inverse_pose(chain.T[first]) @ chain.T_tool)

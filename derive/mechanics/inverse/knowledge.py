@@ -61,6 +61,15 @@ class Knowledge:
         """The parallel joints a sum belongs to."""
         return next(run for run in self.runs if run.of_atom(form.parts[0][0]))
 
+    def bound(self) -> frozenset[str]:
+        """The joints of sums that are known, though each by itself may not be."""
+        return frozenset(atom for form in self.forms for atom, _ in form.parts)
+
+    def related(self, form: Form) -> frozenset[str]:
+        """The joints that an equation in this sum may hold: parallel ones, and those of known sums."""
+        known = (*self.forms, self.run_of(form))
+        return frozenset(atom for each in known for atom, _ in self.run_of(each).parts)
+
     def sought(self) -> Iterator[Form]:
         """The sums of neighbouring angles not known yet, short ones first; of those that differ by a known
         one, the first."""

@@ -2,39 +2,69 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, groupby
 from typing import TypeAlias
 
 from derive.algebra.angles import Form
 from derive.algebra.scalar import Scalar
-from derive.mechanics.inverse.equation import Equation
+from derive.mechanics.inverse.equation import Equation, Place, View
 from derive.mechanics.inverse.knowledge import Knowledge
 from derive.mechanics.inverse.sample import Samples
 from derive.mechanics.inverse.slide import Slide, slide_of
 from derive.mechanics.inverse.squares import Elbow, Part, Reach, elbow, reach, split, subsets
-from derive.mechanics.inverse.trigonometric import OneEquation, Row, TwoEquations, pair_of, row_of, simplest
+from derive.mechanics.inverse.trigonometric import OneEquation, Row, TwoEquations, pair_of, row_of
 
 Found: TypeAlias = OneEquation | TwoEquations | Elbow | Reach | Slide
-MOST_ROWS = 10  # of one angle, of which pairs are tried
+KINDS = ("direction", "difference", "determinant")
+MOST_ROWS, MOST_ALONE = 16, 8  # of one angle, of which pairs are tried
+UNLIKE = 6  # what it adds to the length of a pair that cosine and sine have different factors
 KNOWN_JOINT = 3  # what a joint that is solved already adds to the length of an equation
+FAMILIAR = 12  # what it takes away that the equation was used before
+TURNED_VIEW = 2  # likewise each end from which an equation is seen that is not the base or the end-effector
+
+
+@dataclass(frozen=True, slots=True)
+class Considered:
+    """An equation as right - left, and the joint variables in it."""
+
+    equation: Equation
+    value: Scalar
+    joints: frozenset[str]
 
 
 @dataclass(frozen=True, slots=True)
 class Stage:
-    """Equations in which joint variables are sought, in the order in which a person would look at them."""
+    """Equations in which joint variables are sought, every angle by itself."""
 
-    equations: tuple[Equation, ...]
+    equations: tuple[Considered, ...]
     samples: Samples
+    base: int = 0
 
-    def next(self, known: Knowledge, in_time: Callable[[], None]) -> Found | None:
-        """The sub-problem to solve now; None where no equation is left with one unknown.
+    @staticmethod
+    def of(equations: Iterable[Equation], joints: Iterable[str], samples: Samples, base: int = 0) -> Stage:
+        """Those that hold any of the joints."""
+        names = {f"{f}({joint})": joint for joint in joints for f in ("cos", "sin")}
+        names |= {joint: joint for joint in joints}
+        found = []
+        for equation in equations:
+            value = equation.right - equation.left
+            held = frozenset(names[name] for name in value.generators() if name in names)
+            if held:
+                found.append(Considered(equation, value, held))
+        return Stage(tuple(found), samples, base)
+
+    def next(
+        self, known: Knowledge, in_time: Callable[[], None], used: Collection[Place] = ()
+    ) -> Found | None:
+        """The sub-problem to solve now; None where no equation is left with one unknown. Equations that
+        were used before are taken again where they serve.
 
         A pair of equations in one angle comes first, for it leaves no choice; then the length of a sliding
         joint; one equation in one angle; the elbow; last what is linear.
         """
-        looking = _Looking(self, known)
+        looking = _Looking(self, known, used)
         for seek in (looking.pair, looking.reach, looking.one, looking.elbow, looking.slide):
             in_time()
             found = seek()
@@ -45,35 +75,41 @@ class Stage:
     def left(self, known: Knowledge, most: int = 3) -> list[Equation]:
         """The shortest equations that still hold unknown joints."""
         unknown = known.unknown_joints()
-        held = [e for e in self.equations if any((e.left - e.right).diff(name) for name in unknown)]
-        return sorted(held, key=lambda e: len(e.left.numerator) + len(e.right.numerator))[:most]
+        held = [one for one in self.equations if one.joints & unknown]
+        shortest = sorted(held, key=lambda one: (len(one.joints & unknown), len(one.value.numerator)))
+        return [one.equation for one in shortest[:most]]
 
 
-@dataclass(slots=True)
 class _Looking:
     """One look at the equations of a stage."""
 
-    stage: Stage
-    known: Knowledge
-
-    def __post_init__(self) -> None:
+    def __init__(self, stage: Stage, known: Knowledge, used: Collection[Place]) -> None:
+        self.stage, self.known, self.used = stage, known, used
         self.rows: list[tuple[Form, list[Row]]] = [
             (form, sorted(self._rows(form), key=self._length)) for form in self.known.sought()
         ]
 
     def pair(self) -> TwoEquations | None:
-        found = [pair for form, rows in self.rows if (pair := simplest(self._pairs(form, rows)))]
-        return simplest(found)
+        pairs = (pair for form, rows in self.rows for pair in self._pairs(form, rows))
+        return min(pairs, key=self._pair_length, default=None)
 
     def one(self) -> OneEquation | None:
         found = [OneEquation(form, rows[0]) for form, rows in self.rows if rows]
         return min(found, key=lambda one: self._length(one.row), default=None)
 
     def _pairs(self, form: Form, rows: Sequence[Row]) -> Iterator[TwoEquations]:
-        for one, two in combinations(rows[:MOST_ROWS], 2):
+        """Cosine and sine each alone where there are such rows, else any two."""
+        cosines, sines = ([row for row in rows if not side(row)] for side in (_sine, _cosine))
+        found = [(one, two) for one in cosines[:MOST_ALONE] for two in sines[:MOST_ALONE]]
+        for one, two in found or combinations(rows[:MOST_ROWS], 2):
             pair = pair_of(form, (one, two))
             if not self.stage.samples.vanishes(pair.determinant):
                 yield pair
+
+    def _pair_length(self, pair: TwoEquations) -> tuple[int, int]:
+        """A plain direction comes before a difference of two, and Cramer's rule last."""
+        length = self._length(pair.first) + self._length(pair.second)
+        return KINDS.index(pair.kind), length + (0 if pair.shared else UNLIKE)
 
     def _rows(self, form: Form) -> Iterator[Row]:
         """The equations in one angle alone, each once."""
@@ -84,14 +120,14 @@ class _Looking:
                 if row and not self.stage.samples.vanishes(row.a, row.b):
                     yield row
 
-    def _differences(self, form: Form | None) -> Iterator[tuple[Equation, Scalar]]:
+    def _differences(self, form: Form) -> Iterator[tuple[Equation, Scalar]]:
         """right - left of the equations that may hold nothing unknown but this sum, in its basis."""
-        run = self.known.run_of(form) if form else None
-        for equation in self.stage.equations:
-            value = equation.right - equation.left
-            held = {name for name in self.known.unknown_joints() if value.diff(name)}
-            if run and held and all(run.of_atom(name) or not name for name in held):
-                yield equation, value.into(self.known.home(form, value.ring))
+        unknown = self.known.unknown_joints()
+        allowed = self.known.related(form)
+        for one in self.stage.equations:
+            held = one.joints & unknown
+            if held and held <= allowed:
+                yield one.equation, one.value.into(self.known.home(form, one.value.ring))
 
     def reach(self) -> Reach | None:
         found = [
@@ -99,6 +135,7 @@ class _Looking:
             for parts, unknown in self._squares(None)
             for slide in self.known.slides
             if slide not in self.known.lengths and (here := reach(slide, parts, unknown))
+            if any(set(part.unknown.generators()) & (unknown - {slide}) for part in parts)
         ]
         return min(found, key=lambda r: self._size(r.parts), default=None)
 
@@ -114,15 +151,19 @@ class _Looking:
     def _squares(self, form: Form | None) -> Iterator[tuple[tuple[Part, ...], frozenset[str]]]:
         """Coordinates of one view, two or three, known on one side, and the names of what is unknown."""
         unknown = self.known.unknown_generators(form)
-        position = (equation for equation in self.stage.equations if equation.is_position)
-        for _, group in groupby(position, key=lambda equation: equation.view):
-            parts = [self._part(equation, form, unknown) for equation in group]
+        position = (one for one in self.stage.equations if one.equation.is_position)
+        for _, group in groupby(position, key=lambda one: one.equation.view):
+            parts = [self._part(one, form, unknown) for one in group if not self._mixed(one, form, unknown)]
             for chosen in subsets(parts):
                 yield chosen, unknown
 
-    def _part(self, equation: Equation, form: Form | None, unknown: frozenset[str]) -> Part:
-        value = equation.right - equation.left
-        return split(equation, value.into(self.known.home(form, value.ring)), unknown)
+    def _mixed(self, one: Considered, form: Form | None, unknown: frozenset[str]) -> bool:
+        """Whether the side of the known pose holds unknown joints too."""
+        left = one.equation.left
+        return bool(set(left.into(self.known.home(form, left.ring)).generators()) & unknown)
+
+    def _part(self, one: Considered, form: Form | None, unknown: frozenset[str]) -> Part:
+        return split(one.equation, one.value.into(self.known.home(form, one.value.ring)), unknown)
 
     def slide(self) -> Slide | None:
         found = [
@@ -135,22 +176,49 @@ class _Looking:
 
     def _slides(self, name: str) -> Iterator[Slide]:
         unknown = self.known.unknown_generators(None) - {name}
-        for equation in self.stage.equations:
-            value = equation.right - equation.left
-            value = value.into(self.known.home(None, value.ring))
-            if not set(value.generators()) & unknown:
-                here = slide_of(value, name, equation)
+        for one in self.stage.equations:
+            value = one.value.into(self.known.home(None, one.value.ring))
+            if name in one.joints and not set(value.generators()) & unknown:
+                here = slide_of(value, name, one.equation)
                 if here and not self.stage.samples.vanishes(here.slope):
                     yield here
 
     def _length(self, row: Row) -> int:
         """Short equations first, and those that need no joint solved before."""
-        return row.terms + self._solved(row.a, row.b, row.c)
+        again = FAMILIAR if row.equation.place in self.used else 0
+        return row.terms + self._solved(row.a, row.b, row.c) + self._turned(row.equation.view) - again
 
     def _size(self, parts: Iterable[Part]) -> int:
-        return sum(len(part.known.numerator) + self._solved(part.known) for part in parts)
+        return sum(
+            len(part.known.numerator) + self._solved(part.known) + self._turned(part.equation.view)
+            for part in parts
+        )
+
+    def _turned(self, view: View) -> int:
+        return TURNED_VIEW * ((view.first != self.stage.base) + (view.last is not None))
 
     def _solved(self, *values: Scalar) -> int:
         held = {name for value in values for name in value.generators()}
-        forms = {f"cos({form})" for form in self.known.forms} | {f"sin({form})" for form in self.known.forms}
-        return KNOWN_JOINT * len(held & (forms | self.known.lengths))
+        forms = sum(1 for form in self.known.forms if held & {f"cos({form})", f"sin({form})"})
+        return KNOWN_JOINT * (forms + len(held & self.known.lengths))
+
+
+def equations_of(found: Found) -> tuple[Equation, ...]:
+    """The equations a sub-problem rests on."""
+    match found:
+        case OneEquation(_, row):
+            return (row.equation,)
+        case TwoEquations(_, first, second):
+            return (first.equation, second.equation)
+        case Slide():
+            return (found.equation,)
+        case Elbow() | Reach():
+            return tuple(part.equation for part in found.parts)
+
+
+def _cosine(row: Row) -> Scalar:
+    return row.a
+
+
+def _sine(row: Row) -> Scalar:
+    return row.b

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
 
@@ -58,6 +57,12 @@ class TwoEquations:
     def determinant(self) -> Scalar:
         return self.first.a * self.second.b - self.first.b * self.second.a
 
+    @property
+    def shared(self) -> bool:
+        """Whether cosine and sine, each alone, have the same factor up to a number."""
+        ratio = self.second.b / self.first.a if self.first.a and self.second.b else None
+        return ratio is not None and ratio.constant is not None
+
 
 def row_of(value: Scalar, angle: Form, equation: Equation) -> Row | None:
     """The coefficients where an expression is a cos q + b sin q - c; None where it is not of that form."""
@@ -94,13 +99,3 @@ def pair_of(angle: Form, rows: tuple[Row, Row]) -> TwoEquations:
             if other.a == -one.b and other.b == one.a:
                 return TwoEquations(angle, one, other, "difference")
     return TwoEquations(angle, first, second, "determinant")
-
-
-def simplest(pairs: Iterable[TwoEquations]) -> TwoEquations | None:
-    """The one a person would take: a plain direction before a difference before Cramer's rule."""
-    order = ("direction", "difference", "determinant")
-    return min(
-        pairs,
-        key=lambda pair: (order.index(pair.kind), pair.first.terms + pair.second.terms),
-        default=None,
-    )

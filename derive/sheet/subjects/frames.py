@@ -22,6 +22,7 @@ SIZES = "give 4 rows of 4 (a homogeneous transform) or 3 of 3 (a rotation)"
 
 
 class _Parent(OptionsModel):
+    frame: int | None = Field(default=None, ge=1)
     parent: int | None = Field(default=None, alias="in", ge=0)
 
 
@@ -63,19 +64,36 @@ Given: TypeAlias = Annotated[list[FrameField], Field(min_length=1, max_length=50
 def build(given: Given, at: At, known: Known) -> Frames:
     """The frames of a problem. Raises SheetErrors: axes that are no right-handed orthonormal frame."""
     faults: list[SheetError] = []
-    frames = []
+    frames: list[Frame] = []
+    again: list[Frame] = []
     for index, entry in enumerate(given):
+        second = entry.frame is not None and entry.frame <= len(frames)
         try:
-            frames.append(_frame(entry, index + 1, at / index, known))
+            if second:
+                again.append(_second(entry, len(frames), at / index, known))
+            else:
+                frames.append(_frame(entry, len(frames) + 1, at / index, known))
         except SheetErrors as errors:
             faults.extend(errors.errors)
     if faults:
         raise SheetErrors(faults)
-    return Frames(tuple(frames))
+    return Frames(tuple(frames), tuple(again))
+
+
+def _second(given: FrameField, count: int, at: At, known: Known) -> Frame:
+    """A frame given once more, in any other frame known so far."""
+    number, parent = given.frame or 0, given.parent
+    if parent is None or parent == number or parent > count:
+        hint = f"say with in: which frame it is seen from, another one of 0 to {count}"
+        raise SheetErrors([at.fault(f"frame {number} is given again", ("frame",), hint)])
+    return Frame(number, parent, _source(given, number, parent, at, known))
 
 
 def _frame(given: FrameField, number: int, at: At, known: Known) -> Frame:
     parent = number - 1 if given.parent is None else given.parent
+    if given.frame is not None and given.frame != number:
+        hint = f"frames are numbered in their order; this one is frame {number}"
+        raise SheetErrors([at.fault(f"frame {given.frame} is given before frame {number}", ("frame",), hint)])
     if parent >= number:
         hint = f"frame {number} can be given in a frame from 0 to {number - 1}"
         raise SheetErrors([at.fault(f"frame {number} cannot be given in frame {parent}", ("in",), hint)])

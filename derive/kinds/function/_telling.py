@@ -1,0 +1,96 @@
+"""The cases of a solution as plain facts, for the words to tell one after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from flint import arb
+
+from derive.algebra.polynomial_systems import Case, Move, Solution
+from derive.algebra.scalar import Scalar
+from derive.expression import Expr, Power, Symbol, number
+from derive.kinds.function._writing import vanishing, written
+from derive.kinds.problem import Problem
+
+
+def told(case: Case, problem: Problem) -> tuple[dict[str, Any], ...]:
+    """Outermost first: label ("" for the whole, "1", "2.1"), what holds in the case, its moves, the
+    equations it splits into, its points, and the equation that cannot hold."""
+    return tuple(_told(case, problem, ()))
+
+
+def _told(case: Case, problem: Problem, label: tuple[int, ...]) -> Iterator[dict[str, Any]]:
+    yield {
+        "label": ".".join(map(str, label)),
+        "given": None if case.given is None else vanishing(case.given, problem),
+        "moves": _moves(case, problem),
+        "split": [vanishing(part, problem) for part in case.split],
+        "against": None if case.against is None else vanishing(case.against, problem),
+        "points": [_point(solution, problem) for solution in case.solutions],
+    }
+    for k, inner in enumerate(case.cases, 1):
+        yield from _told(inner, problem, (*label, k))
+
+
+def _moves(case: Case, problem: Problem) -> list[dict[str, Any]]:
+    moves = [_move(move, problem) for move in case.moves]
+    first = case.moves[0] if case.moves else None
+    if first and first.rule == "linear" and case.given is not None and moves[0]["value"] is not None:
+        given = vanishing(case.given, problem)
+        if moves[0]["equation"] == given:
+            moves[0]["own"] = moves[0]["chain"] == given or moves[0]["chain"] == given[::-1]
+            moves[0]["given"] = True
+    return moves
+
+
+def _move(move: Move, problem: Problem) -> dict[str, Any]:
+    symbol: Expr = Symbol(move.variable) if move.variable else number(0)
+    left = Power(symbol, number(2)) if move.rule == "square" else symbol
+    value = None if move.value is None else written(move.value, problem)
+    return {
+        "rule": move.rule,
+        "equation": None if move.equation is None else vanishing(move.equation, problem),
+        "variable": symbol,
+        "value": value,
+        "chain": None if value is None else (left, value),
+        "left": [vanishing(each, problem) for each in move.left],
+        "own": False,
+        "given": False,
+    }
+
+
+def _point(solution: Solution, problem: Problem) -> list[tuple[Expr, Expr]]:
+    return [(Symbol(name), written(value, problem)) for name, value in solution.values.items()]
+
+
+def divided_by(case: Case, problem: Problem) -> list[Expr]:
+    """The expressions in the parameters that must not vanish for the moves to be possible."""
+    found: dict[str, Expr] = {}
+    for each in _all(case):
+        for move in each.moves:
+            if move.value is not None and move.value.denominator is not None:
+                _put(found, Scalar(move.value.ring, move.value.denominator), problem)
+        if each.against is not None and each.against.constant is None:
+            _put(found, each.against, problem)
+    return list(found.values())
+
+
+def _put(found: dict[str, Expr], value: Scalar, problem: Problem) -> None:
+    _, parts = value.numerator.factor()
+    for part, _power in parts:
+        tree = problem.readable(Scalar(value.ring, part))
+        found.setdefault(repr(tree), tree)
+
+
+def _all(case: Case) -> Iterator[Case]:
+    yield case
+    for inner in case.cases:
+        yield from _all(inner)
+
+
+def is_enclosed(solutions: Sequence[Solution]) -> bool:
+    """Whether any value is known only within a ball."""
+    return any(isinstance(value, arb) for each in solutions for value in each.values.values())
+
+

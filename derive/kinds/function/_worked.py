@@ -1,0 +1,231 @@
+"""Stationary points worked out: the steps, the points and what they are held to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from flint import arb
+
+from derive.algebra import numeric
+from derive.algebra.function import Function
+from derive.algebra.normal import normal
+from derive.algebra.polynomial_systems import put_in
+from derive.algebra.scalar import Scalar
+from derive.algebra.text import text
+from derive.derivation import Branch, Claim, Derivation, Step, Table
+from derive.errors import NotDerivable
+from derive.expression import (
+    ZERO,
+    Call,
+    Derivative,
+    Expr,
+    Symbol,
+    add,
+    multiply,
+    negate,
+    number,
+    subtract,
+)
+from derive.kinds.checks import SECOND_ROUTE, law, links, random_points
+from derive.kinds.function._extremes import extremes, reach
+from derive.kinds.function._naming import function_name, multiplier_names
+from derive.kinds.function._newton import NEAR, stationary
+from derive.kinds.function._stationary import Point, Task, bordered_hessian, points
+from derive.kinds.function._telling import divided_by, is_enclosed, told
+from derive.kinds.function._writing import written
+from derive.kinds.problem import Problem
+
+LAMBDA = Symbol("Lambda")
+HESSIAN = Symbol("H")
+WORDS = {
+    "maximum": "local maximum", "minimum": "local minimum", "saddle": "saddle point",
+    "undecided": "not decided by the second derivatives", "isolated": "isolated point",
+    "singular": "singular point of the constraints",
+}  # fmt: skip
+GLOBAL = {"maximum": "global maximum", "minimum": "global minimum", "both": "global maximum and minimum"}
+LARGEST_SEARCH = 5  # unknowns with which Newton's method is cheap
+
+
+def worked(kind: str, function: Function, problem: Problem) -> Derivation:
+    """The answer to either kind. Raises NotDerivable where a point is out of reach."""
+    if function.vector:
+        raise NotDerivable("extreme values are those of a scalar function, not of a list of components")
+    name = function_name(problem)
+    multipliers = multiplier_names(len(function.constraints), problem) if function.constraints else ()
+    task = Task.of(function, multipliers, problem.names, problem.assumptions)
+    case = task.candidates()
+    found = points(task, case)
+    limits = reach(task)
+    said = [_said(p, e, problem, task) for p, e in zip(found, extremes(found, limits, task.positive), strict=True)]
+    goal = LAMBDA if multipliers else name
+    definitions: dict[Expr, Expr] = {name: function.values[0], goal: _lagrange(function, multipliers, name)}
+    definitions[name] = function.values[0]
+    steps = (
+        Step(goal.name, (goal, definitions[goal]), "lagrange"),
+        *_partials(problem, definitions[goal], goal, (*function.variables, *task.multipliers)),
+        *_determinants(task, problem),
+        *_hessian(task, problem, found),
+    )
+    claims = (
+        *links(steps, {**problem.names, **definitions}),
+        *_put_back(task, found),
+        *_search(function, task, problem, found),
+    )
+    solutions = tuple(_branch(p, when, name, task, problem) for p, when in zip(found, said, strict=True))
+    facts = {
+        "partials": [(*step.chain, ZERO) for step in steps if step.rule == "stationary"],
+        "determinants": [(*step.chain, ZERO) for step in steps if step.rule == "dependent"],
+        "name": name, "goal": goal, "zero": ZERO, "multipliers": multipliers,
+        "constraints": [(c.left, c.right) for c in function.constraints],
+        "variables": tuple(map(Symbol, function.variables)), "cases": told(case, problem),
+        "table": _table(found, said, name, task, problem), "limits": limits, "count": len(found),
+        "minors": len(function.variables) - len(function.constraints), "nonzero": divided_by(case, problem),
+        "enclosed": is_enclosed([p.solution for p in found]), "singular": any(p.kind == "singular" for p in found),
+        "free": [Symbol(each) for p in found for each in p.solution.free][:1], "numbers": (),
+        "odd": len(function.constraints) % 2 == 1, "sign": number((-1) ** len(function.constraints)),
+        "global": [each for each in said if each.startswith("global")], **_values(found, said, problem),
+    }  # fmt: skip
+    return Derivation(kind, steps, {"solutions": solutions}, claims, definitions, facts=facts)
+
+
+def _values(found: Sequence[Point], said: Sequence[str], problem: Problem) -> dict[str, Any]:
+    """The greatest and the smallest value, where they are known to exist."""
+    best: dict[str, Any] = {"greatest": None, "smallest": None}
+    for point, words in zip(found, said, strict=True):
+        if words.startswith("global maximum"):
+            best["greatest"] = written(point.value, problem)
+        if words.startswith("global") and "minimum" in words:
+            best["smallest"] = written(point.value, problem)
+    return best
+
+
+def _lagrange(function: Function, multipliers: Sequence[Symbol], name: Symbol) -> Expr:
+    """f - lambda (g - c), as the author wrote f, g and c."""
+    parts = [function.values[0]]
+    for multiplier, c in zip(multipliers, function.constraints, strict=True):
+        difference = c.left if c.right == ZERO else subtract(c.left, c.right)
+        parts.append(negate(multiply(multiplier, difference)))
+    return add(*parts)
+
+
+def _partials(problem: Problem, of: Expr, goal: Symbol, names: Sequence[str]) -> Iterator[Step]:
+    for name in names:
+        by = Symbol(name)
+        value = problem.readable(normal(Derivative(of, by), problem.names))
+        yield Step(f"d{goal.name}_d{name}", (Derivative(goal, by), value), "stationary")
+
+
+def _determinants(task: Task, problem: Problem) -> Iterator[Step]:
+    """Of every m + 1 columns of the gradients; those that vanish anyway are left out."""
+    if not task.g:
+        return
+    rows = task.gradients
+    for k, (columns, value) in enumerate(task.determinants().items(), 1):
+        if value:
+            matrix = problem.readable_matrix(rows.columns(*columns))
+            yield Step(f"determinant_{k}", (Call("det", (matrix,)), problem.readable(value)), "dependent")
+
+
+def _hessian(task: Task, problem: Problem, found: Sequence[Point]) -> Iterator[Step]:
+    if any(point.minors for point in found):
+        yield Step("H", (HESSIAN, problem.readable_matrix(bordered_hessian(task))), "hessian")
+
+
+def _said(point: Point, extreme: str, problem: Problem, task: Task) -> str:
+    """What a point is, in a few words."""
+    said = WORDS.get(point.kind) or _conditional(point, problem, task)
+    if extreme:
+        said = GLOBAL[extreme] + (f", {WORDS['singular']}" if point.kind == "singular" else "")
+    needs = [text(problem.readable(each)) for each in point.solution.real_if]
+    return said + "".join(f", if {each} > 0" for each in needs)
+
+
+def _conditional(point: Point, problem: Problem, task: Task) -> str:
+    """Where the parameters decide: by the sign of the only minor."""
+    (minor, *more) = point.minors
+    if more or isinstance(minor, arb):
+        return "maximum, minimum or saddle point depending on the parameters"
+    value = text(problem.readable(minor if len(task.g) % 2 == 0 else -minor))
+    return f"minimum if {value} > 0, maximum if {value} < 0"
+
+
+def _branch(point: Point, when: str, name: Symbol, task: Task, problem: Problem) -> Branch:
+    values = {each: written(value, problem) for each, value in point.solution.values.items()}
+    values |= {each: Symbol(each) for each in point.solution.free}
+    values = {each: values[each] for each in task.variables}
+    if point.multipliers is not None:
+        pairs = zip(task.multipliers, point.multipliers, strict=True)
+        values |= {each: written(value, problem) for each, value in pairs}
+    return Branch({**values, name.name: written(point.value, problem)}, when)
+
+
+def _table(found: Sequence[Point], said: Sequence[str], name: Symbol, task: Task, problem: Problem) -> Table:
+    m, n = len(task.g), len(task.variables)
+    sizes = range(2 * m + 1, m + n + 1)
+    minors = [Call("det", (HESSIAN,))] if len(sizes) == 1 else [Symbol(f"D_{size}") for size in sizes]
+    headings = (*map(Symbol, (*task.variables, *task.multipliers)), name, *minors, "")
+    rows = []
+    for point, words in zip(found, said, strict=True):
+        branch = _branch(point, words, name, task, problem).values
+        known = [branch.get(each, "none") for each in (*task.variables, *task.multipliers, name.name)]
+        signs: list[Expr | str] = [written(minor, problem) for minor in point.minors] or [""] * len(sizes)
+        rows.append((*known, *signs, words.partition(", if")[0]))
+    return Table(headings, tuple(rows))
+
+
+# -- what it is held to ----------------------------------------------------------------------------------
+
+
+def _put_back(task: Task, found: Sequence[Point]) -> Iterator[Claim]:
+    """Every equation of the Lagrange function at every point."""
+    equations = [task.lagrange.diff(x) for x in (*task.variables, *task.multipliers)]
+    for k, point in enumerate(found, 1):
+        if point.multipliers is None:
+            yield law(f"point {k} lies on the constraints", all(_vanishes(g, point, task) for g in task.g))
+        else:
+            holds = all(_vanishes(each, point, task) for each in equations)
+            claim = f"point {k} satisfies every equation"
+            yield law(claim, holds) if point.is_exact else Claim(claim, "ball arithmetic", holds)
+
+
+def _vanishes(equation: Scalar, point: Point, task: Task) -> bool:
+    known = dict(zip(task.multipliers, point.multipliers or (), strict=False))
+    value = put_in(equation, {**point.solution.values, **known})
+    return not value if isinstance(value, Scalar) else bool(value.contains(0))
+
+
+def _search(function: Function, task: Task, problem: Problem, found: Sequence[Point]) -> Iterator[Claim]:
+    """No point that Newton's method finds is missing. Curves of points are not looked for."""
+    unknowns = (*task.variables, *task.multipliers)
+    if len(unknowns) > LARGEST_SEARCH or any(p.solution.free for p in found):
+        return
+    parameters = problem.symbols - set(task.variables)
+    known = next(iter(random_points(sorted(parameters), 1)))
+    for name, value in problem.where.items():
+        known[name] = numeric.number(value, known)
+    tree = _lagrange(function, tuple(map(Symbol, task.multipliers)), Symbol("f"))
+
+    def value(at: Sequence[float]) -> float:
+        return numeric.number(tree, {**known, **dict(zip(unknowns, map(float, at), strict=True))})
+
+    ours = [_numbers(p, task, known) for p in found if p.multipliers is not None]
+    others = stationary(value, len(unknowns))
+    holds = all(any(_near(theirs, mine) for mine in ours) for theirs in others)
+    claim = f"Newton's method from random starts finds {len(others)} points, all among these"
+    yield Claim(claim, SECOND_ROUTE, holds)
+
+
+def _numbers(point: Point, task: Task, known: Mapping[str, float]) -> list[float]:
+    values = [*(point.solution.values[x] for x in task.variables), *(point.multipliers or ())]
+    try:
+        return [float(v.mid()) if isinstance(v, arb) else numeric.scalar_number(v, known) for v in values]
+    except ValueError:  # not real for these parameters
+        return []
+
+
+def _near(theirs: Sequence[float], ours: Sequence[float]) -> bool:
+    pairs = zip(theirs, ours, strict=False)
+    return len(theirs) == len(ours) and all(abs(a - b) < 100 * NEAR * (1 + abs(b)) for a, b in pairs)
+
+

@@ -1,0 +1,56 @@
+"""How values and vanishing polynomials are written on the page."""
+
+from __future__ import annotations
+
+from flint import arb
+
+from derive.algebra.operations import operations
+from derive.algebra.polynomial_systems import Value
+from derive.algebra.polynomials import monomials
+from derive.algebra.scalar import Scalar, as_fraction
+from derive.expression import ZERO, Approximate, Expr, Quotient, negate
+from derive.kinds.problem import Problem
+
+
+def written(value: Value, problem: Problem) -> Expr:
+    """An exact value in its shortest form; an enclosed one rounded."""
+    if isinstance(value, arb):
+        return Approximate(float(value.mid()))
+    forms = [problem.readable(value)]
+    if value.denominator is not None:
+        for root in value.ring.roots:
+            if root.name in value.generators():
+                forms += _over_root(value, Scalar(value.ring, value.ring.gen(root.name)), problem)
+    return min(forms, key=operations)
+
+
+def _over_root(value: Scalar, root: Scalar, problem: Problem) -> list[Expr]:
+    """a r/sqrt(a^2 + b^2) rather than a r sqrt(a^2 + b^2)/(a^2 + b^2)."""
+    above = value * root
+    if above.denominator is not None:
+        return []
+    top = problem.readable(above)
+    return [Quotient(top, problem.readable(root))]
+
+
+def vanishing(polynomial: Scalar, problem: Problem) -> tuple[Expr, Expr]:
+    """(left, right) of the equation that it is zero: x = y rather than x - y = 0."""
+    lead = as_fraction(polynomial.numerator.leading_coefficient())
+    whole = polynomial / lead if polynomial.ring.roots else _primitive(polynomial)
+    parts = monomials(whole)
+    if len(parts) == 2 and any(part.constant is None for part in parts):
+        left, right = sorted(parts, key=lambda part: part.constant is not None)
+        found = problem.readable(left), problem.readable(-right)
+        negative = as_fraction(left.numerator.leading_coefficient()) < 0
+        return (negate(found[0]), problem.readable(right)) if negative else found
+    return problem.readable(whole), ZERO
+
+
+def _primitive(polynomial: Scalar) -> Scalar:
+    """With whole coefficients that have no common factor, the first one positive."""
+    content, _ = polynomial.numerator.factor_squarefree()
+    return polynomial / abs(as_fraction(content)) * _sign(polynomial)
+
+
+def _sign(polynomial: Scalar) -> int:
+    return 1 if as_fraction(polynomial.numerator.leading_coefficient()) > 0 else -1

@@ -1,0 +1,37 @@
+"""The extreme values of a function under constraints, by Lagrange multipliers: every stationary point."""
+
+from __future__ import annotations
+
+from derive.algebra.function import Function
+from derive.derivation import Derivation
+from derive.errors import NotDerivable
+from derive.kinds.fields import OptionsModel
+from derive.kinds.function._worked import worked
+from derive.kinds.problem import Problem
+
+RESULTS = {
+    "solutions": "the variables, the multipliers (lambda, or lambda_1, ...), the value of f, and what it is"
+}
+EXAMPLE = """\
+title: Extreme values on a circle
+problems:
+- function: {variables: [x, y], value: x^2*y, subject_to: "x^2 + y^2 = 1"}
+  find: lagrange-multipliers
+"""
+
+
+class Options(OptionsModel):
+    """None."""
+
+
+def derive(function: Function, options: Options, problem: Problem) -> Derivation:
+    """The gradient of f - lambda (g - c) vanishes; the bordered Hessian tells maxima from minima
+    (Magnus and Neudecker, Matrix Differential Calculus, chapter 7).
+
+    Raises NotDerivable without a constraint, and where the equations have no exact or isolated roots.
+    """
+    if not function.constraints:
+        raise NotDerivable("there is no constraint: give one under subject_to, or ask for stationary-points")
+    if len(function.constraints) > len(function.variables):
+        raise NotDerivable("there are more constraints than variables")
+    return worked("lagrange-multipliers", function, problem)

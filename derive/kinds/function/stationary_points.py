@@ -1,0 +1,32 @@
+"""The points where the gradient of a function vanishes: maxima, minima and saddles."""
+
+from __future__ import annotations
+
+from derive.algebra.function import Function
+from derive.derivation import Derivation
+from derive.errors import NotDerivable
+from derive.kinds.fields import OptionsModel
+from derive.kinds.function._worked import worked
+from derive.kinds.problem import Problem
+
+RESULTS = {"solutions": "the variables, the value of f, and what kind of point it is"}
+EXAMPLE = """\
+title: Stationary points
+problems:
+- function: {variables: [x, y], value: x^3 - 3*x*y + y^3}
+  find: stationary-points
+"""
+
+
+class Options(OptionsModel):
+    """None."""
+
+
+def derive(function: Function, options: Options, problem: Problem) -> Derivation:
+    """Where every partial derivative vanishes; the Hessian tells maxima from minima.
+
+    Raises NotDerivable under constraints, and where the equations have no exact or isolated roots.
+    """
+    if function.constraints:
+        raise NotDerivable("under a constraint ask for lagrange-multipliers")
+    return worked("stationary-points", function, problem)

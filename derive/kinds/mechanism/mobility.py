@@ -1,0 +1,152 @@
+"""The degrees of freedom of a mechanism by Grübler's formula, and where that formula is blind."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from derive.derivation import Claim, Derivation, Result, Step, Table
+from derive.expression import Expr, Product, Sum, Symbol, add, number, subtract
+from derive.kinds.checks import SECOND_ROUTE, links
+from derive.kinds.fields import OptionsModel
+from derive.kinds.problem import Problem
+from derive.mechanics.mobility import FREEDOMS, LAMBDA, Joints, Mechanism, Space
+
+RESULTS = {
+    "dof": "lambda (n - 1) - sum of c_i",
+    "idle": "rotations of rods about their own line, where there are such rods",
+    "effective": "the degrees of freedom without these",
+}
+EXAMPLE = """\
+title: Degrees of freedom
+problems:
+- title: Four-bar linkage
+  mechanism: {space: planar, bodies: 4, joints: [{revolute: 4}]}
+  find: mobility
+- title: Stewart-Gough platform
+  mechanism: {space: spatial, legs: [{chain: UPS, count: 6}]}
+  find: mobility
+- title: A coincident joint
+  mechanism: {space: planar, bodies: 6, joints: [{revolute: 1, joining: 3}, {revolute: 5}]}
+  find: mobility
+"""
+C, DOF = Symbol("C"), Symbol("dof")
+# Single loops of revolute joints that move although the formula says they do not, by number of joints.
+MOVING_LOOPS = {
+    4: "Bennett's linkage",
+    5: "the linkages of Goldberg and Myard",
+    6: "those of Sarrus and Bricard",
+}
+OTHERS: dict[Space, tuple[Space, ...]] = {"spatial": ("planar", "spherical"), "planar": (), "spherical": ()}
+
+
+class Options(OptionsModel):
+    """None."""
+
+
+def derive(mechanism: Mechanism, options: Options, problem: Problem) -> Derivation:
+    """dof = lambda (n - 1) - sum c_i (Lynch and Park, section 2.2)."""
+    size = LAMBDA[mechanism.space]
+    total = _total(mechanism)
+    steps = (
+        Step("constraints", _distinct(C, total, number(sum(each.total for each in mechanism.joints)))),
+        Step("dof", _dof(mechanism, size)),
+    )
+    definitions: dict[Expr, Expr] = {C: total, DOF: number(mechanism.dof)}
+    claims = (
+        *links(steps, definitions),
+        Claim(
+            "the freedoms of the joints less those of the loops",
+            SECOND_ROUTE,
+            mechanism.by_loops == mechanism.dof,
+        ),
+    )
+    return Derivation(
+        "mobility", steps, _results(mechanism), claims, {C: total}, facts=_facts(mechanism, size)
+    )
+
+
+def _results(mechanism: Mechanism) -> dict[str, Result]:
+    found: dict[str, Result] = {"dof": number(mechanism.dof)}
+    if mechanism.rods:
+        found |= {"idle": number(mechanism.rods), "effective": number(mechanism.dof - mechanism.rods)}
+    return found
+
+
+def _total(mechanism: Mechanism) -> Expr:
+    """Each sort: how many times how much."""
+    return add(*(Product((number(each.pairs), number(each.constraints))) for each in mechanism.joints))
+
+
+def _dof(mechanism: Mechanism, size: int) -> tuple[Expr, ...]:
+    moving = Sum((number(mechanism.bodies), number(-1)))
+    free = Product((number(size), moving))
+    taken = number(sum(each.total for each in mechanism.joints))
+    return (
+        DOF,
+        subtract(free, C),
+        subtract(number(size * (mechanism.bodies - 1)), taken),
+        number(mechanism.dof),
+    )
+
+
+def _distinct(*chain: Expr) -> tuple[Expr, ...]:
+    return tuple(expr for k, expr in enumerate(chain) if k == 0 or expr != chain[k - 1])
+
+
+def _facts(mechanism: Mechanism, size: int) -> dict[str, Any]:
+    spherical = sum(each.pairs for each in mechanism.joints if each.name == "spherical")
+    return {
+        "space": mechanism.space,
+        "size": number(size),
+        "bodies": number(mechanism.bodies),
+        "pairs": number(mechanism.pairs),
+        "loops": number(mechanism.loops),
+        "closed": mechanism.loops > 0,
+        "table": _table(mechanism.joints, size),
+        "coincident": tuple(
+            (each.name, number(each.count), number(each.joining), number(each.joining - 1))
+            for each in mechanism.joints
+            if each.joining > 2
+        ),
+        "legs": tuple((chain, number(count), number(len(chain) - 1)) for chain, count in mechanism.legs),
+        "dof": number(mechanism.dof),
+        "sign": (mechanism.dof > 0) - (mechanism.dof < 0),
+        "missing": number(-mechanism.dof),
+        "idle": number(mechanism.rods) if mechanism.rods else None,
+        "effective": number(mechanism.dof - mechanism.rods),
+        "may_spin": mechanism.space == "spatial"
+        and not mechanism.rods
+        and spherical >= 2
+        and mechanism.loops > 0,
+        "others": _others(mechanism),
+        "known": _known(mechanism),
+        "lower": mechanism.space == "spatial" and mechanism.loops > 0,
+    }
+
+
+def _table(joints: tuple[Joints, ...], size: int) -> Table:
+    """How each sort is counted."""
+    rows = []
+    for each in joints:
+        freedoms = number(FREEDOMS[each.name] if each.name else size - each.constraints)
+        rows.append(
+            (each.name or "other", number(each.pairs), freedoms, number(each.constraints), number(each.total))
+        )
+    headings = ("joint", "number", "freedoms", "constraints of each", "constraints together")
+    return Table(headings, tuple(rows))
+
+
+def _others(mechanism: Mechanism) -> tuple[tuple[Space, Expr], ...]:
+    """What its joints would leave if their axes were parallel, or met in a point, and that is more."""
+    if mechanism.loops == 0:
+        return ()
+    counts = ((space, mechanism.counted_as(space)) for space in OTHERS[mechanism.space])
+    return tuple((space, number(n)) for space, n in counts if n is not None and n > max(mechanism.dof, 0))
+
+
+def _known(mechanism: Mechanism) -> str:
+    """The moving loops of so many revolute joints that the formula does not see."""
+    only_revolute = all(each.name == "revolute" for each in mechanism.joints)
+    if mechanism.space != "spatial" or not only_revolute or mechanism.loops != 1:
+        return ""
+    return MOVING_LOOPS.get(mechanism.pairs, "")

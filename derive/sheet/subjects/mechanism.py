@@ -1,0 +1,145 @@
+"""mechanism: bodies and joints to be counted, or the legs of a parallel robot."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Annotated, Literal, TypeAlias
+
+from pydantic import Field
+
+from derive.errors import SheetError, SheetErrors
+from derive.kinds.fields import OptionsModel
+from derive.mechanics.mobility import (
+    FREEDOMS,
+    LAMBDA,
+    LETTERS,
+    POSSIBLE,
+    Joints,
+    Mechanism,
+    Space,
+    idle_legs,
+    leg_joints,
+)
+from derive.sheet.source import At
+from derive.sheet.subjects.registry import Known
+
+Count: TypeAlias = Annotated[int, Field(ge=1, le=1000)]
+AS_WRITTEN = "write {revolute: 4}, four revolute joints, or {constraints: 4, count: 2}"
+
+
+class GivenJoints(OptionsModel):
+    """So many joints of one sort; `joining: 3` where three bodies meet in each; `constraints` of any other
+    sort, `count` of them."""
+
+    revolute: Count | None = None
+    prismatic: Count | None = None
+    helical: Count | None = None
+    cylindrical: Count | None = None
+    universal: Count | None = None
+    spherical: Count | None = None
+    planar: Count | None = None
+    constraints: Annotated[int, Field(ge=0, le=6)] | None = None
+    count: Count = 1
+    joining: Annotated[int, Field(ge=2, le=100)] = 2
+
+    @property
+    def sorts(self) -> tuple[str, ...]:
+        """The keys that say which joint it is."""
+        return tuple(name for name in (*FREEDOMS, "constraints") if getattr(self, name) is not None)
+
+
+class GivenLegs(OptionsModel):
+    """Legs between the base and the platform: joints by letter from the base, R P H C U S E."""
+
+    chain: Annotated[str, Field(min_length=1, max_length=12)]
+    count: Count
+
+
+class Given(OptionsModel):
+    """`bodies` counts the frame; `rods` are those held by two spherical joints only."""
+
+    space: Literal["planar", "spatial", "spherical"]
+    bodies: Annotated[int, Field(ge=2, le=10_000)] | None = None
+    joints: Annotated[list[GivenJoints], Field(min_length=1, max_length=50)] | None = None
+    legs: Annotated[list[GivenLegs], Field(min_length=1, max_length=20)] | None = None
+    rods: Annotated[int, Field(ge=0, le=1000)] = 0
+
+
+def build(given: Given, at: At, known: Known) -> Mechanism:
+    """The mechanism. Raises SheetErrors: joints of no sort, or that its space does not have; loose bodies."""
+    faults = [*(_leg_faults(given, at) if given.legs else _joint_faults(given, at))]
+    if faults:
+        raise SheetErrors(faults)
+    if given.legs:
+        return _parallel(given.space, given.legs)
+    joints = tuple(_joints(each, given.space) for each in given.joints or ())
+    found = Mechanism(given.space, given.bodies or 0, joints, given.rods)
+    if faults := [*_impossible(found, at)]:
+        raise SheetErrors(faults)
+    return found
+
+
+def _parallel(space: Space, legs: list[GivenLegs]) -> Mechanism:
+    """Base, platform, and between them the bodies of each leg."""
+    chains = tuple((leg.chain.upper(), leg.count) for leg in legs)
+    bodies = 2 + sum((len(chain) - 1) * count for chain, count in chains)
+    joints = tuple(each for chain, count in chains for each in leg_joints(chain, count))
+    rods = sum(idle_legs(chain) * count for chain, count in chains)
+    return Mechanism(space, bodies, joints, rods, chains)
+
+
+def _joints(given: GivenJoints, space: Space) -> Joints:
+    (sort,) = given.sorts
+    if sort == "constraints":
+        return Joints("", given.count, given.constraints or 0, given.joining)
+    return Joints(sort, getattr(given, sort), LAMBDA[space] - FREEDOMS[sort], given.joining)
+
+
+def _joint_faults(given: Given, at: At) -> Iterator[SheetError]:
+    for key in ("bodies", "joints"):
+        if getattr(given, key) is None:
+            yield at.fault(
+                f"'{key}' is missing", (), "add bodies: 4, the frame among them, and joints: [...]", True
+            )
+    for index, each in enumerate(given.joints or ()):
+        route = ("joints", index)
+        if len(each.sorts) != 1:
+            what = f"both {' and '.join(each.sorts)}" if each.sorts else "no sort of joint"
+            yield at.fault(f"{what} in one entry", route, AS_WRITTEN)
+        elif each.sorts[0] != "constraints" and each.count != 1:
+            yield at.fault("how many there are is said twice", (*route, "count"), AS_WRITTEN)
+        elif each.sorts[0] == "constraints" and (each.constraints or 0) > LAMBDA[given.space]:
+            message = f"a joint has at most {LAMBDA[given.space]} constraints in a {given.space} mechanism"
+            yield at.fault(message, (*route, "constraints"))
+        elif each.sorts[0] != "constraints" and each.sorts[0] not in POSSIBLE[given.space]:
+            hint = f"joints there: {', '.join(POSSIBLE[given.space])}, or {{constraints: ...}}"
+            yield at.fault(
+                f"a {given.space} mechanism has no {each.sorts[0]} joint", (*route, each.sorts[0]), hint
+            )
+
+
+def _leg_faults(given: Given, at: At) -> Iterator[SheetError]:
+    for key in ("bodies", "joints"):
+        if getattr(given, key) is not None:
+            yield at.fault(
+                f"'{key}' follows from the legs", (key,), "give either legs: or bodies: and joints:", True
+            )
+    if given.space != "spatial":
+        yield at.fault("legs are counted in space", ("space",), "write space: spatial")
+    for index, leg in enumerate(given.legs or ()):
+        wrong = [letter for letter in leg.chain.upper() if letter not in LETTERS]
+        if wrong:
+            letters = ", ".join(f"{letter} {name}" for letter, name in LETTERS.items())
+            yield at.fault(
+                f"there is no joint {wrong[0]}", ("legs", index, "chain"), f"the letters are {letters}"
+            )
+
+
+def _impossible(found: Mechanism, at: At) -> Iterator[SheetError]:
+    if found.loops < 0:
+        message = f"{found.bodies} bodies cannot hang together by {found.pairs} joints"
+        yield at.fault(message, ("bodies",), f"at least {found.bodies - 1} joints are needed")
+    spherical = sum(each.pairs for each in found.joints if each.name == "spherical")
+    if found.rods * 2 > spherical:
+        hint = "a rod is a body held by two spherical joints and nothing else but a slider on their line"
+        yield at.fault(f"{found.rods} rods need {2 * found.rods} spherical joints", ("rods",), hint)
