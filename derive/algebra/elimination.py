@@ -12,6 +12,12 @@ from derive.algebra.factors import primitive_column
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
 
+MOST_TERMS = 400  # in one entry; nobody reads what comes of longer ones
+
+
+class TooLong(ArithmeticError):
+    """An entry outgrew what is worth writing."""
+
 
 @dataclass(frozen=True, slots=True)
 class Eliminated:
@@ -26,7 +32,7 @@ class Eliminated:
 
 
 def eliminated(matrix: ScalarMatrix) -> Eliminated:
-    """By the shortest pivot of each column."""
+    """By the shortest pivot of each column. Raises TooLong."""
     rows = [list(row) for row in matrix.rows]
     pivots: list[int] = []
     for column in range(matrix.shape[1]):
@@ -41,9 +47,9 @@ def eliminated(matrix: ScalarMatrix) -> Eliminated:
         for r, row in enumerate(rows):
             if r != top and row[column]:
                 factor = row[column]
-                rows[r] = [
-                    a - factor * b if b else a for a, b in zip(row, rows[top], strict=True)
-                ]  # fmt: skip
+                rows[r] = [a - factor * b if b else a for a, b in zip(row, rows[top], strict=True)]
+        if any(_length(entry) > MOST_TERMS for row in rows for entry in row):
+            raise TooLong
         pivots.append(column)
     return Eliminated(ScalarMatrix.of(rows), tuple(pivots))
 

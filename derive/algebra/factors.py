@@ -63,12 +63,11 @@ def common_factor(scalars: Sequence[Scalar], names: Iterable[str]) -> tuple[Scal
 
 def primitive_column(column: ScalarMatrix, names: Iterable[str]) -> ScalarMatrix:
     """The same direction without fractions and without a common factor."""
+    column = ScalarMatrix.of(column.rows)
     below = [entry.denominator for entry in column.entries if entry.denominator is not None]
-    whole = column.entries
-    if below:
-        multiple = reduce(_least_multiple, below)
-        whole = tuple(entry * Scalar(column.ring, multiple) for entry in column.entries)
-    if any(entry.denominator is not None for entry in whole) or not any(whole):
+    multiple = reduce(_least_multiple, below, column.ring.one)
+    whole = [_times(entry, multiple) for entry in column.entries]
+    if not any(whole):
         return column
     _, quotients = common_factor(whole, names)
     one = primitive(next(entry for entry in quotients if entry))
@@ -98,6 +97,14 @@ def _quotient(scalar: Scalar, product: Scalar, names: tuple[str, ...]) -> Scalar
     if constant.denominator is None and not depends(constant, names):
         return constant
     return None
+
+
+def _times(entry: Scalar, multiple: fmpq_mpoly) -> Scalar:
+    """The entry times a multiple of its denominator, divided before anything is reduced: afterwards the
+    two might no longer share a factor."""
+    home = entry.ring
+    over = multiple if entry.denominator is None else divmod(multiple, entry.denominator)[0]
+    return Scalar(home, home.reduce(entry.numerator * over))
 
 
 def _content(polynomial: fmpq_mpoly) -> object:

@@ -190,7 +190,9 @@ class _Solver:
         if step is not None or _one_unknown(equations, state.unknowns) or state.eliminated:
             return step
         basis = groebner(equations, state.unknowns)
-        return None if basis is None else (Move("eliminate", left=tuple(basis)), basis)
+        if basis is None or all(any(_proportional(p, known) for known in equations) for p in basis):
+            return None
+        return Move("eliminate", left=tuple(basis)), basis
 
     def _by_roots(
         self, given: Scalar | None, moves: list[Move], single: tuple[Scalar, ...], state: _State
@@ -282,6 +284,7 @@ def _scalar(polynomial: object, names: tuple[str, ...]) -> Scalar:
 
 
 # -- the moves -------------------------------------------------------------------------------------------
+
 
 def _splitting(equations: list[Equation], unknowns: tuple[str, ...]) -> Equation | None:
     """The simplest equation that is a product."""
@@ -385,9 +388,9 @@ def _solvable_last(equations: list[Scalar], unknowns: tuple[str, ...]) -> Moved 
     for equation, name in product(equations, reversed(unknowns)):
         others = [each for each in equations if each is not equation]
         k = coefficients(equation, name)
-        if others and len(k) == 3 and not holds(k[2], unknowns):
-            if not any(holds(each, (name,)) for each in others):
-                return Move("last", equation, name), others
+        solvable = bool(others) and len(k) == 3 and not holds(k[2], unknowns)
+        if solvable and not any(holds(each, (name,)) for each in others):
+            return Move("last", equation, name), others
     return None
 
 

@@ -33,14 +33,17 @@ def coefficients(polynomial: Scalar, name: str) -> list[Scalar]:
     for exponents, k in polynomial.numerator.to_dict().items():
         rest = tuple(0 if i == place else e for i, e in enumerate(exponents))
         groups.setdefault(int(exponents[place]), {})[rest] = k
-    return [Scalar(home, home.context.from_dict(groups.get(e, {}))) for e in range(max(groups, default=0) + 1)]
+    return [
+        Scalar(home, home.context.from_dict(groups.get(e, {}))) for e in range(max(groups, default=0) + 1)
+    ]
 
 
 def monomials(polynomial: Scalar) -> list[Scalar]:
     """The terms, each with its coefficient."""
     home = polynomial.ring
     return [
-        Scalar(home, home.context.from_dict({powers: k})) for powers, k in polynomial.numerator.to_dict().items()
+        Scalar(home, home.context.from_dict({powers: k}))
+        for powers, k in polynomial.numerator.to_dict().items()
     ]
 
 
@@ -69,8 +72,8 @@ def require_rational(values: Iterable[Scalar], names: Collection[str]) -> None:
                 is_used = any(text in each for each in used)
                 if is_used and name in _words(text):
                     raise NotDerivable(
-                        f"{name} stands inside a function: only equations that are polynomials or fractions of "
-                        "polynomials in the variables are solved here"
+                        f"{name} stands inside a function: only equations that are polynomials in the "
+                        "variables, or fractions of polynomials, are solved here"
                     )
 
 
@@ -106,6 +109,20 @@ def _by_factors(polynomial: Scalar, positive: Collection[str]) -> int | None:
                 return None
             sign *= own
     return sign
+
+
+def odd_part(value: Scalar, positive: Collection[str] = ()) -> Scalar:
+    """What decides the sign: the product of the factors, above and below, whose own signs are not known."""
+    whole = numerator(value)
+    if value.denominator is not None:
+        whole = whole * Scalar(value.ring, value.denominator)
+    content, found = whole.numerator.factor()
+    total = Scalar.of(1 if as_fraction(content) > 0 else -1)
+    for factor, power in found:
+        part = Scalar(value.ring, factor)
+        known = sign_of(part, positive) if power % 2 else 1
+        total = total * (part if known is None else known)
+    return total
 
 
 def ball(value: Scalar, at: Mapping[str, arb]) -> arb:

@@ -85,7 +85,9 @@ def _biquadratic(k: list[Scalar], positive: Collection[str]) -> list[RealRoot]:
     for outer in _quadratic([k[0], k[2], k[4]], positive):
         if isinstance(outer.value, Scalar):
             if outer.real_if is not None:
-                raise NotDerivable("whether this biquadratic equation has real roots depends on its parameters")
+                raise NotDerivable(
+                    "whether this biquadratic equation has real roots depends on its parameters"
+                )
             found += _signed(Scalar.of(0), outer.value, Scalar.of(1), positive)
     return found
 

@@ -25,16 +25,25 @@ def impossible_inertia(body: Body, names: Names, positive: Collection[str] = ())
     if body.com == "center" and body.about == "origin":
         return None
     inertia = _matrix(body, names)
+    if _shorthand(inertia):
+        return None
     for k, moment in enumerate(inertia[i, i] for i in range(3)):
         if sign_of(moment, positive) == -1:
             return f"I_{AXES[k]} is negative"
     if (broken := _broken_triangle(inertia, positive)) is not None:
         return broken
-    if any(sign_of(minor, positive) == -1 for minor in _minors(_second_moments(inertia))):
+    numbers = all(entry.constant is not None for entry in inertia.entries)
+    if numbers and any(sign_of(minor) == -1 for minor in _minors(_second_moments(inertia))):
         return f"its principal moments{_principal(inertia)} are not the sides of a triangle"
     if inertia and not normal(body.mass, names):
         return "it has moments of inertia but no mass"
     return None
+
+
+def _shorthand(inertia: ScalarMatrix) -> bool:
+    """[0, 0, I]: of an arm in a plane, whose other moments do not matter and were left out."""
+    named = [entry for entry in inertia.entries if entry]
+    return len(named) == 1 and named[0].constant is None
 
 
 def _matrix(body: Body, names: Names) -> ScalarMatrix:
@@ -71,10 +80,8 @@ def _shown(value: Scalar) -> str:
 
 
 def _principal(inertia: ScalarMatrix) -> str:
-    """The principal moments in numbers, where they are numbers."""
+    """The principal moments in numbers."""
     import numpy as np
 
-    if any(entry.constant is None for entry in inertia.entries):
-        return ""
     found = np.linalg.eigvalsh([[float(entry.constant or 0) for entry in row] for row in inertia.rows])
     return " " + ", ".join(f"{moment:.3g}" for moment in found)

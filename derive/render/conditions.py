@@ -9,7 +9,7 @@ from operator import add
 from derive.algebra.grammar import parse
 from derive.algebra.units import ANY
 from derive.errors import FormulaError
-from derive.expression import Expr, Symbol
+from derive.expression import Expr
 from derive.render.latex import Printer
 
 CLAUSES = re.compile(r"(, (?:where )?|; |: | and | or | if | where )")
@@ -46,5 +46,11 @@ def _tree(side: str) -> Expr:
 
 
 def _words(text: str, names: frozenset[str], printer: Printer, plain: Callable[[str], str]) -> str:
-    pieces = re.split(r"(\w+)", text)
-    return "".join(f"${printer.write(Symbol(p))}$" if p in names else plain(p) for p in pieces)
+    """Sums and differences of the names are mathematics, the rest is text."""
+    if not names:
+        return plain(text)
+    one = "|".join(sorted(map(re.escape, names), key=len, reverse=True))
+    terms = re.split(rf"((?<!\w)(?:{one})(?: [-+] (?:{one}))*(?!\w))", text)
+    return "".join(
+        f"${printer.write(_tree(part))}$" if place % 2 else plain(part) for place, part in enumerate(terms)
+    )

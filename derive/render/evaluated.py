@@ -32,7 +32,7 @@ def evaluated_words(derivation: Derivation, at: Mapping[str, Expr], skin: Skin, 
         return ""
     printer, called = Printer(notation), derivation.facts.get("page_names", {})
     chains = [
-        chain_links((Symbol(called.get(name, name)), number), printer)
+        chain_links((_called(called.get(name, name)), number), printer)
         for name, value in values.items()
         if (number := numeric(value)) is not None
     ]
@@ -43,6 +43,10 @@ def evaluated_words(derivation: Derivation, at: Mapping[str, Expr], skin: Skin, 
         "items": skin.items,
     }
     return environment().get_template("words/_evaluated.j2").render(context).strip()
+
+
+def _called(name: str | Expr) -> Expr:
+    return Symbol(name) if isinstance(name, str) else name
 
 
 def _given(name: str, value: Expr, printer: Printer) -> str:

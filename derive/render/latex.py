@@ -212,7 +212,8 @@ class Printer:
 
     def _function(self, function: str, argument: Expr, operator: str) -> tuple[str, int]:
         written = self.write(argument)
-        bare = function.startswith(BARE_ARGUMENT) and is_short_argument(argument)
+        short = is_short_argument(argument) or isinstance(argument, Matrix)
+        bare = function.startswith(BARE_ARGUMENT) and short
         return f"{operator} {written}" if bare else f"{operator}{parenthesised(written)}", RAISED
 
     def _atan2(self, y: Expr, x: Expr) -> str:
@@ -232,10 +233,19 @@ class Printer:
     def derivative(self, of: Expr, by: Symbol) -> str:
         d = "d" if by.name == "t" else r"\partial"
         space = "" if d == "d" else " "
+        if isinstance(of, Derivative) and isinstance(of.of, Symbol | Indexed) and d != "d":
+            return self._second_derivative(of.of, by, of.by)
         below = f"{d}{space}{name_latex(by.name)}"
         if isinstance(of, Symbol | Indexed):
             return rf"\frac{{{d}{space}{self.write(of)}}}{{{below}}}"
         return rf"\frac{{{d}}}{{{below}}} {self.held(of, ATOM)}"
+
+
+    def _second_derivative(self, of: Expr, outer: Symbol, inner: Symbol) -> str:
+        """\\partial^2 f over \\partial x \\partial y, or \\partial x^2."""
+        names = [name_latex(each.name) for each in dict.fromkeys((outer, inner))]
+        below = r" \partial ".join(names) if len(names) > 1 else f"{names[0]}^2"
+        return rf"\frac{{\partial^2 {self.write(of)}}}{{\partial {below}}}"
 
 
 def _number(value: Fraction, decimal: bool) -> tuple[str, int]:

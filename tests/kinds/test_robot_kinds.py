@@ -206,11 +206,10 @@ def test_a_point_on_a_link_that_is_not_there() -> None:
         problem(robot(row("x*", "0", "a", "0"))).ask("jacobian", point={"link": 3})
 
 
-def test_a_free_row_has_no_parameters(tmp_path) -> None:
+def test_a_free_row_has_its_parameters_found(tmp_path) -> None:
     arm = "    links:\n    - {motion: [{rotate: z, by: theta1*}, {translate: x, by: a1}]}\n"
     assert shape(asked(tmp_path, "find: forward-kinematics", arm)["results"]["T_1^0"]) == (4, 4)
-    with pytest.raises(SheetErrors):
-        asked(tmp_path, "find: dh-table", arm)
+    assert asked(tmp_path, "find: dh-table", arm)["results"] == {"DH": [["theta1", "0", "a1", "0"]]}
 
 
 @pytest.mark.parametrize("kind", ["inertia-matrix", "christoffel", "gravity", "dynamics"])

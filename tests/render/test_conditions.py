@@ -17,6 +17,7 @@ from derive.render.plain_text import markdown_text
         ("x^2 + y^2 <= 4", r"$x^2 + y^2 \leq 4$"),
         ("what is <this> = ", r"what is \<this\> = "),
         ("always", "always"),
+        ("only psi - theta is determined", r"only $\psi - \theta$ is determined"),
     ],
 )
 def test_the_mathematics_of_a_condition_is_typeset(words: str, typeset: str) -> None:

@@ -84,7 +84,7 @@ def _definite(form: Scalar, names: Sequence[str], positive: Collection[str]) -> 
 def extremes(points: Sequence[Point], found: Reach, positive: Collection[str]) -> list[str]:
     """For each point "maximum", "minimum", "both" or "": the highest and lowest of all the points."""
     said = [""] * len(points)
-    if len({len(point.solution.real_if) for point in points}) > 1:
+    if any(not holds(each, point.solution.free) for point in points for each in point.solution.real_if):
         return said  # which of them exist depends on the parameters
     for word, sign in (("maximum", 1), ("minimum", -1)):
         if not (found.highest if sign == 1 else found.lowest):

@@ -38,9 +38,7 @@ def by_differences(of: Expr, name: str, at: Mapping[str, float]) -> float:
     return (8 * (value(1) - value(-1)) - (value(2) - value(-2))) / (12 * STEP)
 
 
-def agrees(
-    claim: str, problem: Problem, found: Iterable[Expr], pairs: Sequence[tuple[Expr, str]]
-) -> Claim:
+def agrees(claim: str, problem: Problem, found: Iterable[Expr], pairs: Sequence[tuple[Expr, str]]) -> Claim:
     """Each derivative found against the differences of its function."""
     ours = tuple(found)
 

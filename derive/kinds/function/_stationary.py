@@ -194,13 +194,21 @@ def classified(minors: Sequence[Value], m: int, positive: Collection[str] = ()) 
         return "isolated"
     if signs[-1] == 0:
         return "undecided"
-    if None in signs:
-        return "conditional"
-    if all(sign == (-1) ** m for sign in signs):
-        return "minimum"
-    if all(sign == (-1) ** (m + j) for j, sign in enumerate(signs, 1)):
-        return "maximum"
-    return "saddle"
+    possible = [
+        kind for kind, wanted in patterns(m, len(minors)).items()
+        if all(sign in (want, None) for sign, want in zip(signs, wanted, strict=True))
+    ]  # fmt: skip
+    if not possible:
+        return "saddle"
+    return "conditional" if None in signs else possible[0]
+
+
+def patterns(m: int, count: int) -> dict[str, list[int]]:
+    """The signs of the minors at a maximum and at a minimum."""
+    return {
+        "maximum": [(-1) ** (m + j) for j in range(1, count + 1)],
+        "minimum": [(-1) ** m] * count,
+    }
 
 
 def _sign(value: Value, positive: Collection[str]) -> int | None:

@@ -14,33 +14,32 @@ from derive.kinds.function._writing import vanishing, written
 from derive.kinds.problem import Problem
 
 
-def told(case: Case, problem: Problem) -> tuple[dict[str, Any], ...]:
+def told(case: Case, problem: Problem, order: Sequence[str]) -> tuple[dict[str, Any], ...]:
     """Outermost first: label ("" for the whole, "1", "2.1"), what holds in the case, its moves, the
     equations it splits into, its points, and the equation that cannot hold."""
-    return tuple(_told(case, problem, ()))
+    return tuple(_told(case, problem, order, ()))
 
 
-def _told(case: Case, problem: Problem, label: tuple[int, ...]) -> Iterator[dict[str, Any]]:
+def _told(
+    case: Case, problem: Problem, order: Sequence[str], label: tuple[int, ...]
+) -> Iterator[dict[str, Any]]:
     yield {
         "label": ".".join(map(str, label)),
         "given": None if case.given is None else vanishing(case.given, problem),
         "moves": _moves(case, problem),
         "split": [vanishing(part, problem) for part in case.split],
         "against": None if case.against is None else vanishing(case.against, problem),
-        "points": [_point(solution, problem) for solution in case.solutions],
+        "points": [_point(solution, problem, order) for solution in case.solutions],
     }
     for k, inner in enumerate(case.cases, 1):
-        yield from _told(inner, problem, (*label, k))
+        yield from _told(inner, problem, order, (*label, k))
 
 
 def _moves(case: Case, problem: Problem) -> list[dict[str, Any]]:
+    """Each with `given`: its equation is that of the case itself."""
     moves = [_move(move, problem) for move in case.moves]
-    first = case.moves[0] if case.moves else None
-    if first and first.rule == "linear" and case.given is not None and moves[0]["value"] is not None:
-        given = vanishing(case.given, problem)
-        if moves[0]["equation"] == given:
-            moves[0]["own"] = moves[0]["chain"] == given or moves[0]["chain"] == given[::-1]
-            moves[0]["given"] = True
+    if moves and case.given is not None:
+        moves[0]["given"] = moves[0]["equation"] == vanishing(case.given, problem)
     return moves
 
 
@@ -48,20 +47,22 @@ def _move(move: Move, problem: Problem) -> dict[str, Any]:
     symbol: Expr = Symbol(move.variable) if move.variable else number(0)
     left = Power(symbol, number(2)) if move.rule == "square" else symbol
     value = None if move.value is None else written(move.value, problem)
+    equation = None if move.equation is None else vanishing(move.equation, problem)
     return {
         "rule": move.rule,
-        "equation": None if move.equation is None else vanishing(move.equation, problem),
+        "equation": equation,
         "variable": symbol,
         "value": value,
         "chain": None if value is None else (left, value),
         "left": [vanishing(each, problem) for each in move.left],
-        "own": False,
+        "own": (left, value) in (equation, equation[::-1]) if equation else False,  # nothing to say
         "given": False,
     }
 
 
-def _point(solution: Solution, problem: Problem) -> list[tuple[Expr, Expr]]:
-    return [(Symbol(name), written(value, problem)) for name, value in solution.values.items()]
+def _point(solution: Solution, problem: Problem, order: Sequence[str]) -> list[tuple[Expr, Expr]]:
+    known = [(name, solution.values[name]) for name in order if name in solution.values]
+    return [(Symbol(name), written(value, problem)) for name, value in known]
 
 
 def divided_by(case: Case, problem: Problem) -> list[Expr]:
@@ -92,5 +93,3 @@ def _all(case: Case) -> Iterator[Case]:
 def is_enclosed(solutions: Sequence[Solution]) -> bool:
     """Whether any value is known only within a ball."""
     return any(isinstance(value, arb) for each in solutions for value in each.values.values())
-
-

@@ -10,7 +10,8 @@ from flint import arb
 from derive.algebra import numeric
 from derive.algebra.function import Function
 from derive.algebra.normal import normal
-from derive.algebra.polynomial_systems import put_in
+from derive.algebra.polynomial_systems import Value, put_in
+from derive.algebra.polynomials import known_sign, odd_part
 from derive.algebra.scalar import Scalar
 from derive.algebra.text import text
 from derive.derivation import Branch, Claim, Derivation, Step, Table
@@ -20,18 +21,17 @@ from derive.expression import (
     Call,
     Derivative,
     Expr,
+    Sum,
     Symbol,
     add,
     multiply,
     negate,
-    number,
-    subtract,
 )
 from derive.kinds.checks import SECOND_ROUTE, law, links, random_points
 from derive.kinds.function._extremes import extremes, reach
 from derive.kinds.function._naming import function_name, multiplier_names
 from derive.kinds.function._newton import NEAR, stationary
-from derive.kinds.function._stationary import Point, Task, bordered_hessian, points
+from derive.kinds.function._stationary import Point, Task, bordered_hessian, patterns, points
 from derive.kinds.function._telling import divided_by, is_enclosed, told
 from derive.kinds.function._writing import written
 from derive.kinds.problem import Problem
@@ -44,6 +44,7 @@ WORDS = {
     "singular": "singular point of the constraints",
 }  # fmt: skip
 GLOBAL = {"maximum": "global maximum", "minimum": "global minimum", "both": "global maximum and minimum"}
+COUNTS = ("", "one", "two", "three", "four", "five", "six", *map(str, range(7, 21)))
 LARGEST_SEARCH = 5  # unknowns with which Newton's method is cheap
 
 
@@ -57,7 +58,9 @@ def worked(kind: str, function: Function, problem: Problem) -> Derivation:
     case = task.candidates()
     found = points(task, case)
     limits = reach(task)
-    said = [_said(p, e, problem, task) for p, e in zip(found, extremes(found, limits, task.positive), strict=True)]
+    said = [
+        _said(p, e, problem, task) for p, e in zip(found, extremes(found, limits, task.positive), strict=True)
+    ]
     goal = LAMBDA if multipliers else name
     definitions: dict[Expr, Expr] = {name: function.values[0], goal: _lagrange(function, multipliers, name)}
     definitions[name] = function.values[0]
@@ -78,12 +81,13 @@ def worked(kind: str, function: Function, problem: Problem) -> Derivation:
         "determinants": [(*step.chain, ZERO) for step in steps if step.rule == "dependent"],
         "name": name, "goal": goal, "zero": ZERO, "multipliers": multipliers,
         "constraints": [(c.left, c.right) for c in function.constraints],
-        "variables": tuple(map(Symbol, function.variables)), "cases": told(case, problem),
+        "variables": tuple(map(Symbol, function.variables)), "cases": told(case, problem, function.variables),
         "table": _table(found, said, name, task, problem), "limits": limits, "count": len(found),
         "minors": len(function.variables) - len(function.constraints), "nonzero": divided_by(case, problem),
-        "enclosed": is_enclosed([p.solution for p in found]), "singular": any(p.kind == "singular" for p in found),
-        "free": [Symbol(each) for p in found for each in p.solution.free][:1], "numbers": (),
-        "odd": len(function.constraints) % 2 == 1, "sign": number((-1) ** len(function.constraints)),
+        "enclosed": is_enclosed([p.solution for p in found]),
+        "singular": any(p.kind == "singular" for p in found),
+        "count_word": COUNTS[len(function.variables)],
+        "odd": len(function.constraints) % 2 == 1,
         "global": [each for each in said if each.startswith("global")], **_values(found, said, problem),
     }  # fmt: skip
     return Derivation(kind, steps, {"solutions": solutions}, claims, definitions, facts=facts)
@@ -104,9 +108,10 @@ def _lagrange(function: Function, multipliers: Sequence[Symbol], name: Symbol) -
     """f - lambda (g - c), as the author wrote f, g and c."""
     parts = [function.values[0]]
     for multiplier, c in zip(multipliers, function.constraints, strict=True):
-        difference = c.left if c.right == ZERO else subtract(c.left, c.right)
+        terms = c.left.terms if isinstance(c.left, Sum) else (c.left,)
+        difference = c.left if c.right == ZERO else add(*terms, negate(c.right))
         parts.append(negate(multiply(multiplier, difference)))
-    return add(*parts)
+    return add(*(term for part in parts for term in (part.terms if isinstance(part, Sum) else (part,))))
 
 
 def _partials(problem: Problem, of: Expr, goal: Symbol, names: Sequence[str]) -> Iterator[Step]:
@@ -138,16 +143,28 @@ def _said(point: Point, extreme: str, problem: Problem, task: Task) -> str:
     if extreme:
         said = GLOBAL[extreme] + (f", {WORDS['singular']}" if point.kind == "singular" else "")
     needs = [text(problem.readable(each)) for each in point.solution.real_if]
-    return said + "".join(f", if {each} > 0" for each in needs)
+    return said + "".join(f", if {each} >= 0" for each in needs)
 
 
 def _conditional(point: Point, problem: Problem, task: Task) -> str:
-    """Where the parameters decide: by the sign of the only minor."""
-    (minor, *more) = point.minors
-    if more or isinstance(minor, arb):
-        return "maximum, minimum or saddle point depending on the parameters"
-    value = text(problem.readable(minor if len(task.g) % 2 == 0 else -minor))
-    return f"minimum if {value} > 0, maximum if {value} < 0"
+    """Where the parameters decide: by the signs of the minors."""
+    found = []
+    for kind, wanted in patterns(len(task.g), len(point.minors)).items():
+        needs = [_need(v, sign, problem, task) for v, sign in zip(point.minors, wanted, strict=True)]
+        if all(need is not None for need in needs):
+            found.append(f"local {kind} if " + " and ".join(dict.fromkeys(n for n in needs if n)))
+    return ", ".join(found)
+
+
+def _need(minor: Value, sign: int, problem: Problem, task: Task) -> str | None:
+    """The condition for a minor to have this sign: "" where it has, None where it cannot."""
+    if isinstance(minor, arb):
+        return "" if (minor > 0) == (sign > 0) else None
+    known = known_sign(minor, task.positive)
+    if known is not None:
+        return "" if known == sign else None
+    value = odd_part(minor, task.positive)
+    return f"{text(problem.readable(value))} {'>' if sign > 0 else '<'} 0"
 
 
 def _branch(point: Point, when: str, name: Symbol, task: Task, problem: Problem) -> Branch:
@@ -227,5 +244,3 @@ def _numbers(point: Point, task: Task, known: Mapping[str, float]) -> list[float
 def _near(theirs: Sequence[float], ours: Sequence[float]) -> bool:
     pairs = zip(theirs, ours, strict=False)
     return len(theirs) == len(ours) and all(abs(a - b) < 100 * NEAR * (1 + abs(b)) for a, b in pairs)
-
-

@@ -7,7 +7,7 @@ from flint import arb
 from derive.algebra.operations import operations
 from derive.algebra.polynomial_systems import Value
 from derive.algebra.polynomials import monomials
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.scalar import Scalar, as_fraction, fraction
 from derive.expression import ZERO, Approximate, Expr, Quotient, negate
 from derive.kinds.problem import Problem
 
@@ -18,10 +18,24 @@ def written(value: Value, problem: Problem) -> Expr:
         return Approximate(float(value.mid()))
     forms = [problem.readable(value)]
     if value.denominator is not None:
-        for root in value.ring.roots:
-            if root.name in value.generators():
-                forms += _over_root(value, Scalar(value.ring, value.ring.gen(root.name)), problem)
+        plain = _roots_above(value)
+        forms.append(problem.readable(plain))
+        for root in plain.ring.roots:
+            if root.name in plain.generators():
+                forms += _over_root(plain, Scalar(plain.ring, plain.ring.gen(root.name)), problem)
     return min(forms, key=operations)
+
+
+def _roots_above(value: Scalar) -> Scalar:
+    """With no root below the line: both parts times the conjugate of the denominator."""
+    home = value.ring
+    for place, root in enumerate(home.roots):
+        bottom = value.denominator
+        along = None if bottom is None else bottom.derivative(place)
+        if bottom is not None and along != 0:
+            conjugate = bottom - 2 * along * home.gen(root.name)
+            value = fraction(home, value.numerator * conjugate, home.reduce(bottom * conjugate))
+    return value
 
 
 def _over_root(value: Scalar, root: Scalar, problem: Problem) -> list[Expr]:

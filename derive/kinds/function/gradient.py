@@ -40,7 +40,8 @@ def derive(function: Function, options: Options, problem: Problem) -> Derivation
     result = problem.final(column(step.result for step in partials))
     definitions: dict[Expr, Expr] = {name: value}
     claims = (*links(steps, {**problem.names, **definitions}), _second_route(function, problem, steps))
-    facts = {"nabla": Product((Symbol("nabla"), name)), "name": name}
+    nabla = Product((Symbol("nabla"), name))
+    facts = {"nabla": nabla, "name": name, "page_names": {"gradient": nabla}}
     return Derivation("gradient", steps, {"gradient": result}, claims, definitions, facts=facts)
 
 

@@ -43,5 +43,3 @@ def derive(function: Function, options: Options, problem: Problem) -> Derivation
         agrees("H agrees with differences of the gradient", problem, [e for r in H.rows for e in r], pairs),
     )
     return Derivation("hessian", steps, {"H": problem.final(H)}, claims, definitions, uses=(gradient,))
-
-

@@ -62,8 +62,11 @@ def _determinant(options: Options, problem: Problem, J: Matrix) -> Iterator[Step
         return
     rows, columns = J.shape
     if rows != columns or rows > MOST_SQUARE:
-        raise NotDerivable(f"this Jacobian is {rows} by {columns}: only a square one has a determinant"
-                           if rows != columns else f"a determinant of {rows} rows is not worked out here")
+        raise NotDerivable(
+            f"this Jacobian is {rows} by {columns}: only a square one has a determinant"
+            if rows != columns
+            else f"a determinant of {rows} rows is not worked out here"
+        )
     from derive.algebra.normal import normal
 
     det = Call("det", (Symbol("J"),))

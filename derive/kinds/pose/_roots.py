@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from math import lcm
+
 from derive.algebra.kernels import root
 from derive.algebra.normal import normal
-from derive.algebra.scalar import Scalar
-from derive.expression import Call, Expr, Product, Quotient, multiply, sqrt
+from derive.algebra.scalar import Scalar, as_fraction
+from derive.expression import Call, Expr, Product, Quotient, multiply, number, sqrt
 from derive.kinds.problem import Problem
 
 
@@ -16,11 +18,12 @@ def size(square: Scalar, problem: Problem) -> Expr:
 
 
 def over(part: Scalar, square: Scalar, problem: Problem) -> Expr:
-    """A number divided by the root of another."""
+    """A number divided by the root of another; its own denominator stands before the root."""
     taken = root(square)
-    if is_plain(taken):
+    if is_plain(taken) or not part:
         return problem.readable(part / taken)
-    return Quotient(problem.readable(part), size(square, problem)) if part else problem.readable(part)
+    below = lcm(*(as_fraction(each).denominator for each in part.numerator.coeffs()))
+    return Quotient(problem.readable(part * below), multiply(number(below), size(square, problem)))
 
 
 def shortened(expr: Expr, problem: Problem) -> Expr:
@@ -34,5 +37,5 @@ def shortened(expr: Expr, problem: Problem) -> Expr:
 
 
 def is_plain(value: Scalar) -> bool:
-    """Whether no root stands for the root of an expression."""
-    return not any(name.startswith(("sqrt((", "abs(")) for name in value.generators())
+    """Whether no root stands for the root of an expression; a size |x| may be left."""
+    return not any(name.startswith("sqrt((") for name in value.generators())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
@@ -21,7 +21,6 @@ from derive.expression import (
     column,
     cos,
     number,
-    replace,
     sin,
     sqrt,
     squared,
@@ -38,7 +37,10 @@ from derive.kinds.pose._rotation import Rotation, rotation_of
 from derive.kinds.problem import Problem
 from derive.mechanics.motion import Move
 
-RESULTS = {"angle": "the angle, from 0 to pi", "axis": "the unit vector along the axis; any where nothing is turned"}
+RESULTS = {
+    "angle": "the angle, from 0 to pi",
+    "axis": "the unit vector along the axis; any where nothing is turned",
+}
 EXAMPLE = """\
 title: In a single turn
 problems:
@@ -82,14 +84,11 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     names = _names(problem)
     if R.matrix == ScalarMatrix.identity(3):
         return _nothing(given, names)
-    half = R.numeric and R.matrix == R.matrix.T
+    half = R.matrix == R.matrix.T
     steps = _half_turn(R, names, problem) if half else _general(R, names, problem)
-    angle, axis = steps[-2].chain[-1], _column(steps[-1])
-    turn = _turn(R, names)
-    results: dict[str, Expr] = {
-        "angle": replace(replace(angle, turn), R.entries),
-        "axis": column(replace(entry, turn) for (entry,) in axis.rows),
-    }
+    told = half or R.short
+    angle, axis = (steps[-2].result, _column(steps[-1])) if told else _value(R, problem)[1:]
+    results: dict[str, Expr] = {"angle": angle, "axis": axis}
     facts = {
         "rotation": given.rotation,
         "numeric": R.numeric,
@@ -131,24 +130,32 @@ def _general(R: Rotation, names: _Names, problem: Problem) -> tuple[Step, ...]:
     cosine_of = add(*(Symbol(f"r_{i}{i}") for i in (1, 2, 3)), number(-1))
     angle: tuple[Expr, ...] = (names.angle, atan2(size, cosine_of))
     axis: tuple[Expr, ...] = (names.axis, Quotient(names.turn, size))
-    if not R.numeric:
-        differences = ScalarMatrix.column([R.value(plus) - R.value(minus) for plus, minus in DIFFERENCES])
-        shown = (problem.readable_matrix(differences),) if R.short else ()
-        chain = (names.turn, w, *shown)
-        unit = column(Quotient(names.component(each), size) for each in "xyz")
-        return Step("w", chain), Step("angle", angle), Step("axis", (*axis, unit))
-    vector = ScalarMatrix.column([R.value(plus) - R.value(minus) for plus, minus in DIFFERENCES])
-    square = sum((part * part for part in vector.entries), Scalar.of(0))
-    cosine = sum((R.matrix[i, i] for i in range(3)), Scalar.of(-1))
-    filled = atan2(length_of(square, problem), problem.readable(cosine))
-    exact = known_angle(filled, problem)
-    angle = (*angle, filled, exact) if exact != filled else (*angle, filled)
-    unit_vector = column(over(part, square, problem) for part in vector.entries)
+    if not R.short:
+        return Step("w", (names.turn, w)), Step("angle", angle), Step("axis", axis)
+    value = _value(R, problem)
+    exact = known_angle(value.angle, problem) if R.numeric else value.angle
+    angle = (*angle, value.angle, exact) if exact != value.angle else (*angle, value.angle)
     return (
-        Step("w", (names.turn, w, problem.readable_matrix(vector))),
+        Step("w", (names.turn, w, problem.readable_matrix(value.turn))),
         Step("angle", angle),
-        Step("axis", (*axis, unit_vector)),
+        Step("axis", (*axis, value.axis)),
     )
+
+
+class _Value(NamedTuple):
+    """w in normal form, the angle and the axis as trees, in the symbols of R."""
+
+    turn: ScalarMatrix
+    angle: Expr
+    axis: Matrix
+
+
+def _value(R: Rotation, problem: Problem) -> _Value:
+    turn = ScalarMatrix.column([R.value(plus) - R.value(minus) for plus, minus in DIFFERENCES])
+    square = sum((part * part for part in turn.entries), Scalar.of(0))
+    cosine = sum((R.matrix[i, i] for i in range(3)), Scalar.of(-1))
+    angle = atan2(length_of(square, problem), problem.readable(cosine))
+    return _Value(turn, angle, column(over(part, square, problem) for part in turn.entries))
 
 
 def _half_turn(R: Rotation, names: _Names, problem: Problem) -> tuple[Step, ...]:
@@ -165,17 +172,14 @@ def _half_turn(R: Rotation, names: _Names, problem: Problem) -> tuple[Step, ...]
     )
 
 
-def _turn(R: Rotation, names: _Names) -> dict[Expr, Expr]:
-    """w_x, w_y, w_z by the entries of R."""
-    return {
-        names.component(axis): subtract(R.entries[Symbol(plus)], R.entries[Symbol(minus)])
-        for axis, (plus, minus) in zip("xyz", DIFFERENCES, strict=True)
-    }
-
-
 def _links(steps: tuple[Step, ...], R: Rotation, names: _Names) -> tuple[Claim, ...]:
     """The vector w entry by entry; the axis; an angle is checked by its second route."""
-    known = {**R.entries, **_turn(R, names), names.axis: steps[-1].result}
+    pairs = zip("xyz", DIFFERENCES, strict=True)
+    known: dict[Expr, Expr] = {
+        names.component(axis): subtract(R.entries[Symbol(plus)], R.entries[Symbol(minus)])
+        for axis, (plus, minus) in pairs
+    }
+    known |= {**R.entries, names.axis: steps[-1].result}
     known[names.turn] = column(known[names.component(axis)] for axis in "xyz")
     return links((step for step in steps if step.name in ("w", "axis") and len(step.chain) > 2), known)
 

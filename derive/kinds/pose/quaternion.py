@@ -19,7 +19,6 @@ from derive.expression import (
     column,
     multiply,
     number,
-    replace,
     sqrt,
     subtract,
 )
@@ -56,11 +55,7 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     name = free_name(problem, "q", "h", "q_r")
     scalar = Symbol(f"{name.name}_0")
     steps = _half_turn(R, name, scalar, problem) if half else _general(R, square, name, scalar, problem)
-    q = (
-        replace(replace(steps[-1].result, {scalar: steps[0].result}), R.entries)
-        if not half
-        else steps[-1].result
-    )
+    q = steps[-1].result if half else _value(R, square, problem)
     claim = _second_route(given, problem, {"q": q})
     facts = {"rotation": given.rotation, "half": half, "scalar": scalar}
     definitions: dict[Expr, Expr] = {**R.entries, name: q}
@@ -73,12 +68,16 @@ def _general(R: Rotation, square: Scalar, name: Symbol, scalar: Symbol, problem:
     differences = [subtract(Symbol(plus), Symbol(minus)) for plus, minus in DIFFERENCES]
     quotients = [Quotient(each, Product((number(4), scalar))) for each in differences]
     formula = column((scalar, *quotients))
-    if not R.numeric:
+    if not R.short:
         return Step("q_0", root_of), Step("q", (name, formula))
+    value = _value(R, square, problem)
+    return Step("q_0", (*root_of, value.rows[0][0])), Step("q", (name, formula, value))
+
+
+def _value(R: Rotation, square: Scalar, problem: Problem) -> Matrix:
+    """The quaternion in the symbols of R, `square` that of its scalar part."""
     parts = [(R.value(plus) - R.value(minus)) / 4 for plus, minus in DIFFERENCES]
-    first = size(square, problem)
-    value = column((first, *(over(part, square, problem) for part in parts)))
-    return Step("q_0", (*root_of, first)), Step("q", (name, formula, value))
+    return column((size(square, problem), *(over(part, square, problem) for part in parts)))
 
 
 def _half_turn(R: Rotation, name: Symbol, scalar: Symbol, problem: Problem) -> tuple[Step, ...]:

@@ -23,7 +23,7 @@ from derive.expression import (
 from derive.expression import add as plus
 from derive.expression import replace as replaced
 from derive.kinds.problem import Problem
-from derive.kinds.profile._working import Working, named
+from derive.kinds.working import Working, named
 from derive.mechanics.profile import Axis
 
 T_1, T_2, T_M, V, A = symbols("t_1 t_2 t_m v a")

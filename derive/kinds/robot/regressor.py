@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from derive.algebra import numeric
-from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import normal, normal_matrix
+from derive.algebra.normal import normal_matrix
 from derive.algebra.operations import operations
+from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Step, Table, named_results
-from derive.expression import Expr, Indexed, Matrix, Product, Sum, Symbol, add, children, column, multiply
+from derive.expression import Expr, Indexed, Matrix, Product, Symbol, add, children, column, multiply
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -20,7 +20,7 @@ from derive.mechanics.robot import Robot
 
 RESULTS = {
     "Y": "the regressor of all parameters that act (n by p): tau = Y parameters",
-    "parameters": "their values (p): of each link ZZ, XX, XY, XZ, YZ, MX, MY, YY, MZ, M, then IA, FV, FS",
+    "parameters": "their values (p): of each link ZZ, XX, XY, XZ, YZ, MX, MY, YY, MZ, M, IA; then FV, FS",
     "Y_b": "the regressor of the smallest set (n by b): tau = Y_b base_parameters",
     "base_parameters": "the values of the smallest set (b)",
 }
@@ -35,7 +35,8 @@ problems:
     - {theta: theta2*, d: 0, a: l2, alpha: 0, mass: m2, com: [l_c2 - l2, 0, 0], inertia: [0, 0, I2]}
   find: regressor
 """
-LONGEST_COLUMN = 24  # operations of a column of Y that is still shown
+LONGEST_COLUMN = 30  # operations of a column of Y that is still shown
+MOST_LISTED = 20  # parameters
 
 
 class Options(OptionsModel):
@@ -44,45 +45,112 @@ class Options(OptionsModel):
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """tau = Y(q, qdot, qddot) Theta (Spong et al., section 6.5.3; Khalil and Dombre, section 9.4)."""
-    motion = problem.ask("dynamics")
-    named = moment_names(problem.ask("inertia-matrix"))
+    inertia = problem.ask("inertia-matrix")
+    named, big = moment_names(inertia), bool(inertia.facts["big"])
     parameters = standard_parameters(problem)
     made_of = dependent(problem, parameters)
     base = base_parameters(parameters, made_of)
-    values = {part.name: _value(problem, part.value, named) for part in parameters}
+    values = {part.name: _final(problem, part.value, named) for part in parameters}
     gathered = tuple(_gathered(problem, each, named) for each in base)
     lost = tuple(_lost(problem, parameters, j, weights) for j, weights in made_of.items())
-    shown = _columns(problem, base)
+    columns = {each.name: problem.readable_matrix(each.column) for each in base}
+    shown = () if big else _columns(columns)
     results: dict[str, Expr] = {
-        "Y": _beside(problem, [part.column for part in parameters], named),
+        "Y": _beside([problem.readable_matrix(part.column) for part in parameters]),
         "parameters": column(values.values()),
-        "Y_b": _beside(problem, [each.column for each in base], named),
+        "Y_b": _beside(list(columns.values())),
         "base_parameters": column(step.result for step in gathered),
     }
-    steps = (*lost, *gathered, *shown)
-    definitions: dict[Expr, Expr] = {**values, **named_results(gathered)}
-    definitions |= {_y(part.name): problem.readable_matrix(part.column) for part in parameters} if shown else {}
+    results = {name: problem.final(value) for name, value in results.items()}
+    definitions: dict[Expr, Expr] = {name: value for name, value in values.items()}
+    definitions |= named_results(gathered)
+    definitions |= {_y(part.name): problem.readable_matrix(part.column) for part in parameters}
     claims = (
-        *links(steps if shown else gathered, {**problem.names, **definitions, **named}),
-        *(_laws(motion, results) if shown else ()),
-        *_second_route(problem, results),
+        *links(gathered if big else (*lost, *gathered), {**problem.names, **definitions, **named}),
+        *(() if big else _laws(problem, results)),
+        *_second_routes(problem, results),
     )
     return Derivation(
         "regressor",
-        steps,
+        (*lost, *gathered, *shown),
         results,
         claims,
         definitions,
-        uses=(motion,),
         facts={
-            "table": Table(("parameter", "value"), tuple(values.items())) if len(values) <= 20 else None,
+            "table": _table(values),
             "all": len(parameters),
             "smallest": len(base),
-            "shown": bool(shown),
+            "rotors": any(part.name.base == "IA" for part in parameters),
+            "friction": any(part.name.base in ("FV", "FS") for part in parameters),
         },
         matrices=frozenset({"Y", "Y_b"}),
     )
 
 
-def _value(problem: Problem, value: object, named: Mapping[Expr, Expr]) -> Expr:
-    raise NotImplementedError
+def _final(problem: Problem, value: Scalar, named: Mapping[Expr, Expr]) -> Expr:
+    return problem.final(problem.readable(value), named)
+
+
+def _y(name: Indexed) -> Indexed:
+    """The column of a parameter."""
+    return Indexed("y", (name,))
+
+
+def _gathered(problem: Problem, each: Base, named: Mapping[Expr, Expr]) -> Step:
+    """Theta_1 = ZZ_1 + a1^2 M_2 = its value."""
+    sum_of = add(*(multiply(problem.readable(weight), name) for name, weight in each.parts))
+    return Step(each.name.name, (each.name, sum_of, _final(problem, each.value, named)), "base-parameter")
+
+
+def _lost(
+    problem: Problem, parameters: Sequence[Standard], j: int, weights: Mapping[int, Scalar]
+) -> Step:
+    """y_M2 = a1^2 y_ZZ1 + a1 y_MX1."""
+    name = _y(parameters[j].name)
+    terms = (multiply(problem.readable(weight), _y(parameters[i].name)) for i, weight in weights.items())
+    return Step(f"y_{j + 1}_dependent", (name, add(*terms)), "dependent")
+
+
+def _columns(columns: Mapping[Symbol, Matrix]) -> tuple[Step, ...]:
+    """The columns of Y_b, none where one of them is long."""
+    if any(sum(map(operations, children(value))) > LONGEST_COLUMN for value in columns.values()):
+        return ()
+    named = ((Symbol(f"y_{k}"), value) for k, value in enumerate(columns.values(), 1))
+    return tuple(Step(name.name, (name, value), "column") for name, value in named)
+
+
+def _beside(columns: Sequence[Matrix]) -> Matrix:
+    return Matrix(tuple(zip(*(children(each) for each in columns), strict=True)))
+
+
+def _table(values: Mapping[Indexed, Expr]) -> Table | None:
+    """Every parameter and its value, where they are not too many."""
+    return Table(("parameter", "value"), tuple(values.items())) if len(values) <= MOST_LISTED else None
+
+
+def _laws(problem: Problem, results: Mapping[str, Expr]) -> tuple[Claim, ...]:
+    """Both products are tau."""
+    tau = normal_matrix(matrix_of(problem.ask("dynamics"), "tau"))
+    pairs = (("Y", "parameters"), ("Y_b", "base_parameters"))
+    return tuple(
+        law(f"tau = {Y} {theta}", normal_matrix(Product((results[Y], results[theta]))) == tau)
+        for Y, theta in pairs
+    )
+
+
+def _second_routes(problem: Problem, results: Mapping[str, Expr]) -> tuple[Claim, ...]:
+    """Both products against Newton and Euler."""
+    arm = oracle_of(problem)
+
+    def product(Y: str, theta: str) -> Claim:
+        def ours(at: Mapping[str, float]) -> list[float]:
+            import numpy as np
+
+            whole = arm.at(at)
+            found = np.array(numeric.numbers(results[Y], whole)) @ numeric.numbers(results[theta], whole)
+            return [float(entry) for entry in found]
+
+        claim = f"{Y} {theta} agrees with the motion of each body (Newton-Euler)"
+        return agreement(claim, rated(problem), ours, arm.torques)
+
+    return product("Y", "parameters"), product("Y_b", "base_parameters")

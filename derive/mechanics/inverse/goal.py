@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
+from math import atan2
+from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import trig_of
@@ -19,14 +21,28 @@ AXES = "xyz"
 class Goal:
     """The known pose of the end-effector in the base, each part None where it is not known.
 
-    `p` holds None for a coordinate that is not known. `angle` is the name of an angle given in the plane.
-    `meanings` says what each given name stands for, in the joint variables.
+    `p` holds None for a coordinate that is not known. `places` says which entry of T each name stands for;
+    `angle` is the name of an angle given in the plane of two base axes, from the first to the axis of the
+    end-effector that is column `plane[2]` of R.
     """
 
     p: tuple[Scalar | None, ...]
     R: ScalarMatrix | None
-    names: tuple[str, ...]
+    places: Mapping[str, tuple[int, int]]
     angle: str | None = None
+    plane: tuple[int, int, int] = (0, 1, 0)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return (*self.places, self.angle) if self.angle else tuple(self.places)
+
+    def numbers(self, T: Any) -> dict[str, float]:
+        """What is given, at a pose in floats (4 by 4)."""
+        found = {name: float(T[i][j]) for name, (i, j) in self.places.items()}
+        if self.angle:
+            first, second, column = self.plane
+            found[self.angle] = atan2(T[second][column], T[first][column])
+        return found
 
     @property
     def whole_position(self) -> bool:
@@ -44,7 +60,7 @@ class Goal:
 
 def of_pose() -> Goal:
     """Everything: r11 ... r33, x, y, z."""
-    return Goal(tuple(map(Scalar.symbol, AXES)), _rotation(), (*_entries(), *AXES))
+    return Goal(tuple(map(Scalar.symbol, AXES)), _rotation(), {**_entries(), **_coordinates(AXES, (0, 1, 2))})
 
 
 def of_orientation() -> Goal:
@@ -86,7 +102,7 @@ def _position(
     known: list[Scalar | None] = [None if k in varying else p[k] for k in range(3)]
     for place, name in zip(places, given, strict=True):
         known[place] = Scalar.symbol(name)
-    return Goal(tuple(known), None, tuple(given))
+    return Goal(tuple(known), None, _coordinates(given, places))
 
 
 def _in_plane(
@@ -99,8 +115,9 @@ def _in_plane(
             f"{given[-1]} would be the angle of the end-effector in a plane, but it turns about more than one axis"
         )
     goal = _position(position_part(T).entries, given[:-1], places, varying)
-    R = _turned(rotation_part(T), given[-1], turn, variables)
-    return Goal(goal.p, R, tuple(given), given[-1])
+    first, second = (k for k in range(3) if k != turn)
+    plane = (first, second, reference_column(rotation_part(T), turn))
+    return Goal(goal.p, _turned(rotation_part(T), given[-1], plane), goal.places, given[-1], plane)
 
 
 def _turn(R: ScalarMatrix, variables: Sequence[str]) -> int | None:
@@ -109,19 +126,15 @@ def _turn(R: ScalarMatrix, variables: Sequence[str]) -> int | None:
     return fixed[0] if len(fixed) == 1 else None
 
 
-def _turned(R: ScalarMatrix, name: str, turn: int, variables: Sequence[str]) -> ScalarMatrix:
-    """R by the angle from the first other base axis to the end-effector's axis in the plane."""
-    column = reference_column(R, turn)
-    first, second = (k for k in range(3) if k != turn)
+def _turned(R: ScalarMatrix, name: str, plane: tuple[int, int, int]) -> ScalarMatrix:
+    """R by the angle from the first axis of the plane to the end-effector's axis in it."""
+    first, second, column = plane
     here, there = R[first, column], R[second, column]
     c, s = trig_of(Scalar.symbol(name))
     cosine, sine = c * here + s * there, s * here - c * there  # of the angle still to turn
-    rows: list[list[Scalar]] = [[], [], []]
-    for j in range(3):
-        a, b = R[first, j], R[second, j]
-        rows[first].append(cosine * a - sine * b)
-        rows[second].append(sine * a + cosine * b)
-        rows[turn].append(R[turn, j])
+    rows = list(R.rows)
+    rows[first] = tuple(cosine * a - sine * b for a, b in zip(R.rows[first], R.rows[second], strict=True))
+    rows[second] = tuple(sine * a + cosine * b for a, b in zip(R.rows[first], R.rows[second], strict=True))
     return ScalarMatrix.of(rows)
 
 
@@ -134,5 +147,9 @@ def _rotation() -> ScalarMatrix:
     return ScalarMatrix.of([[Scalar.symbol(f"r{i}{j}") for j in (1, 2, 3)] for i in (1, 2, 3)])
 
 
-def _entries() -> tuple[str, ...]:
-    return tuple(f"r{i}{j}" for i, j in product((1, 2, 3), repeat=2))
+def _entries() -> dict[str, tuple[int, int]]:
+    return {f"r{i + 1}{j + 1}": (i, j) for i, j in product(range(3), repeat=2)}
+
+
+def _coordinates(names: Sequence[str], places: Sequence[int]) -> dict[str, tuple[int, int]]:
+    return {name: (place, 3) for name, place in zip(names, places, strict=True)}

@@ -66,13 +66,15 @@ def build(given: Given, at: At, known: Known) -> Frames:
     faults: list[SheetError] = []
     frames: list[Frame] = []
     again: list[Frame] = []
+    count = 0
     for index, entry in enumerate(given):
-        second = entry.frame is not None and entry.frame <= len(frames)
+        second = entry.frame is not None and entry.frame <= count
+        count += not second
         try:
             if second:
-                again.append(_second(entry, len(frames), at / index, known))
+                again.append(_second(entry, count, at / index, known))
             else:
-                frames.append(_frame(entry, len(frames) + 1, at / index, known))
+                frames.append(_frame(entry, count, at / index, known))
         except SheetErrors as errors:
             faults.extend(errors.errors)
     if faults:

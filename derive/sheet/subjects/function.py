@@ -89,5 +89,3 @@ def _names(trees: list[Any], known: Known) -> set[str]:
         found |= ahead
         ahead = {n for name in ahead if name in known.where for n in free_symbols(known.where[name])} - found
     return found
-
-

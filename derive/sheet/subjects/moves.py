@@ -7,9 +7,11 @@ from typing import Annotated, Any, Literal, TypeAlias
 from pydantic import Discriminator, Tag, field_validator
 
 from derive.algebra.quantities import rational
+from derive.expression import Expr
 from derive.kinds.fields import Angle, Formula, Length, OptionsModel, StarredAngle, StarredLength
 from derive.mechanics.motion import Axis, Move
 from derive.sheet.faults import NO_FORM
+from derive.sheet.subjects.quaternions import turn_of
 
 Named: TypeAlias = Literal["x", "y", "z"]
 Vector: TypeAlias = tuple[Formula, Formula, Formula]
@@ -21,7 +23,7 @@ def _axis_form(value: Any) -> str:
 
 def _move_form(value: Any) -> str | None:
     keys = value if isinstance(value, dict) else vars(value) if isinstance(value, OptionsModel) else ()
-    return next((f"={move}" for move in ("translate", "rotate") if move in keys), None)
+    return next((f"={move}" for move in ("translate", "rotate", "quaternion") if move in keys), None)
 
 
 _BY_FORM = Discriminator(
@@ -73,6 +75,23 @@ class TranslateAbout(Translate, About):
     """A translation along a world or current axis."""
 
 
+class Quaternion(OptionsModel):
+    """A turn given by a quaternion, scalar part first."""
+
+    quaternion: tuple[Formula, Formula, Formula, Formula]
+
+    @field_validator("quaternion")
+    @classmethod
+    def _has_length(cls, parts: tuple[Expr, Expr, Expr, Expr]) -> tuple[Expr, Expr, Expr, Expr]:
+        if all(rational(part) == 0 for part in parts):
+            raise ValueError("a quaternion of zeros turns nothing into nothing")
+        return parts
+
+
+class QuaternionAbout(Quaternion, About):
+    """A turn by a quaternion in the axes of the world or the current ones."""
+
+
 class RotateJoint(_Along):
     """A rotation that may be a joint's."""
 
@@ -88,10 +107,15 @@ class TranslateJoint(_Along):
 
 
 MoveField: TypeAlias = Annotated[
-    Annotated[Rotate, Tag("=rotate")] | Annotated[Translate, Tag("=translate")], _BY_FORM
+    Annotated[Rotate, Tag("=rotate")]
+    | Annotated[Translate, Tag("=translate")]
+    | Annotated[Quaternion, Tag("=quaternion")],
+    _BY_FORM,
 ]
 MoveAboutField: TypeAlias = Annotated[
-    Annotated[RotateAbout, Tag("=rotate")] | Annotated[TranslateAbout, Tag("=translate")],
+    Annotated[RotateAbout, Tag("=rotate")]
+    | Annotated[TranslateAbout, Tag("=translate")]
+    | Annotated[QuaternionAbout, Tag("=quaternion")],
     _BY_FORM,
 ]
 MoveJointField: TypeAlias = Annotated[
@@ -100,13 +124,16 @@ MoveJointField: TypeAlias = Annotated[
 ]
 
 
-def move(given: Rotate | Translate) -> Move:
+def move(given: Rotate | Translate | Quaternion) -> Move:
     """The move as a value."""
     about: Literal["world", "current"] = "current"
     if isinstance(given, About) and given.about != "current":
         about = "world"
     if isinstance(given, Rotate):
         return Move("rotate", given.rotate, given.by, about)
+    if isinstance(given, Quaternion):
+        axis, angle = turn_of(given.quaternion)
+        return Move("rotate", axis or "z", angle, about)
     return Move("translate", given.translate, given.by, about)
 
 

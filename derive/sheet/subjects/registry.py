@@ -10,7 +10,7 @@ from types import ModuleType
 
 from derive.expression import Expr
 
-NOT_SUBJECTS = frozenset({"__init__", "registry", "moves", "link", "screws"})
+NOT_SUBJECTS = frozenset({"__init__", "registry", "moves", "link", "screws", "quaternions"})
 
 
 @dataclass(frozen=True, slots=True)

@@ -38,8 +38,9 @@ class Working:
 
     @property
     def given(self) -> tuple[tuple[Expr, Expr], ...]:
-        """Names that stand for something typed, as chains."""
-        return tuple((name, value) for name, value in self.values.items() if name != value)
+        """Names that stand for something typed, as chains; those worked out are left out."""
+        worked = {Symbol(step.name) for step in self.steps}
+        return tuple((n, value) for n, value in self.values.items() if n != value and n not in worked)
 
     @property
     def definitions(self) -> dict[Expr, Expr]:

@@ -1,0 +1,109 @@
+"""The rows of a Jacobian that a question is about, and what they rest on."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.derivation import Derivation, Step
+from derive.errors import NotDerivable
+from derive.expression import Matrix, Symbol
+from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import chain_of, oracle_of
+from derive.kinds.robot._point import PointOn, Tracked, tracked
+from derive.mechanics.chain import Chain
+from derive.mechanics.jacobian import jacobian
+from derive.mechanics.task import ROWS, rows_of, task_rows
+
+RowName = Literal["vx", "vy", "vz", "wx", "wy", "wz"]
+
+
+@dataclass(frozen=True, slots=True)
+class Task:
+    """J (m by n): the rows asked for, or those the arm is built for, of the Jacobian of a point. `base`
+    is the derivation of the whole Jacobian."""
+
+    problem: Problem
+    found: Chain
+    point: Tracked
+    rows: tuple[str, ...]
+    J: ScalarMatrix
+    base: Derivation
+
+    @property
+    def square(self) -> bool:
+        return self.J.shape[0] == self.J.shape[1]
+
+    @property
+    def redundant(self) -> bool:
+        """More joints than velocities to be commanded."""
+        return self.J.shape[0] < self.J.shape[1]
+
+    @property
+    def written(self) -> Matrix:
+        return self.problem.readable_matrix(self.J)
+
+    @property
+    def step(self) -> Step:
+        return Step("J", (Symbol("J"), self.written), "rows")
+
+    @property
+    def velocities(self) -> tuple[Symbol, ...]:
+        """vx, vy, ..., wz of the rows, by the names an author gives their values."""
+        return tuple(Symbol(row) for row in self.rows)
+
+    @property
+    def rates(self) -> tuple[Symbol, ...]:
+        return tuple(Symbol(f"{name}_dot") for name in self.found.variables)
+
+    @property
+    def symbols(self) -> frozenset[str]:
+        """Every name J depends on."""
+        return self.problem.symbols | {n for part in self.point.offset for n in _names(part)}
+
+    def numbers(self, at: Mapping[str, float]) -> Any:
+        """J in numbers by differences of the poses: the second route (an array, m by n)."""
+        import numpy as np
+
+        from derive.algebra.numeric import number
+
+        oracle = oracle_of(self.problem)
+        known = oracle.at(at)
+        whole = oracle.jacobian(known, self.point.frame, [number(part, known) for part in self.point.offset])
+        return np.array([whole[ROWS.index(row)] for row in self.rows])
+
+
+def task_of(problem: Problem, rows: tuple[str, ...], point: PointOn | None = None) -> Task:
+    """The task of a question. Raises NotDerivable for an arm without joints, and for rows given twice."""
+    found = chain_of(problem)
+    if not found.variables:
+        raise NotDerivable("the arm has no joint variable, so it has no Jacobian")
+    if len(set(rows)) < len(rows):
+        raise NotDerivable("a row is given twice")
+    where = tracked(problem, found, point)
+    J = jacobian(found, where.position, where.last)
+    chosen = rows or task_rows(J)
+    if not chosen:
+        raise NotDerivable("no joint moves this point")
+    return Task(problem, found, where, chosen, rows_of(J, chosen), jacobian_of(problem, point))
+
+
+def jacobian_of(problem: Problem, point: PointOn | None) -> Derivation:
+    """The Jacobian as another question of the problem asks it, so that it is not derived twice; else
+    the whole of it."""
+    for kind, options in problem.questions:
+        if kind == "jacobian" and _plain(options, point):
+            return problem.answer(kind, options)
+    return problem.ask("jacobian", point=point)
+
+
+def _plain(options: Any, point: PointOn | None) -> bool:
+    return bool(options.point == point and options.frame == "base" and options.kind == "geometric")
+
+
+def _names(tree: Any) -> frozenset[str]:
+    from derive.expression import free_symbols
+
+    return free_symbols(tree)

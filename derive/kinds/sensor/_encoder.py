@@ -1,0 +1,51 @@
+"""What an encoder counts in a turn, and the angle of one count."""
+
+from __future__ import annotations
+
+from derive.expression import ONE, PI, Expr, Power, Product, Quotient, Symbol, free_symbols, number, symbols
+from derive.kinds.problem import Problem
+from derive.kinds.working import Working, named
+from derive.mechanics.sensing import Absolute, Encoder, Incremental
+
+N, DELTA_M, DELTA = symbols("N Delta_m Delta")
+TURN = Product((number(2), PI))
+
+
+def counted(problem: Problem, encoder: Encoder) -> tuple[Working, Symbol | None]:
+    """The working up to the angle of one count, at the motor and at the link; and the name of the gear."""
+    values: dict[Expr, Expr] = {}
+    formula = _counts(encoder, values)
+    gear = None
+    if encoder.gear is not None:
+        gear = named("G", encoder.gear)
+        values[gear] = encoder.gear
+    working = Working(problem, values, angular=True).line("N", formula, _power(encoder, formula, problem))
+    first = "Delta_m" if gear else "Delta"
+    shown = _over(TURN, working)
+    working = working.line(first, Quotient(TURN, N), shown)
+    if gear is None:
+        return working, None
+    last = shown and Quotient(TURN, Product((encoder.gear or ONE, working.values[N])))
+    return working.line("Delta", Quotient(DELTA_M, gear), last), gear
+
+
+def _power(encoder: Encoder, formula: Expr, problem: Problem) -> Expr | None:
+    """2^b stays a power where b is a symbol; None for what is worked out."""
+    disc = encoder.disc
+    bits = disc.bits if isinstance(disc, Absolute) else ONE
+    return Power(number(2), bits) if free_symbols(problem.final(bits)) else None
+
+
+def _over(turn: Expr, working: Working) -> Expr | None:
+    return Quotient(turn, working.values[N]) if isinstance(working.values[N], Power) else None
+
+
+def _counts(encoder: Encoder, values: dict[Expr, Expr]) -> Expr:
+    disc = encoder.disc
+    if isinstance(disc, Incremental):
+        edges, lines = named("k", disc.edges), named("N_l", disc.lines)
+        values |= {edges: disc.edges, lines: disc.lines}
+        return Product((edges, lines))
+    bits = named("b", disc.bits)
+    values[bits] = disc.bits
+    return Power(number(2), bits)

@@ -1,0 +1,64 @@
+"""The smallest angle an encoder tells apart, at the motor and, through a gear, at the link."""
+
+from __future__ import annotations
+
+from math import tau
+
+from derive.algebra.numeric import number as at
+from derive.derivation import Claim, Derivation
+from derive.expression import ONE, Expr
+from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
+from derive.kinds.fields import OptionsModel
+from derive.kinds.problem import Problem
+from derive.kinds.sensor._encoder import N, counted
+from derive.mechanics.sensing import Encoder, Incremental
+
+NEEDS = ("encoder",)
+RESULTS = {
+    "counts": "for one turn of the disc",
+    "resolution_motor": "the angle of one count at the motor, where there is a gear",
+    "resolution": "the angle of one count at the link [rad]",
+}
+EXAMPLE = """\
+title: Encoders
+problems:
+- sensor: {encoder: incremental, lines: 500, edges: 4, gear: 20}
+  find: resolution
+- sensor: {encoder: absolute, bits: 12}
+  find: resolution
+"""
+
+
+class Options(OptionsModel):
+    """None."""
+
+
+def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
+    """2 pi over the counts of a turn, divided by the gear (Siciliano et al., section 5.4.1)."""
+    working, gear = counted(problem, encoder)
+    results: dict[str, Expr] = {"counts": working.final("N")}
+    if gear:
+        results["resolution_motor"] = working.final("Delta_m")
+    results["resolution"] = working.final("Delta")
+    claims = (
+        *links(working.steps, {**problem.names, **working.definitions}),
+        Claim("so many counts make a whole turn of the link", SECOND_ROUTE, _whole_turn(encoder, problem, results)),
+    )
+    facts = {
+        "incremental": isinstance(encoder.disc, Incremental),
+        "given": working.given,
+        "gear": gear,
+        "edges": encoder.disc.edges if isinstance(encoder.disc, Incremental) else None,
+        "counts": working.values[N],
+        "gear_value": working.values[gear] if gear else None,
+    }
+    return Derivation("resolution", working.steps, results, claims, working.definitions, facts=facts)
+
+
+def _whole_turn(encoder: Encoder, problem: Problem, results: dict[str, Expr]) -> bool:
+    """In floats: counts of the disc, turns of the motor, and the angle of one make a full turn."""
+    gear = problem.final(encoder.gear or ONE)
+    return all(
+        close(at(results["counts"], point) * at(gear, point) * at(results["resolution"], point), tau)
+        for point in (random_points(sorted(problem.symbols), 3) if problem.symbols else iter([{}]))
+    )

@@ -1,0 +1,61 @@
+"""The speed that the counts of an encoder within a period tell, and how finely they tell it."""
+
+from __future__ import annotations
+
+from math import tau
+
+from derive.algebra.numeric import number as at
+from derive.derivation import Claim, Derivation
+from derive.expression import ONE, Expr, Product, Quotient
+from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
+from derive.kinds.fields import Formula, OptionsModel, Time
+from derive.kinds.problem import Problem
+from derive.kinds.sensor._encoder import DELTA, counted
+from derive.kinds.working import named
+from derive.mechanics.sensing import Encoder
+
+NEEDS = ("encoder",)
+RESULTS = {
+    "omega": "the speed of the link [rad/s]",
+    "omega_motor": "the speed of the motor, where there is a gear",
+    "quantum": "the step from one count to the next, at the link [rad/s]",
+    "relative": "the same as a share of the speed",
+}
+EXAMPLE = """\
+title: Speed from counts
+problems:
+- sensor: {encoder: incremental, lines: 500, edges: 4, gear: 20}
+  find: speed
+  counts: 120
+  period: 10 ms
+"""
+
+
+class Options(OptionsModel):
+    """`counts` were counted within `period`."""
+
+    counts: Formula
+    period: Time
+
+
+def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
+    """Counts times the angle of one, over the period; one count more or less is not seen in between."""
+    base = problem.ask("resolution")
+    working, gear = counted(problem, encoder)
+    told = len(working.steps)
+    n, T = named("n", options.counts), named("T", options.period)
+    working = working.given_too({n: options.counts, T: options.period})
+    working = working.line("omega", Quotient(Product((n, DELTA)), T))
+    if gear:
+        working = working.line("omega_m", Product((gear, OMEGA)))
+    working = working.line("delta_omega", Quotient(DELTA, T)).line("relative", Quotient(ONE, n))
+    results: dict[str, Expr] = {"omega": working.final("omega")}
+    if gear:
+        results["omega_motor"] = working.final("omega_m")
+    results |= {"quantum": working.final("delta_omega"), "relative": working.final("relative")}
+    steps = working.steps[told:]
+    claims = (
+        *links(steps, {**problem.names, **working.definitions}),
+        Claim("the link turns so far in the period", SECOND_ROUTE, _so_far(encoder, options, problem, results)),
+    )
+    return Derivation("speed", steps, results, claims, working.definitions, uses=(base,))
