@@ -60,13 +60,16 @@ class Table:
 
 @dataclass(frozen=True, slots=True)
 class Plot:
-    """Curves to draw: labels of the axes and named series of points. Data only, no drawing."""
+    """Curves to draw: labels of the axes and named series of points. Data only, no drawing. `regions` are
+    outlines to be filled, `equal` says that both axes have the same scale."""
 
     name: str
     x_label: str
     y_label: str
     series: Mapping[str, tuple[tuple[float, ...], tuple[float, ...]]]
     marks: Mapping[str, float] = field(default_factory=dict)  # horizontal lines
+    regions: Mapping[str, tuple[tuple[float, ...], tuple[float, ...]]] = field(default_factory=dict)
+    equal: bool = False
 
 
 @dataclass(frozen=True, slots=True)

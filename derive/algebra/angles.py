@@ -6,7 +6,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from flint import fmpq, fmpq_mat
+from flint import fmpq_mat
+
+from derive.algebra.rationals import Rational, lowest, to_flint
 
 PI = "pi"  # the atom of fixed angles; every other atom is the name of an angle
 RADIAN = "1"  # the atom of fixed angles given as plain numbers
@@ -16,24 +18,24 @@ RADIAN = "1"  # the atom of fixed angles given as plain numbers
 class Form:
     """A sum of atoms with rational coefficients, sorted by atom, no zeros: theta1 + theta2/2."""
 
-    parts: tuple[tuple[str, Fraction], ...]
+    parts: tuple[tuple[str, Rational], ...]
 
     @staticmethod
-    def of(parts: Mapping[str, Fraction | int]) -> Form:
-        return Form(tuple(sorted((atom, Fraction(n)) for atom, n in parts.items() if n)))
+    def of(parts: Mapping[str, Rational]) -> Form:
+        return Form(tuple(sorted((atom, lowest(n)) for atom, n in parts.items() if n)))
 
     def __add__(self, other: Form) -> Form:
         total = dict(self.parts)
         for atom, coefficient in other.parts:
-            total[atom] = total.get(atom, Fraction(0)) + coefficient
+            total[atom] = total.get(atom, 0) + coefficient
         return Form.of(total)
 
-    def scaled(self, by: Fraction | int) -> Form:
+    def scaled(self, by: Rational) -> Form:
         return Form.of({atom: n * by for atom, n in self.parts})
 
     def of_atom(self, atom: str) -> Fraction:
         """The coefficient of one atom."""
-        return dict(self.parts).get(atom, Fraction(0))
+        return Fraction(dict(self.parts).get(atom, 0))
 
     def without(self, atom: str) -> Form:
         return Form(tuple(part for part in self.parts if part[0] != atom))
@@ -48,14 +50,9 @@ def combination(form: Form, basis: Sequence[Form]) -> tuple[Fraction, ...] | Non
         return None if form.parts else ()
     atoms = sorted({atom for member in (form, *basis) for atom, _ in member.parts})
     columns = [dict(member.parts) for member in (*basis, form)]
-    table = [rational(column.get(atom, 0)) for atom in atoms for column in columns]
+    table = [to_flint(column.get(atom, 0)) for atom in atoms for column in columns]
     reduced, rank = fmpq_mat(len(atoms), len(columns), table).rref()
     if rank > len(basis):
         return None
     entries = (reduced[row, len(basis)] for row in range(len(basis)))
     return tuple(Fraction(int(entry.p), int(entry.q)) for entry in entries)
-
-
-def rational(value: Fraction | int) -> fmpq:
-    """Python's rational as FLINT's."""
-    return fmpq(value.numerator, value.denominator)

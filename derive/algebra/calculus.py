@@ -9,6 +9,7 @@ from functools import lru_cache
 from flint import fmpq_mpoly
 
 from derive.algebra.angles import Form
+from derive.algebra.rationals import Rational
 from derive.algebra.ring import Ring
 from derive.errors import NotDerivable
 
@@ -73,7 +74,7 @@ def _turning(home: Ring, name: str) -> tuple[tuple[int, fmpq_mpoly | None], ...]
 
 
 @lru_cache(maxsize=1024)
-def _rate(form: Form, name: str) -> tuple[tuple[Fraction, Powers], ...]:
+def _rate(form: Form, name: str) -> tuple[tuple[Rational, Powers], ...]:
     """d form / d name as (coefficient, powers of symbols); an atom may be a product, `w*t^2`."""
     found = []
     for atom, coefficient in form.parts:

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterator
-from fractions import Fraction
 from itertools import combinations
 
 from derive.algebra.angles import Form
-from derive.algebra.terms import Alphabet, Monomial, Terms, put, times
+from derive.algebra.terms import Alphabet, Monomial, Terms, divided, put, times
 
 # Above this many terms the search for pairs costs more than a reader gains.
 MOST_TERMS = 60
@@ -59,11 +58,12 @@ def _products(terms: Terms, alphabet: Alphabet) -> Iterator[tuple[Monomial, Form
     for monomial in terms:
         trig = [atom for atom, _ in monomial if alphabet.is_trig(atom)]
         for first, second in combinations(trig, 2):
-            x, y = sorted((first, second), key=partner.cosine)
-            if partner.cosine(x) != partner.cosine(y):
-                rest = times(monomial, ((x, -1), (y, -1)))
-                name = partner.letter(x) + partner.letter(y)
-                buckets[rest, partner.cosine(x), partner.cosine(y)][name] = monomial
+            a, b = partner.cosine(first), partner.cosine(second)
+            if a != b:
+                rest = divided(monomial, {first: 1, second: 1})
+                names = partner.letter(first), partner.letter(second)
+                name, key = ("".join(names), (rest, a, b)) if a < b else (names[1] + names[0], (rest, b, a))
+                buckets[key][name] = monomial
     for (rest, a, b), products in buckets.items():
         if len(products) > 1:
             if "cs" in products:
@@ -99,9 +99,9 @@ def _square_of_sine(terms: Terms, alphabet: Alphabet) -> bool:
         for atom, power in monomial:
             if power < 2 or alphabet.atoms[atom].kind != "cos" or monomial not in terms:
                 continue
-            lower = times(monomial, ((atom, -2),))
+            lower = divided(monomial, {atom: 2})
             if terms.get(lower) == -terms[monomial]:
-                k: Fraction = terms.pop(lower)
+                k = terms.pop(lower)
                 form = alphabet.atoms[atom].what
                 assert isinstance(form, Form)
                 del terms[monomial]

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
+from derive.algebra.bounds import multiplied
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Like, Scalar, common_ring
 
@@ -166,7 +167,7 @@ def dot(left: Sequence[Scalar], right: Sequence[Scalar]) -> Scalar:
     for a, b in pairs:
         if a.denominator is not None or b.denominator is not None:
             return sum((x * y for x, y in pairs), Scalar(home, home.zero))
-        total = total + a.numerator * b.numerator
+        total = total + multiplied(a.numerator, b.numerator)
     return Scalar(home, home.reduce(total))
 
 

@@ -9,15 +9,14 @@ from __future__ import annotations
 
 from collections import Counter
 from dataclasses import dataclass, field
-from fractions import Fraction
 from functools import reduce
 from math import gcd, lcm
 from typing import TypeAlias
 
-from flint import Ordering, fmpq, fmpq_mpoly_ctx
+from flint import Ordering, fmpq_mpoly_ctx
 
-from derive.algebra.scalar import as_fraction
-from derive.algebra.terms import Alphabet, Monomial, SortKey, Terms, frozen, terminates, times
+from derive.algebra.rationals import Rational, of_flint, over, to_flint
+from derive.algebra.terms import Alphabet, Monomial, SortKey, Terms, divided, frozen, terminates
 
 MOST_FACTORED = 40  # terms; above this no factorisation is tried
 MOST_SEARCHED = 10  # terms; above this the most frequent atom is taken out and no other tried
@@ -48,7 +47,7 @@ class Split:
 class Taken:
     """coefficient * monomial * (sum)^power * ..."""
 
-    coefficient: Fraction
+    coefficient: Rational
     monomial: Monomial
     sums: tuple[tuple[Plan, int], ...]
     price: float
@@ -68,7 +67,7 @@ class Nesting:
 
     alphabet: Alphabet
     budget: int
-    known: dict[frozenset[tuple[Monomial, Fraction]], Plan] = field(default_factory=dict)
+    known: dict[frozenset[tuple[Monomial, Rational]], Plan] = field(default_factory=dict)
 
     def plan(self, terms: Terms) -> Plan:
         """The cheapest way found."""
@@ -119,9 +118,9 @@ class Nesting:
         price = sum(_operations(m, k) for m, k in terms.items()) + max(len(terms) - 1, 0)
         return Flat(terms, price + awkward)
 
-    def _taken_out(self, terms: Terms, common: Monomial, content: Fraction) -> list[Plan]:
+    def _taken_out(self, terms: Terms, common: Monomial, content: Rational) -> list[Plan]:
         """common * (...), with the greatest common number in front and with it left inside."""
-        numbers = {content, Fraction(1)} if common else {content}
+        numbers = {content, 1} if common else {content}
         return [
             self._product(common, n, ((self.plan(_divided(terms, common, n)), 1),)) for n in sorted(numbers)
         ]
@@ -164,10 +163,10 @@ class Nesting:
         factors = factors_of(terms)
         if len(factors) < 2 and all(power == 1 for _, power in factors):
             return []
-        return [self._product((), Fraction(1), tuple((self.plan(f), power) for f, power in factors))]
+        return [self._product((), 1, tuple((self.plan(f), power) for f, power in factors))]
 
     @staticmethod
-    def _product(monomial: Monomial, coefficient: Fraction, sums: tuple[tuple[Plan, int], ...]) -> Plan:
+    def _product(monomial: Monomial, coefficient: Rational, sums: tuple[tuple[Plan, int], ...]) -> Plan:
         factors = len(sums) if monomial or abs(coefficient.numerator) != 1 else len(sums) - 1
         inside = sum(plan.price + int(power > 1) + 0.25 for plan, power in sums)
         return Taken(coefficient, monomial, sums, _operations(monomial, coefficient) + factors + inside)
@@ -184,25 +183,25 @@ def _price(plan: Plan) -> float:
 def factors_of(terms: Terms) -> list[tuple[Terms, int]]:
     """The irreducible factors of terms without a common monomial or content, with their powers."""
     atoms = sorted({atom for monomial in terms for atom, _ in monomial})
-    context = fmpq_mpoly_ctx.get([f"x{atom}" for atom in atoms], Ordering.lex)
+    context = fmpq_mpoly_ctx.get(("x", len(atoms)), Ordering.lex)
     polynomial = context.from_dict(
         {
-            tuple(dict(monomial).get(atom, 0) for atom in atoms): fmpq(k.numerator, k.denominator)
-            for monomial, k in terms.items()
+            tuple(powers.get(atom, 0) for atom in atoms): to_flint(k)
+            for powers, k in ((dict(monomial), k) for monomial, k in terms.items())
         }
     )
     content, factors = polynomial.factor()
     found = [
         (
             {
-                tuple((a, int(e)) for a, e in zip(atoms, powers, strict=True) if e): as_fraction(k)
+                tuple((a, int(e)) for a, e in zip(atoms, powers, strict=True) if e): of_flint(k)
                 for powers, k in factor.terms()
             },
             int(power),
         )
         for factor, power in factors
     ]
-    scale = as_fraction(content)
+    scale = of_flint(content)
     first, power = found[0]
     if scale == 1:
         return found
@@ -211,14 +210,14 @@ def factors_of(terms: Terms) -> list[tuple[Terms, int]]:
     return [({m: k * scale for m, k in first.items()}, 1), *found[1:]]
 
 
-def _content(terms: Terms, alphabet: Alphabet) -> Fraction:
+def _content(terms: Terms, alphabet: Alphabet) -> Rational:
     """The greatest common factor of the coefficients; decimals keep theirs."""
     values = list(terms.values())
     if alphabet.style.decimals and any(map(terminates, values)):
-        return Fraction(1)
+        return 1
     top = reduce(gcd, (abs(v.numerator) for v in values))
     bottom = reduce(lcm, (v.denominator for v in values))
-    return Fraction(top, bottom)
+    return over(top, bottom)
 
 
 def _common(terms: Terms) -> Monomial:
@@ -228,11 +227,11 @@ def _common(terms: Terms) -> Monomial:
     return tuple((atom, min(m[atom] for m in monomials)) for atom in sorted(shared))
 
 
-def _divided(terms: Terms, by: Monomial, content: Fraction) -> Terms:
-    inverse = [(atom, -power) for atom, power in by]
-    return {times(monomial, inverse): k / content for monomial, k in terms.items()}
+def _divided(terms: Terms, by: Monomial, content: Rational) -> Terms:
+    powers = dict(by)
+    return {divided(monomial, powers): over(k, content) for monomial, k in terms.items()}
 
 
-def _operations(monomial: Monomial, coefficient: Fraction) -> float:
+def _operations(monomial: Monomial, coefficient: Rational) -> float:
     factors = len(monomial) + (abs(coefficient.numerator) != 1) - 1
     return max(factors, 0) + sum(power > 1 for _, power in monomial) + (coefficient.denominator > 1)

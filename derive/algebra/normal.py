@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import partial, reduce
-from operator import add, mul
+from functools import reduce
+from operator import add
 from typing import TypeAlias
 
 from flint import fmpq_mpoly
 
 from derive.algebra.angles import PI, RADIAN, Form
+from derive.algebra.bounds import multiplied
 from derive.algebra.fixed import fixed_trig
 from derive.algebra.kernels import absolute, opaque, root
 from derive.algebra.matrix import ScalarMatrix
@@ -28,6 +29,7 @@ from derive.algebra.values import (
     product,
     raised,
     times,
+    total,
 )
 from derive.errors import NotDerivable
 from derive.expression import (
@@ -121,7 +123,7 @@ class Walk:
             case Number(exact):
                 return self.home.constant(exact)
             case Product(factors):
-                return self._combined(factors, mul, product)
+                return self._combined(factors, multiplied, product)
             case Symbol() | Indexed():
                 return self._opened(self._name(expr))
             case Call(function, arguments):
@@ -130,7 +132,7 @@ class Walk:
             case Power(base, Number(exact)) if exact.denominator == 1 and exact > 0:
                 return self._raised(base, int(exact))
             case Sum(terms):
-                return self._combined(terms, add, partial(reduce, add))
+                return self._combined(terms, add, total)
             case _:
                 return self._rarer(expr)
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from math import lcm
 
 from flint import fmpq_mpoly
@@ -84,24 +85,33 @@ class Reading:
         """The terms in each basis of the angles worth trying."""
         scalar = Scalar(home, polynomial)
         yield terms_of(scalar, alphabet)
-        if len(polynomial) > MOST_REBASED:
+        if len(polynomial) > MOST_REBASED or not _related(scalar):
             return
         for angles in other_bases(home.angles):
             yield terms_of(scalar.into(ring(home.roots, angles, home.symbols)), alphabet)
 
 
-def other_bases(angles: tuple[Form, ...]) -> Iterator[tuple[Form, ...]]:
+def _related(scalar: Scalar) -> bool:
+    """Whether two of its angles have a part in common; else no other basis is shorter."""
+    degrees, home = scalar.numerator.degrees(), scalar.ring
+    used = [form for k, form in enumerate(home.angles) if any(degrees[i] > 0 for i in home.pair_index(k))]
+    atoms = [atom for form in used for atom, _ in form.parts]
+    return len(atoms) > len(set(atoms))
+
+
+@lru_cache(maxsize=256)
+def other_bases(angles: tuple[Form, ...]) -> tuple[tuple[Form, ...], ...]:
     """Single angles; and for sums that begin with the same angle, the sums without it."""
     atoms = sorted({atom for form in angles for atom, _ in form.parts})
     singles = tuple(Form.of({atom: 1}) for atom in atoms)
     if len(atoms) != len(angles) or set(singles) == set(angles):
-        return
-    if all(_whole(form, singles) for form in angles):
-        yield singles
+        return ()
+    found = [singles] if all(_whole(form, singles) for form in angles) else []
     for first in singles:
         sums = [form for form in angles if form != first and dict(form.parts).get(first.parts[0][0]) == 1]
         if first in angles and sums:
-            yield tuple(form + first.scaled(-1) if form in sums else form for form in angles)
+            found.append(tuple(form + first.scaled(-1) if form in sums else form for form in angles))
+    return tuple({frozenset(basis): basis for basis in reversed(found)}.values())[::-1]
 
 
 def _whole(form: Form, basis: tuple[Form, ...]) -> bool:

@@ -19,7 +19,8 @@ from functools import cache, cached_property, lru_cache
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
-from derive.algebra.angles import PI, Form, combination, rational
+from derive.algebra.angles import PI, Form, combination
+from derive.algebra.rationals import Rational, to_flint
 
 Pair = tuple[fmpq_mpoly, fmpq_mpoly]
 
@@ -82,8 +83,8 @@ class Ring:
     def one(self) -> fmpq_mpoly:
         return self.constant(1)
 
-    def constant(self, value: Fraction | int) -> fmpq_mpoly:
-        return self.context.constant(rational(value))
+    def constant(self, value: Rational) -> fmpq_mpoly:
+        return self.context.constant(to_flint(value))
 
     def gen(self, name: str) -> fmpq_mpoly:
         return self.context.gen(self.index[name])
@@ -109,14 +110,14 @@ class Ring:
             found.append((len(self.roots) + k, s * s + c * c - 1))
         return tuple(found)
 
-    def polynomial(self, terms: Iterable[tuple[tuple[tuple[str, int], ...], Fraction]]) -> fmpq_mpoly:
+    def polynomial(self, terms: Iterable[tuple[tuple[tuple[str, int], ...], Rational]]) -> fmpq_mpoly:
         """The polynomial of terms keyed by generator names."""
         entries = {}
         for powers, coefficient in terms:
             exponents = [0] * len(self.names)
             for name, power in powers:
                 exponents[self.index[name]] = power
-            entries[tuple(exponents)] = rational(coefficient)
+            entries[tuple(exponents)] = to_flint(coefficient)
         return self.context.from_dict(entries)
 
     def terms(self, polynomial: fmpq_mpoly) -> tuple[tuple[tuple[tuple[str, int], ...], Fraction], ...]:

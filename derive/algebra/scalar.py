@@ -13,8 +13,10 @@ from typing import Union
 
 from flint import fmpq_mpoly
 
-from derive.algebra.angles import Form, rational
+from derive.algebra.angles import Form
+from derive.algebra.bounds import multiplied
 from derive.algebra.calculus import derivative, with_rates
+from derive.algebra.rationals import to_flint
 from derive.algebra.ring import Ring, carry, ring
 from derive.algebra.settled import vanishes
 
@@ -51,7 +53,7 @@ class Scalar:
         if a.denominator == b.denominator:
             return fraction(a.ring, a.numerator + b.numerator, a.denominator)
         p, q = a.denominator or a.ring.one, b.denominator or b.ring.one
-        return fraction(a.ring, a.numerator * q + b.numerator * p, p * q)
+        return fraction(a.ring, multiplied(a.numerator, q) + multiplied(b.numerator, p), multiplied(p, q))
 
     def __neg__(self) -> Scalar:
         return Scalar(self.ring, -self.numerator, self.denominator)
@@ -61,11 +63,11 @@ class Scalar:
 
     def __mul__(self, other: Like) -> Scalar:
         if not isinstance(other, Scalar):  # a number leaves nothing to reduce
-            return Scalar(self.ring, self.numerator * rational(other), self.denominator if other else None)
+            return Scalar(self.ring, self.numerator * to_flint(other), self.denominator if other else None)
         a, b = _together(self, other)
         if a.denominator is None and b.denominator is None:
             return a._times_polynomial(b)
-        product = a.ring.reduce(a.numerator * b.numerator)
+        product = a.ring.reduce(multiplied(a.numerator, b.numerator))
         return fraction(a.ring, product, _times(a.denominator, b.denominator))
 
     def _times_polynomial(self, other: Scalar) -> Scalar:
@@ -73,7 +75,7 @@ class Scalar:
         p, q = self.numerator, other.numerator
         if not p or q.is_one():
             return self
-        return other if not q or p.is_one() else Scalar(self.ring, self.ring.reduce(p * q))
+        return other if not q or p.is_one() else Scalar(self.ring, self.ring.reduce(multiplied(p, q)))
 
     def __truediv__(self, other: Like) -> Scalar:
         a, b = _together(self, other)

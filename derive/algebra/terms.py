@@ -6,14 +6,16 @@ Unlike the normal form this is no unique representation; the readable forms are 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache
 from typing import TypeAlias
 
 from derive.algebra.angles import PI, RADIAN, Form
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.rationals import Rational, lowest, of_flint
+from derive.algebra.ring import Ring
+from derive.algebra.scalar import Scalar
 from derive.expression import (
     Call,
     Degrees,
@@ -27,7 +29,7 @@ from derive.expression import (
 )
 
 Monomial: TypeAlias = tuple[tuple[int, int], ...]  # (atom, power), sorted by atom
-Terms: TypeAlias = dict[Monomial, Fraction]
+Terms: TypeAlias = dict[Monomial, Rational]
 SortKey: TypeAlias = tuple[object, ...]
 
 MASSES = re.compile(r"^([mM]|[IJ])($|_|\d|[xyz])")  # masses, then moments of inertia, stand first
@@ -35,9 +37,9 @@ MASSES = re.compile(r"^([mM]|[IJ])($|_|\d|[xyz])")  # masses, then moments of in
 
 @dataclass(frozen=True, slots=True)
 class Atom:
-    """A symbol or root by name, or the cosine or sine of a form."""
+    """A symbol or root by name, the cosine or sine of a form, or a sum of symbols as a form."""
 
-    kind: str  # "root", "symbol", "cos", "sin"
+    kind: str  # "root", "symbol", "cos", "sin", "sum"
     what: str | Form
 
 
@@ -60,6 +62,7 @@ class Alphabet:
     atoms: list[Atom] = field(default_factory=list)
     numbers: dict[Atom, int] = field(default_factory=dict)
     keys: dict[int, SortKey] = field(default_factory=dict)
+    trees: dict[tuple[int, int], Expr] = field(default_factory=dict)
 
     def number(self, atom: Atom) -> int:
         if atom not in self.numbers:
@@ -77,14 +80,40 @@ class Alphabet:
     def is_trig(self, atom: int) -> bool:
         return self.atoms[atom].kind in ("cos", "sin")
 
+    def lump(self, x: int, y: int, sign: int) -> int:
+        """The atom x + sign * y of two letters."""
+        return self.number(Atom("sum", self._linear(x) + self._linear(y).scaled(sign)))
+
+    def _linear(self, atom: int) -> Form:
+        what = self.atoms[atom].what
+        return what if isinstance(what, Form) else Form.of({what: 1})
+
     def is_mass(self, atom: int) -> bool:
         found = self.atoms[atom]
+        if found.kind == "sum":
+            return all(MASSES.match(name) for name, _ in self._linear(atom).parts)
         return found.kind == "symbol" and bool(MASSES.match(str(found.what)))
+
+    def is_letter(self, atom: int) -> bool:
+        """Whether it is a symbol or a sum of symbols."""
+        found = self.atoms[atom]
+        return found.kind == "sum" or (found.kind == "symbol" and "(" not in str(found.what))
+
+    def is_function(self, atom: int) -> bool:
+        """Whether it is written as a function of something: a sine, a cosine, a root."""
+        return not self.is_letter(atom)
+
+    def extra(self, atom: int) -> float:
+        """What an atom costs more than a letter does: a sum its operations and parentheses."""
+        found = self.atoms[atom]
+        return len(self._linear(atom).parts) - 0.75 if found.kind == "sum" else 0
 
     def radicand(self, atom: int) -> int:
         """n of the root of a number, sqrt(n); 1 for any other atom."""
         found = self.atoms[atom]
-        inside = str(found.what)[5:-1] if found.kind == "root" else ""
+        if found.kind != "root":
+            return 1
+        inside = str(found.what)[5:-1]
         return int(inside) if inside.isdigit() else 1
 
     def key(self, atom: int) -> SortKey:
@@ -94,6 +123,9 @@ class Alphabet:
         return self.keys[atom]
 
     def _key(self, atom: Atom) -> SortKey:
+        if isinstance(atom.what, Form) and atom.kind == "sum":
+            first = min(atom.what.parts, key=lambda part: self._rank(part[0]))[0]
+            return self._key(Atom("symbol", first))
         if isinstance(atom.what, Form):
             ranks = tuple(sorted(self._rank(name) for name, _ in atom.what.parts))
             return (3 if atom.kind == "cos" else 4, ranks)
@@ -107,8 +139,16 @@ class Alphabet:
         order = self.style.order
         return (order.index(name) if name in order else len(order), _natural(name))
 
-    def expression(self, atom: int) -> Expr:
-        found = self.atoms[atom]
+    def expression(self, atom: int, power: int = 1) -> Expr:
+        """The tree of a power of an atom; every time the same."""
+        if (atom, power) not in self.trees:
+            base = self._expression(self.atoms[atom])
+            self.trees[atom, power] = Power(base, number(power)) if power > 1 else base
+        return self.trees[atom, power]
+
+    def _expression(self, found: Atom) -> Expr:
+        if isinstance(found.what, Form) and found.kind == "sum":
+            return self.angle(found.what)
         if isinstance(found.what, Form):
             return Call(found.kind, (self.angle(found.what),))
         return self.reader(found.what) if "(" in found.what else Symbol(found.what)
@@ -117,55 +157,70 @@ class Alphabet:
         parts = sorted(form.parts, key=lambda part: (part[1] < 0, self._rank(part[0])))
         return add(*(self._multiple(atom, n) for atom, n in parts))
 
-    def _multiple(self, atom: str, n: Fraction) -> Expr:
+    def _multiple(self, atom: str, n: Rational) -> Expr:
         if atom == PI and self.style.degrees:
-            return Degrees(180 * n)
+            return Degrees(Fraction(180 * n))
         if atom == RADIAN:
-            return Number(n, self.style.decimals)
+            return Number(Fraction(n), self.style.decimals)
         factors = [_power_text(factor) for factor in atom.split("*")]
-        return multiply(Number(n), *factors)
+        return multiply(Number(Fraction(n)), *factors)
 
 
 def terms_of(scalar: Scalar, alphabet: Alphabet) -> Terms:
     """The numerator's terms."""
     home = scalar.ring
-    roots = [(alphabet.number(Atom("root", root.name)), 1) for root in home.roots]
-    pairs = [alphabet.trig(kind, form) for kind in ("sin", "cos") for form in home.angles]
-    symbols = [(alphabet.number(Atom("symbol", name)), 1) for name in home.symbols]
+    used = [i for i, degree in enumerate(scalar.numerator.degrees()) if degree > 0]
+    atoms = sorted((*_atom(home, i, alphabet), i) for i in used)
     found: Terms = {}
     for exponents, coefficient in scalar.numerator.terms():
-        k, powers = as_fraction(coefficient), []
-        for (atom, sign), exponent in zip((*roots, *pairs, *symbols), exponents, strict=True):
-            if exponent:
-                powers.append((atom, int(exponent)))
-                k *= sign ** int(exponent)
-        put(found, tuple(sorted(powers)), k)
+        k, powers = of_flint(coefficient), []
+        for atom, sign, i in atoms:
+            if exponent := int(exponents[i]):
+                powers.append((atom, exponent))
+                k = -k if sign < 0 and exponent % 2 else k
+        put(found, tuple(powers), k)
     return found
 
 
-def times(left: Monomial, right: Iterable[tuple[int, int]]) -> Monomial:
-    """The product of monomials; negative powers divide."""
+def _atom(home: Ring, i: int, alphabet: Alphabet) -> tuple[int, int]:
+    """(atom, sign) of the i-th generator."""
+    roots, angles = len(home.roots), len(home.angles)
+    if i < roots:
+        return alphabet.number(Atom("root", home.roots[i].name)), 1
+    if i < roots + 2 * angles:
+        kind, k = divmod(i - roots, angles)
+        return alphabet.trig(("sin", "cos")[kind], home.angles[k])
+    return alphabet.number(Atom("symbol", home.symbols[i - roots - 2 * angles])), 1
+
+
+def times(left: Monomial, right: Monomial) -> Monomial:
+    """The product of monomials."""
     powers = dict(left)
     for atom, power in right:
         powers[atom] = powers.get(atom, 0) + power
-    return tuple(sorted((atom, power) for atom, power in powers.items() if power))
+    return tuple(sorted(powers.items()))
 
 
-def put(terms: Terms, monomial: Monomial, coefficient: Fraction) -> None:
+def divided(monomial: Monomial, by: Mapping[int, int]) -> Monomial:
+    """The quotient by a monomial that divides it, given as atom -> power."""
+    return tuple((atom, left) for atom, power in monomial if (left := power - by.get(atom, 0)))
+
+
+def put(terms: Terms, monomial: Monomial, coefficient: Rational) -> None:
     """Add a term in place."""
-    total = terms.get(monomial, Fraction(0)) + coefficient
+    total = terms.get(monomial, 0) + coefficient
     if total:
-        terms[monomial] = total
+        terms[monomial] = lowest(total)
     else:
         terms.pop(monomial, None)
 
 
-def terminates(value: Fraction) -> bool:
+def terminates(value: Rational) -> bool:
     """Whether it is a decimal fraction of at most eight places."""
     return value.denominator > 1 and (value * 10**8).denominator == 1
 
 
-def frozen(terms: Mapping[Monomial, Fraction]) -> frozenset[tuple[Monomial, Fraction]]:
+def frozen(terms: Mapping[Monomial, Rational]) -> frozenset[tuple[Monomial, Rational]]:
     """Terms as a key."""
     return frozenset(terms.items())
 
@@ -174,7 +229,8 @@ def frozen(terms: Mapping[Monomial, Fraction]) -> frozenset[tuple[Monomial, Frac
 def _natural(name: str) -> SortKey:
     """a2 before a10, L before L_c, without regard to case."""
     parts = re.findall(r"\d+|[^\W\d_]+", name)
-    return tuple((1, int(p), "") if p.isdigit() else (0, 0, p.lower()) for p in parts) + ((0, 0, name),)
+    keys = ((1, int(p), "") if p.isdigit() else (0, 0, p.lower()) for p in parts)
+    return (*keys, (0, 0, name))
 
 
 def _power_text(factor: str) -> Expr:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import reduce
+from operator import add
 from typing import TypeAlias
 
 from flint import fmpq_mpoly
@@ -22,6 +23,13 @@ def halved(parts: Sequence[fmpq_mpoly], combine: Combine) -> fmpq_mpoly:
         return reduce(combine, parts)
     middle = len(parts) // 2
     return combine(halved(parts[:middle], combine), halved(parts[middle:], combine))
+
+
+def total(values: list[Value]) -> Value:
+    """The sum of scalars or of matrices; a matrix of one entry beside a scalar is one, as e^T n + b."""
+    if any(isinstance(value, Scalar) for value in values):
+        values = [v[0, 0] if isinstance(v, ScalarMatrix) and v.shape == (1, 1) else v for v in values]
+    return reduce(add, values)
 
 
 def product(values: list[Value]) -> Value:
@@ -47,8 +55,12 @@ def raised(base: Value, power: int) -> Value:
 
 def joined(rows: list[list[Value]]) -> ScalarMatrix:
     """Blocks joined into one matrix; a zero beside blocks stands for a block of zeros as high and as wide
-    as they are."""
-    heights = [max((v.shape[0] for v in row if isinstance(v, ScalarMatrix)), default=1) for row in rows]
+    as they are, a row of zeros only for one as high as the row above it."""
+    heights: list[int] = []
+    for row in rows:
+        blocks = [v.shape[0] for v in row if isinstance(v, ScalarMatrix)]
+        empty = not blocks and not any(map(bool, row))
+        heights.append(max(blocks, default=heights[-1] if empty and heights else 1))
     columns = zip(*rows, strict=True)
     widths = [max((v.shape[1] for v in each if isinstance(v, ScalarMatrix)), default=1) for each in columns]
     strips = [

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from math import prod
 
 from derive.algebra.nesting import Flat, Plan, Split, Taken
+from derive.algebra.rationals import Rational
 from derive.algebra.terms import Alphabet, Monomial, SortKey, terminates
 from derive.expression import (
-    Call,
     Expr,
     Number,
     Power,
@@ -20,7 +20,6 @@ from derive.expression import (
     negate,
     number,
     sqrt,
-    walk,
 )
 
 
@@ -29,6 +28,7 @@ class Writing:
     """Writes plans over one alphabet."""
 
     alphabet: Alphabet
+    places: dict[Monomial, SortKey] = field(default_factory=dict)
 
     def tree(self, plan: Plan) -> Expr:
         match plan:
@@ -39,36 +39,50 @@ class Writing:
                 keyed = sorted(parts, key=lambda part: min(map(self._term_key, part[0])))
                 return _sum([term for _, inner in keyed for term in _terms(self.tree(inner))])
             case Taken(coefficient, monomial, sums):
-                return self._product(coefficient, monomial, [(self.tree(p), power) for p, power in sums])
+                return self._product(coefficient, monomial, sums)
 
-    def _product(self, coefficient: Fraction, monomial: Monomial, sums: list[tuple[Expr, int]]) -> Expr:
+    def _product(self, coefficient: Rational, monomial: Monomial, sums: tuple[tuple[Plan, int], ...]) -> Expr:
         """Number and symbols, then sums; sines and cosines before sums that hold some themselves."""
         factors: list[Expr] = []
-        for expr, power in sums:
+        for plan, power in sums:
+            expr = self.tree(plan)
             if isinstance(expr, Sum) and all(map(is_negative, expr.terms)):
                 expr, coefficient = Sum(tuple(map(negate, expr.terms))), coefficient * (-1) ** power
             factors.append(Power(expr, number(power)) if power > 1 else expr)
         trig = tuple(part for part in monomial if self.alphabet.is_trig(part[0]))
-        if any(isinstance(node, Call) for expr in factors for node in walk(expr)):
+        if any(self._holds_function(plan) for plan, _ in sums):
             trig = ()
         front = tuple(part for part in monomial if part not in trig)
-        parts = (self._monomial(front, coefficient), *factors, self._monomial(trig, Fraction(1)))
+        parts = (self._monomial(front, coefficient), *factors, self._monomial(trig, 1))
         return multiply(*(factor for part in parts for factor in _factors(part)))
 
-    def _monomial(self, monomial: Monomial, coefficient: Fraction) -> Expr:
+    def _holds_function(self, plan: Plan) -> bool:
+        """Whether there is a sine or a root somewhere inside."""
+        match plan:
+            case Flat(terms):
+                return any(self.alphabet.is_function(atom) for monomial in terms for atom, _ in monomial)
+            case Split(parts):
+                return any(self._holds_function(inner) for _, inner in parts)
+            case Taken(_, monomial, sums):
+                here = any(self.alphabet.is_function(atom) for atom, _ in monomial)
+                return here or any(self._holds_function(inner) for inner, _ in sums)
+
+    def _monomial(self, monomial: Monomial, coefficient: Rational) -> Expr:
         alphabet = self.alphabet
         radicand = prod(alphabet.radicand(atom) for atom, _ in monomial)
-        factors = [
-            Power(alphabet.expression(atom), number(power)) if power > 1 else alphabet.expression(atom)
-            for atom, power in sorted(monomial, key=lambda part: alphabet.key(part[0]))
-            if alphabet.radicand(atom) == 1
-        ]
+        ordered = sorted(monomial, key=lambda part: alphabet.key(part[0]))
+        factors = [alphabet.expression(*part) for part in ordered if alphabet.radicand(part[0]) == 1]
         decimal = alphabet.style.decimals and terminates(coefficient)
         roots = (sqrt(number(radicand)),) if radicand > 1 else ()  # sqrt(2) sqrt(3) is sqrt(6)
-        return multiply(Number(coefficient, decimal), *roots, *factors)
+        return multiply(Number(Fraction(coefficient), decimal), *roots, *factors)
 
     def _term_key(self, monomial: Monomial) -> SortKey:
         """Terms without sines and cosines first, then in the order of their angles."""
+        if monomial not in self.places:
+            self.places[monomial] = self._place(monomial)
+        return self.places[monomial]
+
+    def _place(self, monomial: Monomial) -> SortKey:
         key, is_trig = self.alphabet.key, self.alphabet.is_trig
         trig = sorted(key(atom)[1:] + key(atom)[:1] for atom, _ in monomial if is_trig(atom))
         others = sorted((key(atom), -power) for atom, power in monomial if not is_trig(atom))

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Hashable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
 from functools import cached_property
 from typing import Any, get_args
 
+from derive.algebra.bounds import count
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, normal, normal_matrix
 from derive.algebra.readable import readable, readable_matrix
@@ -15,7 +17,7 @@ from derive.algebra.terms import Style
 from derive.control.system import System
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
-from derive.expression import Degrees, Expr, Matrix, Number, Symbol, free_symbols, walk
+from derive.expression import Degrees, Expr, Indexed, Matrix, Number, Symbol, free_symbols, walk
 from derive.kinds.registry import load
 
 TREES = get_args(Expr)
@@ -32,6 +34,7 @@ class Problem:
     assumptions: Mapping[str, str] = field(default_factory=dict)
     derived: dict[tuple[str, Any], Derivation] = field(default_factory=dict)
     written: dict[Hashable, Expr] = field(default_factory=dict)
+    terms: Counter[Hashable] = field(default_factory=Counter)  # written out so far
     questions: tuple[tuple[str, Any], ...] = ()  # kind and options of all that is asked about the subject
 
     def ask(self, kind: str, **options: Any) -> Derivation:
@@ -89,6 +92,8 @@ class Problem:
         """As a person would write it, names of `where` kept; the same value is read once."""
         key = value.key()
         if key not in self.written:
+            self.terms[value.ring] += len(value.numerator)
+            count(self.terms.total())
             self.written[key] = readable(value, self.style)
         return self.written[key]
 
@@ -99,7 +104,7 @@ class Problem:
         """A scalar or a matrix with `where` (and `names`) replaced by their values; the same tree
         where nothing is to be replaced."""
         known = {**self.names, **(names or {})}
-        if not any(node in known for node in walk(expr)):
+        if not any(isinstance(node, Symbol | Indexed) and node in known for node in walk(expr)):
             return expr
         if isinstance(expr, Matrix):
             return readable_matrix(normal_matrix(expr, known), self.style)

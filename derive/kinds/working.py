@@ -47,6 +47,10 @@ class Working:
         """What every name stands for, that of a symbol of the sheet left out."""
         return {name: value for name, value in self.values.items() if name != value}
 
+    def given_too(self, values: Mapping[Expr, Expr]) -> Working:
+        """More quantities that are given."""
+        return replace(self, values={**self.values, **values})
+
     def scalar(self, expr: Expr) -> Scalar:
         """The normal form in the symbols of the sheet, those of `where` replaced."""
         return normal(expr, {**self.problem.names, **self.definitions})
@@ -83,11 +87,12 @@ class Working:
         symbol = Symbol(name)
         if formula == symbol:
             return self
-        out = self.value(formula) if answer is None else answer
         filled = replaced(formula, {key: value for key, value in self.values.items() if key != value})
+        if answer is None:  # a formula in the author's own symbols stays as books print it
+            answer = formula if filled == formula else self.value(formula)
         shown = (filled,) if not free_symbols(filled) and not _piled(filled) else ()
-        chain = _distinct((symbol, formula, *shown, out))
-        values = {**self.values, symbol: out}
+        chain = _distinct((symbol, formula, *shown, answer))
+        values = {**self.values, symbol: answer}
         return replace(self, values=values, steps=(*self.steps, Step(name, chain, rule)))
 
     def final(self, name: str) -> Expr:

@@ -8,7 +8,8 @@ from typing import Literal, TypeAlias
 Space: TypeAlias = Literal["planar", "spatial", "spherical"]
 
 FREEDOMS = {
-    "revolute": 1, "prismatic": 1, "helical": 1, "cylindrical": 2, "universal": 2, "spherical": 3, "planar": 3,
+    "revolute": 1, "prismatic": 1, "helical": 1, "cylindrical": 2, "universal": 2, "spherical": 3,
+    "planar": 3,
 }  # fmt: skip
 LETTERS = {
     "R": "revolute", "P": "prismatic", "H": "helical", "C": "cylindrical", "U": "universal", "S": "spherical",

@@ -61,6 +61,23 @@ class _Motion:
 
 
 @dataclass(frozen=True, slots=True)
+class Swept:
+    """Link i, all in its own frame: angular velocity and acceleration, accelerations of the origin and the
+    com, force and moment about the com that move the body, force and moment (about the point of the
+    joint's axis) that the link before exerts, and what the joint has of it, None of a fixed row."""
+
+    w: Vector
+    alpha: Vector
+    a: Vector
+    a_c: Vector
+    F: Vector
+    N: Vector
+    f: Vector
+    mu: Vector
+    tau: Scalar | None
+
+
+@dataclass(frozen=True, slots=True)
 class NewtonEuler:
     """An arm ready for sweeps; `base` turns the base frame into frame 0."""
 
@@ -88,6 +105,36 @@ class NewtonEuler:
         for row in self.rows:
             motions.append(_outward(row, motions[-1], *(next(moving) if row.joint else still)))
         return self._inward(motions[1:])
+
+    def sweep(
+        self, rates: Sequence[Like], accelerations: Sequence[Like], gravity: Sequence[Like]
+    ) -> tuple[Swept, ...]:
+        """Everything on the way, link by link from base to tip; `tau` as in `torques`."""
+        moving = iter(zip(self._scalars(rates), self._scalars(accelerations), strict=True))
+        still = (self._zero, self._zero)
+        motions = [self._at_base(gravity)]
+        for row in self.rows:
+            motions.append(_outward(row, motions[-1], *(next(moving) if row.joint else still)))
+        force = moment = (self._zero,) * 3
+        found = []
+        for row, motion in reversed(list(zip(self.rows, motions[1:], strict=True))):
+            a_c, F, N = motion.a, (self._zero,) * 3, (self._zero,) * 3
+            if row.body:
+                c = _vector(row.body.com)
+                a_c = _plus(motion.a, _of_point(motion, c))
+                F, about_origin = _load(row.body, motion)
+                N = _minus(about_origin, _cross(c, F))
+                force, moment = _plus(force, F), _plus(moment, about_origin)
+            moment = _plus(moment, _cross(row.arm, force))
+            tau = dot(row.z, moment if row.turns else force) if row.joint else None
+            found.append(Swept(motion.w, motion.alpha, motion.a, a_c, F, N, force, moment, tau))
+            force, moment = _turned(row.R, force), _turned(row.R, moment)
+            moment = _plus(moment, _cross(row.out, force))
+        return tuple(reversed(found))
+
+    def at_base(self, gravity: Sequence[Like]) -> Vector:
+        """The acceleration of the base that stands for gravity, in frame 0."""
+        return self._at_base(gravity).a
 
     def _inward(self, motions: Sequence[_Motion]) -> tuple[Scalar, ...]:
         """The forces that the links hand down (Siciliano, eqs. 7.112 to 7.114; Craig, 6.51 to 6.53)."""

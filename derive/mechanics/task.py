@@ -34,4 +34,4 @@ def task_rows(J: ScalarMatrix) -> tuple[str, ...]:
 
 
 def _commanded(J: ScalarMatrix, rows: tuple[str, ...], n: int) -> bool:
-    return len(rows) == n <= 3 and rank(rows_of(J, rows)) == n
+    return n <= min(len(rows), 3) and rank(rows_of(J, rows)) == n

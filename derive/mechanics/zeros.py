@@ -32,7 +32,6 @@ from derive.expression import (
     negate,
     number,
     sqrt,
-    subtract,
 )
 
 Write: TypeAlias = Callable[[Scalar], Expr]
@@ -57,7 +56,7 @@ class Zero:
 
 def zeros(equation: Scalar, variables: tuple[str, ...], write: Write) -> tuple[Zero, ...]:
     """All zeros by one variable; none where no sub-problem fits. `variables` in order of preference."""
-    held = [name for name in variables if depends(equation, (name,))]
+    held = [name for name in variables if equation.diff(name)]
     found = [zero for name in held if (zero := _by(equation, name, held, write))]
     return min(found, key=_awkward, default=())
 
@@ -126,7 +125,7 @@ def _as_sum(name: str, held: list[str], tree: Expr) -> tuple[Zero, ...]:
         return ()
     half = Quotient(PI, number(2))
     values = (ZERO, PI) if function == "sin" else (half, negate(half))
-    trees = [subtract(value, rest) if value != ZERO else _opposite(rest) for value in values]
+    trees = [_plus(value, _opposite(rest)) for value in values]
     return tuple(Zero(name, tree, Walk({}).trig(tree), "sum") for tree in trees)
 
 
@@ -146,6 +145,10 @@ def _without(angle: Expr, name: Symbol) -> Expr | None:
         return None
     rest = tuple(term for term in angle.terms if term != name)
     return add(*rest) if len(rest) == len(angle.terms) - 1 else None
+
+
+def _plus(value: Expr, expr: Expr) -> Expr:
+    return add(value, *(expr.terms if isinstance(expr, Sum) else (expr,)))
 
 
 def _opposite(expr: Expr) -> Expr:

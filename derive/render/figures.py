@@ -67,6 +67,8 @@ def _stack(figure: Figure, plots: tuple[Plot, ...]) -> None:
     for place, (axes, plot) in enumerate(zip(rows, plots, strict=True)):
         _fill(axes, plot, legend=place == 0)
         axes.margins(y=0.12)
+        axes.yaxis.label.set_size(9)
+        axes.tick_params(labelsize=9)
         if place < len(plots) - 1:
             axes.set_xlabel("")
             axes.tick_params(labelbottom=False)
@@ -74,6 +76,8 @@ def _stack(figure: Figure, plots: tuple[Plot, ...]) -> None:
 
 
 def _fill(axes: Axes, plot: Plot, legend: bool = True) -> None:
+    for name, (x, y) in plot.regions.items():
+        axes.fill(x, y, color="#1f4e8c", alpha=0.15, linewidth=0, label=name)
     for place, (name, (x, y)) in enumerate(plot.series.items()):
         style = STYLES[place // len(COLOURS) % len(STYLES)]
         axes.plot(x, y, style, color=COLOURS[place % len(COLOURS)], linewidth=1.6, label=name)
@@ -90,5 +94,8 @@ def _fill(axes: Axes, plot: Plot, legend: bool = True) -> None:
     axes.grid(True, color="0.9", linewidth=0.6)
     axes.spines[["top", "right"]].set_visible(False)
     axes.margins(x=0)
-    if legend and len(plot.series) > 1:
+    if plot.equal:
+        axes.margins(0.05)
+        axes.set_aspect("equal", adjustable="datalim")
+    if legend and len(plot.series) + len(plot.regions) > 1:
         axes.legend(frameon=False)

@@ -98,7 +98,7 @@ class Printer:
                 written = rounded_latex(value, self.notation.digits)
                 return written, SUM if value < 0 else PRODUCT if "cdot" in written else ATOM
             case Degrees(value):
-                return rf"{fraction_latex(value, decimal=True)}^\circ", SUM if value < 0 else RAISED
+                return rf"{_whole(fraction_latex(value, decimal=True))}^\circ", SUM if value < 0 else RAISED
             case Indexed(base, lower, upper):
                 return self.indexed(base, lower, upper), RAISED if upper else ATOM
             case Derivative(of, by):
@@ -246,6 +246,11 @@ class Printer:
         names = [name_latex(each.name) for each in dict.fromkeys((outer, inner))]
         below = r" \partial ".join(names) if len(names) > 1 else f"{names[0]}^2"
         return rf"\frac{{\partial^2 {self.write(of)}}}{{\partial {below}}}"
+
+
+def _whole(number: str) -> str:
+    """A fraction in parentheses, so that what is raised stands beside all of it."""
+    return parenthesised(number) if "frac" in number else number
 
 
 def _number(value: Fraction, decimal: bool) -> tuple[str, int]:

@@ -81,6 +81,8 @@ def _split(head: str) -> tuple[str, str]:
 def _stem(stem: str) -> str:
     if stem in GREEK:
         return "\\" + stem
+    if re.fullmatch("cal[A-Z]", stem):  # a Lagrangian beside a length L
+        return rf"\mathcal{{{stem[3]}}}"
     return stem if len(stem) == 1 or not WORD.fullmatch(stem) else rf"\mathrm{{{stem}}}"
 
 

@@ -35,7 +35,7 @@ problems:
 DEFAULTS = (("phi", "theta", "psi"), ("alpha", "beta", "gamma"), ("phi_e", "theta_e", "psi_e"))
 
 
-def _known(text: str) -> str:
+def known_convention(text: str) -> str:
     Convention.of(text)
     return text
 
@@ -44,7 +44,7 @@ class Options(PoseOptions):
     """`convention` as in SciPy: `ZYX` about current axes, `xyz` about world axes, in the order in which
     the rotations are made; `angles`: their names in that order."""
 
-    convention: Annotated[str, AfterValidator(_known)] = "ZYX"
+    convention: Annotated[str, AfterValidator(known_convention)] = "ZYX"
     angles: tuple[Name, Name, Name] | None = None
 
 

@@ -14,15 +14,26 @@ UNITS = {"length": ("m", "m/s", r"m/s$^2$"), "angle": ("rad", "rad/s", r"rad/s$^
 IN_DEGREES = ("deg", "deg/s", r"deg/s$^2$")
 
 
-def panels(courses: Mapping[str, Course], sort: Sort, in_degrees: bool) -> Panels:
-    """Three plots, one above the other; `courses` are named as in the legend."""
+def panels(
+    name: str,
+    courses: Mapping[str, Course],
+    sort: Sort,
+    in_degrees: bool,
+    limits: tuple[float | None, float | None] = (None, None),
+) -> Panels:
+    """Three plots, one above the other; `courses` are named as in the legend, `limits` are those of velocity
+    and acceleration."""
     turned = sort == "angle" and in_degrees
     units = IN_DEGREES if turned else UNITS.get(sort, ("", "", ""))
     plots = []
     for order, (what, unit) in enumerate(zip(ORDERS, units, strict=True)):
         curves = {name: _scaled(sampled(course, order), turned) for name, course in courses.items()}
-        plots.append(Plot(what, "time [s]", f"{what} [{unit}]" if unit else what, curves))
-    return Panels("profile", tuple(plots))
+        most = (None, *limits)[order]
+        marks = {} if most is None else {"limit": degrees(most) if turned else most}
+        if marks and min(min(values) for _, values in curves.values()) < -0.2 * marks["limit"]:
+            marks[" "] = -marks["limit"]
+        plots.append(Plot(what, "time [s]", f"{what} [{unit}]" if unit else what, curves, marks))
+    return Panels(name, tuple(plots))
 
 
 def _scaled(points: Points, turned: bool) -> Points:

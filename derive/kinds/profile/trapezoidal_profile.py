@@ -147,7 +147,7 @@ def _plots(profile: Profile, found: Found | None, problem: Problem) -> tuple[Fig
     courses = {}
     for k, (axis, each) in enumerate(zip(profile.axes, found, strict=True), 1):
         courses[f"axis {k}"] = trapezoid.course(each, 0.0, _direction(axis, problem))
-    return (panels(courses, profile.sort, problem.style.degrees),)
+    return (panels("profile", courses, profile.sort, problem.style.degrees),)
 
 
 def _direction(axis: Axis, problem: Problem) -> float:

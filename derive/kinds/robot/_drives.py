@@ -25,9 +25,7 @@ def rotors(robot: Robot) -> Matrix | None:
     if all(value == ZERO for value in values):
         return None
     return Matrix(
-        tuple(
-            tuple(value if i == j else ZERO for j in range(len(values))) for i, value in enumerate(values)
-        )
+        tuple(tuple(value if i == j else ZERO for j in range(len(values))) for i, value in enumerate(values))
     )
 
 

@@ -77,7 +77,11 @@ def _sum(
 
 def entry_steps(problem: Problem, D: Expr) -> tuple[Step, ...]:
     """m_ijk, the derivative of m_ij by q_k, for i <= j; those that vanish are left out."""
-    M, variables, named = normal_matrix(D), problem.subject.variables, moment_names(problem.ask("inertia-matrix"))
+    M, variables, named = (
+        normal_matrix(D),
+        problem.subject.variables,
+        moment_names(problem.ask("inertia-matrix")),
+    )
     n, steps = len(variables), []
     for i, j, k in ((i, j, k) for i in range(n) for j in range(i, n) for k in range(n)):
         value = M[i, j].diff(variables[k])

@@ -27,7 +27,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._bodies import weighted
 from derive.kinds.robot._chain import chain_of, matrix_of, moment_names
 from derive.kinds.robot._drives import friction_column
-from derive.kinds.robot._rates import oracle, rated, rises
+from derive.kinds.robot._rates import is_long, oracle, rated, rises
 from derive.mechanics.robot import gravity_of
 
 LONGEST = 45  # operations; a longer equation stays in the names of its terms
@@ -42,7 +42,7 @@ def khatib_dynamics(problem: Problem) -> Derivation:
     friction = friction_column(problem.subject)
     rigid = _rigid(M, v, g, rises(problem.subject.variables))
     tau = rigid if friction is None else _sum(rigid, friction)
-    big = bool(inertia.facts["big"])
+    big = is_long(problem)
     steps = (*_weights(problem, g, big), *_torques(tau, friction))
     definitions: dict[Expr, Expr] = {**inertia.definitions, **speed.definitions, **named_results(steps)}
     definitions |= {MASS: M, WEIGHT: g, Symbol("v"): v, Symbol("tau"): tau}
@@ -72,9 +72,7 @@ def _weights(problem: Problem, g: Matrix, big: bool) -> tuple[Step, ...]:
     name = Symbol("g_0")
     given = Step("g_0", (name, column(gravity_of(problem.subject))), "given")
     heavy = [body for body in weighted(problem, chain_of(problem)) if body.body.mass != ZERO]
-    terms = [
-        Product((transpose(Symbol(f"J_v{body.i}")), Product((body.body.mass, name)))) for body in heavy
-    ]
+    terms = [Product((transpose(Symbol(f"J_v{body.i}")), Product((body.body.mass, name)))) for body in heavy]
     chain = (WEIGHT, negate(Sum(tuple(terms))) if terms else ZERO)
     return given, Step("G", chain if big else (*chain, g), "weights")
 

@@ -9,6 +9,7 @@ from typing import Any
 from derive.algebra import numeric
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
+from derive.algebra.operations import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim
 from derive.expression import Expr, Matrix, Product, Symbol, column, squared
@@ -19,6 +20,7 @@ from derive.mechanics.dynamics import christoffel
 from derive.mechanics.oracle import Oracle
 
 Christoffel = Mapping[tuple[int, int, int], Scalar]
+LONGEST_MATRIX = 200  # operations of D, all entries together
 
 
 def rates(variables: Sequence[str]) -> list[Expr]:
@@ -94,3 +96,9 @@ def symbols_of(problem: Problem) -> Christoffel:
     """The Christoffel symbols of the arm, names of shapes' moments kept."""
     D = problem.ask("inertia-matrix").definitions[Symbol("D")]
     return christoffel(normal_matrix(D), problem.subject.variables)
+
+
+def is_long(problem: Problem) -> bool:
+    """Whether what follows from D would fill pages: it is then left in its names."""
+    inertia = problem.ask("inertia-matrix")
+    return bool(inertia.facts["big"]) or operations(inertia.definitions[Symbol("D")]) > LONGEST_MATRIX

@@ -87,7 +87,9 @@ def _alone(problem: Problem, name: str, link: Link, value: Expr, factor: Expr) -
     """A parameter of one joint: its column holds one factor."""
     k = problem.subject.variables.index(link.variable or "")
     entries = [normal(factor) if j == k else Scalar.of(0) for j in range(len(problem.subject.variables))]
-    return Standard(_name(name, problem.subject.links.index(link) + 1), normal(value), ScalarMatrix.column(entries))
+    return Standard(
+        _name(name, problem.subject.links.index(link) + 1), normal(value), ScalarMatrix.column(entries)
+    )
 
 
 def _name(letters: str, i: int) -> Indexed:

@@ -9,7 +9,7 @@ from typing import Any, Literal
 from derive.algebra.matrix import ScalarMatrix
 from derive.derivation import Derivation, Step
 from derive.errors import NotDerivable
-from derive.expression import Matrix, Symbol
+from derive.expression import Matrix, Symbol, free_symbols
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._point import PointOn, Tracked, tracked
@@ -22,15 +22,19 @@ RowName = Literal["vx", "vy", "vz", "wx", "wy", "wz"]
 
 @dataclass(frozen=True, slots=True)
 class Task:
-    """J (m by n): the rows asked for, or those the arm is built for, of the Jacobian of a point. `base`
-    is the derivation of the whole Jacobian."""
+    """J (m by n): the rows asked for, or those the arm is built for, of the Jacobian of a point."""
 
     problem: Problem
     found: Chain
     point: Tracked
     rows: tuple[str, ...]
     J: ScalarMatrix
-    base: Derivation
+    asked: PointOn | None
+
+    @property
+    def base(self) -> Derivation:
+        """The derivation of the whole Jacobian."""
+        return jacobian_of(self.problem, self.asked)
 
     @property
     def square(self) -> bool:
@@ -61,7 +65,7 @@ class Task:
     @property
     def symbols(self) -> frozenset[str]:
         """Every name J depends on."""
-        return self.problem.symbols | {n for part in self.point.offset for n in _names(part)}
+        return self.problem.symbols | {n for part in self.point.offset for n in free_symbols(part)}
 
     def numbers(self, at: Mapping[str, float]) -> Any:
         """J in numbers by differences of the poses: the second route (an array, m by n)."""
@@ -87,7 +91,7 @@ def task_of(problem: Problem, rows: tuple[str, ...], point: PointOn | None = Non
     chosen = rows or task_rows(J)
     if not chosen:
         raise NotDerivable("no joint moves this point")
-    return Task(problem, found, where, chosen, rows_of(J, chosen), jacobian_of(problem, point))
+    return Task(problem, found, where, chosen, rows_of(J, chosen), point)
 
 
 def jacobian_of(problem: Problem, point: PointOn | None) -> Derivation:
@@ -101,9 +105,3 @@ def jacobian_of(problem: Problem, point: PointOn | None) -> Derivation:
 
 def _plain(options: Any, point: PointOn | None) -> bool:
     return bool(options.point == point and options.frame == "base" and options.kind == "geometric")
-
-
-def _names(tree: Any) -> frozenset[str]:
-    from derive.expression import free_symbols
-
-    return free_symbols(tree)

@@ -18,7 +18,7 @@ from derive.kinds.robot._khatib import (
     symbol_steps,
     velocity_of,
 )
-from derive.kinds.robot._rates import pairs, squares, velocity_agreement
+from derive.kinds.robot._rates import is_long, pairs, squares, velocity_agreement
 from derive.mechanics.robot import Robot
 
 RESULTS = {
@@ -46,7 +46,7 @@ class Options(OptionsModel):
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """v = C [qdot^2] + B [qdot qdot] (Khatib, Introduction to Robotics, dynamics; Craig, eq. 6.63)."""
     inertia = problem.ask("inertia-matrix")
-    D, big, n = inertia.definitions[Symbol("D")], inertia.facts["big"], len(robot.variables)
+    D, big, n = inertia.definitions[Symbol("D")], is_long(problem), len(robot.variables)
     velocity = velocity_of(problem, big)
     worked = () if big else (*entry_steps(problem, D), *symbol_steps(velocity, n))
     steps = (*worked, *matrix_steps(velocity, robot.variables, big))

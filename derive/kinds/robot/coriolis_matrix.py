@@ -15,6 +15,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import moment_names, scalar_of
 from derive.kinds.robot._rates import (
     Christoffel,
+    is_long,
     rate_column,
     rates,
     symbols_of,
@@ -46,7 +47,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     names, named = robot.variables, moment_names(inertia)
     symbols = symbols_of(problem)
     C = coriolis_matrix(symbols, names)
-    big = inertia.facts["big"]
+    big = is_long(problem)
     result: Expr = _entries(names, lambda name: scalar_of(speed, name))
     steps: tuple[Step, ...] = ()
     if not big:
@@ -85,7 +86,5 @@ def _entries(variables: tuple[str, ...], symbol: Callable[[str], Expr]) -> Matri
     """c_kj as sums of symbols and rates; `symbol` gives c_ijk by its name."""
     n, rate = range(1, len(variables) + 1), rates(variables)
     return Matrix(
-        tuple(
-            tuple(add(*(multiply(symbol(f"c_{i}{j}{k}"), rate[i - 1]) for i in n)) for j in n) for k in n
-        )
+        tuple(tuple(add(*(multiply(symbol(f"c_{i}{j}{k}"), rate[i - 1]) for i in n)) for j in n) for k in n)
     )

@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from fractions import Fraction
-from math import prod
 from typing import Literal
 
 from derive.algebra import numeric
 from derive.algebra.normal import normal_matrix
 from derive.algebra.operations import operations
 from derive.derivation import Claim, Derivation, Step
-from derive.expression import ZERO, Expr, Matrix, Number, Product, Symbol, add, multiply, number, squared
+from derive.expression import Expr, Matrix, Symbol, add, column
 from derive.kinds.checks import agreement, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import matrix_of, moment_names, oracle_of, scalar_of
-from derive.kinds.robot._drives import friction_column, friction_terms
+from derive.kinds.robot._chain import moment_names, oracle_of
+from derive.kinds.robot._drives import friction_column
 from derive.kinds.robot._khatib_dynamics import khatib_dynamics
+from derive.kinds.robot._terms import Term, terms_of
 from derive.mechanics.robot import Robot
 
 RESULTS = {
@@ -54,22 +53,13 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         return khatib_dynamics(problem)
     inertia, speed, weight = (problem.ask(kind) for kind in ("inertia-matrix", "christoffel", "gravity"))
     names: dict[Expr, Expr] = {**inertia.definitions, **speed.definitions, **weight.definitions}
-    rubbing = friction_terms(robot)
-    terms = [
-        [
-            *_terms(inertia, speed, weight, robot.variables, k),
-            *((term, problem.final(term)) for term in rubbing[k - 1]),
-        ]
-        for k in range(1, len(robot.variables) + 1)
-    ]
+    terms = terms_of(problem, inertia, speed, weight)
     big = inertia.facts["big"]
-    steps = () if big else tuple(_equation(k, pairs) for k, pairs in enumerate(terms, 1))
-    tau = Matrix(tuple((add(*[value for _, value in pairs]),) for pairs in terms))
+    steps = () if big else tuple(_equation(k, each) for k, each in enumerate(terms, 1))
+    tau = column(add(*[term.written for term in each]) for each in terms)
+    rigid = column(add(*[term.written for term in each if term.sort != "friction"]) for each in terms)
     results = {"D": inertia.results["D"], **speed.results, **weight.results, "tau": tau}
     known = {**problem.names, **names, **moment_names(inertia)}
-    rigid = Matrix(
-        tuple((add(*[value for _, value in pairs[: len(pairs) - len(rubbing[k])]]),) for k, pairs in enumerate(terms))
-    )
     claims = (*links(steps, known), _second_route(problem, rigid))
     return Derivation(
         "dynamics",
@@ -83,51 +73,12 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     )
 
 
-def _equation(k: int, terms: list[tuple[Expr, Expr]]) -> Step:
+def _equation(k: int, terms: tuple[Term, ...]) -> Step:
     """In the names of its terms, and written out where that is short."""
-    name, named, written = Symbol(f"tau_{k}"), add(*[n for n, _ in terms]), add(*[v for _, v in terms])
+    name, named = Symbol(f"tau_{k}"), add(*[term.named for term in terms])
+    written = add(*[term.written for term in terms])
     chain = (name, named, written) if operations(written) <= LONGEST and written != named else (name, named)
     return Step(name.name, chain, "euler-lagrange", {"k": k})
-
-
-def _terms(
-    inertia: Derivation, speed: Derivation, weight: Derivation, variables: tuple[str, ...], k: int
-) -> list[tuple[Expr, Expr]]:
-    """(in names, written out) for every term of tau_k that does not vanish, accelerations first."""
-    D, g = matrix_of(inertia, "D"), matrix_of(weight, "g")
-    found: list[tuple[Expr, Expr, tuple[Expr, ...]]] = [
-        (Symbol(f"d_{min(j, k)}{max(j, k)}"), D.rows[k - 1][j - 1], (Symbol(f"{name}_ddot"),))
-        for j, name in enumerate(variables, 1)
-    ]
-    for (i, j), rates in _rates(variables).items():
-        name = f"c_{i}{j}{k}"
-        found.append((Symbol(name), scalar_of(speed, name), rates))
-    found.append((Symbol(f"g_{k}"), g.rows[k - 1][0], ()))
-    return [
-        (_product(name, factors), _product(value, factors)) for name, value, factors in found if value != ZERO
-    ]
-
-
-def _rates(variables: tuple[str, ...]) -> dict[tuple[int, int], tuple[Expr, ...]]:
-    """(i, j) -> qdot_i^2, or 2 qdot_i qdot_j for the two equal Christoffel symbols."""
-    rate = [Symbol(f"{name}_dot") for name in variables]
-    found: dict[tuple[int, int], tuple[Expr, ...]] = {}
-    for i in range(len(rate)):
-        for j in range(i, len(rate)):
-            found[i + 1, j + 1] = (squared(rate[i]),) if i == j else (number(2), rate[i], rate[j])
-    return found
-
-
-def _product(value: Expr, factors: tuple[Expr, ...]) -> Expr:
-    """Numbers gathered in front: 2 * (-1/2 m L) * x is -m L x."""
-    parts = [
-        part
-        for expr in (value, *factors)
-        for part in (expr.factors if isinstance(expr, Product) else (expr,))
-    ]
-    numbers = [part.value for part in parts if isinstance(part, Number)]
-    rest = [part for part in parts if not isinstance(part, Number)]
-    return multiply(Number(prod(numbers, start=Fraction(1))), *rest)
 
 
 def _second_route(problem: Problem, rigid: Matrix) -> Claim:

@@ -29,7 +29,7 @@ from derive.kinds.problem import TREES, Problem
 from derive.kinds.robot._bodies import Weighted, weighted
 from derive.kinds.robot._chain import chain_of, moment_names
 from derive.kinds.robot._drives import ROTORS, rotors
-from derive.kinds.robot._rates import oracle, rate_column, rated, rates
+from derive.kinds.robot._rates import is_long, oracle, rate_column, rated, rates
 from derive.mechanics.dynamics import link_inertia
 from derive.mechanics.robot import Robot
 
@@ -62,7 +62,7 @@ class Options(OptionsModel):
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """K_i = (m v_c^T v_c + w^T R I R^T w) / 2 and P_i = -m g^T o_c (Spong et al., eq. 6.26 and 6.33)."""
     inertia, weight = problem.ask("inertia-matrix"), problem.ask("gravity")
-    big, bodies = bool(inertia.facts["big"]), weighted(problem, chain_of(problem))
+    big, bodies = is_long(problem), weighted(problem, chain_of(problem))
     named = moment_names(inertia)
     velocities = () if big else tuple(step for body in bodies for step in _velocities(problem, body))
     links_of = tuple(_link(problem, body, named, big) for body in bodies)
@@ -117,7 +117,9 @@ def _link(problem: Problem, body: Weighted, named: Mapping[Expr, Expr], big: boo
     if big:
         form = Product((HALF, transpose(RATE), Symbol(f"D_{i}"), RATE))
         value = quadratic(problem.readable_matrix(D), problem.subject.variables)
-        return Step(name.name, (name, form, problem.final(value, named) if named else value), "kinetic-energy")
+        return Step(
+            name.name, (name, form, problem.final(value, named) if named else value), "kinetic-energy"
+        )
     rate = rate_column(problem.subject.variables)
     K = (rate.T @ D @ rate)[0, 0] * Fraction(1, 2)
     return Step(name.name, (name, _formula(body), *_written(problem, K, named)), "kinetic-energy")
@@ -168,9 +170,7 @@ def _terms(expr: Expr) -> tuple[Expr, ...]:
     return expr.terms if isinstance(expr, Sum) else (expr,)
 
 
-def _results(
-    problem: Problem, parts: tuple[Step, ...], K: Step, weight: Derivation
-) -> dict[str, Result]:
+def _results(problem: Problem, parts: tuple[Step, ...], K: Step, weight: Derivation) -> dict[str, Result]:
     kinetic = {step.name: problem.final(step.result) for step in parts}
     potential = {
         step.name: problem.final(step.result) for step in weight.steps if step.rule == "potential-energy"
@@ -214,7 +214,9 @@ def _balance(problem: Problem, results: Mapping[str, Result]) -> Claim:
         torques = zip(arm.torques(at), names, strict=True)
         return float(sum(tau * at[f"{name}_dot"] for tau, name in torques))
 
-    return agreement("d(K + P)/dt is the power of the joint forces (Newton-Euler)", rated(problem), rate, power)
+    return agreement(
+        "d(K + P)/dt is the power of the joint forces (Newton-Euler)", rated(problem), rate, power
+    )
 
 
 def _tree(result: Result) -> Expr:

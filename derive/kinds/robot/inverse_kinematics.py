@@ -1,40 +1,35 @@
-"""The joint variables that bring the end-effector to a given place."""
+"""The joint variables that bring the end-effector to a given place, in closed form."""
 
 from __future__ import annotations
 
-from pydantic import Field
+from functools import partial
+from typing import Any
 
-from derive.algebra import numeric
-from derive.algebra.normal import normal
-from derive.algebra.scalar import Scalar
-from derive.derivation import Branch, Claim, Derivation, Step
+from derive.derivation import Derivation
 from derive.errors import NotDerivable
-from derive.expression import (
-    ONE,
-    PI,
-    Expr,
-    Quotient,
-    Sum,
-    Symbol,
-    add,
-    atan2,
-    cos,
-    multiply,
-    negate,
-    number,
-    sin,
-    sqrt,
-    squared,
-    subtract,
-)
-from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
-from derive.kinds.fields import Name, OptionsModel
+from derive.kinds.evaluation import Evaluation
+from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
+from derive.kinds.robot import _inverse_planar
 from derive.kinds.robot._chain import chain_of, oracle_of
+from derive.kinds.robot._inverse_branches import Solutions
+from derive.kinds.robot._inverse_checks import closing
+from derive.kinds.robot._inverse_evaluated import evaluated
+from derive.kinds.robot._inverse_given import Given, goal_of
+from derive.kinds.robot._inverse_page import Page
+from derive.kinds.robot._inverse_reasons import no_closed_form, refuse
+from derive.mechanics.chain import Chain
+from derive.mechanics.inverse.goal import Goal
+from derive.mechanics.inverse.plan import Clock, Search
+from derive.mechanics.inverse.sample import configurations
 from derive.mechanics.robot import Robot
-from derive.mechanics.two_link import TwoLink, two_link
+from derive.mechanics.two_link import two_link
 
-RESULTS = {"solutions": "every branch: a value for each joint variable, and when"}
+RESULTS = {
+    "solutions": "every branch: a value for each joint variable, and when; a value that would fill pages is in "
+    "terms of joint variables found before it",
+    "order": "then only: the joint variables in the order in which to evaluate them",
+}
 EXAMPLE = """\
 title: Inverse kinematics
 problems:
@@ -45,131 +40,72 @@ problems:
   find: inverse-kinematics
   given: [x, y]
 """
-ELBOWS = (("down", number(1), ">"), ("up", number(-1), "<"))
 POINTS = 5
 
 
 class Options(OptionsModel):
-    """`given`: names for the known coordinates of the end-effector."""
+    """`given`: `pose` (r11 ... r33, x, y, z), `orientation`, or names for the known coordinates of the
+    end-effector: two or three of its position, or two and its angle in the plane."""
 
-    given: tuple[Name, ...] = Field(("x", "y"), min_length=2, max_length=3)
+    given: Given = ("x", "y")
+    evaluate: Evaluation = None
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
-    """By the law of cosines (Spong et al., section 1.4.2; Craig, section 4.4)."""
-    arm = two_link(chain_of(problem))
-    if arm is None or len(options.given) != 2:
-        raise NotDerivable(
-            "no closed form found, because only the arm of two revolute joints that moves in the plane "
-            "x_0 y_0 is solved so far, for two given coordinates"
-        )
-    x, y = map(Symbol, options.given)
-    writing = _Writing(problem, arm, x, y)
-    steps = writing.steps()
-    branches = tuple(writing.branch(name, sign, relation) for name, sign, relation in ELBOWS)
-    known = {**problem.names, **writing.position()}
-    claims = (
-        *links([step for step in steps if step.rule in ("position", "law-of-cosines")], known),
-        *(_closes(problem, branch, options.given) for branch in branches),
-    )
+    """By named sub-problems, each chosen by the form of the equations (Paul; Craig, chapter 4; Siciliano et
+    al., section 2.12)."""
+    chain = chain_of(problem)
+    arm = two_link(chain)
+    if arm is not None and len(options.given) == 2:
+        return _inverse_planar.derive(arm, options.given, options.evaluate, problem)
+    goal = goal_of(options.given, chain, problem)
+    refuse(chain, goal)
+    points = sample_points(chain, goal, problem, POINTS)
+    free = partial(free_name, problem=problem, goal=goal)
+    plan = Search(chain, goal, points[:2], free, Clock()).plan()
+    if not plan.complete:
+        raise NotDerivable(no_closed_form(plan, problem))
+    page = Page(problem, chain, goal, plan, free)
+    slides = frozenset(plan.knowledge.slides)
+    solutions = Solutions(page.items, chain.variables, slides, problem)
+    results: dict[str, Any] = {"solutions": solutions.branches}
+    if solutions.nested:
+        results["order"] = ", ".join(solutions.order)
+    values = evaluated(solutions, goal, problem, options.evaluate)
     return Derivation(
         "inverse-kinematics",
-        steps,
-        {"solutions": branches},
-        claims,
+        page.steps,
+        results,
+        (*page.claims(), *closing(solutions, goal, problem, points)),
+        page.definitions,
+        values,
         uses=(problem.ask("forward-kinematics"),),
-        facts=writing.facts(),
+        facts=page.facts(solutions, values),
     )
 
 
-class _Writing:
-    """The formulas of one arm in its own names."""
-
-    def __init__(self, problem: Problem, arm: TwoLink, x: Symbol, y: Symbol) -> None:
-        self.problem, self.arm, self.x, self.y = problem, arm, x, y
-        self.theta_1, self.theta_2 = Symbol(arm.theta_1), Symbol(arm.theta_2)
-        self.a_1, self.a_2 = problem.readable(arm.a_1), problem.readable(arm.a_2)
-        self.square = add(squared(x), squared(y))
-
-    def position(self) -> dict[Expr, Expr]:
-        """x and y by forward kinematics."""
-        elbow = Sum((self.theta_1, self.theta_2))
-        parts = zip((self.x, self.y), (cos, sin), strict=True)
-        return {
-            name: add(multiply(self.a_1, f(self.theta_1)), multiply(self.a_2, f(elbow))) for name, f in parts
-        }
-
-    def steps(self) -> tuple[Step, ...]:
-        """The position, the triangle, c_2, and for each elbow theta_2; then theta_1."""
-        position = [
-            Step(str(name.name), (name, value), "position")
-            for name, value in self.position().items()
-            if isinstance(name, Symbol)
-        ]
-        cosine, length = cos(self.theta_2), multiply(number(2), self.a_1, self.a_2)
-        sides = add(squared(self.a_1), squared(self.a_2), negate(squared(self.x)), negate(squared(self.y)))
-        inside = cos(subtract(PI, self.theta_2))
-        triangle = Step("triangle", (inside, Quotient(sides, length)), "law-of-cosines")
-        solved = Step("c_2", (cosine, self.cosine()), "law-of-cosines")
-        elbows = [
-            Step(
-                f"elbow_{name}",
-                (self.theta_2, atan2(self.sine(sign, cosine), cosine)),
-                "branch",
-                {"sign": relation},
-            )
-            for name, sign, relation in ELBOWS
-        ]
-        shoulder = self.shoulder(cosine, sin(self.theta_2))
-        return (*position, triangle, solved, *elbows, Step("theta_1", (self.theta_1, shoulder), "difference"))
-
-    def cosine(self) -> Expr:
-        """cos theta_2 in the given coordinates."""
-        x, y = Scalar.symbol(self.x.name), Scalar.symbol(self.y.name)
-        a_1, a_2 = self.arm.a_1, self.arm.a_2
-        top, bottom = x * x + y * y - a_1 * a_1 - a_2 * a_2, 2 * a_1 * a_2
-        if bottom.constant is not None:
-            return self.problem.readable(top / bottom)
-        return Quotient(self.problem.readable(top), self.problem.readable(bottom))
-
-    @staticmethod
-    def sine(sign: Expr, cosine: Expr) -> Expr:
-        return multiply(sign, sqrt(subtract(ONE, squared(cosine))))
-
-    def shoulder(self, c_2: Expr, s_2: Expr) -> Expr:
-        """atan2(y, x) - atan2(a_2 s_2, a_1 + a_2 c_2)."""
-        inner = atan2(multiply(self.a_2, s_2), add(self.a_1, multiply(self.a_2, c_2)))
-        return subtract(atan2(self.y, self.x), inner)
-
-    def branch(self, elbow: str, sign: Expr, relation: str) -> Branch:
-        """Both angles in the given coordinates alone."""
-        u = self.problem.final(self.cosine())
-        s = self.sine(sign, u)
-        along = add(self.a_1, multiply(self.a_2, self.cosine()))  # a_1 + a_2 c_2
-        along = self.problem.readable(normal(along, self.problem.names))
-        inner = atan2(multiply(self.problem.final(self.a_2), s), along)
-        values = {
-            self.arm.theta_1: subtract(atan2(self.y, self.x), inner),
-            self.arm.theta_2: atan2(s, u),
-        }
-        return Branch(values, f"elbow {elbow}, {self.arm.theta_2} {relation} 0")
-
-    def facts(self) -> dict[str, object]:
-        return {
-            "x": self.x, "y": self.y, "theta_1": self.theta_1, "theta_2": self.theta_2,
-            "a_1": self.a_1, "a_2": self.a_2, "r": sqrt(self.square),
-            "same": self.a_1 == self.a_2, "elbow": subtract(PI, self.theta_2),
-        }  # fmt: skip
+def sample_points(chain: Chain, goal: Goal, problem: Problem, count: int) -> tuple[dict[str, float], ...]:
+    """Configurations of the arm, and what is given of its end-effector there."""
+    turning = [joint.variable for _, joint in chain.moving if joint.type != "prismatic"]
+    slides = {
+        joint.variable: problem.assumptions.get(joint.variable) in ("positive", "nonnegative")
+        for _, joint in chain.moving
+        if joint.type == "prismatic"
+    }
+    oracle = oracle_of(problem)
+    points = []
+    for point in configurations(problem.symbols, turning, slides, count):
+        at = dict(oracle.at(point))
+        points.append({**at, **goal.numbers(oracle.tool(at))})
+    return tuple(points)
 
 
-def _closes(problem: Problem, branch: Branch, given: tuple[str, ...]) -> Claim:
-    """The branch at reachable points, put back through the poses in numbers."""
-    oracle, names = oracle_of(problem), problem.subject.variables
-    holds = True
-    for point in random_points(sorted(problem.symbols), POINTS):
-        at = oracle.at(point)
-        target = dict(zip(given, oracle.tool(at)[:2, 3], strict=True))
-        found = {name: numeric.number(branch.values[name], {**at, **target}) for name in names}
-        reached = oracle.tool({**at, **found})[:2, 3]
-        holds &= close(list(target.values()), reached)
-    return Claim(f"the branch '{branch.when}' reaches its target", SECOND_ROUTE, holds)
+def free_name(name: str, problem: Problem, goal: Goal) -> str:
+    """The name, or one like it that stands for nothing else."""
+    taken = problem.symbols | set(problem.where) | set(goal.names)
+    while name in taken:
+        stem, _, index = name.partition("_")
+        name = f"{stem}{stem[-1]}_{index}"
+    return name
+
+

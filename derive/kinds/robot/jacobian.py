@@ -47,6 +47,7 @@ class Options(OptionsModel):
     point: PointOn | None = None
     rows: tuple[RowName, ...] = ()
     frame: Literal["base", "tool"] = Field("base", alias="in")
+    kind: Literal["geometric", "analytic"] = "geometric"
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:

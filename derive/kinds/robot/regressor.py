@@ -14,7 +14,7 @@ from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of, moment_names, oracle_of
-from derive.kinds.robot._rates import rated
+from derive.kinds.robot._rates import is_long, rated
 from derive.kinds.robot._regressor import Base, Standard, base_parameters, dependent, standard_parameters
 from derive.mechanics.robot import Robot
 
@@ -46,7 +46,7 @@ class Options(OptionsModel):
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """tau = Y(q, qdot, qddot) Theta (Spong et al., section 6.5.3; Khalil and Dombre, section 9.4)."""
     inertia = problem.ask("inertia-matrix")
-    named, big = moment_names(inertia), bool(inertia.facts["big"])
+    named, big = moment_names(inertia), is_long(problem)
     parameters = standard_parameters(problem)
     made_of = dependent(problem, parameters)
     base = base_parameters(parameters, made_of)
@@ -102,9 +102,7 @@ def _gathered(problem: Problem, each: Base, named: Mapping[Expr, Expr]) -> Step:
     return Step(each.name.name, (each.name, sum_of, _final(problem, each.value, named)), "base-parameter")
 
 
-def _lost(
-    problem: Problem, parameters: Sequence[Standard], j: int, weights: Mapping[int, Scalar]
-) -> Step:
+def _lost(problem: Problem, parameters: Sequence[Standard], j: int, weights: Mapping[int, Scalar]) -> Step:
     """y_M2 = a1^2 y_ZZ1 + a1 y_MX1."""
     name = _y(parameters[j].name)
     terms = (multiply(problem.readable(weight), _y(parameters[i].name)) for i, weight in weights.items())

@@ -42,7 +42,11 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
     results["resolution"] = working.final("Delta")
     claims = (
         *links(working.steps, {**problem.names, **working.definitions}),
-        Claim("so many counts make a whole turn of the link", SECOND_ROUTE, _whole_turn(encoder, problem, results)),
+        Claim(
+            "so many counts make a whole turn of the link",
+            SECOND_ROUTE,
+            _whole_turn(encoder, problem, results),
+        ),
     )
     facts = {
         "incremental": isinstance(encoder.disc, Incremental),

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import tau
 
 from derive.algebra.numeric import number as at
 from derive.derivation import Claim, Derivation
-from derive.expression import ONE, Expr, Product, Quotient
+from derive.expression import ONE, Expr, Product, Quotient, Symbol, free_symbols
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
 from derive.kinds.fields import Formula, OptionsModel, Time
 from derive.kinds.problem import Problem
@@ -29,6 +30,7 @@ problems:
   counts: 120
   period: 10 ms
 """
+OMEGA = Symbol("omega")
 
 
 class Options(OptionsModel):
@@ -53,9 +55,32 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
     if gear:
         results["omega_motor"] = working.final("omega_m")
     results |= {"quantum": working.final("delta_omega"), "relative": working.final("relative")}
-    steps = working.steps[told:]
+    share = Quotient(Symbol("delta_omega"), OMEGA)
+    last = working.steps[-1]
+    steps = (*working.steps[told:-1], replace(last, chain=(share, *last.chain[1:])))
     claims = (
         *links(steps, {**problem.names, **working.definitions}),
-        Claim("the link turns so far in the period", SECOND_ROUTE, _so_far(encoder, options, problem, results)),
+        Claim(
+            "the link turns so far in the period", SECOND_ROUTE, _so_far(encoder, options, problem, results)
+        ),
     )
-    return Derivation("speed", steps, results, claims, working.definitions, uses=(base,))
+    facts = {
+        "given": tuple((name, value) for name, value in working.given if name in (n, T)),
+        "n": n, "T": T, "gear": gear, "numbers": ("omega", "omega_motor", "quantum", "relative"),
+    }  # fmt: skip
+    return Derivation("speed", steps, results, claims, working.definitions, uses=(base,), facts=facts)
+
+
+def _so_far(encoder: Encoder, options: Options, problem: Problem, results: dict[str, Expr]) -> bool:
+    """In floats: the speed times the period is that share of a turn; one count more is a quantum more."""
+    turn = problem.ask("resolution").results["counts"]
+    trees = [problem.final(e) for e in (options.counts, options.period, encoder.gear or ONE)]
+    trees += [turn, results["omega"], results["quantum"]]
+    symbols = sorted(frozenset().union(*map(free_symbols, trees)))
+    for point in random_points(symbols, 3) if symbols else iter([{}]):
+        n, T, gear, counts, omega, quantum = (at(tree, point) for tree in trees)
+        if not close(
+            [omega * T * gear * counts, omega + quantum], [tau * n, tau * (n + 1) / (counts * gear * T)]
+        ):
+            return False
+    return True

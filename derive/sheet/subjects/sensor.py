@@ -117,7 +117,9 @@ def _disc_faults(given: GivenIncremental | GivenAbsolute, at: At) -> Iterator[Sh
         elif sizes[name] and value.denominator != 1:
             yield at.fault(f"{name} must be a whole number", (name,))
         elif name == "edges" and value not in (1, 2, 4):
-            yield at.fault("a line has 1, 2 or 4 edges to count", ("edges",), "4 with two tracks a quarter apart")
+            yield at.fault(
+                "a line has 1, 2 or 4 edges to count", ("edges",), "4 with two tracks a quarter apart"
+            )
         elif name == "bits" and value > MAX_BITS:
             yield at.fault(f"no encoder has {value} bits", ("bits",), f"at most {MAX_BITS}")
 

@@ -1,0 +1,29 @@
+"""What one answer may cost: expressions that no page could hold are refused before they fill the memory."""
+
+from __future__ import annotations
+
+from flint import fmpq_mpoly
+
+from derive.errors import NotDerivable
+
+MOST_PRODUCTS = 1_000_000  # of terms, in one multiplication; arms of seven joints need some ten thousand
+MOST_TERMS = 100_000  # written out in the answers to one problem
+
+
+def multiplied(left: fmpq_mpoly, right: fmpq_mpoly) -> fmpq_mpoly:
+    """The product. Raises NotDerivable where it would be out of all proportion."""
+    if len(left) * len(right) > MOST_PRODUCTS:
+        raise NotDerivable(
+            f"the answer is too long: an expression of {len(left)} terms times one of {len(right)}; "
+            "give numbers to some of the symbols"
+        )
+    return left * right
+
+
+def count(written: int) -> None:
+    """Raises NotDerivable where so many terms are to be written out."""
+    if written > MOST_TERMS:
+        raise NotDerivable(
+            f"the answer is too long: over {MOST_TERMS} terms multiplied out; "
+            "give numbers to some of the symbols"
+        )

@@ -1,0 +1,134 @@
+"""The gear that lets a motor accelerate its load the most."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from derive.algebra.numeric import number as at
+from derive.derivation import Claim, Derivation, Step
+from derive.expression import (
+    Derivative,
+    Expr,
+    Product,
+    Quotient,
+    Symbol,
+    add,
+    free_symbols,
+    number,
+    replace,
+    sqrt,
+    squared,
+    subtract,
+    symbols,
+)
+from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
+from derive.kinds.fields import OptionsModel
+from derive.kinds.problem import Problem
+from derive.kinds.working import Working, named
+from derive.mechanics.sensing import Drive
+
+RESULTS = {
+    "G": "the best gear ratio",
+    "alpha": "the acceleration of the load with it",
+}
+EXAMPLE = """\
+title: The best gear
+problems:
+- drive: {rotor: J_m, load: J_l, torque: tau_m}
+  find: gear-ratio
+- drive: {rotor: J_m, load: J_l, torque: tau_m, load_torque: tau_l}
+  find: gear-ratio
+"""
+G, ALPHA, BEST = symbols("G alpha G_opt")
+NEAR = (0.9, 1.1)  # gears beside the best
+
+
+class Options(OptionsModel):
+    """A gear that the drive has is left out of account."""
+
+
+def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
+    """alpha = (G tau_m - tau_l)/(G^2 J_m + J_l) is greatest where its derivative by G vanishes; without a
+    torque at the load that is G = sqrt(J_l/J_m)."""
+    torque = drive.torque or Symbol("tau_m")
+    J_m, J_l, tau_m = named("J_m", drive.rotor), named("J_l", drive.load), named("tau_m", torque)
+    values: dict[Expr, Expr] = {J_m: drive.rotor, J_l: drive.load, tau_m: torque}
+    tau_l = None
+    if drive.load_torque is not None:
+        tau_l = named("tau_l", drive.load_torque)
+        values[tau_l] = drive.load_torque
+    working = Working(problem, values)
+    law, slope, top = _slope(J_m, J_l, tau_m, tau_l)
+    working = _best(working, J_m, J_l, tau_m, tau_l)
+    steps = (
+        Step("alpha", (ALPHA, law)),
+        Step("slope", (Derivative(ALPHA, G), slope)),
+        *working.steps,
+    )
+    best = {BEST: working.values[BEST]}
+    results = {
+        "G": working.final("G_opt"),
+        "alpha": problem.final(replace(working.values[Symbol("alpha_max")], best)),
+    }
+    names = {**problem.names, **working.definitions}
+    claims = (
+        *links(steps[:2], {ALPHA: law}),
+        *links(working.steps, names),
+        _second_route(drive, problem, results),
+    )
+    facts = {
+        "given": working.given, "J_m": J_m, "J_l": J_l, "tau_m": tau_m, "tau_l": tau_l, "top": top, "G": G,
+        "zero": number(0), "balance": (Product((squared(BEST), J_m)), J_l),
+    }  # fmt: skip
+    return Derivation("gear-ratio", steps, results, claims, working.definitions, facts=facts)
+
+
+def _slope(J_m: Expr, J_l: Expr, tau_m: Expr, tau_l: Expr | None) -> tuple[Expr, Expr, Expr]:
+    """The acceleration by G, its derivative, and the numerator of that."""
+    whole = add(Product((squared(G), J_m)), J_l)
+    push = Product((G, tau_m))
+    if tau_l is None:
+        top = subtract(J_l, Product((squared(G), J_m)))
+        return Quotient(push, whole), Quotient(Product((tau_m, top)), squared(whole)), top
+    terms = (
+        Product((tau_m, J_l)),
+        Product((number(2), G, J_m, tau_l)),
+        Product((number(-1), squared(G), J_m, tau_m)),
+    )
+    top = add(*terms)
+    return Quotient(subtract(push, tau_l), whole), Quotient(top, squared(whole)), top
+
+
+def _best(working: Working, J_m: Expr, J_l: Expr, tau_m: Expr, tau_l: Expr | None) -> Working:
+    """The positive root, and the acceleration there; roots of symbols stay as a person writes them."""
+    open_ = bool(free_symbols(working.problem.final(working.value(Quotient(J_l, J_m)))))
+    ratio = working.value(Quotient(J_l, J_m))
+    if tau_l is None:
+        working = working.line("G_opt", sqrt(Quotient(J_l, J_m)), sqrt(ratio) if open_ else None)
+        force = Quotient(tau_m, Product((number(2), sqrt(Product((J_m, J_l))))))
+        return working.line("alpha_max", force, force if open_ else None)
+    pull = Quotient(tau_l, tau_m)
+    root = add(pull, sqrt(add(squared(pull), Quotient(J_l, J_m))))
+    open_ = open_ or bool(free_symbols(working.problem.final(working.value(pull))))
+    working = working.line("G_opt", root, root if open_ else None)
+    force = Quotient(tau_m, Product((number(2), BEST, J_m)))
+    return working.line("alpha_max", force, force if open_ else None)
+
+
+def _second_route(drive: Drive, problem: Problem, results: Mapping[str, Expr]) -> Claim:
+    """At numbers: the acceleration there is what is claimed, and gears beside it give less."""
+    torque = problem.final(drive.torque or Symbol("tau_m"))
+    trees = [problem.final(drive.rotor), problem.final(drive.load), torque]
+    trees.append(number(0) if drive.load_torque is None else problem.final(drive.load_torque))
+    symbols = sorted(frozenset().union(*map(free_symbols, trees)))
+    holds = True
+    for point in random_points(symbols, 3) if symbols else iter([{}]):
+        rotor, load, push, pull = (at(tree, point) for tree in trees)
+
+        def gives(gear: float, now: tuple[float, ...] = (rotor, load, push, pull)) -> float:
+            return (gear * now[2] - now[3]) / (gear**2 * now[0] + now[1])
+
+        best = at(results["G"], point)
+        holds &= close(gives(best), at(results["alpha"], point))
+        holds &= all(gives(best) > gives(near * best) for near in NEAR)
+    return Claim("gears beside it accelerate less", SECOND_ROUTE, holds)

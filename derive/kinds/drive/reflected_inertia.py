@@ -1,0 +1,66 @@
+"""The inertia of rotor and load together, as the load feels it and as the motor feels it."""
+
+from __future__ import annotations
+
+from derive.algebra.numeric import number as at
+from derive.derivation import Claim, Derivation
+from derive.expression import ONE, Expr, Product, Quotient, Symbol, add, number, squared
+from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
+from derive.kinds.fields import OptionsModel
+from derive.kinds.problem import Problem
+from derive.kinds.working import Working, named
+from derive.mechanics.sensing import Drive
+
+NEEDS = ("gear",)
+RESULTS = {
+    "J_load": "as the load feels it [kg m^2]",
+    "J_motor": "as the motor feels it [kg m^2]",
+}
+EXAMPLE = """\
+title: A motor behind a gear
+problems:
+- drive: {rotor: J_m, load: J_l, gear: G}
+  find: reflected-inertia
+"""
+
+
+class Options(OptionsModel):
+    """None."""
+
+
+def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
+    """The kinetic energy in the speed of the one and of the other (Spong et al., section 6.1)."""
+    gear = drive.gear or ONE
+    J_m, J_l, G = named("J_m", drive.rotor), named("J_l", drive.load), named("G", gear)
+    values: dict[Expr, Expr] = {J_m: drive.rotor, J_l: drive.load, G: gear}
+    working = Working(problem, values)
+    working = working.line("J_load", add(Product((squared(G), J_m)), J_l))
+    working = working.line("J_motor", add(J_m, Quotient(J_l, squared(G))))
+    results = {name: working.final(name) for name in RESULTS}
+    claims = (
+        *links(working.steps, {**problem.names, **working.definitions}),
+        Claim("both hold the same kinetic energy", SECOND_ROUTE, _same_energy(drive, problem, results)),
+    )
+    facts = {"given": working.given, "J_m": J_m, "J_l": J_l, "G": G, "energy": _energy(J_m, J_l, G)}
+    return Derivation("reflected-inertia", working.steps, results, claims, working.definitions, facts=facts)
+
+
+def _energy(J_m: Expr, J_l: Expr, G: Expr) -> tuple[Expr, Expr]:
+    """By the speeds of the motor and the load; with omega_m = G omega."""
+    omega, motor = Symbol("omega"), Symbol("omega_m")
+    half = Quotient(ONE, number(2))
+    both = add(Product((half, J_m, squared(motor))), Product((half, J_l, squared(omega))))
+    return both, Product((G, omega))
+
+
+def _same_energy(drive: Drive, problem: Problem, results: dict[str, Expr]) -> bool:
+    trees = [problem.final(tree) for tree in (drive.rotor, drive.load, drive.gear or ONE)]
+    for point in random_points(sorted(problem.symbols | {"omega"}), 3):
+        rotor, load, gear = (at(tree, point) for tree in trees)
+        omega = point["omega"]
+        energy = (rotor * (gear * omega) ** 2 + load * omega**2) / 2
+        as_load = at(results["J_load"], point) * omega**2 / 2
+        as_motor = at(results["J_motor"], point) * (gear * omega) ** 2 / 2
+        if not close([as_load, as_motor], [energy, energy]):
+            return False
+    return True

@@ -1,0 +1,54 @@
+"""Letters for positions, energies and multipliers that mean nothing else in the problem."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from derive.expression import Symbol
+from derive.kinds.problem import Problem
+from derive.mechanics.lagrangian import LagrangianSystem
+
+
+@dataclass(frozen=True, slots=True)
+class Letters:
+    """The letters of one problem; `indexed` where there are several bodies."""
+
+    position: str
+    velocity: str
+    spin: str
+    kinetic: str
+    potential: str
+    lagrangian: str
+    dissipation: str
+    multiplier: str
+    indexed: bool
+
+    @staticmethod
+    def of(system: LagrangianSystem, problem: Problem) -> Letters:
+        """The usual ones where they are free."""
+        taken = problem.symbols | set(problem.where) | set(system.coordinates)
+        choices = (
+            ("r", "p", "calR"), ("v", "u", "calV"), ("omega", "Omega", "w"), ("T", "K", "calT"),
+            ("P", "V", "calP"), ("L", "calL"), ("D", "R", "calD"), ("lambda", "mu", "nu"),
+        )  # fmt: skip
+        count = max(len(system.bodies), len(system.constraints), 1)
+        found = [_free(letters, taken, count) for letters in choices]
+        return Letters(*found, indexed=len(system.bodies) > 1)
+
+    def of_body(self, letter: str, number: int) -> Symbol:
+        """r_1, r_2, ...; r alone for the only body."""
+        return Symbol(f"{letter}_{number}" if self.indexed else letter)
+
+    def multipliers(self, count: int) -> tuple[Symbol, ...]:
+        """lambda, or lambda_1, lambda_2, ..."""
+        if count == 1:
+            return (Symbol(self.multiplier),)
+        return tuple(Symbol(f"{self.multiplier}_{k}") for k in range(1, count + 1))
+
+
+def _free(letters: tuple[str, ...], taken: set[str] | frozenset[str], count: int) -> str:
+    for letter in letters:
+        names = {letter, *(f"{letter}{mark}{k}" for k in range(1, count + 1) for mark in ("", "_"))}
+        if not names & taken:
+            return letter
+    return f"cal{letters[0][0].upper()}"

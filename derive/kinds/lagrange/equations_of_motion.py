@@ -1,0 +1,198 @@
+"""The equations of motion of a system by the method of Lagrange, with its constraints."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from derive.algebra import numeric
+from derive.algebra.scalar import Scalar
+from derive.derivation import Claim, Derivation, Result, Step
+from derive.expression import ZERO, Derivative, Expr, Symbol, column
+from derive.kinds.checks import SECOND_ROUTE, close, law, links, random_points
+from derive.kinds.fields import OptionsModel
+from derive.kinds.lagrange._energies import energy_steps
+from derive.kinds.lagrange._equations import difference, written_side
+from derive.kinds.lagrange._model import Model
+from derive.kinds.lagrange._oracle import Differences
+from derive.kinds.lagrange._solved import Solved, satisfies, solved
+from derive.kinds.problem import Problem
+from derive.kinds.values_at import completed
+from derive.mechanics.lagrangian import TIME, LagrangianSystem, energy, on_accelerations, rate
+
+RESULTS = {
+    "T": "the kinetic energy",
+    "P": "the potential energy",
+    "L": "the Lagrangian T - P",
+    "M": "what multiplies the accelerations (n by n)",
+    "tau": "d/dt dL/dqdot - dL/dq, with friction, for each coordinate: the forces the motion needs (n)",
+    "equations": "the same less the given forces and those of the constraints; it vanishes (n)",
+    "accelerations": "with `solve`, or constraints: x_ddot, ... (n)",
+    "multipliers": "with constraints: the multipliers, in the order of the constraints",
+}
+EXAMPLE = """\
+title: A cart with a pole
+problems:
+- lagrange:
+    coordinates: [x, theta]
+    bodies:
+    - {mass: m_c, position: [x, 0]}
+    - {mass: m_p, position: [x + l*sin(theta), -l*cos(theta)]}
+    forces: {x: F}
+  find: equations-of-motion
+"""
+POINTS = 2
+
+
+class Options(OptionsModel):
+    """`solve: true` solves for the accelerations; under constraints that is done anyway."""
+
+    solve: bool = False
+
+
+def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Derivation:
+    """d/dt dL/dqdot_k - dL/dq_k + dD/dqdot_k = Q_k + sum lambda_i a_ik (Goldstein et al., sections 1.4,
+    1.5 and 2.4). Raises NotDerivable where solving was asked for and is out of reach."""
+    model = Model(system, problem)
+    solution = solved(model) if options.solve or system.constraints else None
+    lefts = [written_side(left, system, problem) for left in model.lefts]
+    rights = [problem.readable(model.forces[q] + model.reaction(k)) for k, q in enumerate(system.coordinates)]
+    steps = (
+        *energy_steps(model),
+        *_partials(model),
+        *_equations(model, lefts, rights),
+        *_solution_steps(model, solution),
+    )
+    definitions = _definitions(model, steps)
+    known = {**problem.names, **definitions}
+    claims = (*links(steps, known), *_laws(model, solution), _second_route(model, lefts))
+    results = _results(model, lefts, rights, solution)
+    return Derivation(
+        "equations-of-motion", steps, results, claims, definitions, facts=_facts(model, options, lefts, rights)
+    )
+
+
+def _partials(model: Model) -> Iterator[Step]:
+    """For each coordinate dL/dqdot, its rate, and dL/dq."""
+    system, problem, L = model.system, model.problem, Symbol(model.letters.lagrangian)
+    for q, along in zip(system.coordinates, system.rates, strict=True):
+        momentum = model.lagrangian.diff(along)
+        outer = Derivative(L, Symbol(along))
+        yield Step(f"momentum_{q}", (outer, problem.readable(momentum)), "momentum", {"q": q})
+        change = written_side(rate(momentum, system), system, problem)
+        yield Step(f"rate_{q}", (Derivative(outer, Symbol(TIME)), change), "law", {"q": q})
+        force = problem.readable(model.lagrangian.diff(q))
+        yield Step(f"force_{q}", (Derivative(L, Symbol(q)), force), "force", {"q": q})
+
+
+def _equations(model: Model, lefts: list[Expr], rights: list[Expr]) -> Iterator[Step]:
+    for k, (left, right) in enumerate(zip(lefts, rights, strict=True), 1):
+        yield Step(f"equation_{k}", (left, right), "law", {"k": k})
+
+
+def _solution_steps(model: Model, found: Solved | None) -> Iterator[Step]:
+    """The constraints on the accelerations, then what comes out."""
+    if found is None:
+        return
+    for k, condition in enumerate(model.conditions, 1):
+        across = written_side(on_accelerations(condition, model.system), model.system, model.problem)
+        yield Step(f"constraint_{k}", (across, ZERO), "law", {"k": k})
+    for name, value in found.accelerations.items():
+        yield Step(name, (Symbol(name), model.problem.readable(value)), "acceleration")
+    for name, value in found.multipliers.items():
+        yield Step(name, (Symbol(name), model.problem.readable(value)), "multiplier")
+
+
+def _definitions(model: Model, steps: tuple[Step, ...]) -> dict[Expr, Expr]:
+    """The names of positions, velocities and energies."""
+    rules = ("position", "velocity", "spin", "kinetic", "kinetic-of-body", "potential", "lagrangian")
+    found: dict[Expr, Expr] = {Symbol(s.name): s.result for s in steps if s.rule in rules}
+    return found
+
+
+def _results(
+    model: Model, lefts: list[Expr], rights: list[Expr], found: Solved | None
+) -> Mapping[str, Result]:
+    problem, zero = model.problem, Scalar.of(0)
+    scalars = {
+        "T": sum(model.kinetic, zero), "P": sum(model.potential, zero), "L": model.lagrangian,
+    }  # fmt: skip
+    results: dict[str, Result] = {name: problem.final(problem.readable(v)) for name, v in scalars.items()}
+    results["M"] = problem.final(problem.readable_matrix(model.mass))
+    results["tau"] = _columns(problem, lefts)
+    results["equations"] = _columns(problem, [difference(a, b) for a, b in zip(lefts, rights, strict=True)])
+    if found is not None:
+        results["accelerations"] = _columns(problem, list(map(problem.readable, found.accelerations.values())))
+        if found.multipliers:
+            results["multipliers"] = _columns(problem, list(map(problem.readable, found.multipliers.values())))
+    return results
+
+
+def _columns(problem: Problem, entries: list[Expr]) -> Expr:
+    return column(problem.final(entry) for entry in entries)
+
+
+def _facts(model: Model, options: Options, lefts: list[Expr], rights: list[Expr]) -> dict[str, Any]:
+    system, letters = model.system, model.letters
+    return {
+        "coordinates": tuple(map(Symbol, system.coordinates)),
+        "L": letters.lagrangian, "T": letters.kinetic, "P": letters.potential, "D": letters.dissipation,
+        "several": letters.indexed, "bodies": len(system.bodies),
+        "turning": any(body.inertia is not None for body in system.bodies),
+        "gravity": column(system.gravity) if system.gravity and any(map(model.scalar, system.gravity)) else None,
+        "dissipation": None if system.dissipation == ZERO else system.dissipation,
+        "forces": [(Symbol(f"Q_{q}"), value) for q, value in system.forces],
+        "constraints": [(c.left, c.right) for c in system.constraints],
+        "velocity": any(condition.sort == "velocity" for condition in model.conditions),
+        "multiplier": letters.multiplier, "dissipation_name": Symbol(letters.dissipation),
+        "multipliers": model.multipliers,
+        "equations": [f"equation_{k}" for k in range(1, len(lefts) + 1)],
+        "across": [f"constraint_{k}" for k in range(1, len(model.conditions) + 1)],
+        "cyclic": _cyclic(model), "solve": options.solve, "still": not sum(model.potential, Scalar.of(0)),
+    }  # fmt: skip
+
+
+def _cyclic(model: Model) -> list[tuple[Expr, Expr]]:
+    """Coordinates that neither L nor any force holds, with what is conserved for each."""
+    found: list[tuple[Expr, Expr]] = []
+    lost = model.scalar(model.system.dissipation)
+    for k, (q, along) in enumerate(zip(model.system.coordinates, model.system.rates, strict=True)):
+        free = not model.forces[q] and not model.reaction(k) and not lost.diff(along)
+        if free and not model.lagrangian.diff(q):
+            found.append((Symbol(q), model.problem.readable(model.lagrangian.diff(along))))
+    return found
+
+
+# -- what it is held to ----------------------------------------------------------------------------------
+
+
+def _laws(model: Model, found: Solved | None) -> Iterator[Claim]:
+    system, mass = model.system, model.mass
+    yield law("M is symmetric", mass == mass.T)
+    power = Scalar.of(0)
+    for name, side in zip(system.rates, model.sides, strict=True):
+        power = power + Scalar.symbol(name) * side
+    balance = rate(energy(model.lagrangian, system), system) == power - model.lagrangian.diff(TIME)
+    yield law("the energy changes by the power of the forces", balance)
+    if found is not None:
+        yield law("what was solved for satisfies every equation and constraint", satisfies(model, found))
+
+
+def _second_route(model: Model, lefts: list[Expr]) -> Claim:
+    """The left sides against differences along a motion."""
+    system, problem = model.system, model.problem
+    moving = {*system.coordinates, *system.rates, *system.accelerations, TIME}
+    differences = Differences(system, problem.where)
+    holds, tried = True, 0
+    for at in random_points(sorted(problem.symbols | moving), 3 * POINTS):
+        try:
+            ours = [numeric.number(left, completed(at, problem.where)) for left in lefts]
+        except ValueError:  # no real value here
+            continue
+        holds &= close(ours, differences.left_sides(at), 1e-9)
+        tried += 1
+        if tried == POINTS:
+            break
+    claim = "the equations agree with differences of the Lagrangian along a motion"
+    return Claim(claim, SECOND_ROUTE, holds and tried > 0)
+

@@ -1,0 +1,141 @@
+"""The best rotation and translation by the singular values of H."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.numeric import matrix_numbers, number
+from derive.derivation import Claim, Derivation, Result, Step
+from derive.errors import NotDerivable
+from derive.expression import (
+    Expr,
+    Matrix,
+    Product,
+    Quotient,
+    Symbol,
+    column,
+    subtract,
+    transpose,
+)
+from derive.expression import number as whole
+from derive.kinds.checks import SECOND_ROUTE, close, law, links
+from derive.kinds.points._data import Data, point_table, rounded, rounded_matrix, shown
+from derive.kinds.problem import Problem
+from derive.mechanics.fitting import (
+    Fit,
+    PointPairs,
+    by_quaternion,
+    by_singular_values,
+    collinear,
+    covariance,
+    exact_rotation,
+    residual,
+)
+
+A_MEAN, B_MEAN, H = Symbol("a_m"), Symbol("b_m"), Symbol("H")
+U, S, V, D, R, P = map(Symbol, ("U", "S", "V", "D", "R", "p"))
+
+
+def fitted(pairs: PointPairs, problem: Problem) -> Derivation:
+    """R = V D U^T and p = b - R a. Raises NotDerivable where the points leave the rotation open."""
+    data = Data.of(pairs, problem)
+    a, b = data.centred
+    _require_spread(a, b)
+    exact_H = covariance(a, b)
+    fit = by_singular_values(matrix_numbers(exact_H, {}))
+    if not fit.is_unique:
+        raise NotDerivable("several rotations fit these points equally well: add points or check their order")
+    exact = exact_rotation(a, b)
+    rotation: Matrix = rounded_matrix(fit.R) if exact is None else problem.readable_matrix(exact)
+    position = _position(data, fit, exact, problem)
+    means = [shown(each, problem) for each in data.centroids]
+    rms = residual(fit.R, _floats(position), *data.floats) if exact is None else 0.0
+    definitions: dict[Expr, Expr] = {}
+    steps = (
+        *_means(data, problem, means),
+        *_spectral(exact_H, fit, problem),
+        *_ends(fit, rotation, position),
+    )
+    steps = (*steps, Step("rms", (Symbol("rms"), rounded(rms)), "law"))
+    results: dict[str, Result] = {"R": rotation, "p": position, "rms": rounded(rms)}
+    claims = (*links(steps, {**problem.names, **definitions}), *_claims(data, fit, exact, rms, exact_H))
+    facts: dict[str, Any] = {
+        "method": "svd", "points": point_table(pairs), "count": len(pairs.source), "exact": exact is not None,
+        "flat": fit.is_flat, "reflected": fit.det < 0 and not fit.is_flat, "spatial": len(fit.S) == 3,
+        "det": whole(fit.det), "a": A_MEAN, "b": B_MEAN, "diagonal": _diagonal(fit), "D": D,
+    }  # fmt: skip
+    return Derivation("fit-transform", steps, results, claims, definitions, facts=facts)
+
+
+def _require_spread(a: list[ScalarMatrix], b: list[ScalarMatrix]) -> None:
+    for points, which in ((a, "first"), (b, "second")):
+        if collinear(points):
+            where = "lie on a line" if points[0].shape[0] == 3 else "coincide"
+            why = "turning about that line changes nothing" if points[0].shape[0] == 3 else "any turn fits"
+            raise NotDerivable(
+                f"the points in the {which} frame all {where}: {why}, so no rotation is the best"
+            )
+
+
+def _position(data: Data, fit: Fit, exact: ScalarMatrix | None, problem: Problem) -> Matrix:
+    """p = b - R a."""
+    mean_a, mean_b = data.centroids
+    if exact is not None:
+        return problem.readable_matrix(mean_b - exact @ mean_a)
+    at, to = (matrix_numbers(mean, {}) for mean in (mean_a, mean_b))
+    turned = [sum(r * x[0] for r, x in zip(row, at, strict=True)) for row in fit.R]
+    return column(rounded(y[0] - x) for y, x in zip(to, turned, strict=True))
+
+
+def _floats(position: Matrix) -> list[float]:
+    return [number(entry, {}) for (entry,) in position.rows]
+
+
+def _means(data: Data, problem: Problem, means: list[Matrix]) -> Iterator[Step]:
+    """The centroids, as sums over the number of points."""
+    for name, points, mean in zip((A_MEAN, B_MEAN), (data.a, data.b), means, strict=True):
+        total = points[0]
+        for point in points[1:]:
+            total = total + point
+        over = Product((Quotient(whole(1), whole(len(points))), problem.readable_matrix(total)))
+        yield Step(name.name, (name, over, mean), "centroid")
+
+
+def _spectral(exact_H: ScalarMatrix, fit: Fit, problem: Problem) -> Iterator[Step]:
+    yield Step("H", (H, shown(exact_H, problem)), "covariance")
+    yield Step("U", (U, rounded_matrix(fit.U)), "singular")
+    yield Step("S", (S, rounded_matrix(_diagonal_rows(fit.S))), "singular")
+    yield Step("V", (V, rounded_matrix(fit.V)), "singular")
+
+
+def _diagonal_rows(values: list[float]) -> list[list[float]]:
+    return [[value if i == j else 0.0 for j in range(len(values))] for i, value in enumerate(values)]
+
+
+def _diagonal(fit: Fit) -> Matrix:
+    return rounded_matrix(_diagonal_rows([1.0] * (len(fit.S) - 1) + [float(fit.det)]))
+
+
+def _ends(fit: Fit, rotation: Matrix, position: Matrix) -> Iterator[Step]:
+    """R and p; numbers in floating point are no links to compare exactly."""
+    factors = (V, transpose(U)) if fit.det > 0 else (V, D, transpose(U))
+    yield Step("R", (R, Product(factors), rotation), "law")
+    yield Step("p", (P, subtract(B_MEAN, Product((R, A_MEAN))), position), "law")
+
+
+def _claims(
+    data: Data, fit: Fit, exact: ScalarMatrix | None, rms: float, exact_H: ScalarMatrix
+) -> Iterator[Claim]:
+    import numpy as np
+
+    turned = np.array(fit.R)
+    yield Claim("R^T R = 1", "floating point", close(turned.T @ turned, np.eye(len(turned))))
+    yield Claim("det R = 1", "floating point", close([float(np.linalg.det(turned))], [1.0]))
+    other = by_quaternion(matrix_numbers(exact_H, {}))
+    claim = "R agrees with the eigenvector of Horn's matrix" if len(other) == 3 else "R agrees with its angle"
+    yield Claim(claim, SECOND_ROUTE, close(fit.R, other, 1e-7))
+    if exact is not None:
+        yield law("R brings every point exactly to its partner", exact_rotation(*data.centred) is not None)
+        yield Claim("the exact R agrees with V D U^T", SECOND_ROUTE, close(fit.R, matrix_numbers(exact, {})))

@@ -1,0 +1,98 @@
+"""A trajectory in pieces: as results, as claims about where they meet, and as a course in floats."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+from derive.algebra.numeric import number as value_of
+from derive.algebra.scalar import Scalar
+from derive.algebra.text import text
+from derive.derivation import Branch, Claim
+from derive.errors import NotDerivable
+from derive.expression import ONE, ZERO, Degrees, Expr, Power, Symbol, add, multiply, number, subtract
+from derive.kinds.checks import law
+from derive.kinds.evaluation import Place
+from derive.kinds.problem import Problem
+from derive.kinds.values_at import point_of
+from derive.kinds.working import Working
+from derive.mechanics.course import Course, Piece, at
+
+t = Symbol("t")
+ORDERS = ("q", "velocity", "acceleration")
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """q = c_0 + c_1 (t - start) + ... from `start` to `end`."""
+
+    start: Expr
+    end: Expr
+    coefficients: tuple[Expr, ...]
+
+    @property
+    def law(self) -> Expr:
+        """q as a function of t."""
+        tau = t if self.start == ZERO else subtract(t, self.start)
+        return add(*(term(c, tau, k) for k, c in enumerate(self.coefficients))) or ZERO
+
+    def derivative(self, working: Working, tau: Scalar, order: int) -> Scalar:
+        """Exactly, at the time tau after the start."""
+        coefficients = [working.scalar(c) for c in self.coefficients]
+        for _ in range(order):
+            coefficients = [c * k for k, c in enumerate(coefficients)][1:]
+        total = Scalar.of(0)
+        for coefficient in reversed(coefficients):
+            total = total * tau + coefficient
+        return total
+
+
+def term(coefficient: Expr, tau: Expr, k: int) -> Expr:
+    """c tau^k, a minus sign in front of all."""
+    power = ONE if k == 0 else tau if k == 1 else Power(tau, number(k))
+    if isinstance(coefficient, Degrees) and coefficient.value < 0:
+        return multiply(number(-1), Degrees(-coefficient.value), power)
+    return multiply(coefficient, power)
+
+
+def branch(q: Expr, start: Expr, end: Expr, problem: Problem) -> Branch:
+    """A piece of the trajectory, and when."""
+    sides = [text(problem.final(side)).replace("**", "^") for side in (start, end)]
+    return Branch({"q": problem.final(q)}, f"{sides[0]} <= t <= {sides[1]}")
+
+
+def joined(spans: Sequence[Span], working: Working, orders: int) -> Iterator[Claim]:
+    """Where two pieces meet, the derivatives below `orders` agree."""
+    for order in range(orders):
+        holds = True
+        for before, after in pairwise(spans):
+            length = working.scalar(subtract(before.end, before.start))
+            left = before.derivative(working, length, order)
+            holds &= left == after.derivative(working, Scalar.of(0), order)
+        yield law(f"{ORDERS[order]} is continuous where the pieces meet", holds)
+
+
+def in_floats(spans: Sequence[Span], evaluate: Place | None, problem: Problem) -> Course | None:
+    """The course, where every value is known. Raises NotDerivable that names one that is not."""
+    try:
+        point = point_of({n: v for n, v in evaluate or () if n != "t"}, problem.where)
+        return tuple(
+            Piece(
+                value_of(problem.final(span.start), point),
+                value_of(problem.final(span.end), point),
+                tuple(value_of(problem.final(c), point) for c in span.coefficients),
+            )
+            for span in spans
+        )
+    except KeyError as error:
+        if evaluate is None:
+            return None
+        raise NotDerivable(f"no value is known for {error.args[0]}; give it one under evaluate:") from error
+
+
+def q_at(course: Course, evaluate: Place) -> dict[str, Any]:
+    """q where a time is given."""
+    time = dict(evaluate).get("t")
+    return {} if time is None else {"q": at(course, value_of(time, {}))}

@@ -1,0 +1,37 @@
+"""The cubic polynomial in time from one value to another."""
+
+from __future__ import annotations
+
+from derive.derivation import Derivation
+from derive.kinds.evaluation import Evaluation
+from derive.kinds.fields import OptionsModel
+from derive.kinds.problem import Problem
+from derive.kinds.profile._polynomial import polynomial
+from derive.mechanics.profile import Profile
+
+NEEDS = ("journey", "time")
+RESULTS = {
+    "a_0, a_1, ...": "the coefficients",
+    "q": "the trajectory as a function of t",
+    "v_peak": "from rest to rest: the greatest velocity",
+    "a_peak": "from rest to rest: the greatest acceleration",
+}
+EXAMPLE = """\
+title: From rest to rest
+problems:
+- profile: {from: q_0, to: q_f, time: t_f}
+  find: cubic-trajectory
+- profile: {from: 15 deg, to: 75 deg, time: 3 s, v_max: 45 deg/s}
+  find: cubic-trajectory
+"""
+
+
+class Options(OptionsModel):
+    """Where symbols stand for the ends, `evaluate` draws the trajectory at a point; with t also q there."""
+
+    evaluate: Evaluation = None
+
+
+def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
+    """Place and velocity are given at both ends (Craig, section 7.3; Spong et al., section 5.5.1)."""
+    return polynomial(profile, "cubic-trajectory", 2, options.evaluate, problem)

@@ -1,0 +1,37 @@
+"""The quintic polynomial in time from one value to another."""
+
+from __future__ import annotations
+
+from derive.derivation import Derivation
+from derive.kinds.evaluation import Evaluation
+from derive.kinds.fields import OptionsModel
+from derive.kinds.problem import Problem
+from derive.kinds.profile._polynomial import polynomial
+from derive.mechanics.profile import Profile
+
+NEEDS = ("journey", "time")
+RESULTS = {
+    "a_0, a_1, ...": "the coefficients",
+    "q": "the trajectory as a function of t",
+    "v_peak": "from rest to rest: the greatest velocity",
+    "a_peak": "from rest to rest: the greatest acceleration",
+}
+EXAMPLE = """\
+title: Without a jolt
+problems:
+- profile: {from: q_0, to: q_f, time: t_f}
+  find: quintic-trajectory
+- profile: {from: 0, to: 2 m, time: 4 s, start_velocity: 0.5 m/s}
+  find: quintic-trajectory
+"""
+
+
+class Options(OptionsModel):
+    """Where symbols stand for the ends, `evaluate` draws the trajectory at a point; with t also q there."""
+
+    evaluate: Evaluation = None
+
+
+def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
+    """Place, velocity and acceleration are given at both ends (Craig, eq. 7.18; Spong et al., sec. 5.5.2)."""
+    return polynomial(profile, "quintic-trajectory", 3, options.evaluate, problem)

@@ -1,0 +1,272 @@
+"""The cubic spline through via points: place, velocity and acceleration continuous."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.numeric import number as value_of
+from derive.algebra.scalar import Scalar
+from derive.algebra.text import text
+from derive.derivation import Claim, Derivation, Step, Table
+from derive.errors import NotDerivable
+from derive.expression import (
+    ZERO,
+    Approximate,
+    Expr,
+    Matrix,
+    Product,
+    Symbol,
+    column,
+    free_symbols,
+    number,
+    subtract,
+    symbols,
+)
+from derive.kinds.checks import SECOND_ROUTE, close, law, links, random_points
+from derive.kinds.evaluation import Evaluation, Place
+from derive.kinds.fields import OptionsModel
+from derive.kinds.problem import Problem
+from derive.kinds.profile._curves import panels
+from derive.kinds.profile._limits import limits_drawn, limits_told
+from derive.kinds.profile._pieces import Span, branch, in_floats, joined, q_at
+from derive.kinds.working import Working
+from derive.mechanics.course import Course
+from derive.mechanics.profile import Journey, Profile
+from derive.mechanics.splines import solved_in_floats
+
+NEEDS = ("journey", "time")
+RESULTS = {
+    "v_0, v_1, ...": "the velocities at the points",
+    "q": "the pieces of the trajectory as functions of t, and when",
+}
+EXAMPLE = """\
+title: Through via points
+problems:
+- profile:
+    from: 0
+    to: 30 deg
+    time: 4 s
+    via: [{time: 1 s, at: 45 deg}, {time: 2 s, at: 60 deg}]
+  find: spline-trajectory
+- profile: {from: 0, to: 0, time: 3 s, via: [{time: 1 s, at: 2 m}, {time: 2 s, at: 1 m}]}
+  find: spline-trajectory
+  ends: natural
+"""
+SHORT = 9  # characters of a fraction that is still read
+Ends = Literal["clamped", "natural"]
+
+
+class Options(OptionsModel):
+    """`ends`: clamped (the velocities at the ends are given, zero if nothing is said) or natural (no
+    acceleration at the ends)."""
+
+    ends: Ends = "clamped"
+    evaluate: Evaluation = None
+
+
+@dataclass(frozen=True, slots=True)
+class Knots:
+    """The points with their times, what the velocity is where it is given, and the working they are in."""
+
+    times: tuple[Expr, ...]
+    places: tuple[Expr, ...]
+    velocities: tuple[Expr | None, ...]
+    ends: Ends
+    working: Working
+
+    @property
+    def spans(self) -> int:
+        return len(self.times) - 1
+
+    def scalars(self, trees: Sequence[Expr]) -> list[Scalar]:
+        return [self.working.scalar(tree) for tree in trees]
+
+
+def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
+    """The velocities from a tridiagonal system, then a cubic between each two points (Siciliano et al.,
+    section 4.2.2; Craig, section 7.3). Raises NotDerivable without via points."""
+    journey = profile.journey
+    if journey is None or not journey.via:
+        raise NotDerivable(
+            "there are no via points: add via: [{time: 1 s, at: 10 deg}], or ask cubic-trajectory"
+        )
+    knots = _knots(journey, profile, options.ends, problem)
+    A, b = _system(knots)
+    velocities = (A.inverse() @ b).entries
+    working = knots.working
+    written = tuple(working.written(v) for v in velocities)
+    names = {Symbol(f"v_{k}"): value for k, value in enumerate(written)}
+    spans = tuple(_span(knots, velocities, k) for k in range(knots.spans))
+    course = in_floats(spans, options.evaluate, problem)
+    steps = tuple(_steps(knots, A, b, written))
+    results: dict[str, Any] = {name.name: problem.final(value) for name, value in names.items()}
+    pieces = tuple(branch(span.law, span.start, span.end, problem) for span in spans)
+    claims = (
+        *links(steps, {**problem.names, **names}),
+        *joined(spans, working, 3 if all(v is None for v in knots.velocities[1:-1]) else 2),
+        *_passes(knots, spans),
+        Claim("all conditions at once, solved in numbers", SECOND_ROUTE, _agrees(knots, spans, problem)),
+    )
+    evaluated = _evaluated(results, course, options.evaluate, problem)
+    return Derivation(
+        "spline-trajectory", steps, {**results, "q": pieces}, claims, dict(names), evaluated,
+        plots=_plots(course, profile, problem), facts=_facts(knots, spans, profile, course, problem, options),
+    )  # fmt: skip
+
+
+# -- the system ---------------------------------------------------------------------------------------
+
+
+def _knots(journey: Journey, profile: Profile, ends: Ends, problem: Problem) -> Knots:
+    times = (ZERO, *(via.time for via in journey.via), profile.time or ZERO)
+    places = (journey.start, *(via.place for via in journey.via), journey.end)
+    clamped = ends == "clamped"
+    velocities = (
+        journey.start_velocity if clamped else None,
+        *(via.velocity for via in journey.via),
+        journey.end_velocity if clamped else None,
+    )
+    working = Working(problem, {}, profile.sort == "angle" and problem.style.degrees)
+    return Knots(times, places, velocities, ends, working)
+
+
+def _system(knots: Knots) -> tuple[ScalarMatrix, ScalarMatrix]:
+    """A v = b: a row for every point, a velocity that is given or an acceleration that is the same on both
+    sides; none at a natural end."""
+    t, q = knots.scalars(knots.times), knots.scalars(knots.places)
+    h = [t[k + 1] - t[k] for k in range(knots.spans)]
+    slope = [(q[k + 1] - q[k]) / h[k] for k in range(knots.spans)]
+    rows, right = [], []
+    last = knots.spans
+    for k, given in enumerate(knots.velocities):
+        row = [Scalar.of(0)] * (last + 1)
+        if given is not None:
+            row[k], value = Scalar.of(1), knots.working.scalar(given)
+        elif k == 0:
+            row[0], row[1], value = Scalar.of(2), Scalar.of(1), slope[0] * 3
+        elif k == last:
+            row[-2], row[-1], value = Scalar.of(1), Scalar.of(2), slope[-1] * 3
+        else:
+            row[k - 1], row[k], row[k + 1] = h[k], (h[k - 1] + h[k]) * 2, h[k - 1]
+            value = (slope[k - 1] * h[k] + slope[k] * h[k - 1]) * 3
+        rows.append(row)
+        right.append(value)
+    return ScalarMatrix.of(rows), ScalarMatrix.column(right)
+
+
+def _span(knots: Knots, velocities: Sequence[Scalar], k: int) -> Span:
+    """The cubic between two points with the velocities there (Craig, eq. 7.11)."""
+    t, q = knots.scalars(knots.times[k : k + 2]), knots.scalars(knots.places[k : k + 2])
+    h = t[1] - t[0]
+    slope, before, after = (q[1] - q[0]) / h, velocities[k], velocities[k + 1]
+    upper = (slope * 3 - before * 2 - after) / h, (before + after - slope * 2) / (h * h)
+    coefficients = (q[0], before, *upper)
+    return Span(knots.times[k], knots.times[k + 1], tuple(map(knots.working.written, coefficients)))
+
+
+# -- steps and facts ----------------------------------------------------------------------------------
+
+
+def _steps(knots: Knots, A: ScalarMatrix, b: ScalarMatrix, written: Sequence[Expr]) -> Iterator[Step]:
+    unknown = column(Symbol(f"v_{k}") for k in range(knots.spans + 1))
+    right = column(knots.working.written(entry) for entry in b.entries)
+    yield Step("system", (Product((_plain(A, knots), unknown)), right))
+    shown = column(map(_read, written))
+    yield Step("velocities", (unknown, shown))
+
+
+def _plain(A: ScalarMatrix, knots: Knots) -> Matrix:
+    return Matrix(tuple(tuple(knots.working.problem.readable(entry) for entry in row) for row in A.rows))
+
+
+def _read(expr: Expr) -> Expr:
+    """A fraction that is too long to be read, rounded."""
+    if free_symbols(expr) or len(text(expr)) <= SHORT:
+        return expr
+    return Approximate(value_of(expr, {}))
+
+
+def _facts(
+    knots: Knots,
+    spans: Sequence[Span],
+    profile: Profile,
+    course: Course | None,
+    problem: Problem,
+    options: Options,
+) -> dict[str, Any]:
+    c = symbols("c_0 c_1 c_2 c_3")
+    tau = Symbol("tau")
+    rows = tuple((number(k), s.start, s.end, *map(_read, s.coefficients)) for k, s in enumerate(spans, 1))
+    points = tuple(
+        (number(k), time, place)
+        for k, (time, place) in enumerate(zip(knots.times, knots.places, strict=True))
+    )
+    t, q, v, h = (Symbol(name) for name in "tqvh")
+    return {
+        "natural": options.ends == "natural",
+        "given_velocity": any(velocity is not None for velocity in knots.velocities[1:-1]),
+        "points": Table(("point", t, q), points),
+        "pieces": Table(("piece", "from", "to", *c), rows),
+        "tau": tau, "v": v, "h": h,
+        "units": profile.units,
+        "drawn": course is not None,
+        **limits_told(profile, course, problem, options.evaluate),
+    }  # fmt: skip
+
+
+def _evaluated(
+    results: dict[str, Any], course: Course | None, evaluate: Place | None, problem: Problem
+) -> dict[str, Any]:
+    if evaluate is None or course is None:
+        return {}
+    point = {name: value_of(value, {}) for name, value in evaluate}
+    return {name: value_of(tree, point) for name, tree in results.items()} | q_at(course, evaluate)
+
+
+def _plots(course: Course | None, profile: Profile, problem: Problem) -> tuple[Any, ...]:
+    if course is None:
+        return ()
+    limits = limits_drawn(profile, problem)
+    return (panels("spline", {"": course}, profile.sort, problem.style.degrees, limits),)
+
+
+# -- what it is held to -------------------------------------------------------------------------------
+
+
+def _passes(knots: Knots, spans: Sequence[Span]) -> Iterator[Claim]:
+    """Through every point; at the ends as it should."""
+    working = knots.working
+    lengths = [working.scalar(subtract(span.end, span.start)) for span in spans]
+    places = knots.scalars(knots.places)
+    holds = all(span.derivative(working, Scalar.of(0), 0) == places[k] for k, span in enumerate(spans))
+    holds &= spans[-1].derivative(working, lengths[-1], 0) == places[-1]
+    yield law("it passes every point at its time", holds)
+    for k, at in ((0, Scalar.of(0)), (-1, lengths[-1])):
+        given = knots.velocities[k]
+        what = "acceleration" if given is None else "velocity"
+        wanted = Scalar.of(0) if given is None else working.scalar(given)
+        order = 2 if given is None else 1
+        yield law(
+            f"the {what} at the {'start' if k == 0 else 'end'}",
+            spans[k].derivative(working, at, order) == wanted,
+        )
+
+
+def _agrees(knots: Knots, spans: Sequence[Span], problem: Problem) -> bool:
+    """Against one linear system for all coefficients, in floats."""
+    for point in random_points(sorted(problem.symbols), 2) if problem.symbols else iter([{}]):
+
+        def at(tree: Expr, now: dict[str, float] = point) -> float:
+            return value_of(problem.final(tree), now)
+
+        times, places = [at(tree) for tree in knots.times], [at(tree) for tree in knots.places]
+        velocities = [None if v is None else at(v) for v in knots.velocities]
+        if any(after <= before for before, after in zip(times, times[1:], strict=False)):
+            continue  # random times out of order
+        found = [at(c) for span in spans for c in span.coefficients]
+        if not close(found, solved_in_floats(times, places, velocities), 1e-7):
+            return False
+    return True

@@ -1,0 +1,74 @@
+"""Every branch put back through the forward kinematics in numbers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from derive.algebra.compiled import compiled
+from derive.derivation import Claim
+from derive.kinds.checks import SECOND_ROUTE, close
+from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import oracle_of
+from derive.kinds.robot._inverse_branches import Solutions
+from derive.mechanics.inverse.goal import Goal
+from derive.mechanics.oracle import Oracle
+
+SAME = 1e-6  # radians or metres: two joint values this close are one
+
+
+def closing(solutions: Solutions, goal: Goal, problem: Problem, points: Sequence[Mapping[str, float]]) -> Iterator[Claim]:
+    """Each branch reaches the pose it was made for; the joint values the pose came from are among them."""
+    oracle = oracle_of(problem)
+    reached = [True] * len(solutions.chosen)
+    found, same = True, True
+    for point in points:
+        branches = solutions.at(point)
+        for k, values in enumerate(branches):
+            if values is not None:
+                reached[k] &= reaches(oracle, goal, point, values)
+        found &= any(values is not None and matches(values, point, solutions) for values in branches)
+        same &= _as_printed(solutions, branches, point)
+    for branch, holds in zip(solutions.branches, reached, strict=True):
+        name = f" '{branch.when}'" if branch.when else ""
+        yield Claim(f"the branch{name} reaches its target", SECOND_ROUTE, holds)
+    yield Claim("the joint values a pose came from are among the solutions", SECOND_ROUTE, found)
+    yield Claim("the solutions as printed have the values found step by step", SECOND_ROUTE, same)
+
+
+def reaches(
+    oracle: Oracle, goal: Goal, point: Mapping[str, float], values: Mapping[str, float], tolerance: float = 1e-9
+) -> bool:
+    """Whether the arm stands where it should, by the forward kinematics in NumPy."""
+    given = goal.numbers(oracle.tool({**point, **values}))
+    wanted = {name: point[name] for name in given}
+    return close(_plain(goal, given), _plain(goal, wanted), tolerance)
+
+
+def matches(values: Mapping[str, float], point: Mapping[str, float], solutions: Solutions) -> bool:
+    """Whether these are the joint values of the point, angles up to whole turns."""
+    for name in solutions.joints:
+        gap = values[name] - point[name]
+        if name not in solutions.slides:
+            gap = math.remainder(gap, 2 * math.pi)
+        if abs(gap) > SAME:
+            return False
+    return True
+
+
+def _plain(goal: Goal, given: Mapping[str, float]) -> list[float]:
+    """Numbers to compare; an angle by its cosine and sine."""
+    found = [value for name, value in given.items() if name != goal.angle]
+    return found + [f(given[goal.angle]) for f in (math.cos, math.sin)] if goal.angle else found
+
+
+def _as_printed(solutions: Solutions, branches: Sequence[Any], point: Mapping[str, float]) -> bool:
+    given = {name: value for name, value in point.items() if name not in solutions.joints}
+    for branch, values in zip(solutions.branches, branches, strict=True):
+        known = dict(given)
+        for name in solutions.order if values is not None else ():
+            known[name] = compiled(branch.values[name])(known)
+            if abs(known[name] - values[name]) > SAME * max(1.0, abs(values[name])):
+                return False
+    return True

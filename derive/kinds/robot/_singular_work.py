@@ -1,0 +1,280 @@
+"""Three ways to the singular configurations: the determinant, its split at a wrist, or the minors."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from derive.algebra.elimination import rank
+from derive.algebra.factors import Factored, factored
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.operations import operations
+from derive.algebra.scalar import Scalar
+from derive.derivation import Claim, Derivation, Step
+from derive.errors import NotDerivable
+from derive.expression import (
+    MINUS_ONE,
+    Call,
+    Expr,
+    Indexed,
+    Matrix,
+    Number,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    add,
+    is_negative,
+    multiply,
+    negate,
+    number,
+    squared,
+    subtract,
+    transpose,
+)
+from derive.kinds.checks import law
+from derive.kinds.problem import Problem
+from derive.kinds.robot._singular_geometry import Seeing
+from derive.kinds.robot._singular_sets import Block
+from derive.kinds.robot._task import Task
+from derive.mechanics.jacobian import jacobian
+from derive.mechanics.poses import position_part, rotation_part
+from derive.mechanics.singular import MOST_MINORS, Minor, SingularSet, minors, of_determinant, of_minors
+from derive.mechanics.wrist import Wrist
+
+SIX = 6
+MOST_EXPANDED = 12  # terms of all minors
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A block and where it loses rank."""
+
+    block: Block
+    sets: tuple[SingularSet, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Work:
+    """What the determinant came from: `way` is "determinant", "wrist" or "minors"; `point` says in words
+    whose velocity it is."""
+
+    way: str
+    point: str
+    steps: tuple[Step, ...]
+    det: Expr
+    parts: tuple[Part, ...]
+    definitions: dict[Expr, Expr]
+    uses: tuple[Derivation, ...]
+    laws: tuple[Claim, ...] = ()
+
+
+def determinant(name: Expr) -> Expr:
+    return Call("det", (name,))
+
+
+def by_determinant(task: Task) -> Work:
+    """det J of a square Jacobian, in the axes of a middle frame where it has six rows."""
+    problem, variables = task.problem, task.found.variables
+    six = len(task.rows) == SIX
+    frame = _middle(task) if six else 0
+    J = _seen_from(task, frame) if six else task.J
+    name = Symbol(f"J^{frame}" if six else "J")
+    det = factored(J.det(), variables)
+    _refuse_dependent(task, det.constant if not det.factors else None)
+    tree = product_tree(problem, det)
+    shown = problem.readable_matrix(J)
+    chain = (determinant(name), *_two_by_two(shown), tree)
+    steps = (Step("J", (name, shown), "frame" if six else "rows", {"frame": frame}), _closed(problem, "det", chain))
+    block = Block(name.name, J, variables, task.rows, frame, _seeing(task))
+    uses = (problem.ask("forward-kinematics"),) if six else (task.base,)
+    sets = of_determinant(det, variables, problem.readable)
+    laws = (law("the product of the factors is det J", det.value == J.det()),)
+    return Work("determinant", _moved(task), steps, tree, (Part(block, sets),), {name: shown}, uses, laws)
+
+
+def by_wrist(task: Task, wrist: Wrist) -> Work:
+    """det J = det J_11 det J_22 at the center of the wrist."""
+    problem, found = task.problem, task.found
+    center = Symbol(f"o_{wrist.frame}")
+    arm = Seeing(problem, found, wrist.center, wrist.arm_rows)
+    hand = Seeing(problem, found, wrist.center, wrist.hand_rows)
+    blocks = (
+        Block("J_11", wrist.J_11, found.variables[:3], task.rows[:3], wrist.arm, arm),
+        Block("J_22", wrist.J_22, found.variables[3:], task.rows[3:], wrist.hand, hand),
+    )
+    parts, trees, steps = [], [], [Step("center", (center, problem.readable_matrix(wrist.center)), "center")]
+    dets = []
+    for block in blocks:
+        det = factored(block.J.det(), block.variables)
+        dets.append(det)
+        _refuse_dependent(task, det.constant if not det.factors else None)
+        tree = product_tree(problem, det)
+        name = Symbol(block.name)
+        steps.append(Step(block.name, (name, problem.readable_matrix(block.J)), "block"))
+        steps.append(_closed(problem, f"det_{block.name}", (determinant(name), tree)))
+        parts.append(Part(block, of_determinant(det, block.variables, problem.readable)))
+        trees.append(tree)
+    whole = Factored(dets[0].constant * dets[1].constant, (*dets[0].factors, *dets[1].factors))
+    tree = product_tree(problem, whole)
+    split = Product(tuple(determinant(Symbol(block.name)) for block in blocks))
+    steps.append(Step("det", (determinant(Symbol("J")), split, problem.final(tree)), "law"))
+    J = _seen_from(task, _middle(task))
+    laws = (law("det J = det J_11 det J_22", J.det() == whole.value),)
+    definitions: dict[Expr, Expr] = {center: steps[0].result}
+    definitions |= {Symbol(block.name): problem.readable_matrix(block.J) for block in blocks}
+    return Work(
+        "wrist", "the center of the wrist", tuple(steps), tree, tuple(parts), definitions,
+        (problem.ask("forward-kinematics"),), laws,
+    )  # fmt: skip
+
+
+def by_minors(task: Task) -> Work:
+    """All minors of full size, which vanish together: det(J J^T) is the sum of their squares."""
+    problem, variables = task.problem, task.found.variables
+    frame = _middle(task) if len(task.rows) == SIX else 0
+    J = _seen_from(task, frame) if frame else task.J
+    name = Symbol(f"J^{frame}" if frame else "J")
+    if _count(J) > MOST_MINORS:
+        raise NotDerivable("the Jacobian has too many minors to be solved together; ask for some rows only")
+    found = [minor for minor in minors(J) if minor.value]
+    _refuse_dependent(task, None if found else J[0, 0])
+    shown = problem.readable_matrix(J)
+    names = [_minor_name(task, minor) for minor in found]
+    products = [factored(minor.value, variables) for minor in found]
+    minor_steps = tuple(
+        Step(f"minor_{place}", (each, product_tree(problem, product)), "minor", {"lines": minor.lines})
+        for place, (each, product, minor) in enumerate(zip(names, products, found, strict=True), 1)
+    )
+    squares = add(*(squared(each) for each in names))
+    gram = _gram(task, name)
+    tree = _shorter(problem, [minor.value for minor in found], minor_steps)
+    det = _closed(problem, "det", (determinant(gram), squares, tree))
+    steps = (Step("J", (name, shown), "frame" if frame else "rows", {"frame": frame}), *minor_steps, det)
+    block = Block(name.name, J, variables, task.rows, frame, _seeing(task))
+    sets = of_minors([minor.value for minor in found], variables, problem.readable)
+    definitions: dict[Expr, Expr] = {name: shown}
+    definitions |= {each: step.result for each, step in zip(names, minor_steps, strict=True)}
+    uses = (problem.ask("forward-kinematics"),) if frame else (task.base,)
+    return Work("minors", _moved(task), steps, tree, (Part(block, sets),), definitions, uses)
+
+
+def product_tree(problem: Problem, det: Factored) -> Expr:
+    """Constants and single sines and cosines first, then sums in parentheses; one sign in front."""
+    front: list[Expr] = []
+    sums: list[Expr] = []
+    sign = 1
+    for factor, power in sorted(det.factors, key=lambda pair: len(pair[0].numerator)):
+        tree = problem.readable(factor)
+        if mostly_negative(tree):
+            tree, sign = opposite(tree), sign * (-1) ** power
+        (sums if isinstance(tree, Sum) else front).append(Power(tree, number(power)) if power > 1 else tree)
+    constant = problem.readable(det.constant)
+    if is_negative(constant):
+        constant, sign = negate(constant), -sign
+    tree = multiply(*_factors(constant), *(f for each in front for f in _factors(each)), *sums)
+    return negate(tree) if sign < 0 else tree
+
+
+def mostly_negative(tree: Expr) -> bool:
+    terms = tree.terms if isinstance(tree, Sum) else (tree,)
+    return sum(map(is_negative, terms)) * 2 > len(terms)
+
+
+def opposite(tree: Expr) -> Expr:
+    if not isinstance(tree, Sum):
+        return negate(tree)
+    terms = tuple(map(negate, tree.terms))
+    first = next((k for k, term in enumerate(terms) if not is_negative(term)), 0)
+    return Sum((terms[first], *terms[:first], *terms[first + 1 :]))
+
+
+def _factors(tree: Expr) -> tuple[Expr, ...]:
+    return tree.factors if isinstance(tree, Product) else (tree,)
+
+
+def _shorter(problem: Problem, values: list[Scalar], steps: tuple[Step, ...]) -> Expr:
+    """The sum of the squares, or that sum multiplied out where it is much shorter."""
+    squares = add(*(_square(step.result) for step in steps))
+    if sum(len(value.numerator) for value in values) > MOST_EXPANDED:
+        return squares
+    expanded = problem.readable(sum((value * value for value in values), Scalar.of(0)))
+    return expanded if 2 * operations(expanded) < operations(squares) else squares
+
+
+def _square(tree: Expr) -> Expr:
+    """The square of a product, the sign dropped."""
+    factors = [f for f in _factors(tree) if f != MINUS_ONE]
+    return multiply(*(_squared(f) for f in factors))
+
+
+def _squared(factor: Expr) -> Expr:
+    if isinstance(factor, Number):
+        return number(factor.value**2)
+    return Power(factor.base, number(4)) if isinstance(factor, Power) else squared(factor)
+
+
+def _two_by_two(J: Matrix) -> tuple[Expr, ...]:
+    """The products of a determinant of two rows, as they are subtracted."""
+    if J.shape != (2, 2):
+        return ()
+    (a, b), (c, d) = J.rows
+    return (subtract(Product((a, d)), Product((b, c))),)
+
+
+def _closed(problem: Problem, name: str, chain: Iterable[Expr]) -> Step:
+    links = tuple(chain)
+    final = problem.final(links[-1])
+    return Step(name, links if final == links[-1] else (*links, final), "determinant")
+
+
+def _seeing(task: Task) -> Seeing:
+    rows = tuple(i for i, _ in task.found.moving if i <= task.point.last)
+    return Seeing(task.problem, task.found, task.point.position, rows)
+
+
+def _moved(task: Task) -> str:
+    return "the end-effector" if task.point.step.rule == "extract" else "the point"
+
+
+def _middle(task: Task) -> int:
+    """The frame of the joint in the middle: seen from there a Jacobian is shortest."""
+    moving = [i for i, _ in task.found.moving]
+    return moving[(len(moving) - 1) // 2]
+
+
+def _seen_from(task: Task, frame: int) -> ScalarMatrix:
+    """The whole Jacobian of the origin of the last frame, in the axes of a frame."""
+    found = task.found
+    R_T = rotation_part(found.T[frame]).T
+    J = jacobian(found, position_part(found.T[-1]), len(found.T_local))
+    return ScalarMatrix.stacked([R_T @ J.block(rows, slice(None)) for rows in (slice(0, 3), slice(3, 6))])
+
+
+def _refuse_dependent(task: Task, constant: object) -> None:
+    """Raises NotDerivable where the determinant vanishes in every configuration."""
+    if constant is not None and not constant:
+        which = ", ".join(task.rows)
+        raise NotDerivable(
+            f"the rows {which} of the Jacobian are dependent in every configuration (rank {rank(task.J)}); "
+            "ask for fewer rows"
+        )
+
+
+def _count(J: ScalarMatrix) -> int:
+    from math import comb
+
+    return comb(max(J.shape), min(J.shape))
+
+
+def _minor_name(task: Task, minor: Minor) -> Expr:
+    """Delta with the columns, or the rows, that it is made of."""
+    if task.redundant:
+        return Symbol("Delta_" + "".join(str(k + 1) for k in minor.lines))
+    return Indexed("Delta", tuple(Symbol(task.rows[k]) for k in minor.lines))
+
+
+def _gram(task: Task, J: Symbol) -> Expr:
+    return Product((J, transpose(J)) if task.redundant else (transpose(J), J))
+
+

@@ -1,0 +1,117 @@
+"""The joint torques and forces that balance a force at the end-effector."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from pydantic import Field
+
+from derive.algebra import numeric
+from derive.algebra.normal import normal, normal_matrix
+from derive.derivation import Derivation, Step
+from derive.errors import NotDerivable
+from derive.expression import Expr, Indexed, Matrix, Product, Symbol, column, free_symbols, transpose
+from derive.kinds.checks import agreement, links
+from derive.kinds.fields import OptionsModel, Quantity
+from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import chain_of, closing, oracle_of
+from derive.kinds.robot._point import PointOn, tracked
+from derive.kinds.robot._task import RowName, Task, task_of
+from derive.mechanics.jacobian import jacobian
+from derive.mechanics.robot import Robot
+from derive.mechanics.task import moving_rows
+
+RESULTS = {"tau": "torques of revolute and forces of prismatic joints (n)"}
+EXAMPLE = """\
+title: Statics
+problems:
+- robot:
+    links:
+    - {theta: theta1*, d: 0, a: l1, alpha: 0}
+    - {theta: theta2*, d: 0, a: l2, alpha: 0}
+  find: statics
+  force: [fx, fy]
+"""
+FORCES = {"vx": "fx", "vy": "fy", "vz": "fz", "wx": "mx", "wy": "my", "wz": "mz"}
+DIFFERENCES = 1e-6
+TAU, F, J = Symbol("tau"), Symbol("F"), Symbol("J")
+
+
+class Options(OptionsModel):
+    """`force`: what the end-effector exerts along the `rows`, forces then moments, by name or value;
+    `point`: where it acts."""
+
+    force: tuple[Quantity, ...] | None = Field(None, min_length=1, max_length=6)
+    rows: tuple[RowName, ...] = ()
+    point: PointOn | None = None
+
+
+def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
+    """tau = J^T F, by virtual work (Siciliano et al., section 3.8; Spong et al., section 4.10).
+
+    Raises NotDerivable where the force has not one component for each row.
+    """
+    task = task_of(problem, _rows(options, problem), options.point)
+    force = options.force or tuple(Symbol(_free(FORCES[row], problem)) for row in task.rows)
+    if len(force) != len(task.rows):
+        raise NotDerivable(f"{len(force)} components of the force for the {len(task.rows)} rows {', '.join(task.rows)}")
+    load, shown = column(force), task.written
+    tau = task.J.T @ normal_matrix(load)
+    written = problem.readable_matrix(tau)
+    turned = Matrix(tuple(zip(*shown.rows, strict=True)))
+    final = problem.final(written)
+    step = Step("tau", (TAU, Product((transpose(J), F)), Product((turned, load)), written), "virtual-work")
+    given = Step("F", (F, load), "given")
+    definitions: dict[Expr, Expr] = {J: shown, F: load, TAU: written}
+    steps = (given, task.step, closing(step, final))
+    claim = agreement(
+        "tau agrees with the work done in a small displacement",
+        task.symbols.union(*map(free_symbols, force)),
+        lambda at: numeric.matrix_numbers(tau, oracle_of(problem).at(at)),
+        lambda at: _by_work(task, force, at),
+        DIFFERENCES,
+    )
+    return Derivation(
+        "statics", steps, {"tau": final}, (*links(steps, {**problem.names, **definitions}), claim), definitions,
+        uses=(task.base,), facts=_facts(task),
+    )  # fmt: skip
+
+
+def _rows(options: Options, problem: Problem) -> tuple[str, ...]:
+    """Those asked for; else as many as the force has components: forces first, then moments."""
+    if options.rows:
+        return options.rows
+    found = chain_of(problem)
+    point = tracked(problem, found, options.point)
+    linear, angular = moving_rows(jacobian(found, point.position, point.last))
+    if options.force is None:
+        return linear or angular
+    choices = (linear, linear + angular, ("vx", "vy"), ("vx", "vy", "vz"), ("vx", "vy", "wz"), tuple(FORCES))
+    return next((rows for rows in choices if len(rows) == len(options.force)), linear)
+
+
+def _free(name: str, problem: Problem) -> str:
+    """A name that stands for nothing else."""
+    taken = problem.symbols | set(problem.where)
+    return name if name not in taken else f"{name[0]}_e{name[1]}"
+
+
+def _by_work(task: Task, force: tuple[Expr, ...], at: Mapping[str, float]) -> Any:
+    import numpy as np
+
+    known = oracle_of(task.problem).at(at)
+    F_now = np.array([[numeric.scalar_number(normal(part, task.problem.names), known)] for part in force])
+    return task.numbers(at).T @ F_now
+
+
+def _facts(task: Task) -> dict[str, Any]:
+    return {
+        "rows": task.velocities,
+        "J": J,
+        "only": not set(task.rows) >= {"vx", "vy", "vz", "wx", "wy", "wz"},
+        "name": Indexed("J"),
+        "revolute": all(joint.type == "revolute" for _, joint in task.found.moving),
+        "moments": any(row[0] == "w" for row in task.rows),
+        "square": task.square,
+    }

@@ -1,0 +1,103 @@
+"""The mean of a voltage that is switched on and off, or the duty that gives a wanted mean."""
+
+from __future__ import annotations
+
+from derive.algebra.numeric import number as at
+from derive.derivation import Claim, Derivation
+from derive.expression import ONE, ZERO, Expr, Product, Quotient, Symbol, add, subtract, symbols
+from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
+from derive.kinds.fields import OptionsModel
+from derive.kinds.problem import Problem
+from derive.kinds.working import Working, named
+from derive.mechanics.sensing import PulseWidth
+
+NEEDS = ("voltage",)
+RESULTS = {
+    "mean": "the mean voltage [V]",
+    "duty": "the share of each period for which it is on",
+    "t_on": "how long it is on in each period, where the frequency is given [s]",
+}
+EXAMPLE = """\
+title: Pulse-width modulation
+problems:
+- sensor: {pwm: 12 V, duty: 40%}
+  find: mean-voltage
+- sensor: {pwm: 24 V, low: -24 V, mean: 6 V, frequency: 1000 Hz}
+  find: mean-voltage
+"""
+MEAN, DUTY, PERIOD = symbols("U_m D T")
+SAMPLES = 1000
+
+
+class Options(OptionsModel):
+    """None."""
+
+
+def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivation:
+    """The area under one period over its length."""
+    high, low = named("U", voltage.high), named("U_0", voltage.low)
+    values: dict[Expr, Expr] = {high: voltage.high}
+    bipolar = problem.final(voltage.low) != ZERO
+    values |= {low: voltage.low} if bipolar else {}
+    mean, duty = _names(voltage)
+    if voltage.duty is not None:
+        values[duty] = voltage.duty
+    if voltage.mean is not None:
+        values[mean] = voltage.mean
+    working = _solved(Working(problem, values), voltage, (high, low, mean, duty), bipolar)
+    results = {"mean": problem.final(working.values[mean]), "duty": problem.final(working.values[duty])}
+    if voltage.frequency is not None:
+        f = named("f", voltage.frequency)
+        working = working.given_too({f: voltage.frequency}).line("t_on", Quotient(duty, f))
+        results["t_on"] = working.final("t_on")
+    claims = (
+        *links(working.steps, {**problem.names, **working.definitions}),
+        Claim(
+            "the mean of the voltage, sampled over a period",
+            SECOND_ROUTE,
+            _sampled(voltage, problem, results),
+        ),
+    )
+    facts = {
+        "given": working.given,
+        "bipolar": bipolar,
+        "inverse": voltage.duty is None,
+        "high": high, "low": low, "mean": mean, "duty": duty, "rest": subtract(ONE, duty),
+        "timed": voltage.frequency is not None,
+        "law": (mean, _mean(high, low, duty, bipolar)),
+    }  # fmt: skip
+    return Derivation("mean-voltage", working.steps, results, claims, working.definitions, facts=facts)
+
+
+def _names(voltage: PulseWidth) -> tuple[Symbol, Symbol]:
+    return (
+        MEAN if voltage.mean is None else named("U_m", voltage.mean),
+        DUTY if voltage.duty is None else named("D", voltage.duty),
+    )
+
+
+def _mean(high: Expr, low: Expr, duty: Expr, bipolar: bool) -> Expr:
+    on = Product((duty, high))
+    return add(on, Product((subtract(ONE, duty), low))) if bipolar else on
+
+
+def _solved(
+    working: Working, voltage: PulseWidth, names: tuple[Symbol, Symbol, Symbol, Symbol], bipolar: bool
+) -> Working:
+    high, low, mean, duty = names
+    if voltage.duty is not None:
+        return working.line(mean.name, _mean(high, low, duty, bipolar))
+    above = subtract(mean, low) if bipolar else mean
+    return working.line(duty.name, Quotient(above, subtract(high, low) if bipolar else high))
+
+
+def _sampled(voltage: PulseWidth, problem: Problem, results: dict[str, Expr]) -> bool:
+    """In floats: switched sample by sample, with a part of a sample at the edge."""
+    for point in random_points(sorted(problem.symbols), 2) if problem.symbols else iter([{}]):
+        high, low = (at(problem.final(level), point) for level in (voltage.high, voltage.low))
+        duty, mean = at(results["duty"], point), at(results["mean"], point)
+        shares = [min(1.0, max(0.0, duty * SAMPLES - k)) for k in range(SAMPLES)]
+        total = sum(share * high + (1 - share) * low for share in shares) / SAMPLES
+        if 0 <= duty <= 1 and not close(total, mean):
+            return False
+    return True

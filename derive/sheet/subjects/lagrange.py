@@ -1,0 +1,200 @@
+"""lagrange: a mechanical system by its coordinates and its energies or bodies."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Annotated, Any, TypeAlias
+
+from pydantic import Discriminator, Field, Tag
+
+from derive.algebra.function import Constraint
+from derive.algebra.normal import normal
+from derive.algebra.signs import sign_of
+from derive.errors import NotDerivable, SheetError, SheetErrors
+from derive.expression import ZERO, Expr, Symbol, add, free_symbols, multiply, negate, number, squared
+from derive.kinds.fields import (
+    Angle,
+    EquationField,
+    Formula,
+    InertiaMoment,
+    Length,
+    Mass,
+    Name,
+    OptionsModel,
+    Quantity,
+)
+from derive.mechanics.lagrangian import LagrangianSystem, MovingBody
+from derive.sheet.faults import did_you_mean
+from derive.sheet.source import At
+from derive.sheet.subjects.registry import Known
+
+MOST = 12  # coordinates, bodies or constraints
+DOTS = ("_ddot", "_dot")
+
+
+class GivenBody(OptionsModel):
+    """A mass at a position; with a moment of inertia, the angle it turns by."""
+
+    mass: Mass
+    position: Annotated[list[Length], Field(min_length=2, max_length=3)]
+    inertia: InertiaMoment | None = None
+    angle: Angle | None = None
+
+
+def _form(value: Any) -> str:
+    return "=several" if isinstance(value, list | tuple) else "=one"
+
+
+Equations: TypeAlias = Annotated[list[EquationField], Field(max_length=MOST)]
+ByCoordinate: TypeAlias = dict[Name, Quantity]
+
+
+class Given(OptionsModel):
+    """Rates are written `x_dot`. `forces` and `damping` (viscous, b x_dot) are by coordinate."""
+
+    coordinates: Annotated[list[Name], Field(min_length=1, max_length=MOST)]
+    bodies: Annotated[list[GivenBody], Field(max_length=MOST, default_factory=list)]
+    kinetic: Formula = ZERO
+    potential: Formula = ZERO
+    gravity: Annotated[list[Quantity], Field(min_length=2, max_length=3)] | None = None
+    forces: Annotated[ByCoordinate, Field(default_factory=dict)]
+    damping: Annotated[ByCoordinate, Field(default_factory=dict)]
+    dissipation: Formula = ZERO
+    constraints: Annotated[
+        Annotated[Equations, Tag("=several")] | Annotated[EquationField, Tag("=one")],
+        Discriminator(_form),
+        Field(default_factory=list),
+    ]
+
+
+def build(given: Given, at: At, known: Known) -> LagrangianSystem:
+    """The system of a problem. Raises SheetErrors."""
+    faults = [*_coordinate_faults(given, at, known), *_body_faults(given, at, known), *_key_faults(given, at)]
+    faults += _rate_faults(given, at)
+    if faults:
+        raise SheetErrors(faults)
+    equations = given.constraints if isinstance(given.constraints, list) else [given.constraints]
+    return LagrangianSystem(
+        tuple(given.coordinates),
+        tuple(MovingBody(b.mass, tuple(b.position), b.inertia, b.angle) for b in given.bodies),
+        given.kinetic,
+        given.potential,
+        _gravity(given),
+        tuple(given.forces.items()),
+        add(given.dissipation, *(_viscous(name, b) for name, b in given.damping.items())),
+        tuple(Constraint(each.left, each.right) for each in equations),
+    )
+
+
+def _viscous(name: str, b: Expr) -> Expr:
+    """Rayleigh's function b x_dot^2/2."""
+    return multiply(number("1/2"), b, squared(Symbol(f"{name}_dot")))
+
+
+def _gravity(given: Given) -> tuple[Expr, ...]:
+    """As given; else g against the last axis. Zero where no body feels it."""
+    if not given.bodies:
+        return ()
+    size = len(given.bodies[0].position)
+    return tuple(given.gravity) if given.gravity else (*[ZERO] * (size - 1), negate(Symbol("g")))
+
+
+# -- faults ----------------------------------------------------------------------------------------------
+
+
+def _coordinate_faults(given: Given, at: At, known: Known) -> Iterator[SheetError]:
+    used = _base_names(given)
+    for index, name in enumerate(given.coordinates):
+        where = ("coordinates", index)
+        if name in given.coordinates[:index]:
+            yield at.fault(f"'{name}' is listed twice", where, "list each coordinate once")
+        elif name == "t":
+            yield at.fault("t is the time and no coordinate", where, "choose another name")
+        elif name in known.where:
+            yield at.fault(f"'{name}' has a value under where: and cannot move", where)
+        elif name not in used:
+            hint = did_you_mean(name, used - set(given.coordinates))
+            yield at.fault(f"nothing depends on the coordinate '{name}'", where, hint)
+    if not given.bodies and given.kinetic == ZERO:
+        hint = "give bodies:, or kinetic: as 1/2*m*x_dot^2"
+        yield at.fault("there is no kinetic energy", (), hint)
+
+
+def _body_faults(given: Given, at: At, known: Known) -> Iterator[SheetError]:
+    sizes = [len(body.position) for body in given.bodies]
+    if given.gravity is not None and sizes and len(given.gravity) != sizes[0]:
+        message = f"gravity has {len(given.gravity)} components, the positions {sizes[0]}"
+        yield at.fault(message, ("gravity",), "give both in the same frame")
+    if given.gravity is not None and not sizes:
+        yield at.fault("gravity acts on bodies, and there are none", ("gravity",), "put it into potential:")
+    for index, body in enumerate(given.bodies):
+        route = ("bodies", index)
+        if len(body.position) != sizes[0]:
+            message = f"a position of {len(body.position)} coordinates among those of {sizes[0]}"
+            yield at.fault(message, (*route, "position"), "give every body as many")
+        if (body.inertia is None) != (body.angle is None):
+            has, lacks = ("angle", "inertia") if body.inertia is None else ("inertia", "angle")
+            yield at.fault(f"a body with {has}: needs {lacks}: too", (*route, has), f"add {lacks}:")
+        for key, value in (("mass", body.mass), ("inertia", body.inertia)):
+            if value is not None and _is_negative(value, known):
+                yield at.fault(f"the {key} is negative; no body has that", (*route, key))
+
+
+def _is_negative(value: Expr, known: Known) -> bool:
+    names = {Symbol(name): each for name, each in known.where.items()}
+    positive = [name for name, what in known.assumptions.items() if what == "positive"]
+    try:
+        return sign_of(normal(value, names), positive) == -1
+    except (NotDerivable, ZeroDivisionError):
+        return False
+
+
+def _key_faults(given: Given, at: At) -> Iterator[SheetError]:
+    for key, table in (("forces", given.forces), ("damping", given.damping)):
+        for name in table:
+            if name not in given.coordinates:
+                hint = did_you_mean(name, given.coordinates)
+                yield at.fault(f"'{name}' is no coordinate", (key, name), hint, True)
+
+
+def _rate_faults(given: Given, at: At) -> list[SheetError]:
+    """A rate of something that is no coordinate, and accelerations anywhere."""
+    known = {f"{name}_dot" for name in given.coordinates}
+    faults = []
+    for route, tree in _trees(given):
+        for name in sorted(free_symbols(tree)):
+            if name.endswith("_ddot"):
+                faults.append(at.fault(f"{name}: energies and forces hold no accelerations", route))
+            elif name.endswith("_dot") and name not in known:
+                hint = did_you_mean(name, known)
+                faults.append(at.fault(f"{name} is the rate of no coordinate", route, hint))
+    return faults
+
+
+def _trees(given: Given) -> Iterator[tuple[tuple[str | int, ...], Expr]]:
+    """Every formula with its way from here."""
+    yield ("kinetic",), given.kinetic
+    yield ("potential",), given.potential
+    yield ("dissipation",), given.dissipation
+    for key, table in (("forces", given.forces), ("damping", given.damping)):
+        for name, value in table.items():
+            yield (key, name), value
+    for index, body in enumerate(given.bodies):
+        for place, entry in enumerate(body.position):
+            yield ("bodies", index, "position", place), entry
+        for key, part in (("mass", body.mass), ("inertia", body.inertia), ("angle", body.angle)):
+            if part is not None:
+                yield ("bodies", index, key), part
+    several = isinstance(given.constraints, list)
+    for index, each in enumerate(
+        given.constraints if isinstance(given.constraints, list) else [given.constraints]
+    ):
+        route = ("constraints", index) if several else ("constraints",)
+        yield route, each.left
+        yield route, each.right
+
+
+def _base_names(given: Given) -> set[str]:
+    """The names in all formulas, of rates those of their coordinates."""
+    names = {name for _, tree in _trees(given) for name in free_symbols(tree)}
+    return names | {name.removesuffix("_dot") for name in names}

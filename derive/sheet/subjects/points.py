@@ -1,0 +1,51 @@
+"""points: the same points measured in two frames."""
+
+from __future__ import annotations
+
+from typing import Annotated, TypeAlias
+
+from pydantic import Field
+
+from derive.errors import SheetError, SheetErrors
+from derive.expression import Expr
+from derive.kinds.fields import OptionsModel, Quantity
+from derive.mechanics.fitting import PointPairs
+from derive.sheet.source import At
+from derive.sheet.subjects.registry import Known
+
+Coordinates: TypeAlias = Annotated[list[Quantity], Field(max_length=10)]
+PointList: TypeAlias = Annotated[list[Coordinates], Field(min_length=1, max_length=200)]
+
+
+class Given(OptionsModel):
+    """The points in frame A (`from`) and, in the same order, in frame B (`to`)."""
+
+    source: PointList = Field(alias="from")
+    target: PointList = Field(alias="to")
+
+
+def build(given: Given, at: At, known: Known) -> PointPairs:
+    """The pairs of a problem. Raises SheetErrors: unequal counts, or not two or three coordinates each."""
+    faults: list[SheetError] = []
+    if len(given.source) != len(given.target):
+        message = f"{len(given.source)} points and {len(given.target)} partners"
+        faults.append(at.fault(message, ("to",), "give each point its partner, in the same order"))
+    size = len(given.source[0])
+    for key, points in (("from", given.source), ("to", given.target)):
+        for index, point in enumerate(points):
+            if len(point) not in (2, 3):
+                message = f"a point has two or three coordinates, not {len(point)}"
+                faults.append(at.fault(message, (key, index), "write [x, y, z]"))
+            elif len(point) != size:
+                message = f"a point of {len(point)} coordinates among points of {size}"
+                faults.append(at.fault(message, (key, index), "give every point as many coordinates"))
+    if not faults and len(given.source) < size:
+        hint = f"give at least {size} points"
+        faults.append(at.fault(f"{len(given.source)} points do not fix a frame", ("from",), hint))
+    if faults:
+        raise SheetErrors(faults)
+    return PointPairs(_frozen(given.source), _frozen(given.target))
+
+
+def _frozen(points: list[list[Expr]]) -> tuple[tuple[Expr, ...], ...]:
+    return tuple(tuple(point) for point in points)

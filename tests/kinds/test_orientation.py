@@ -1,0 +1,175 @@
+"""All twenty-four sequences of three angles against SciPy, in both directions, singular ones included."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from itertools import product
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from derive.algebra.numeric import number, numbers
+from derive.expression import Degrees, Symbol
+from derive.kinds.problem import Problem
+from derive.mechanics.frames import ByMatrix, Frame, Frames
+from derive.mechanics.motion import Motion, Move
+from tests.kinds.published import matrix
+
+SEQUENCES = [
+    "".join(axes) for axes in product("xyz", repeat=3) if axes[0] != axes[1] != axes[2]
+]
+CONVENTIONS = [*SEQUENCES, *(axes.upper() for axes in SEQUENCES)]
+ANGLES = ("phi", "theta", "psi")
+every_convention = pytest.mark.parametrize("convention", CONVENTIONS)
+
+
+def motion(convention: str, by: tuple) -> Motion:
+    """The three rotations of a convention."""
+    about = "current" if convention.isupper() else "world"
+    pairs = zip(convention.lower(), by, strict=True)
+    return Motion(tuple(Move("rotate", axis, angle, about) for axis, angle in pairs))
+
+
+def holds(derivation) -> bool:
+    return all(claim.holds for claim in derivation.claims)
+
+
+def degrees(*values: int) -> tuple[Degrees, ...]:
+    return tuple(Degrees(Fraction(value)) for value in values)
+
+
+def angles_of(branch, point=None) -> list[float]:
+    return [number(branch.values[name], point or {}) for name in ANGLES]
+
+
+def scipy_matrix(convention: str, angles) -> np.ndarray:
+    return Rotation.from_euler(convention, angles).as_matrix()
+
+
+def test_there_are_twelve_sequences() -> None:
+    assert len(SEQUENCES) == 12
+
+
+@every_convention
+def test_the_matrix_of_the_angles_is_scipys(convention: str) -> None:
+    """From angles to the rotation."""
+    found = Problem("motion", motion(convention, (Symbol("a"), Symbol("b"), Symbol("c")))).ask("rotation-matrix")
+    for angles in ((0.3, -1.1, 2.2), (-2.5, 0.4, 0.9)):
+        ours = numbers(found.results["R"], dict(zip("abc", angles, strict=True)))
+        assert np.allclose(ours, scipy_matrix(convention, angles))
+    assert holds(found)
+
+
+@every_convention
+def test_both_branches_of_numbers(convention: str) -> None:
+    """From a rotation to the angles: SciPy's is one of the two, and both give the rotation."""
+    found = Problem("motion", motion(convention, degrees(30, 70, -110))).ask("euler-angles", convention=convention)
+    R = scipy_matrix(convention, np.radians([30, 70, -110]))
+    theirs = Rotation.from_matrix(R).as_euler(convention)
+    ours = [angles_of(branch) for branch in found.results["solutions"]]
+    assert len(ours) == 2
+    assert holds(found)
+    assert any(np.allclose(np.exp(1j * np.array(each)), np.exp(1j * theirs)) for each in ours)
+    for each in ours:
+        assert np.allclose(scipy_matrix(convention, each), R)
+
+
+@every_convention
+def test_symbolic_orientation(convention: str) -> None:
+    """The formulas at random points, and what is left in the singular cases."""
+    subject = Motion((Move("rotate", "y", Symbol("q")), Move("rotate", "z", Symbol("w"))))
+    found = Problem("motion", subject).ask("euler-angles", convention=convention)
+    assert holds(found)
+    for point in ({"q": 0.4, "w": -1.2}, {"q": 2.4, "w": 0.3}):
+        R = (Rotation.from_euler("y", point["q"]) * Rotation.from_euler("z", point["w"])).as_matrix()
+        for branch in found.results["solutions"]:
+            if "free" not in branch.when:
+                assert np.allclose(scipy_matrix(convention, angles_of(branch, point)), R)
+
+
+@every_convention
+@pytest.mark.parametrize("upper", [True, False])
+def test_singular_orientations(convention: str, upper: bool) -> None:
+    """One case, one free angle, and every choice of that gives the rotation."""
+    proper = convention[0] == convention[2]
+    middle = (0 if upper else 180) if proper else (90 if upper else -90)
+    subject = motion(convention, degrees(20, middle, 65))
+    found = Problem("motion", subject).ask("euler-angles", convention=convention)
+    (branch,) = found.results["solutions"]
+    assert holds(found)
+    R = scipy_matrix(convention, np.radians([20, middle, 65]))
+    for free in (0.0, 0.7, -2.0):
+        choice = dict.fromkeys(ANGLES, free)
+        assert np.allclose(scipy_matrix(convention, angles_of(branch, choice)), R)
+
+
+@every_convention
+def test_a_matrix_of_numbers(convention: str) -> None:
+    """An exact rotation that is no product of known angles."""
+    R = matrix("2/3, -1/3, 2/3\n2/3, 2/3, -1/3\n-1/3, 2/3, 2/3")
+    found = Problem("frames", Frames((Frame(1, 0, ByMatrix(R)),))).ask("euler-angles", convention=convention)
+    exact = np.array([[2, -1, 2], [2, 2, -1], [-1, 2, 2]]) / 3
+    assert len(found.results["solutions"]) == 2
+    assert holds(found)
+    for branch in found.results["solutions"]:
+        assert np.allclose(scipy_matrix(convention, angles_of(branch)), exact)
+
+
+TURNS = [
+    (("x", 0),), (("x", 180),), (("y", 180),), (("z", 180),), (("x", 180), ("y", 180)), (("x", 90), ("y", 180)),
+    (("x", 90), ("z", 90)), (("y", 120),), (("z", -150), ("x", 45)), (("z", 1),),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("turns", TURNS)
+def test_axis_angle_and_quaternion(turns) -> None:
+    """0 and 180 degrees included."""
+    subject = Motion(tuple(Move("rotate", axis, *degrees(by)) for axis, by in turns))
+    R = np.eye(3)
+    for axis, by in turns:
+        R = R @ Rotation.from_euler(axis, by, degrees=True).as_matrix()
+    problem = Problem("motion", subject)
+    q = problem.ask("quaternion")
+    assert holds(q)
+    w, x, y, z = numbers(q.results["q"], {})
+    assert np.allclose(Rotation.from_quat([x, y, z, w]).as_matrix(), R)
+    turn = problem.ask("axis-angle")
+    assert holds(turn)
+    if turn.results["axis"] == "any":
+        assert np.allclose(R, np.eye(3))
+    else:
+        vector = number(turn.results["angle"], {}) * np.array(numbers(turn.results["axis"], {}))
+        assert np.allclose(Rotation.from_rotvec(vector).as_matrix(), R)
+
+
+QUATERNIONS = ["1/2, 1/2, 1/2, 1/2", "0.1, 0.2, 0.3, 0.4", "0, 3/5, 0, 4/5", "1, 0, 0, 0", "-1, 1, 0, 0", "1, 0, 0, 1"]
+
+
+@pytest.mark.parametrize("typed", QUATERNIONS)
+def test_a_quaternion_as_a_move(tmp_path, typed: str) -> None:
+    """The way back: from a quaternion of any length to the rotation."""
+    from derive.build import assemble
+    from derive.sheet.load import load_sheet
+
+    sheet = tmp_path / "q.yaml"
+    sheet.write_text(f"title: q\nproblems:\n- motion: [{{quaternion: [{typed}]}}]\n  find: rotation-matrix\n")
+    ((_, question),) = assemble(load_sheet(sheet)).questions()
+    w, x, y, z = (float(Fraction(part)) for part in typed.split(","))
+    assert np.allclose(
+        numbers(question.derivation.results["R"], {}), Rotation.from_quat([x, y, z, w]).as_matrix()
+    )
+
+
+@pytest.mark.parametrize("order", ["yx", "xy"])
+def test_the_notation_of_atan2_is_respected(tmp_path, order: str) -> None:
+    from derive.build import build
+
+    sheet = tmp_path / "n.yaml"
+    sheet.write_text(
+        f"title: n\nnotation: {{atan2: {order}}}\nproblems:\n"
+        "- motion: [{rotate: y, by: q}, {rotate: z, by: w}]\n  find: euler-angles\n"
+    )
+    (page,) = build([sheet], ["md"], None)
+    written = r"\mathrm{Atan2}(r_{11}, r_{21})" if order == "xy" else r"\mathrm{atan2}(r_{21}, r_{11})"
+    assert written in page
