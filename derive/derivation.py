@@ -80,7 +80,37 @@ class Panels:
     plots: tuple[Plot, ...]
 
 
-Figure: TypeAlias = Plot | Panels
+Place: TypeAlias = tuple[float, float]  # to the right and up
+
+
+@dataclass(frozen=True, slots=True)
+class Stroke:
+    """A line through places, or a filled shape; `role` says what it stands for ("link", "z", "wire")."""
+
+    places: tuple[Place, ...]
+    role: str
+
+
+@dataclass(frozen=True, slots=True)
+class Caption:
+    """What is written beside a place, on the side `towards`, or upon it where that is (0, 0)."""
+
+    at: Place
+    text: Expr | str
+    towards: Place = (0.0, 0.0)
+    role: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Drawing:
+    """A picture of a subject: strokes from back to front, and captions. Data only, no drawing."""
+
+    name: str
+    strokes: tuple[Stroke, ...]
+    captions: tuple[Caption, ...] = ()
+
+
+Figure: TypeAlias = Plot | Panels | Drawing
 Result: TypeAlias = Expr | tuple[Branch, ...] | tuple[tuple[Expr, ...], ...] | float | str
 
 

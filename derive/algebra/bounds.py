@@ -6,8 +6,9 @@ from flint import fmpq_mpoly
 
 from derive.errors import NotDerivable
 
-MOST_PRODUCTS = 1_000_000  # of terms, in one multiplication; arms of seven joints need some ten thousand
+MOST_PRODUCTS = 100_000  # of terms, in one multiplication; arms of seven joints need some two thousand
 MOST_TERMS = 100_000  # written out in the answers to one problem
+MOST_IN_ONE = 10_000  # in one expression
 
 
 def multiplied(left: fmpq_mpoly, right: fmpq_mpoly) -> fmpq_mpoly:
@@ -20,10 +21,10 @@ def multiplied(left: fmpq_mpoly, right: fmpq_mpoly) -> fmpq_mpoly:
     return left * right
 
 
-def count(written: int) -> None:
+def count(one: int, all_together: int) -> None:
     """Raises NotDerivable where so many terms are to be written out."""
-    if written > MOST_TERMS:
+    if one > MOST_IN_ONE or all_together > MOST_TERMS:
         raise NotDerivable(
-            f"the answer is too long: over {MOST_TERMS} terms multiplied out; "
-            "give numbers to some of the symbols"
+            f"the answer is too long: over {MOST_IN_ONE if one > MOST_IN_ONE else MOST_TERMS} terms "
+            "multiplied out; give numbers to some of the symbols"
         )

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from functools import lru_cache
+from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
 from derive.algebra.numeric import FUNCTIONS, Point
@@ -20,51 +19,74 @@ from derive.expression import (
     Quotient,
     Sum,
     Symbol,
+    children,
 )
 
 Compiled: TypeAlias = Callable[[Point], float]
+Operation: TypeAlias = Callable[[Point, Sequence[float]], float]
 ROUNDING = 1e-9  # a square this little below zero is one of zero
 
 
-@lru_cache(maxsize=8192)
 def compiled(expr: Expr) -> Compiled:
-    """The value of a scalar tree at a point. A square root of nearly zero is zero, where rounding made it
-    negative; calling it raises KeyError for a name without a value, ValueError or ZeroDivisionError where
-    the value is not real."""
+    """The value of a scalar tree at a point; parts that are the same object are computed once.
+
+    A square root of nearly zero is zero, where rounding made it negative. Calling the function raises KeyError
+    for a name without a value, ValueError or ZeroDivisionError where the value is not real.
+    """
+    places: dict[int, int] = {}
+    program: list[tuple[Operation, tuple[int, ...]]] = []
+    _add(expr, places, program)
+
+    def value(point: Point) -> float:
+        values: list[float] = []
+        for operation, parts in program:
+            values.append(operation(point, [values[k] for k in parts]))
+        return values[-1]
+
+    return value
+
+
+def _add(expr: Expr, places: dict[int, int], program: list[tuple[Operation, tuple[int, ...]]]) -> int:
+    """Where the value of a tree stands among those computed, in an order in which parts come first."""
+    if id(expr) not in places:
+        parts = tuple(_add(part, places, program) for part in children(expr))
+        program.append((_operation(expr), parts))
+        places[id(expr)] = len(program) - 1
+    return places[id(expr)]
+
+
+def _operation(expr: Expr) -> Operation:
+    """What makes the value of a node from those of its parts."""
     match expr:
-        case Number() | Approximate() | Degrees():
-            value = math.radians(float(expr.value)) if isinstance(expr, Degrees) else float(expr.value)
-            return lambda _: value
+        case Number(exact):
+            return _constant(float(exact))
+        case Approximate(value):
+            return _constant(value)
+        case Degrees(value):
+            return _constant(math.radians(float(value)))
         case Symbol("pi"):
-            return lambda _: math.pi
+            return _constant(math.pi)
         case Symbol(name):
-            return lambda point: point[name]
-        case Sum(terms):
-            parts = tuple(map(compiled, terms))
-            return lambda point: math.fsum(part(point) for part in parts)
-        case Product(factors):
-            parts = tuple(map(compiled, factors))
-            return lambda point: math.prod(part(point) for part in parts)
-        case _:
-            return _rarer(expr)
-
-
-def _rarer(expr: Expr) -> Compiled:
-    match expr:
-        case Quotient(top, bottom):
-            above, below = compiled(top), compiled(bottom)
-            return lambda point: above(point) / below(point)
-        case Power(base, exponent):
-            inner, power = compiled(base), compiled(exponent)
-            return lambda point: float(inner(point) ** power(point))
-        case Call("sqrt", (inside,)):
-            square = compiled(inside)
-            return lambda point: _root(square(point))
-        case Call(function, arguments) if function in FUNCTIONS:
-            plain, parts = FUNCTIONS[function], tuple(map(compiled, arguments))
-            return lambda point: float(plain(*(part(point) for part in parts)))
+            return lambda point, _: point[name]
+        case Sum():
+            return lambda _, parts: math.fsum(parts)
+        case Product():
+            return lambda _, parts: math.prod(parts)
+        case Quotient():
+            return lambda _, parts: parts[0] / parts[1]
+        case Power():
+            return lambda _, parts: float(parts[0] ** parts[1])
+        case Call("sqrt"):
+            return lambda _, parts: _root(parts[0])
+        case Call(function) if function in FUNCTIONS:
+            plain = FUNCTIONS[function]
+            return lambda _, parts: float(plain(*parts))
         case _:
             raise NotDerivable(f"no number for {type(expr).__name__}")
+
+
+def _constant(value: float) -> Operation:
+    return lambda point, parts: value
 
 
 def _root(square: float) -> float:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from math import isqrt
 
 from flint import arb, ctx, fmpq, fmpq_poly
 
 from derive.algebra.fixed import square_root
 from derive.algebra.kernels import root
-from derive.algebra.polynomials import ball, holds, known_sign
+from derive.algebra.polynomials import ball, holds, known_sign, monomials
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.errors import NotDerivable
 
@@ -110,25 +111,25 @@ def either_root(square: Scalar) -> Scalar:
 
 
 def _denested(square: Scalar) -> Scalar | None:
-    """sqrt(a + b sqrt(d)) as sqrt((a + s)/2) +- sqrt((a - s)/2) where s^2 = a^2 - b^2 d is a square."""
-    used = list(square.generators())
-    roots = [each for each in square.ring.roots if each.name in used]
-    if square.denominator is not None or len(used) != 1 or len(roots) != 1:
+    """sqrt(a + r), with r^2 rational, as sqrt((a + s)/2) +- sqrt((a - s)/2) where s^2 = a^2 - r^2 is a
+    square."""
+    if square.denominator is not None or not any(
+        each.name in square.generators() for each in square.ring.roots
+    ):
         return None
-    along = Scalar(square.ring, square.numerator.derivative(square.ring.index[roots[0].name]))
-    inside = Scalar(square.ring, square.ring.polynomial(roots[0].radicand)).constant
-    b, a = along.constant, (square - along * Scalar(square.ring, square.ring.gen(roots[0].name))).constant
-    if a is None or b is None or inside is None or (rest := a * a - b * b * inside) < 0:
+    whole = [term.constant for term in monomials(square) if term.constant is not None]
+    a = whole[0] if whole else Fraction(0)
+    rest = square - a
+    b = (rest * rest).constant
+    if b is None or (gap := a * a - b) < 0:
         return None
-    s = _exact_root(rest.numerator), _exact_root(rest.denominator)
-    if s[0] is None or not s[1]:
+    above, below = _exact_root(gap.numerator), _exact_root(gap.denominator)
+    if above is None or below is None:
         return None
-    half = Scalar.of(a) / 2, Scalar.of(s[0]) / (2 * s[1])
-    first, second = (half[0] + half[1]).constant, (half[0] - half[1]).constant
-    if first is None or second is None or min(first, second) < 0:
+    first, second = (a + Fraction(above, below)) / 2, (a - Fraction(above, below)) / 2
+    if min(first, second) < 0:
         return None
-    sign = 1 if b > 0 else -1
-    return square_root(first) + sign * square_root(second)
+    return square_root(first) + (known_sign(rest) or 0) * square_root(second)
 
 
 def _exact_root(n: int) -> int | None:

@@ -93,7 +93,7 @@ class Problem:
         key = value.key()
         if key not in self.written:
             self.terms[value.ring] += len(value.numerator)
-            count(self.terms.total())
+            count(len(value.numerator), self.terms.total())
             self.written[key] = readable(value, self.style)
         return self.written[key]
 

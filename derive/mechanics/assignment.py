@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal, TypeAlias
 
 from derive.algebra.matrix import ScalarMatrix
@@ -66,13 +67,13 @@ def assigned(axes: Sequence[Line], end: ScalarMatrix, convention: Convention) ->
     """The frames of an arm with these joint axes; `end` is the pose of its end-effector, all at zero."""
     frames = _standard(axes, end) if convention == "standard" else _modified(axes, end)
     read = _standard_row if convention == "standard" else _modified_row
-    rows = tuple(read(a, b) for a, b in zip(frames, frames[1:], strict=False))
+    rows = tuple(read(a, b) for a, b in pairwise(frames))
     return Assignment(tuple(frames), rows, frames[0].pose, inverse_pose(frames[-1].pose) @ end)
 
 
 def _standard(axes: Sequence[Line], end: ScalarMatrix) -> list[Placed]:
     frames = [_first(axes[0])]
-    for line, after in zip(axes, axes[1:], strict=False):
+    for line, after in pairwise(axes):
         frames.append(_joined(line, after, frames[-1], on_second=True))
     return [*frames, _last_standard(frames[-1], end)]
 
@@ -82,7 +83,7 @@ def _modified(axes: Sequence[Line], end: ScalarMatrix) -> list[Placed]:
     found: list[Placed] = []
     world = _first(axes[0])
     before = world
-    for line, after in zip(axes, axes[1:], strict=False):
+    for line, after in pairwise(axes):
         found.append(_joined(line, after, before, on_second=False))
         before = found[-1]
     found.append(_last_modified(axes[-1], before, end))

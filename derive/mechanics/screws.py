@@ -47,7 +47,9 @@ class Screw:
 
 def screws_of(robot: Robot) -> tuple[Screw, ...]:
     """One for each row of a robot of screws."""
-    return tuple(_screw(i, link.row) for i, link in enumerate(robot.links, 1) if isinstance(link.row, ScrewRow))
+    return tuple(
+        _screw(i, link.row) for i, link in enumerate(robot.links, 1) if isinstance(link.row, ScrewRow)
+    )
 
 
 def _screw(i: int, row: ScrewRow) -> Screw:
@@ -66,14 +68,16 @@ def screw_form(robot: Robot, read: Read) -> Robot:
     variable zero. `read` writes scalars as trees."""
     if robot.by_screws:
         return robot
-    still = {Symbol(name): ZERO for name in robot.variables}
+    still: dict[Expr, Expr] = {Symbol(name): ZERO for name in robot.variables}
     found = chain(robot, still)
     links = []
     for i, joint in found.moving:
         link = robot.links[i - 1]
         axis, point = found.axis(i), found.point(i)
         x, y, z = (read(part) for part in point.entries)
-        row = ScrewRow(named_axis(axis, read), (x, y, z), Symbol(joint.variable), slide=joint.type == "prismatic")
+        row = ScrewRow(
+            named_axis(axis, read), (x, y, z), Symbol(joint.variable), slide=joint.type == "prismatic"
+        )
         links.append(Link(row, link.joint, joint.variable))
     return Robot(robot.name, robot.convention, tuple(links), home=ByMatrix(written(found.T_tool, read)))
 

@@ -61,7 +61,9 @@ def test_a_loop_that_does_not_close(tmp_path: Path) -> None:
     assert "does not close" in page and "its origin stands elsewhere" in page
 
 
-@pytest.mark.parametrize("question", ["transforms", "transform", "inverse", "change-of-frame, point: [1, 0, 0]"])
+@pytest.mark.parametrize(
+    "question", ["transforms", "transform", "inverse", "change-of-frame, point: [1, 0, 0]"]
+)
 def test_nothing_else_is_derived_from_a_contradiction(tmp_path: Path, question: str) -> None:
     question = question if "," not in question else "change-of-frame\n  point: [1, 0, 0]"
     with pytest.raises(SheetErrors) as caught:

@@ -16,9 +16,7 @@ from derive.mechanics.frames import ByMatrix, Frame, Frames
 from derive.mechanics.motion import Motion, Move
 from tests.kinds.published import matrix
 
-SEQUENCES = [
-    "".join(axes) for axes in product("xyz", repeat=3) if axes[0] != axes[1] != axes[2]
-]
+SEQUENCES = ["".join(axes) for axes in product("xyz", repeat=3) if axes[0] != axes[1] != axes[2]]
 CONVENTIONS = [*SEQUENCES, *(axes.upper() for axes in SEQUENCES)]
 ANGLES = ("phi", "theta", "psi")
 every_convention = pytest.mark.parametrize("convention", CONVENTIONS)
@@ -54,7 +52,9 @@ def test_there_are_twelve_sequences() -> None:
 @every_convention
 def test_the_matrix_of_the_angles_is_scipys(convention: str) -> None:
     """From angles to the rotation."""
-    found = Problem("motion", motion(convention, (Symbol("a"), Symbol("b"), Symbol("c")))).ask("rotation-matrix")
+    found = Problem("motion", motion(convention, (Symbol("a"), Symbol("b"), Symbol("c")))).ask(
+        "rotation-matrix"
+    )
     for angles in ((0.3, -1.1, 2.2), (-2.5, 0.4, 0.9)):
         ours = numbers(found.results["R"], dict(zip("abc", angles, strict=True)))
         assert np.allclose(ours, scipy_matrix(convention, angles))
@@ -64,7 +64,9 @@ def test_the_matrix_of_the_angles_is_scipys(convention: str) -> None:
 @every_convention
 def test_both_branches_of_numbers(convention: str) -> None:
     """From a rotation to the angles: SciPy's is one of the two, and both give the rotation."""
-    found = Problem("motion", motion(convention, degrees(30, 70, -110))).ask("euler-angles", convention=convention)
+    found = Problem("motion", motion(convention, degrees(30, 70, -110))).ask(
+        "euler-angles", convention=convention
+    )
     R = scipy_matrix(convention, np.radians([30, 70, -110]))
     theirs = Rotation.from_matrix(R).as_euler(convention)
     ours = [angles_of(branch) for branch in found.results["solutions"]]
@@ -117,8 +119,8 @@ def test_a_matrix_of_numbers(convention: str) -> None:
 
 
 TURNS = [
-    (("x", 0),), (("x", 180),), (("y", 180),), (("z", 180),), (("x", 180), ("y", 180)), (("x", 90), ("y", 180)),
-    (("x", 90), ("z", 90)), (("y", 120),), (("z", -150), ("x", 45)), (("z", 1),),
+    (("x", 0),), (("x", 180),), (("y", 180),), (("z", 180),), (("x", 180), ("y", 180)),
+    (("x", 90), ("y", 180)), (("x", 90), ("z", 90)), (("y", 120),), (("z", -150), ("x", 45)), (("z", 1),),
 ]  # fmt: skip
 
 
@@ -143,7 +145,14 @@ def test_axis_angle_and_quaternion(turns) -> None:
         assert np.allclose(Rotation.from_rotvec(vector).as_matrix(), R)
 
 
-QUATERNIONS = ["1/2, 1/2, 1/2, 1/2", "0.1, 0.2, 0.3, 0.4", "0, 3/5, 0, 4/5", "1, 0, 0, 0", "-1, 1, 0, 0", "1, 0, 0, 1"]
+QUATERNIONS = [
+    "1/2, 1/2, 1/2, 1/2",
+    "0.1, 0.2, 0.3, 0.4",
+    "0, 3/5, 0, 4/5",
+    "1, 0, 0, 0",
+    "-1, 1, 0, 0",
+    "1, 0, 0, 1",
+]
 
 
 @pytest.mark.parametrize("typed", QUATERNIONS)

@@ -65,9 +65,9 @@ def test_velocity_is_the_matrix_of_rates_times_the_rates() -> None:
 
 
 def test_velocity_of_a_point_on_a_wheel() -> None:
-    d = Problem(
-        "motion", Motion((Move("rotate", "z", PHI), Move("translate", "x", Symbol("r"))))
-    ).ask("velocity", rates=("phi",))
+    d = Problem("motion", Motion((Move("rotate", "z", PHI), Move("translate", "x", Symbol("r"))))).ask(
+        "velocity", rates=("phi",)
+    )
     assert same(d.results["v"], matrix("-r*phi_dot*sin(phi)\nr*phi_dot*cos(phi)\n0"))
     assert same(d.results["omega"], matrix("0\n0\nphi_dot"))
     assert holds(d)

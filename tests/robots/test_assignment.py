@@ -42,8 +42,8 @@ def test_craigs_table_comes_back() -> None:
 
 
 def test_restated_twice_is_the_same_table() -> None:
-    from derive.kinds.robot.dh_table import restated
     from derive.kinds.robot._dh_rows import Rows
+    from derive.kinds.robot.dh_table import restated
 
     robot = arm("puma560-modified")
     variables, joints = zip(*((link.variable, link.joint) for link in robot.links), strict=True)

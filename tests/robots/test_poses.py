@@ -19,7 +19,9 @@ def holds(derivation) -> bool:
 def test_forward_kinematics(name: str) -> None:
     found = problem(name).ask("forward-kinematics")
     for at, published in points(name):
-        assert np.allclose(numbers(found.results[last_pose(problem(name))], at), published["T"], atol=tolerance(name))
+        assert np.allclose(
+            numbers(found.results[last_pose(problem(name))], at), published["T"], atol=tolerance(name)
+        )
     assert holds(found)
 
 

@@ -55,7 +55,9 @@ SCARA = """
 def asked(folder: Path, links: str, *questions: str, name: str = "links") -> list[Derivation]:
     text = f"title: t\nproblems:\n- robot:\n    {name}:{links.rstrip()}\n  questions:\n"
     sheet = folder / "sheet.yaml"
-    sheet.write_text(text + "".join(f"  - {{find: {question}}}\n" for question in questions), encoding="utf-8")
+    sheet.write_text(
+        text + "".join(f"  - {{find: {question}}}\n" for question in questions), encoding="utf-8"
+    )
     found = [question.derivation for _, question in assemble(load_sheet(sheet)).questions()]
     assert all(claim.holds for each in found if each for claim in each.claims)
     return [each for each in found if each]
@@ -156,12 +158,14 @@ def texts(rows: Derivation) -> list[tuple[str, ...]]:
     return [tuple(map(typed, row)) for row in rows.results["DH"].rows]
 
 
+ONE = "\n    - {screw: {axis: z}, variable: q1*}"
+ROW = "\n    - {theta: q1*, d: 0, a: 0, alpha: 0}"
 FAULTS = {
-    "screws and other rows": "\n    - {screw: {axis: z}, variable: q1*}\n    - {theta: q2*, d: 0, a: 0, alpha: 0}",
-    "no joint variable": "\n    - {screw: {axis: z}, variable: q1*}\n    - {screw: {axis: z}, variable: q2}",
+    "screws and other rows": f"{ONE}\n    - {{theta: q2*, d: 0, a: 0, alpha: 0}}",
+    "no joint variable": f"{ONE}\n    - {{screw: {{axis: z}}, variable: q2}}",
     "no direction": "\n    - {screw: {axis: [0, 0, 0]}, variable: q1*}",
-    "belongs to a robot of screws": "\n    - {theta: q1*, d: 0, a: 0, alpha: 0}\n    home: [{translate: x, by: 1}]",
-    "not right-handed": "\n    - {screw: {axis: z}, variable: q1*}\n    home: [[1, 0, 0], [0, 1, 0], [0, 0, -1]]",
+    "belongs to a robot of screws": f"{ROW}\n    home: [{{translate: x, by: 1}}]",
+    "not right-handed": f"{ONE}\n    home: [[1, 0, 0], [0, 1, 0], [0, 0, -1]]",
     "a screw is written": "\n    - {screw: {through: [0, 0, 0]}, variable: q1*}",
 }
 

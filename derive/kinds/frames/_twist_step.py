@@ -27,7 +27,7 @@ def twist_step(
     (x,), (y,), (z,) = o.rows
     S = skew((x, y, z))
     adjoint = Matrix(((R_name, Product((S_name, R_name))), (NO_BLOCK, R_name)))
-    filled = {R_name: R, S_name: S, NO_BLOCK: NOTHING}
+    filled: dict[Expr, Expr] = {R_name: R, S_name: S, NO_BLOCK: NOTHING}
     numbers_in = Product((problem.readable_matrix(normal_matrix(adjoint, filled)), column(given)))
     value = problem.readable_matrix(normal_matrix(numbers_in))
     exact = problem.final(value)

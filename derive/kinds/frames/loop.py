@@ -12,7 +12,13 @@ from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Matrix, Product, Symbol
 from derive.kinds.checks import agreement, links
 from derive.kinds.fields import OptionsModel
-from derive.kinds.frames._frames import local_definitions, local_matrix, numeric_local, numeric_pose, pose_name
+from derive.kinds.frames._frames import (
+    local_definitions,
+    local_matrix,
+    numeric_local,
+    numeric_pose,
+    pose_name,
+)
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
 from derive.mechanics.frame_tree import local, mismatch, relative, way
@@ -94,7 +100,9 @@ class _Loop:
             ),
             *((Step(self.first.name, (self.first, *chain, read(first)), "route"),) if chain else ()),
             Step(self.second.name, (self.second, self._local(self.frame)), "again"),
-            Step(self.E.name, (self.E, route, read(error), *((last,) if last != read(error) else ())), "loop"),
+            Step(
+                self.E.name, (self.E, route, read(error), *((last,) if last != read(error) else ())), "loop"
+            ),
         )
 
     def _local(self, frame: Frame) -> Matrix:
@@ -137,7 +145,7 @@ class _Loop:
     def facts(self) -> dict[str, Any]:
         identity = self.error @ inverse_pose(self.error)
         wrong = [(i, j) for i in range(3) for j in range(4) if self.error[i, j] != identity[i, j]]
-        given = [frame for frame in (*self.path.down, *self.path.up)]
+        given = (*self.path.down, *self.path.up)
         return {
             "number": self.frame.number,
             "parent": self.frame.parent,

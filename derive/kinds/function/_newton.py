@@ -3,56 +3,111 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Sequence
+from collections.abc import Mapping, Sequence
+from itertools import combinations
 from typing import Any
 
-STEPS = 40
-STARTS = 16
+from derive.errors import NotDerivable
+from derive.expression import Call, Degrees, Expr, Number, Power, Product, Quotient, Sum, Symbol
+
+STEPS = 30
+STARTS = 12
 SPREAD = 3.0
 SHIFT = 1e-3
+LONGEST = 2.0  # of one step
 FOUND = 1e-9
 NEAR = 1e-4
 
 
-def stationary(function: Callable[[Sequence[float]], float], size: int) -> list[list[float]]:
-    """Points where the gradient of a function of `size` numbers vanishes; those that were found."""
+def stationary(tree: Expr, known: Mapping[str, float], names: Sequence[str]) -> list[list[float]]:
+    """Points where the gradient of a tree by some names vanishes, the others being known; those that
+    were found from a few starts, all of which walk at once."""
     import numpy as np
 
-    draw = random.Random(size)
-    found: list[Any] = []
-    for _ in range(STARTS):
-        at = np.array([draw.uniform(-SPREAD, SPREAD) for _ in range(size)])
+    draw = random.Random(len(names))
+    at = np.array([[draw.uniform(-SPREAD, SPREAD) for _ in names] for _ in range(STARTS)])
+    shifts = _shifts(len(names))
+
+    def values(points: Any) -> Any:
+        columns = {name: points[..., k] for k, name in enumerate(names)}
+        return np.broadcast_to(_value(tree, {**known, **columns}), points.shape[:-1])
+
+    with np.errstate(all="ignore"):
         for _ in range(STEPS):
-            try:
-                slope, curvature = _derivatives(function, at)
-                step = np.linalg.lstsq(curvature, slope, rcond=None)[0]
-            except (ArithmeticError, ValueError):
-                break
-            at = at - step * min(1.0, 2.0 / max(1e-9, float(np.linalg.norm(step))))
-            if np.linalg.norm(step) < FOUND * (1 + np.linalg.norm(at)) ** 2:
-                if np.linalg.norm(slope) < NEAR**2 and not any(np.allclose(at, f, atol=NEAR) for f in found):
-                    found.append(at)
-                break
-            if np.linalg.norm(at) > 1e3:
-                break
-    return [list(map(float, each)) for each in found]
+            slope, curvature = _derivatives(values(at[:, None, :] + shifts), len(names))
+            usable = np.isfinite(slope).all(axis=1) & np.isfinite(curvature).all(axis=(1, 2))
+            at, slope, curvature = at[usable], slope[usable], curvature[usable]
+            if not len(at):
+                return []
+            step = (np.linalg.pinv(curvature, rcond=1e-10) @ slope[..., None])[..., 0]
+            length = np.linalg.norm(step, axis=1, keepdims=True)
+            at = at - step * np.minimum(1.0, LONGEST / np.maximum(length, 1e-12))
+        slope, _ = _derivatives(values(at[:, None, :] + shifts), len(names))
+    still = (np.linalg.norm(slope, axis=1) < NEAR**2) & (length[:, 0] < FOUND * 1e3)
+    return _distinct(at[still].tolist())
 
 
-def _derivatives(function: Callable[[Sequence[float]], float], at: Any) -> tuple[Any, Any]:
-    """Gradient and Hessian by central differences of fourth order."""
+def _distinct(points: list[list[float]]) -> list[list[float]]:
+    found: list[list[float]] = []
+    for point in points:
+        if not any(all(abs(a - b) < NEAR for a, b in zip(point, each, strict=True)) for each in found):
+            found.append(point)
+    return found
+
+
+def _shifts(size: int) -> Any:
+    """Along each axis by 1, -1, 2 and -2 steps, then by one step along two axes with every sign."""
     import numpy as np
 
-    size = len(at)
     unit = np.eye(size) * SHIFT
+    single = [k * u for u in unit for k in (1, -1, 2, -2)]
+    mixed = [s * unit[i] + t * unit[j] for i, j in combinations(range(size), 2) for s, t in _SIGNS]
+    return np.array([np.zeros(size), *single, *mixed])
 
-    def f(shift: Any) -> float:
-        return function(at + shift)
 
-    slope = np.array([(8 * (f(u) - f(-u)) - (f(2 * u) - f(-2 * u))) / (12 * SHIFT) for u in unit])
-    curvature = np.zeros((size, size))
-    for i in range(size):
-        for j in range(i, size):
-            u, v = unit[i], unit[j]
-            mixed = (f(u + v) - f(u - v) - f(v - u) + f(-u - v)) / (4 * SHIFT**2)
-            curvature[i, j] = curvature[j, i] = mixed
+_SIGNS = ((1, 1), (1, -1), (-1, 1), (-1, -1))
+
+
+def _derivatives(f: Any, size: int) -> tuple[Any, Any]:
+    """Gradients and Hessians from the values at the shifts, a row for each point."""
+    import numpy as np
+
+    single = f[:, 1 : 1 + 4 * size].reshape(len(f), size, 4)
+    one, less, two, lesser = np.moveaxis(single, 2, 0)
+    slope = (8 * (one - less) - (two - lesser)) / (12 * SHIFT)
+    curvature = np.zeros((len(f), size, size))
+    diagonal = (one - 2 * f[:, :1] + less) / SHIFT**2
+    curvature[:, range(size), range(size)] = diagonal
+    mixed = f[:, 1 + 4 * size :].reshape(len(f), -1, 4)
+    for place, (i, j) in enumerate(combinations(range(size), 2)):
+        a, b, c, d = np.moveaxis(mixed[:, place], 1, 0)
+        curvature[:, i, j] = curvature[:, j, i] = (a - b - c + d) / (4 * SHIFT**2)
     return slope, curvature
+
+
+def _value(expr: Expr, at: Mapping[str, Any]) -> Any:
+    """A tree of numbers and arrays."""
+    import numpy as np
+
+    match expr:
+        case Number(value):
+            return float(value)
+        case Degrees(value):
+            return np.radians(float(value))
+        case Symbol(name):
+            return np.pi if name == "pi" else at[name]
+        case Sum(terms):
+            return sum(_value(term, at) for term in terms)
+        case Product(factors):
+            total = 1.0
+            for factor in factors:
+                total = total * _value(factor, at)
+            return total
+        case Quotient(top, bottom):
+            return _value(top, at) / _value(bottom, at)
+        case Power(base, exponent):
+            return _value(base, at) ** _value(exponent, at)
+        case Call(function, arguments):
+            named = {"atan2": "arctan2", "acos": "arccos", "asin": "arcsin", "atan": "arctan"}
+            return getattr(np, named.get(function, function))(*(_value(a, at) for a in arguments))
+    raise NotDerivable(f"no number for {type(expr).__name__}")

@@ -87,7 +87,8 @@ def points(task: Task, found: Case) -> tuple[Point, ...]:
     distinct: list[Solution] = []
     for solution in found.all_solutions():
         ordered = Solution(_ordered(solution.values, task.variables), solution.free, solution.real_if)
-        if _defined(task, ordered) and not any(_same(ordered, known) for known in distinct):
+        fits = _defined(task, ordered) and _allowed(task, ordered)
+        if fits and not any(_same(ordered, known) for known in distinct):
             distinct.append(ordered)
     return tuple(_point(task, solution) for solution in distinct)
 
@@ -100,6 +101,12 @@ def _defined(task: Task, solution: Solution) -> bool:
     """Whether no denominator vanishes there."""
     bottoms = [Scalar(h.ring, h.denominator) for h in (task.f, *task.g) if h.denominator is not None]
     return not any(_is_zero(put_in(bottom, solution.values)) for bottom in bottoms)
+
+
+def _allowed(task: Task, solution: Solution) -> bool:
+    """Whether no variable declared positive is negative or zero there."""
+    values = (solution.values.get(name) for name in task.variables if name in task.positive)
+    return all(value is None or _sign(value, task.positive) in (1, None) for value in values)
 
 
 def _same(left: Solution, right: Solution) -> bool:

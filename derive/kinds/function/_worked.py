@@ -35,6 +35,7 @@ from derive.kinds.function._stationary import Point, Task, bordered_hessian, pat
 from derive.kinds.function._telling import divided_by, is_enclosed, told
 from derive.kinds.function._writing import written
 from derive.kinds.problem import Problem
+from derive.kinds.values_at import completed
 
 LAMBDA = Symbol("Lambda")
 HESSIAN = Symbol("H")
@@ -218,19 +219,20 @@ def _search(function: Function, task: Task, problem: Problem, found: Sequence[Po
     if len(unknowns) > LARGEST_SEARCH or any(p.solution.free for p in found):
         return
     parameters = problem.symbols - set(task.variables)
-    known = next(iter(random_points(sorted(parameters), 1)))
-    for name, value in problem.where.items():
-        known[name] = numeric.number(value, known)
+    known = completed(next(iter(random_points(sorted(parameters), 1))), problem.where)
     tree = _lagrange(function, tuple(map(Symbol, task.multipliers)), Symbol("f"))
 
-    def value(at: Sequence[float]) -> float:
-        return numeric.number(tree, {**known, **dict(zip(unknowns, map(float, at), strict=True))})
-
     ours = [_numbers(p, task, known) for p in found if p.multipliers is not None]
-    others = stationary(value, len(unknowns))
+    others = [each for each in stationary(tree, known, unknowns) if _allowed(each, task)]
     holds = all(any(_near(theirs, mine) for mine in ours) for theirs in others)
     claim = f"Newton's method from random starts finds {len(others)} points, all among these"
     yield Claim(claim, SECOND_ROUTE, holds)
+
+
+def _allowed(point: Sequence[float], task: Task) -> bool:
+    """Whether no variable declared positive is negative there."""
+    pairs = zip(task.variables, point, strict=False)
+    return all(value > 0 for name, value in pairs if name in task.positive)
 
 
 def _numbers(point: Point, task: Task, known: Mapping[str, float]) -> list[float]:

@@ -22,6 +22,7 @@ from derive.expression import (
     subtract,
     transpose,
 )
+from derive.kinds.lagrange._equations import written_side
 from derive.kinds.lagrange._model import Model
 from derive.mechanics.lagrangian import MovingBody, rate, velocity
 
@@ -29,13 +30,11 @@ from derive.mechanics.lagrangian import MovingBody, rate, velocity
 def energy_steps(model: Model) -> tuple[Step, ...]:
     """Positions, velocities, T, P and L."""
     letters = model.letters
-    bodies = [
-        step for k, body in enumerate(model.system.bodies, 1) for step in _body(model, body, k)
-    ]
+    bodies = [step for k, body in enumerate(model.system.bodies, 1) for step in _body(model, body, k)]
     T = _total(model, letters.kinetic, model.kinetic, model.system.kinetic, "kinetic")
     P = _total(model, letters.potential, model.potential, model.system.potential, "potential")
     L = Symbol(letters.lagrangian)
-    whole = model.problem.readable(model.lagrangian)
+    whole = written_side(model.lagrangian, model.system, model.problem)
     split = subtract(Symbol(letters.kinetic), Symbol(letters.potential))
     return (*bodies, *T, *P, Step(L.name, (L, split, whole), "lagrangian"))
 
@@ -45,19 +44,21 @@ def _body(model: Model, body: MovingBody, k: int) -> Iterator[Step]:
     r, v, T = (letters.of_body(letter, k) for letter in (letters.position, letters.velocity, letters.kinetic))
     place = ScalarMatrix.column(map(model.scalar, body.position))
     yield Step(r.name, (r, column(body.position)), "position", {"body": k})
-    speed = problem.readable_matrix(velocity(place, model.system))
+    moved = velocity(place, model.system).entries
+    speed = column(written_side(entry, model.system, problem) for entry in moved)
     yield Step(v.name, (v, speed), "velocity", {"body": k})
     parts: list[Expr] = [_half(body.mass, Product((transpose(v), v)))]
     if body.inertia is not None and body.angle is not None:
         omega = letters.of_body(letters.spin, k)
-        spin = problem.readable(rate(model.scalar(body.angle), model.system))
+        spin = written_side(rate(model.scalar(body.angle), model.system), model.system, problem)
         yield Step(omega.name, (omega, spin), "spin", {"body": k})
         parts.append(_half(body.inertia, squared(omega)))
+    energy = written_side(model.kinetic[k - 1], model.system, problem)
     if letters.indexed or model.system.kinetic != ZERO:
         name = T if letters.indexed else Symbol(f"{letters.kinetic}_1")
-        yield Step(name.name, (name, add(*parts), problem.readable(model.kinetic[k - 1])), "kinetic-of-body")
+        yield Step(name.name, (name, add(*parts), energy), "kinetic-of-body")
     else:
-        yield Step(T.name, (T, add(*parts), problem.readable(model.kinetic[0])), "kinetic")
+        yield Step(T.name, (T, add(*parts), energy), "kinetic")
 
 
 def _half(factor: Expr, square: Expr) -> Expr:
@@ -69,7 +70,7 @@ def _total(model: Model, letter: str, parts: tuple[Scalar, ...], extra: Expr, ru
     """The sum over bodies and what was given besides; nothing where a step above said it."""
     problem, name = model.problem, Symbol(letter)
     bodies = len(model.system.bodies)
-    total = problem.readable(sum(parts, Scalar.of(0)))
+    total = written_side(sum(parts, Scalar.of(0)), model.system, problem)
     if rule == "kinetic" and bodies == 1 and extra == ZERO:
         return
     terms = _terms(model, letter, parts, rule)
@@ -113,5 +114,3 @@ def _is_minus(g: Expr) -> bool:
 def _signless(product: Expr, g: Expr) -> Expr:
     """Against a component -g the energy m g y grows."""
     return product if _is_minus(g) else negate(product)
-
-

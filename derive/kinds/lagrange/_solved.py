@@ -29,9 +29,9 @@ def solved(model: Model) -> Solved:
     if n + m > LARGEST:
         raise NotDerivable(f"{n + m} unknowns are not solved for here; leave solve: out")
     across = [on_accelerations(condition, system) for condition in model.conditions]
-    rows = [
-        [*model.mass.rows[k], *(-condition.a[k] for condition in model.conditions)] for k in range(n)
-    ] + [[*(each.diff(name) for name in system.accelerations), *[Scalar.of(0)] * m] for each in across]
+    rows = [[*model.mass.rows[k], *(-condition.a[k] for condition in model.conditions)] for k in range(n)] + [
+        [*(each.diff(name) for name in system.accelerations), *[Scalar.of(0)] * m] for each in across
+    ]
     right = [model.forces[q] - model.rest[k] for k, q in enumerate(system.coordinates)]
     right += [-without(each, system.accelerations) for each in across]
     matrix = ScalarMatrix.of(rows)

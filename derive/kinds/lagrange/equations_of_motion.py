@@ -12,7 +12,7 @@ from derive.expression import ZERO, Derivative, Expr, Symbol, column
 from derive.kinds.checks import SECOND_ROUTE, close, law, links, random_points
 from derive.kinds.fields import OptionsModel
 from derive.kinds.lagrange._energies import energy_steps
-from derive.kinds.lagrange._equations import difference, written_side
+from derive.kinds.lagrange._equations import difference, written_fraction, written_side
 from derive.kinds.lagrange._model import Model
 from derive.kinds.lagrange._oracle import Differences
 from derive.kinds.lagrange._solved import Solved, satisfies, solved
@@ -68,7 +68,12 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     claims = (*links(steps, known), *_laws(model, solution), _second_route(model, lefts))
     results = _results(model, lefts, rights, solution)
     return Derivation(
-        "equations-of-motion", steps, results, claims, definitions, facts=_facts(model, options, lefts, rights)
+        "equations-of-motion",
+        steps,
+        results,
+        claims,
+        definitions,
+        facts=_facts(model, options, lefts, rights),
     )
 
 
@@ -78,10 +83,10 @@ def _partials(model: Model) -> Iterator[Step]:
     for q, along in zip(system.coordinates, system.rates, strict=True):
         momentum = model.lagrangian.diff(along)
         outer = Derivative(L, Symbol(along))
-        yield Step(f"momentum_{q}", (outer, problem.readable(momentum)), "momentum", {"q": q})
+        yield Step(f"momentum_{q}", (outer, written_side(momentum, system, problem)), "momentum", {"q": q})
         change = written_side(rate(momentum, system), system, problem)
         yield Step(f"rate_{q}", (Derivative(outer, Symbol(TIME)), change), "law", {"q": q})
-        force = problem.readable(model.lagrangian.diff(q))
+        force = written_side(model.lagrangian.diff(q), system, problem)
         yield Step(f"force_{q}", (Derivative(L, Symbol(q)), force), "force", {"q": q})
 
 
@@ -98,9 +103,9 @@ def _solution_steps(model: Model, found: Solved | None) -> Iterator[Step]:
         across = written_side(on_accelerations(condition, model.system), model.system, model.problem)
         yield Step(f"constraint_{k}", (across, ZERO), "law", {"k": k})
     for name, value in found.accelerations.items():
-        yield Step(name, (Symbol(name), model.problem.readable(value)), "acceleration")
+        yield Step(name, (Symbol(name), written_fraction(value, model.problem)), "acceleration")
     for name, value in found.multipliers.items():
-        yield Step(name, (Symbol(name), model.problem.readable(value)), "multiplier")
+        yield Step(name, (Symbol(name), written_fraction(value, model.problem)), "multiplier")
 
 
 def _definitions(model: Model, steps: tuple[Step, ...]) -> dict[Expr, Expr]:
@@ -122,14 +127,18 @@ def _results(
     results["tau"] = _columns(problem, lefts)
     results["equations"] = _columns(problem, [difference(a, b) for a, b in zip(lefts, rights, strict=True)])
     if found is not None:
-        results["accelerations"] = _columns(problem, list(map(problem.readable, found.accelerations.values())))
+        results["accelerations"] = _solution(problem, found.accelerations)
         if found.multipliers:
-            results["multipliers"] = _columns(problem, list(map(problem.readable, found.multipliers.values())))
+            results["multipliers"] = _solution(problem, found.multipliers)
     return results
 
 
 def _columns(problem: Problem, entries: list[Expr]) -> Expr:
     return column(problem.final(entry) for entry in entries)
+
+
+def _solution(problem: Problem, found: Mapping[str, Scalar]) -> Expr:
+    return _columns(problem, [written_fraction(value, problem) for value in found.values()])
 
 
 def _facts(model: Model, options: Options, lefts: list[Expr], rights: list[Expr]) -> dict[str, Any]:
@@ -139,7 +148,7 @@ def _facts(model: Model, options: Options, lefts: list[Expr], rights: list[Expr]
         "L": letters.lagrangian, "T": letters.kinetic, "P": letters.potential, "D": letters.dissipation,
         "several": letters.indexed, "bodies": len(system.bodies),
         "turning": any(body.inertia is not None for body in system.bodies),
-        "gravity": column(system.gravity) if system.gravity and any(map(model.scalar, system.gravity)) else None,
+        "gravity": column(system.gravity) if any(map(model.scalar, system.gravity)) else None,
         "dissipation": None if system.dissipation == ZERO else system.dissipation,
         "forces": [(Symbol(f"Q_{q}"), value) for q, value in system.forces],
         "constraints": [(c.left, c.right) for c in system.constraints],
@@ -195,4 +204,3 @@ def _second_route(model: Model, lefts: list[Expr]) -> Claim:
             break
     claim = "the equations agree with differences of the Lagrangian along a motion"
     return Claim(claim, SECOND_ROUTE, holds and tried > 0)
-

@@ -108,8 +108,11 @@ class _Velocity:
         omega = Step("omega", (Symbol("omega"), read(self.omega)), "read-off")
         if not shifted:
             return rate, turn, omega
-        return rate, turn, omega, Step(
-            "v", (V, self._by_chain_rule(P, self.p), read(ScalarMatrix.column(self.v))), "chain-rule"
+        return (
+            rate,
+            turn,
+            omega,
+            Step("v", (V, self._by_chain_rule(P, self.p), read(ScalarMatrix.column(self.v))), "chain-rule"),
         )
 
     def _by_chain_rule(self, of: Symbol, value: ScalarMatrix) -> Expr:
@@ -147,4 +150,3 @@ class _Velocity:
             differences,
             DIFFERENCES,
         )
-

@@ -137,7 +137,7 @@ class _Rates:
         place = self.euler.outer.index(name)
         unit = column(map(number, UNIT[str(self.euler.factors[place].axis)]))
         if self.seen_from == "base":
-            before = self.factors[:place]
+            before: tuple[Expr, ...] = self.factors[:place]
         else:
             before = tuple(Call("transpose", (factor,)) for factor in self.factors[:place:-1])
         k = self.euler.names.index(name)
@@ -147,9 +147,7 @@ class _Rates:
 
     def definitions(self) -> dict[Expr, Expr]:
         moves = zip(self.euler.factors, self.factors, strict=True)
-        found: dict[Expr, Expr] = {
-            factor: rotation_matrix(str(move.axis), move.by) for move, factor in moves
-        }
+        found: dict[Expr, Expr] = {factor: rotation_matrix(str(move.axis), move.by) for move, factor in moves}
         found |= {Symbol(f"t_{name}"): self._axis(name).result for name in self.euler.names}
         return {**found, T: self.written}
 
@@ -185,7 +183,9 @@ class _Rates:
 
             R, columns = composed(self.euler, point), []
             for name in self.euler.names:
-                ahead, behind = (composed(self.euler, {**point, name: point[name] + h}) for h in (STEP, -STEP))
+                ahead, behind = (
+                    composed(self.euler, {**point, name: point[name] + h}) for h in (STEP, -STEP)
+                )
                 rate = (ahead - behind) / (2 * STEP)
                 S = rate @ R.T if self.seen_from == "base" else R.T @ rate
                 columns.append([S[2, 1], S[0, 2], S[1, 0]])
@@ -210,4 +210,3 @@ class _Rates:
             "outer": [Symbol(self.euler.outer[0]), Symbol(self.euler.outer[2])],
             "short_names": self.euler.names,
         }
-

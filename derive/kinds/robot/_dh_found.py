@@ -26,7 +26,9 @@ def found_rows(robot: Robot, convention: Convention, problem: Problem) -> tuple[
     """The rows of an arm and the frames they belong to. Raises NotDerivable for a helical joint."""
     arm = screw_form(robot, problem.readable)
     if helical := [link.variable or "" for link in arm.links if link.joint == "helical"]:
-        raise NotDerivable(f"joint {helical[0]} turns and slides at once; no row of link parameters does that")
+        raise NotDerivable(
+            f"joint {helical[0]} turns and slides at once; no row of link parameters does that"
+        )
     screws = screws_of(arm)
     found = assigned([Line(screw.w, screw.q) for screw in screws], home_of(arm), convention)
     rows = tuple(

@@ -31,12 +31,20 @@ class Exponentials:
     """A robot of screws written out up to row `last`; `whole` goes on to the end-effector. `frames` calls the
     motion of joint i also T_i^{i-1}: the base frame, fixed to link i at zero, is its frame i."""
 
-    def __init__(self, problem: Problem, robot: Robot, last: int, whole: bool, frames: bool = True) -> None:
+    def __init__(
+        self,
+        problem: Problem,
+        robot: Robot,
+        last: int,
+        whole: bool,
+        frames: bool = True,
+        name: Symbol | None = None,
+    ) -> None:
         self.problem, self.robot, self.whole, self.frames = problem, robot, whole, frames
         self.screws = screws_of(robot)[:last]
         self.home = home_of(robot)
         self.base = composed(robot.base)
-        self.name = Symbol(f"T_{last}^0")
+        self.name = name or Symbol(f"T_{last}^0")
         self.letters = {letter: self._free(*names) for letter, names in LETTERS.items()}
         self.M = Symbol(self.letters["M"])
 
@@ -54,12 +62,21 @@ class Exponentials:
 
     def steps(self) -> tuple[Step, ...]:
         """The axes and their points, the twists, the home pose, the exponentials, and their product."""
-        return (*self._axes(), *map(self._twist, self.screws), *self.ends(), *self.motions(), *self._product())
+        return (
+            *self._axes(),
+            *map(self._twist, self.screws),
+            *self.ends(),
+            *self.motions(),
+            *self._product(),
+        )
 
     def _axes(self) -> list[Step]:
         found = []
         for screw in self.screws:
-            for name, value in ((self._w(screw), screw.w), *(((self._q(screw), screw.q),) if turns(screw) else ())):
+            for name, value in (
+                (self._w(screw), screw.w),
+                *(((self._q(screw), screw.q),) if turns(screw) else ()),
+            ):
                 facts = {"joint": screw.i}
                 found.append(Step(name.name, (name, self._written(value)), "screw-axis", facts))
         return found
@@ -75,7 +92,11 @@ class Exponentials:
 
     def ends(self) -> list[Step]:
         """T_base where there is one, and M."""
-        base = [Step("T_base", (Symbol("T_base"), self._written(self.base)), "motion")] if self.robot.base else []
+        base = (
+            [Step("T_base", (Symbol("T_base"), self._written(self.base)), "motion")]
+            if self.robot.base
+            else []
+        )
         home = [Step(self.M.name, (self.M, self._written(self.home)), "home")] if self.whole else []
         return [*base, *home]
 
@@ -83,7 +104,7 @@ class Exponentials:
         """T_1^0 = e^{[S_1] theta1} = ..., the motion of each joint."""
         found = []
         for screw in self.screws:
-            chain = (self.exponential(screw), self._written(screw.exponential))
+            chain: tuple[Expr, ...] = (self.exponential(screw), self._written(screw.exponential))
             name = Symbol(f"T_{screw.i}^{screw.i - 1}")
             local = self.frames and (name != self.name or not self.whole)
             if local:
@@ -123,7 +144,9 @@ class Exponentials:
         found = []
         for screw in self.screws:
             E, name = screw.exponential, self.robot.links[screw.i - 1].variable or ""
-            found.append(law(f"dE_{screw.i}/d{name} = [S_{screw.i}] E_{screw.i}", E.diff(name) == screw.bracket @ E))
+            found.append(
+                law(f"dE_{screw.i}/d{name} = [S_{screw.i}] E_{screw.i}", E.diff(name) == screw.bracket @ E)
+            )
             found.append(self._series(screw))
         return found
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from derive.algebra.angles import Form
-from derive.algebra.compiled import compiled
+from derive.algebra.compiled import Compiled, compiled
 from derive.algebra.numeric import Point
 from derive.derivation import Branch
 from derive.expression import Call, Expr, Symbol, Sum, children, rebuild, replace
@@ -55,7 +55,7 @@ class Solutions:
     @cached_property
     def nested(self) -> bool:
         """Whether values refer to joint variables found before them."""
-        names = {Symbol(name) for name in self.joints}
+        names = set(self.joints)
         return any(_holds(value, names) for branch in self.branches for value in branch.values.values())
 
     # -- in numbers -------------------------------------------------------------------------------
@@ -65,19 +65,28 @@ class Solutions:
         branch is not real there. Raises KeyError for a name without a value."""
         return [self._at(taken, dict(point)) for taken in self.chosen]
 
+    @cached_property
+    def _functions(self) -> dict[int, Compiled]:
+        """Every definition and option as a function."""
+        parts: list[Definition | Option] = []
+        for item in self.items:
+            parts += [item] if isinstance(item, Definition) else item.options
+        return {id(part): compiled(part.value) for part in parts}
+
     def _at(self, taken: Mapping[int, Option], known: dict[str, float]) -> dict[str, float] | None:
         forms: list[Form] = []
         values: list[float] = []
         try:
             for item in self.items:
+                value = self._functions[id(item if isinstance(item, Definition) else taken[item.number])](known)
                 if isinstance(item, Definition):
-                    known[item.name.name] = compiled(item.value)(known)
+                    known[item.name.name] = value
                 elif isinstance(item.of, Form):
                     forms.append(item.of)
-                    values.append(compiled(taken[item.number].value)(known))
+                    values.append(value)
                     known |= self._angles(forms, values)
                 else:
-                    known[item.of] = compiled(taken[item.number].value)(known)
+                    known[item.of] = value
         except (ValueError, ZeroDivisionError):
             return None
         return {name: known[name] for name in self.joints}
@@ -86,7 +95,7 @@ class Solutions:
         """Joint angles with these sums; those nobody knows yet are taken as zero, their sums being right."""
         found = {}
         for joint in self.turning:
-            weights = shares(joint, forms, self.turning)
+            weights = shares(joint, tuple(forms), self.turning)
             found[joint] = sum(n * v for n, v in zip(weights or (), values, strict=bool(weights)))
         return found
 
@@ -112,7 +121,7 @@ class Solutions:
             sign = taken[item.number].sign
             fresh = [j for j in self.turning if j not in found and self._fixed(j, forms)]
             for joint in fresh:
-                weights = shares(joint, forms, self.turning) or ()
+                weights = shares(joint, tuple(forms), self.turning) or ()
                 self._keep(joint, _flat(weighted(values, weights)), known, found)
             if size(value) <= LARGEST:
                 known |= {key: replace(v, known) for key, v in item.trig.get(sign, {}).items()}
@@ -151,8 +160,10 @@ def _plain(tree: Expr) -> bool:
     return all(map(_plain, children(tree)))
 
 
-def _holds(tree: Expr, names: set[Symbol]) -> bool:
-    return tree in names or any(_holds(part, names) for part in children(tree))
+def _holds(tree: Expr, names: set[str]) -> bool:
+    if isinstance(tree, Symbol):
+        return tree.name in names
+    return any(_holds(part, names) for part in children(tree))
 
 
 def _flat(tree: Expr) -> Expr:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any, TypeAlias
 
 from derive.algebra.angles import Form, combination
@@ -74,7 +75,8 @@ def _choose(
             yield from _choose(rest, here, {**taken, first.number: option})
 
 
-def shares(joint: str, forms: Sequence[Form], joints: Sequence[str]) -> tuple[int, ...] | None:
+@lru_cache(maxsize=1024)
+def shares(joint: str, forms: tuple[Form, ...], joints: tuple[str, ...]) -> tuple[int, ...] | None:
     """How a joint angle is made up of known sums, the angles nobody knows yet taken as zero."""
     basis = list(forms)
     for name in joints:

@@ -54,7 +54,7 @@ class Writer:
     def __init__(
         self, problem: Problem, goal: Goal, turning: Sequence[str], free_name: Callable[[str], str]
     ) -> None:
-        self.problem, self.goal, self.turning, self.free_name = problem, goal, turning, free_name
+        self.problem, self.goal, self.turning, self.free_name = problem, goal, tuple(turning), free_name
         self.items: list[Item] = []
         self.named: list[tuple[Symbol, Scalar]] = []
         self.signs: dict[str, int] = {}  # generator -> the move whose sign it has
@@ -567,7 +567,7 @@ class Writer:
         """The joints known by sums alone."""
         found = []
         for joint in joints:
-            weights = shares(joint, self.forms, self.turning)
+            weights = shares(joint, tuple(self.forms), self.turning)
             if weights and Form.of({joint: 1}) not in self.forms:
                 parts = sorted(zip(self.forms, weights, strict=True), key=lambda part: -len(part[0].parts))
                 terms = [self.angle(f) if n > 0 else negate(self.angle(f)) for f, n in parts if n]

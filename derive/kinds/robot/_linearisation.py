@@ -2,17 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
 from derive.algebra import numeric
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, normal, normal_matrix
+from derive.algebra.operations import operations
 from derive.derivation import Claim, Derivation, Step, named_results
 from derive.errors import NotDerivable
-from derive.expression import Expr, Symbol, free_symbols
-from derive.kinds.checks import agreement, law
+from derive.expression import (
+    ONE,
+    Call,
+    Expr,
+    Power,
+    Product,
+    Quotient,
+    Symbol,
+    free_symbols,
+    negate,
+    number,
+)
+from derive.kinds.checks import agreement, law, links
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of
 from derive.kinds.robot._drives import moving
@@ -20,6 +32,8 @@ from derive.mechanics.drives import Friction
 from derive.mechanics.oracle import Oracle
 from derive.mechanics.robot import Robot
 
+LONGEST = 80  # operations of A and B together
+INVERSE, DET = Power(Symbol("D_0"), number(-1)), Call("det", (Symbol("D_0"),))
 STEP = 1e-4  # of differences; what they leave is about its square
 LEFT = 1e-5
 
@@ -52,23 +66,43 @@ class Linear:
 
     @property
     def steps(self) -> tuple[Step, ...]:
-        """tau_0, D_0, K_0, where there is friction B_f, then A and B."""
+        """tau_0, D_0, K_0, where there is friction B_f, then A and B; of long ones the blocks that are not
+        plain, over the determinant of D_0 that they share."""
         found = [("tau_0", self.torques), ("D_0", self.inertia), ("K_0", self.slope)]
         found += [("B_f", self.friction)] if self.friction else []
-        found += [("A", self.A), ("B", self.B)]
-        return tuple(
-            Step(name, (Symbol(name), self.problem.readable_matrix(value)), "linearised")
-            for name, value in found
-        )
+        given = tuple(self._step(name, value) for name, value in found)
+        if self.long:
+            return *given, *self._blocks()
+        return *given, self._step("A", self.A), self._step("B", self.B)
+
+    @property
+    def long(self) -> bool:
+        return sum(operations(self.results[name]) for name in ("A", "B")) > LONGEST
+
+    def _step(self, name: str, value: ScalarMatrix) -> Step:
+        return Step(name, (Symbol(name), self.problem.readable_matrix(value)), "linearised")
+
+    def _blocks(self) -> Iterator[Step]:
+        """det D_0, then A_21, A_22 and B_2 as a matrix over it."""
+        yield Step("det_0", (DET, self.problem.readable(self.inertia.det())), "blocks")
+        adjugate = self.inertia.adjugate()
+        for name, route, top in (
+            ("A_21", negate(Product((INVERSE, Symbol("K_0")))), -(adjugate @ self.slope)),
+            ("A_22", negate(Product((INVERSE, Symbol("B_f")))), -(adjugate @ self.friction)),
+            ("B_2", INVERSE, adjugate),
+        ):
+            if top:
+                value = Product((Quotient(ONE, DET), self.problem.readable_matrix(top)))
+                yield Step(name, (Symbol(name), route, value), "blocks")
 
     @property
     def results(self) -> dict[str, Expr]:
-        values = {step.name: step.result for step in self.steps}
-        return {name: values[name] for name in ("tau_0", "A", "B")}
+        values = (("tau_0", self.torques), ("A", self.A), ("B", self.B))
+        return {name: self.problem.readable_matrix(value) for name, value in values}
 
     @property
     def definitions(self) -> dict[Expr, Expr]:
-        return named_results(self.steps)
+        return named_results(step for step in self.steps if step.rule == "linearised")
 
     @property
     def claims(self) -> tuple[Claim, ...]:
@@ -76,6 +110,7 @@ class Linear:
         lower = self.A.block(slice(n, 2 * n), slice(None))
         left, right = lower.columns(*range(n)), lower.columns(*range(n, 2 * n))
         return (
+            *links(self.steps, {**self.problem.names, **self.definitions}),
             law("D_0 A_21 = -K_0", self.inertia @ left == -self.slope),
             law("D_0 A_22 = -B_f", self.inertia @ right == -self.friction),
             law("D_0 B_2 = 1", self.inertia @ self.inverse == ScalarMatrix.identity(n)),

@@ -148,7 +148,7 @@ def by_minors(task: Task) -> Work:
     )
     squares = add(*(squared(each) for each in names))
     gram = _gram(task, name)
-    tree = _shorter(problem, [minor.value for minor in found], minor_steps)
+    tree = gram_determinant(problem, J, variables)
     det = _closed(problem, "det", (determinant(gram), squares, tree))
     steps = (Step("J", (name, shown), "frame" if frame else "rows", {"frame": frame}), *minor_steps, det)
     block = Block(name.name, J, variables, task.rows, frame, _seeing(task))
@@ -193,12 +193,14 @@ def _factors(tree: Expr) -> tuple[Expr, ...]:
     return tree.factors if isinstance(tree, Product) else (tree,)
 
 
-def _shorter(problem: Problem, values: list[Scalar], steps: tuple[Step, ...]) -> Expr:
-    """The sum of the squares, or that sum multiplied out where it is much shorter."""
-    squares = add(*(_square(step.result) for step in steps))
-    if sum(len(value.numerator) for value in values) > MOST_EXPANDED:
+def gram_determinant(problem: Problem, J: ScalarMatrix, variables: tuple[str, ...]) -> Expr:
+    """det(J J^T) or det(J^T J), whichever is smaller: the squares of the minors of full size (Cauchy and
+    Binet), or their sum multiplied out where it is much shorter."""
+    found = [minor.value for minor in minors(J) if minor.value]
+    squares = add(*(_square(product_tree(problem, factored(value, variables))) for value in found))
+    if sum(len(value.numerator) for value in found) > MOST_EXPANDED:
         return squares
-    expanded = problem.readable(sum((value * value for value in values), Scalar.of(0)))
+    expanded = problem.readable(sum((value * value for value in found), Scalar.of(0)))
     return expanded if 2 * operations(expanded) < operations(squares) else squares
 
 

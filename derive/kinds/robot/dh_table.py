@@ -103,4 +103,3 @@ def _derivation(
     results: dict[str, Result] = {"DH": rows.matrix(problem)}
     results |= {step.name: problem.final(step.result) for step in rows.ends(problem)}
     return Derivation("dh-table", steps, results, claims, facts={**rows.facts(), "mode": mode, **facts})
-

@@ -47,8 +47,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """T_1^0, T_2^1, ... and their product (Spong et al., eq. 3.11; Siciliano et al., eq. 2.52)."""
     last = options.to or len(robot.links)
     if last > len(robot.links):
-        rows = f"{len(robot.links)} row{'s' * (len(robot.links) != 1)}"
-        raise NotDerivable(f"frame {last} is asked for, but the arm has {rows}")
+        count = f"{len(robot.links)} row{'s' * (len(robot.links) != 1)}"
+        raise NotDerivable(f"frame {last} is asked for, but the arm has {count}")
     whole = options.to is None or last == len(robot.links)
     if robot.by_screws:
         return _by_screws(robot, problem, last, whole)
@@ -89,7 +89,9 @@ def _by_screws(robot: Robot, problem: Problem, last: int, whole: bool) -> Deriva
     work = Exponentials(problem, robot, last, whole)
     steps, definitions, T = work.steps(), work.definitions(), work.pose
     results: dict[str, Expr] = {
-        step.name: problem.final(step.result) for step in steps if step.rule in ("exponential", "home", "twist")
+        step.name: problem.final(step.result)
+        for step in steps
+        if step.rule in ("exponential", "home", "twist")
     }
     results[work.name.name] = problem.final(definitions[work.name])
     claims = (

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from derive.algebra.numeric import matrix_numbers
 from derive.derivation import Claim, Derivation
-from derive.expression import Expr
+from derive.expression import Expr, Symbol
 from derive.kinds.checks import agreement, is_rotation, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import chain_of, oracle_of
+from derive.kinds.robot._chain import chain_of, end_frame, oracle_of
 from derive.kinds.robot._exponentials import Exponentials
 from derive.mechanics.poses import rotation_part
 from derive.mechanics.robot import Robot
@@ -41,21 +41,22 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """The joint axes at zero, their twists, the home pose and the product (Lynch and Park, section 4.1;
     Murray, Li and Sastry, section 3.2). Raises NotDerivable where no joint moves."""
     arm = screw_form(robot, problem.readable)
-    work = Exponentials(problem, arm, len(arm.links), True, frames=False)
+    name = Symbol(f"T_{end_frame(robot)}^0")
+    work = Exponentials(problem, arm, len(arm.links), True, frames=False, name=name)
     written, definitions = work.steps(), work.definitions()
     steps = tuple(step for step in written if step.rule in ENDS) if robot.by_screws else written
     results: dict[str, Expr] = {
         step.name: problem.final(step.result) for step in written if step.rule in NAMED
     }
-    results[work.name.name] = problem.final(definitions[work.name])
+    results[last := f"T_{len(robot.links)}^0"] = problem.final(definitions[work.name])
     claims = (
         *links(steps, {**problem.names, **definitions}),
         *work.claims(),
-        *is_rotation(rotation_part(work.pose), f"R_{len(arm.links)}^0"),
+        *is_rotation(rotation_part(work.pose), f"R_{len(robot.links)}^0"),
         *_same_arm(problem, work),
     )
     uses = (problem.ask("forward-kinematics"),)
-    facts = {**work.facts(), "rows": not robot.by_screws}
+    facts = {**work.facts(), "rows": not robot.by_screws, "page_names": {last: name.name}}
     return Derivation("product-of-exponentials", steps, results, claims, definitions, uses=uses, facts=facts)
 
 

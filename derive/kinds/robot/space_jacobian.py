@@ -10,7 +10,20 @@ from pydantic import Field
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numeric import matrix_numbers
 from derive.derivation import Claim, Derivation, Step, named_results
-from derive.expression import ZERO, Expr, Indexed, Matrix, Product, Symbol, add, column, cross, negate, number, transpose
+from derive.expression import (
+    ZERO,
+    Expr,
+    Indexed,
+    Matrix,
+    Product,
+    Symbol,
+    add,
+    column,
+    cross,
+    negate,
+    number,
+    transpose,
+)
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -56,7 +69,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         uses = problem.ask("forward-kinematics")
         steps = (
             *axis_steps(problem, found, len(robot.links)),
-            Step("J_s", (Symbol("J_s"), _blocks(problem, found, robot), problem.readable_matrix(J)), "twists"),
+            Step(
+                "J_s", (Symbol("J_s"), _blocks(problem, found, robot), problem.readable_matrix(J)), "twists"
+            ),
         )
     else:
         uses = problem.ask("space-jacobian")

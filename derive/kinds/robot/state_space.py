@@ -64,6 +64,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         facts={
             "at": tuple((Symbol(name), value) for name, value in (options.at or ())),
             "linear": linear is not None,
+            "long": bool(linear and linear.long),
             "viscous": bool(linear and linear.friction),
             "coulomb": any(link.friction and link.friction.coulomb != ZERO for link in moving(robot)),
             "held": bool(linear and linear.torques),

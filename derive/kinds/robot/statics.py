@@ -11,7 +11,7 @@ from derive.algebra import numeric
 from derive.algebra.normal import normal, normal_matrix
 from derive.derivation import Derivation, Step
 from derive.errors import NotDerivable
-from derive.expression import Expr, Indexed, Matrix, Product, Symbol, column, free_symbols, transpose
+from derive.expression import Expr, Matrix, Product, Symbol, column, free_symbols, transpose
 from derive.kinds.checks import agreement, links
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.problem import Problem
@@ -55,7 +55,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     task = task_of(problem, _rows(options, problem), options.point)
     force = options.force or tuple(Symbol(_free(FORCES[row], problem)) for row in task.rows)
     if len(force) != len(task.rows):
-        raise NotDerivable(f"{len(force)} components of the force for the {len(task.rows)} rows {', '.join(task.rows)}")
+        which = f"the {len(task.rows)} rows {', '.join(task.rows)}"
+        raise NotDerivable(f"{len(force)} components of the force for {which}; give one for each")
     load, shown = column(force), task.written
     tau = task.J.T @ normal_matrix(load)
     written = problem.readable_matrix(tau)
@@ -108,10 +109,7 @@ def _by_work(task: Task, force: tuple[Expr, ...], at: Mapping[str, float]) -> An
 def _facts(task: Task) -> dict[str, Any]:
     return {
         "rows": task.velocities,
-        "J": J,
         "only": not set(task.rows) >= {"vx", "vy", "vz", "wx", "wy", "wz"},
-        "name": Indexed("J"),
         "revolute": all(joint.type == "revolute" for _, joint in task.found.moving),
         "moments": any(row[0] == "w" for row in task.rows),
-        "square": task.square,
     }

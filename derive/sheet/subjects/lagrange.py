@@ -195,6 +195,6 @@ def _trees(given: Given) -> Iterator[tuple[tuple[str | int, ...], Expr]]:
 
 
 def _base_names(given: Given) -> set[str]:
-    """The names in all formulas, of rates those of their coordinates."""
+    """The names in all formulas; of a rate that of its coordinate."""
     names = {name for _, tree in _trees(given) for name in free_symbols(tree)}
-    return names | {name.removesuffix("_dot") for name in names}
+    return {name.removesuffix("_ddot").removesuffix("_dot") for name in names}

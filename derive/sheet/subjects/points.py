@@ -28,7 +28,7 @@ def build(given: Given, at: At, known: Known) -> PointPairs:
     """The pairs of a problem. Raises SheetErrors: unequal counts, or not two or three coordinates each."""
     faults: list[SheetError] = []
     if len(given.source) != len(given.target):
-        message = f"{len(given.source)} points and {len(given.target)} partners"
+        message = f"{len(given.source)} points in from:, but {len(given.target)} in to:"
         faults.append(at.fault(message, ("to",), "give each point its partner, in the same order"))
     size = len(given.source[0])
     for key, points in (("from", given.source), ("to", given.target)):

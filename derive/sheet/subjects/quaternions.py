@@ -1,4 +1,4 @@
-"""A quaternion as an author writes it, `{quaternion: [1/2, 1/2, 1/2, 1/2]}`, as a turn about its vector part."""
+"""A quaternion as an author writes it, `{quaternion: [1, 0, 0, 1]}`, as a turn about its vector part."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ NEARLY = 1e-12
 
 def turn_of(quaternion: tuple[Expr, Expr, Expr, Expr]) -> tuple[tuple[Expr, Expr, Expr] | None, Expr]:
     """(axis, angle): None where nothing is turned. The angle is 2 atan2(|v|, w), in degrees where it is a
-    whole number of them (Siciliano et al., eqs. 2.30 and 2.31); the length of the quaternion plays no part."""
+    whole number of them (Siciliano et al., eqs. 2.30, 2.31); the length of the quaternion plays no part."""
     w, *vector = quaternion
     x, y, z = vector
     square = add(*(squared(part) for part in vector))
@@ -48,4 +48,6 @@ def _is_half_of(degrees: Fraction, quaternion: tuple[Expr, Expr, Expr, Expr]) ->
     w = normal(quaternion[0])
     whole = normal(add(*(squared(part) for part in quaternion)))
     half = normal(cos(Quotient(Degrees(degrees), number(2))))
-    return w * w == half * half * whole and value(quaternion[0], {}) * math.cos(math.radians(degrees / 2)) >= 0
+    return (
+        w * w == half * half * whole and value(quaternion[0], {}) * math.cos(math.radians(degrees / 2)) >= 0
+    )

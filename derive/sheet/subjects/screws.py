@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from typing import Annotated, Any, TypeAlias
 
 from pydantic import Discriminator, Field, Tag, field_validator
@@ -19,7 +20,7 @@ from derive.sheet.subjects.moves import AxisField, MoveField, move
 from derive.sheet.subjects.registry import Known
 
 ORIGIN = (ZERO, ZERO, ZERO)
-UNITS = {(1, 0, 0): "x", (0, 1, 0): "y", (0, 0, 1): "z"}
+UNITS: dict[tuple[Fraction | int | None, ...], str] = {(1, 0, 0): "x", (0, 1, 0): "y", (0, 0, 1): "z"}
 
 
 class _Directed(OptionsModel):
@@ -99,5 +100,3 @@ def home_pose(given: Any, at: At, known: Known) -> Motion | ByMatrix:
     if given and isinstance(given[0], list):
         return by_matrix(given, "home", at, known)
     return Motion(tuple(move(entry) for entry in given))
-
-

@@ -1,0 +1,192 @@
+"""How evenly an arm moves and pushes in all directions: its measure and its ellipsoids."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from derive.algebra import numeric
+from derive.algebra.factors import Factored, factored
+from derive.algebra.kernels import root
+from derive.algebra.scalar import Scalar
+from derive.derivation import Claim, Derivation, Result, Step
+from derive.errors import NotDerivable
+from derive.expression import (
+    Call,
+    Expr,
+    Number,
+    Power,
+    Product,
+    Symbol,
+    is_negative,
+    multiply,
+    negate,
+    sqrt,
+    transpose,
+)
+from derive.kinds.checks import agreement, links
+from derive.kinds.evaluation import Evaluation
+from derive.kinds.fields import OptionsModel
+from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import closing, oracle_of
+from derive.kinds.robot._ellipsoids import Ellipsoids, at_point
+from derive.kinds.robot._point import PointOn
+from derive.kinds.robot._singular_work import determinant, gram_determinant, product_tree
+from derive.kinds.robot._task import RowName, Task, task_of
+from derive.mechanics.robot import Robot
+from derive.mechanics.zeros import zeros
+
+RESULTS = {
+    "w": "the manipulability, sqrt(det(J J^T)); |det J| where J is square",
+    "axes": "at a point: the semi-axes of the velocity ellipsoid, largest first",
+    "directions": "at a point: their directions, one vector for each",
+    "force_axes": "at a point: the semi-axes of the force ellipsoid, along the same directions",
+    "force_directions": "at a point: their directions",
+}
+EXAMPLE = """\
+title: Manipulability
+problems:
+- robot:
+    links:
+    - {theta: theta1*, d: 0, a: l1, alpha: 0}
+    - {theta: theta2*, d: 0, a: l2, alpha: 0}
+  find: manipulability
+  evaluate: {theta1: 30 deg, theta2: 60 deg, l1: 1, l2: 1}
+"""
+DIFFERENCES = 1e-6
+J, W = Symbol("J"), Symbol("w")
+
+
+class Options(OptionsModel):
+    """`rows`: the velocities that count; `point`: whose; `evaluate`: the configuration of the ellipsoids."""
+
+    rows: tuple[RowName, ...] = ()
+    point: PointOn | None = None
+    evaluate: Evaluation = None
+
+
+def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
+    """w and the ellipsoids v^T (J J^T)^-1 v = 1 and F^T (J J^T) F = 1 (Siciliano et al., section 3.9;
+    Yoshikawa, 1985).
+
+    Raises NotDerivable where w is zero in every configuration.
+    """
+    task = task_of(problem, options.rows, options.point)
+    det, whole, tree = _measure(task)
+    steps = _steps(task, whole, tree)
+    w = problem.final(tree)
+    definitions: dict[Expr, Expr] = {J: task.written, W: tree}
+    found = at_point(task, options.evaluate) if options.evaluate is not None else None
+    results: dict[str, Result] = {"w": w, **(found.results if found else {})}
+    claims = (*links(steps, {**problem.names, **definitions}), _second_route(task, w))
+    return Derivation(
+        "manipulability",
+        (*steps, *(found.steps if found else ())),
+        results,
+        (*claims, *(found.claims if found else ())),
+        definitions,
+        {"w": numeric.number(w, found.place), **found.evaluated} if found else {},
+        (task.base,),
+        found.plots if found else (),
+        _facts(task, det, found),
+    )
+
+
+def _measure(task: Task) -> tuple[Factored, Expr, Expr]:
+    """det J, or det of the smaller of J J^T and J^T J, factored; the same and w as trees."""
+    variables = task.found.variables
+    matrix = task.J if task.square else task.J @ task.J.T if task.redundant else task.J.T @ task.J
+    value = matrix.det()
+    if not value:
+        raise NotDerivable(f"the rows {', '.join(task.rows)} are dependent in every configuration: w is zero")
+    det = factored(value, variables)
+    if task.square:
+        return det, product_tree(task.problem, det), _absolute(task.problem, det)
+    whole = gram_determinant(task.problem, task.J, variables)
+    if all(power % 2 == 0 for _, power in det.factors) and (half := _root(task.problem, det)) is not None:
+        return det, whole, half
+    return det, whole, sqrt(whole)
+
+
+def _root(problem: Problem, det: Factored) -> Expr | None:
+    """The square root of a product of squares."""
+    constant = root(det.constant)
+    if constant.ring.roots:
+        return None
+    return _absolute(problem, Factored(constant, tuple((f, power // 2) for f, power in det.factors)))
+
+
+def _absolute(problem: Problem, det: Factored) -> Expr:
+    """|det|: what is positive by its nature, or known to be, stands outside."""
+    tree = product_tree(problem, det)
+    tree = negate(tree) if is_negative(tree) else tree
+    factors = tree.factors if isinstance(tree, Product) else (tree,)
+    outside = tuple(f for f in factors if _positive(problem, f))
+    inside = tuple(f for f in factors if f not in outside)
+    return multiply(*outside, Call("abs", (multiply(*inside),))) if inside else tree
+
+
+def _positive(problem: Problem, factor: Expr) -> bool:
+    match factor:
+        case Number(value):
+            return value > 0
+        case Power(_, Number(exponent)):
+            return exponent % 2 == 0
+        case Symbol(name):
+            return problem.assumptions.get(name) in ("positive", "nonnegative")
+    return False
+
+
+def _steps(task: Task, det: Expr, w: Expr) -> tuple[Step, ...]:
+    problem = task.problem
+    product = Product((J, transpose(J)) if task.square or task.redundant else (transpose(J), J))
+    steps = [task.step]
+    if task.square:
+        steps.append(Step("det", (determinant(J), det), "determinant"))
+        chain: tuple[Expr, ...] = (W, sqrt(determinant(product)), Call("abs", (determinant(J),)), w)
+    else:
+        steps.append(Step("det", (determinant(product), det), "determinant"))
+        chain = (W, sqrt(determinant(product)), w)
+    steps.append(closing(Step("w", chain, "law"), problem.final(w)))
+    return tuple(steps)
+
+
+def _facts(task: Task, det: Factored, found: Ellipsoids | None) -> dict[str, Any]:
+    return {
+        "rows": task.velocities,
+        "square": task.square,
+        "redundant": task.redundant,
+        "angular": any(row[0] == "w" for row in task.rows),
+        "mixed": len({row[0] for row in task.rows}) > 1,
+        "best": _best(task, det),
+        "numbers": ("w",),
+        **(found.facts if found else {"point": ()}),
+    }
+
+
+def _best(task: Task, det: Factored) -> tuple[tuple[Expr, Expr], ...]:
+    """The values at which w is largest, where it depends on one angle alone and simply enough."""
+    variables = [n for n in task.found.variables if any(f.diff(n) for f, _ in det.factors)]
+    if not task.square or len(variables) != 1 or len(det.factors) != 1 or det.factors[0][1] != 1:
+        return ()
+    factor = det.factors[0][0]
+    extremes = zeros(factor.diff(variables[0]), tuple(variables), task.problem.readable)
+    if not all(_flat(factor, variables[0]) for _ in extremes):
+        return ()
+    return tuple((Symbol(zero.variable), zero.value) for zero in extremes if zero.rule in ("sine", "cosine"))
+
+
+def _flat(factor: Scalar, name: str) -> bool:
+    """Whether it swings evenly about zero, so that both its extremes are equally far from it."""
+    return factor.diff(name).diff(name) == -factor
+
+
+def _second_route(task: Task, w: Expr) -> Claim:
+    import numpy as np
+
+    return agreement(
+        "w agrees with the product of the singular values of J",
+        task.symbols,
+        lambda at: numeric.number(w, oracle_of(task.problem).at(at)),
+        lambda at: float(np.prod(np.linalg.svd(task.numbers(at), compute_uv=False))),
+        DIFFERENCES,
+    )
