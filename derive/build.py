@@ -10,11 +10,11 @@ from shutil import copyfile
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from derive.derivation import Claim, Derivation
+from derive.derivation import Claim, Derivation, Figure
 from derive.errors import NotDerivable, SheetError, SheetErrors
 from derive.kinds.problem import Problem as Working
 from derive.kinds.registry import module_name
-from derive.render.document import Document, ProblemPage, QuestionPage, Worked
+from derive.render.document import Document, ProblemPage, QuestionPage, Worked, figure_path
 from derive.render.notation import Notation
 from derive.sheet.load import load_sheet
 from derive.sheet.model import Problem, Question, Sheet
@@ -105,8 +105,23 @@ def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool) -> Probl
         order = tuple(_order(answer, asked, printed, working.name)) if solutions else ()
         page = _question(sheet, question, answer if solutions else None, order, problem.where)
         questions.append(replace(page, text=page.text or _default_text(sheet, problem, question, answer)))
-    figure = f"{folder}/{problem.figure.name}" if isinstance(problem.figure, Path) else None
-    return ProblemPage(problem.number, tuple(questions), problem.title, problem.text, figure)
+    figure, drawing = _figure(problem, working, folder)
+    return ProblemPage(problem.number, tuple(questions), problem.title, problem.text, figure, drawing)
+
+
+def _figure(problem: Problem, working: Working, folder: str) -> tuple[str | None, Figure | None]:
+    """Where the picture of a problem stands, and what is drawn there if its author left that to us."""
+    if isinstance(problem.figure, Path):
+        return f"{folder}/{problem.figure.name}", None
+    if not problem.figure:
+        return None, None
+    from derive.kinds.figures import figure_of
+
+    try:
+        return figure_path(folder, problem.number), figure_of(working)
+    except NotDerivable as error:
+        hint = "give the path of a picture beside the sheet, or leave figure: out"
+        raise SheetErrors([SheetError(f"no figure can be drawn: {error}", problem.place, hint)]) from error
 
 
 def _default_text(sheet: Sheet, problem: Problem, question: Question, answer: Derivation) -> str:

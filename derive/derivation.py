@@ -111,7 +111,7 @@ class Drawing:
 
 
 Figure: TypeAlias = Plot | Panels | Drawing
-Result: TypeAlias = Expr | tuple[Branch, ...] | tuple[tuple[Expr, ...], ...] | float | str
+Result: TypeAlias = Expr | tuple[Branch, ...] | tuple[tuple[Expr, ...], ...] | tuple[str, ...] | float | str
 
 
 @dataclass(frozen=True, slots=True)

@@ -30,8 +30,8 @@ ROUNDING = 1e-9  # a square this little below zero is one of zero
 def compiled(expr: Expr) -> Compiled:
     """The value of a scalar tree at a point; parts that are the same object are computed once.
 
-    A square root of nearly zero is zero, where rounding made it negative. Calling the function raises KeyError
-    for a name without a value, ValueError or ZeroDivisionError where the value is not real.
+    A square root of nearly zero is zero, where rounding made it negative. Calling the function raises
+    KeyError for a name without a value, ValueError or ZeroDivisionError where the value is not real.
     """
     places: dict[int, int] = {}
     program: list[tuple[Operation, tuple[int, ...]]] = []

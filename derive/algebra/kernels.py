@@ -53,7 +53,7 @@ def _terms(value: Scalar, of_bottom: bool = False) -> str:
     for exponents, coefficient in polynomial.terms():
         powers = sorted((n, e) for n, e in zip(names, exponents, strict=True) if e)
         texts.append("*".join([str(coefficient), *(f"{n}^{e}" for n, e in powers)]))
-    return "+".join(sorted(texts))
+    return "+".join(sorted(texts)) or "0"
 
 
 def _root_of_rest(inside: Scalar) -> Scalar:

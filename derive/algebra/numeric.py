@@ -39,6 +39,7 @@ FUNCTIONS: dict[str, Callable[..., float]] = {
     "exp": math.exp,
     "log": math.log,
     "abs": abs,
+    "max": max,
     "sign": lambda x: float((x > 0) - (x < 0)),
 }
 

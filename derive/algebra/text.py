@@ -27,7 +27,7 @@ from derive.expression import (
 # How tightly a piece of text holds together; a part weaker than its place asks for parentheses.
 SUM, PRODUCT, POWER, ATOM = 1, 2, 3, 4
 
-SYMPY_NAMES = {"abs": "Abs", "inverse": "Inverse", "det": "Determinant", "cross": "Cross"}
+SYMPY_NAMES = {"abs": "Abs", "max": "Max", "inverse": "Inverse", "det": "Determinant", "cross": "Cross"}
 
 
 def text(expr: Expr) -> str:

@@ -58,8 +58,9 @@ def extremes(course: Sequence[Piece], order: int) -> tuple[float, float]:
     values: list[float] = []
     for piece in course:
         polynomial = numpy.polynomial.Polynomial(piece.coefficients).deriv(order)
-        turning = polynomial.deriv().roots() if polynomial.degree() > 1 else ()
+        turning = polynomial.deriv().roots().tolist() if polynomial.degree() > 1 else []
         length = piece.end - piece.start
-        inside = [t.real for t in turning if abs(t.imag) < 1e-12 and 0 < t.real < length]
+        real = [complex(root).real for root in turning if abs(complex(root).imag) < 1e-12]
+        inside = [tau for tau in real if 0 < tau < length]
         values += [float(polynomial(tau)) for tau in (0.0, length, *inside)]
     return min(values), max(values)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
-from derive.algebra.kernels import root
+from derive.algebra.directions import unit
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.scalar import Scalar
 
 Relation: TypeAlias = Literal["skew", "intersecting", "parallel", "coincident"]
 
@@ -54,22 +54,6 @@ def _between_parallels(a: Line, apart: ScalarMatrix) -> Normal:
     if not apart:
         return Normal("coincident", None, a.point, a.point)
     return Normal("parallel", unit(apart), a.point, a.point + apart)
-
-
-def unit(vector: ScalarMatrix) -> ScalarMatrix:
-    """The unit vector along a vector that is not zero. Where only its length is symbolic, as in (0, -L, 0),
-    no root is taken: the symbols are left out and L counts as positive."""
-    first = next(entry for entry in vector.entries if entry)
-    ratios = [entry / first for entry in vector.entries]
-    if all(ratio.constant is not None for ratio in ratios):
-        vector = ScalarMatrix.column([ratio * _sign(first) for ratio in ratios])
-    length = root(dot(vector, vector))
-    return ScalarMatrix.column([entry / length for entry in vector.entries])
-
-
-def _sign(value: Scalar) -> int:
-    """Of a number; of a polynomial that of its leading term, its symbols counting as positive."""
-    return 1 if as_fraction(value.numerator.leading_coefficient()) > 0 else -1
 
 
 def on(point: ScalarMatrix, line: Line) -> bool:

@@ -45,13 +45,15 @@ class QuestionPage:
 
 @dataclass(frozen=True, slots=True)
 class ProblemPage:
-    """A problem. `figure` is the path of a picture relative to the page, `/` between its parts."""
+    """A problem. `figure` is the path of a picture relative to the page, `/` between its parts; `drawing` is
+    what is drawn there, None where the author gave the picture."""
 
     number: int
     questions: tuple[QuestionPage, ...]
     title: str = ""
     text: str = ""
     figure: str | None = None
+    drawing: Figure | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,7 +95,12 @@ class Document:
 
     def plots(self) -> dict[str, Figure]:
         """Every plot of the page by the path of its picture, relative to the page and without suffix."""
-        return {
+        subjects = {
+            problem.figure.removesuffix(".svg"): problem.drawing
+            for problem in self.problems
+            if problem.figure and problem.drawing
+        }
+        return subjects | {
             plot_path(self.figures, problem.number, question.number, plot.name): plot
             for problem, question in self.questions()
             for worked in question.order
@@ -104,6 +111,11 @@ class Document:
 def file_path(folder: str, problem: int, question: int, name: str) -> str:
     """Where a file is kept: `week6/problem_1_2_model.m`, a name that MATLAB and Python can run."""
     return str(PurePosixPath(folder, f"problem_{problem}_{question}_{name}"))
+
+
+def figure_path(folder: str, problem: int) -> str:
+    """Where the drawing of a subject is kept: `week4/problem-2-figure.svg`."""
+    return str(PurePosixPath(folder, f"problem-{problem}-figure.svg"))
 
 
 def plot_path(folder: str, problem: int, question: int, name: str) -> str:

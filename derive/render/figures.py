@@ -6,8 +6,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from derive.derivation import Drawing, Panels, Plot
 from derive.derivation import Figure as Picture
-from derive.derivation import Panels, Plot
+from derive.render.drawings import draw_drawing
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
 SIZE = (5.6, 3.4)  # inches
 PANEL = 1.2  # inches, the height of one plot among several
 MARGINS = {"left": 0.13, "right": 0.97, "bottom": 0.16, "top": 0.96}  # laying them out takes longest
+BESIDE = {"right": 0.66}  # leaves room for a legend beside the picture
 TICKS = "{x:g}"  # plain text: mathtext is parsed anew for each tick of each picture
 STYLE: dict[str, Any] = {
     "svg.hashsalt": "derive", "svg.fonttype": "path", "pdf.fonttype": 3, "mathtext.fontset": "cm",
@@ -52,10 +54,12 @@ def _compose(figure: Figure, picture: Picture) -> None:
     """Everything of a picture, on the figure made large enough for it."""
     match picture:
         case Plot():
-            figure.subplots_adjust(**MARGINS)
+            figure.subplots_adjust(**{**MARGINS, **(BESIDE if picture.equal else {})})
             _fill(figure.add_subplot(), picture)
         case Panels(_, plots):
             _stack(figure, plots)
+        case Drawing():
+            draw_drawing(figure, picture)
 
 
 def _stack(figure: Figure, plots: tuple[Plot, ...]) -> None:
@@ -96,6 +100,7 @@ def _fill(axes: Axes, plot: Plot, legend: bool = True) -> None:
     axes.margins(x=0)
     if plot.equal:
         axes.margins(0.05)
-        axes.set_aspect("equal", adjustable="datalim")
+        axes.set_aspect("equal", anchor="W")
     if legend and len(plot.series) + len(plot.regions) > 1:
-        axes.legend(frameon=False)
+        beside = {"loc": "upper left", "bbox_to_anchor": (1.02, 1.0)} if plot.equal else {}
+        axes.legend(frameon=False, **beside)

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from derive.errors import SheetError, SheetErrors
+from derive.kinds.figures import DRAWN
 from derive.sheet.checked import checked
 from derive.sheet.faults import did_you_mean
 from derive.sheet.given import PROBLEM_KEYS, GivenProblem, GivenSheet
@@ -98,7 +99,7 @@ def _problem(at: At, data: Any, number: int, outer: Known) -> Problem:
         faults.extend(errors.errors)
     if faults or given is None:
         raise SheetErrors(faults)
-    figure = _figure(at, given.figure)
+    figure = _figure(at, given.figure, name)
     where = at.place()
     return Problem(
         number, name, subject, asked, where, given.title, given.text, figure, known.where,
@@ -166,7 +167,10 @@ def _declared(data: Any) -> frozenset[str]:
     return frozenset(name for block in blocks if isinstance(block, dict) for name in block)
 
 
-def _figure(at: At, typed: str) -> bool | Path:
+def _figure(at: At, typed: str, subject: str) -> bool | Path:
+    if typed == "true" and subject not in DRAWN:
+        hint = f"{', '.join(sorted(DRAWN))} can be drawn; else give the path of a picture beside the sheet"
+        raise SheetErrors([at.fault(f"there is no drawing of a {subject}", ("figure",), hint)])
     if typed in ("true", "false"):
         return typed == "true"
     folder = at.source.path.parent

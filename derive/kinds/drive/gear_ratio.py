@@ -65,7 +65,7 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
         Step("slope", (Derivative(ALPHA, G), slope)),
         *working.steps,
     )
-    best = {BEST: working.values[BEST]}
+    best: dict[Expr, Expr] = {BEST: working.values[BEST]}
     results = {
         "G": working.final("G_opt"),
         "alpha": problem.final(replace(working.values[Symbol("alpha_max")], best)),

@@ -133,10 +133,8 @@ def claims_of(each: Solved, prefix: str = "") -> Iterator[Claim]:
         what = "the time is below the shortest"
     elif each.time is not None:
         what = "no acceleration is smaller"
-    claim = f"{prefix}the distance is covered within the limits and {what}, by search"
-    if each.infeasible:
-        claim = f"{prefix}{what}, by search"
-    yield Claim(claim, SECOND_ROUTE, _found_by_search(each))
+    done = "" if each.infeasible else "the distance is covered within the limits and "
+    yield Claim(f"{prefix}{done}{what}, by search", SECOND_ROUTE, _found_by_search(each))
 
 
 def _found_by_search(each: Solved) -> bool:

@@ -15,7 +15,7 @@ from derive.kinds.profile._axis import Solved, claims_of, solved, steps_of, told
 from derive.kinds.profile._trapezoid import NAMES
 from derive.mechanics.profile import Profile
 
-HEADINGS = ("axis", "case", *(Symbol(name) for name in NAMES))
+HEADINGS: tuple[Expr | str, ...] = ("axis", "case", *(Symbol(name) for name in NAMES))
 
 
 @dataclass(frozen=True, slots=True)

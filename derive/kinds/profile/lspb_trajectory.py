@@ -18,6 +18,7 @@ from derive.expression import (
     Symbol,
     add,
     free_symbols,
+    is_negative,
     negate,
     number,
     replace,
@@ -206,7 +207,7 @@ def _solved(working: Working, by: str, given: Symbol, way: Expr, T: Symbol) -> W
 
 def _minus(expr: Expr) -> Expr:
     """The opposite, its sign in front of the whole fraction."""
-    return Product((MINUS_ONE, expr))
+    return negate(expr) if is_negative(expr) else Product((MINUS_ONE, expr))
 
 
 def _need(working: Working, T: Symbol, why: str) -> None:
@@ -229,7 +230,7 @@ def _by_limits(
         raise NotDerivable(f"the profile is {base.results['case']}: its pieces cannot be written down")
     sign = number(Working(problem, values).sign(subtract(end, start)) or 1)
     T = Symbol("t_f")
-    found = {
+    found: dict[Symbol, Any] = {
         Symbol(key): base.results[name]
         for key, name in (("t_b", "t_1"), ("v", "v"), ("a", "a"), ("t_f", "t_3"))
     }

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any, Literal
 
 from derive.algebra.matrix import ScalarMatrix
@@ -98,11 +99,11 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     velocities = (A.inverse() @ b).entries
     working = knots.working
     written = tuple(working.written(v) for v in velocities)
-    names = {Symbol(f"v_{k}"): value for k, value in enumerate(written)}
+    names: dict[Expr, Expr] = {Symbol(f"v_{k}"): value for k, value in enumerate(written)}
     spans = tuple(_span(knots, velocities, k) for k in range(knots.spans))
     course = in_floats(spans, options.evaluate, problem)
     steps = tuple(_steps(knots, A, b, written))
-    results: dict[str, Any] = {name.name: problem.final(value) for name, value in names.items()}
+    results: dict[str, Any] = {f"v_{k}": problem.final(value) for k, value in enumerate(written)}
     pieces = tuple(branch(span.law, span.start, span.end, problem) for span in spans)
     claims = (
         *links(steps, {**problem.names, **names}),
@@ -112,7 +113,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     )
     evaluated = _evaluated(results, course, options.evaluate, problem)
     return Derivation(
-        "spline-trajectory", steps, {**results, "q": pieces}, claims, dict(names), evaluated,
+        "spline-trajectory", steps, {**results, "q": pieces}, claims, names, evaluated,
         plots=_plots(course, profile, problem), facts=_facts(knots, spans, profile, course, problem, options),
     )  # fmt: skip
 
@@ -264,7 +265,7 @@ def _agrees(knots: Knots, spans: Sequence[Span], problem: Problem) -> bool:
 
         times, places = [at(tree) for tree in knots.times], [at(tree) for tree in knots.places]
         velocities = [None if v is None else at(v) for v in knots.velocities]
-        if any(after <= before for before, after in zip(times, times[1:], strict=False)):
+        if any(after <= before for before, after in pairwise(times)):
             continue  # random times out of order
         found = [at(c) for span in spans for c in span.coefficients]
         if not close(found, solved_in_floats(times, places, velocities), 1e-7):

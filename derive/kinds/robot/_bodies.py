@@ -52,6 +52,8 @@ def weighted(problem: Problem, found: Chain) -> tuple[Weighted, ...]:
     carried = [(i, link.body) for i, link in enumerate(problem.subject.links, 1) if link.body]
     if not carried:
         raise NotDerivable("no link has a mass; give each link `mass`, `com` and `inertia`")
+    if any(joint.pitch for _, joint in found.moving):
+        raise NotDerivable("the dynamics of a helical joint is not derived; only its kinematics is")
     alike = len({(body.mass, body.inertia) for _, body in carried}) == 1
     letter = free_letter(problem, [str(i) for i, _ in carried], "I_", "I_c", "I_C")
     return tuple(_weighted(problem, found, i, body, "" if alike else str(i), letter) for i, body in carried)

@@ -9,7 +9,7 @@ from derive.algebra.normal import trig_of
 from derive.algebra.scalar import Scalar
 from derive.derivation import Step
 from derive.errors import NotDerivable
-from derive.expression import Expr, Symbol, add, atan2, cross, negate
+from derive.expression import Degrees, Expr, Sum, Symbol, add, atan2, cross, negate
 from derive.kinds.pose._angles import fixed_angle, known_angle
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dh_rows import Rows
@@ -45,10 +45,18 @@ def _row(at_zero: Parameters, by: Expr, slide: bool, problem: Problem) -> DHRow:
     """The row with the joint's variable in its column."""
     theta, d = angle_of(at_zero.theta, problem), problem.readable(at_zero.d)
     if slide:
-        d = add(by, d)
+        d = _together(by, d)
     else:
-        theta = add(by, theta)
+        theta = _together(by, theta)
     return DHRow(theta, d, problem.readable(at_zero.a), angle_of(at_zero.alpha, problem))
+
+
+def _together(by: Expr, offset: Expr) -> Expr:
+    """Their sum, the joint's variable first and the degrees of both added up last."""
+    parts = [part for each in (by, offset) for part in (each.terms if isinstance(each, Sum) else (each,))]
+    turn = sum((part.value for part in parts if isinstance(part, Degrees)), Fraction(0))
+    fixed = (Degrees(turn),) if turn else ()
+    return add(*(part for part in parts if not isinstance(part, Degrees)), *fixed)
 
 
 def angle_of(pair: Pair, problem: Problem) -> Expr:

@@ -46,6 +46,15 @@ def friction_terms(robot: Robot) -> tuple[tuple[Expr, ...], ...]:
     return tuple(resistance(link.friction, link.variable or "") for link in moving(robot))
 
 
+def friction_facts(robot: Robot) -> dict[str, bool]:
+    """Which sorts of friction there are, for the words."""
+    known = [link.friction for link in moving(robot) if link.friction]
+    return {
+        "viscous": any(each.viscous != ZERO for each in known),
+        "coulomb": any(each.coulomb != ZERO for each in known),
+    }
+
+
 def friction_column(robot: Robot) -> Matrix | None:
     """The friction of the joints (n by 1), None where there is none."""
     terms = friction_terms(robot)

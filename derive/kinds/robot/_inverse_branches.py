@@ -10,9 +10,10 @@ from derive.algebra.angles import Form
 from derive.algebra.compiled import Compiled, compiled
 from derive.algebra.numeric import Point
 from derive.derivation import Branch
-from derive.expression import Call, Expr, Symbol, Sum, children, rebuild, replace
+from derive.expression import Call, Expr, Sum, Symbol, children, rebuild, replace
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse_moves import Definition, Item, Move, Option, choices, shares, weighted
+from derive.kinds.robot._inverse_singular import Case
 
 LARGEST = 1200  # names, numbers and operations in a value; above that it stays in terms of earlier joints
 
@@ -25,6 +26,7 @@ class Solutions:
     joints: tuple[str, ...]
     slides: frozenset[str]
     problem: Problem
+    singular: tuple[Case, ...] = ()
 
     @cached_property
     def chosen(self) -> tuple[dict[int, Option], ...]:
@@ -78,7 +80,8 @@ class Solutions:
         values: list[float] = []
         try:
             for item in self.items:
-                value = self._functions[id(item if isinstance(item, Definition) else taken[item.number])](known)
+                part = item if isinstance(item, Definition) else taken[item.number]
+                value = self._functions[id(part)](known)
                 if isinstance(item, Definition):
                     known[item.name.name] = value
                 elif isinstance(item.of, Form):
@@ -89,6 +92,8 @@ class Solutions:
                     known[item.of] = value
         except (ValueError, ZeroDivisionError):
             return None
+        for case in self.singular:
+            known |= case.chosen(known)
         return {name: known[name] for name in self.joints}
 
     def _angles(self, forms: Sequence[Form], values: Sequence[float]) -> dict[str, float]:

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from derive.algebra.compiled import compiled
 from derive.derivation import Claim
-from derive.kinds.checks import SECOND_ROUTE, close
+from derive.kinds.checks import SECOND_ROUTE, TOLERANCE, close
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._inverse_branches import Solutions
@@ -17,7 +17,9 @@ from derive.mechanics.oracle import Oracle
 SAME = 1e-6  # radians or metres: two joint values this close are one
 
 
-def closing(solutions: Solutions, goal: Goal, problem: Problem, points: Sequence[Mapping[str, float]]) -> Iterator[Claim]:
+def closing(
+    solutions: Solutions, goal: Goal, problem: Problem, points: Sequence[Mapping[str, float]]
+) -> Iterator[Claim]:
     """Each branch reaches the pose it was made for; the joint values the pose came from are among them."""
     oracle = oracle_of(problem)
     reached = [True] * len(solutions.chosen)
@@ -32,11 +34,16 @@ def closing(solutions: Solutions, goal: Goal, problem: Problem, points: Sequence
         name = f" '{branch.when}'" if branch.when else ""
         yield Claim(f"the branch{name} reaches its target", SECOND_ROUTE, holds)
     yield Claim("the joint values a pose came from are among the solutions", SECOND_ROUTE, found)
-    yield Claim("the solutions as printed have the values found step by step", SECOND_ROUTE, _as_printed(solutions, points[0]))
+    same = _as_printed(solutions, points[0])
+    yield Claim("the solutions as printed have the values found step by step", SECOND_ROUTE, same)
 
 
 def reaches(
-    oracle: Oracle, goal: Goal, point: Mapping[str, float], values: Mapping[str, float], tolerance: float = 1e-9
+    oracle: Oracle,
+    goal: Goal,
+    point: Mapping[str, float],
+    values: Mapping[str, float],
+    tolerance: float = TOLERANCE,
 ) -> bool:
     """Whether the arm stands where it should, by the forward kinematics in NumPy."""
     given = goal.numbers(oracle.tool({**point, **values}))

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from derive.algebra.numeric import number
@@ -16,26 +17,51 @@ from derive.kinds.robot._inverse_branches import Solutions
 from derive.kinds.robot._inverse_checks import reaches
 from derive.mechanics.inverse.goal import Goal
 
-REACHED = 1e-6  # relative: a pose is typed with rounded numbers
+REACHED = 1e-6  # relative
 
 
-def evaluated(solutions: Solutions, goal: Goal, problem: Problem, place: Place | None) -> dict[str, Any]:
+@dataclass(frozen=True, slots=True)
+class Evaluated:
+    """What the JSON says under `evaluated`, and why no branch is real where none is: `out_of_reach`, or
+    `missed` where the formulas have values that do not bring the end-effector there."""
+
+    values: Mapping[str, Any]
+    out_of_reach: bool = False
+    missed: bool = False
+
+    @property
+    def facts(self) -> dict[str, bool]:
+        return {"out_of_reach": self.out_of_reach, "missed": self.missed}
+
+
+def evaluated(solutions: Solutions, goal: Goal, problem: Problem, place: Place | None) -> Evaluated:
     """`solutions` with floats; a branch that does not reach the pose is not real. Empty without a point.
 
     Raises NotDerivable where a name has no value.
     """
     if place is None:
-        return {}
+        return Evaluated({})
     point = point_of(place, problem)
-    oracle = oracle_of(problem)
+    oracle, tolerance = oracle_of(problem), REACHED + 10 * _rounding(goal, point)
     try:
-        found = [
-            values if values and reaches(oracle, goal, point, values, REACHED) else None
-            for values in solutions.at(point)
-        ]
+        branches = solutions.at(point)
+        wanted = {**dict.fromkeys(problem.symbols, 1.0), **point}  # what no value rests on may be anything
+        found = [v if v and reaches(oracle, goal, wanted, v, tolerance) else None for v in branches]
     except KeyError as error:
         raise unknown(error) from error
-    return {"solutions": told(solutions.branches, found)}
+    out_of_reach = not any(branches)
+    missed = not out_of_reach and not any(found)
+    return Evaluated({"solutions": told(solutions.branches, found)}, out_of_reach, missed)
+
+
+def _rounding(goal: Goal, point: Mapping[str, float]) -> float:
+    """How far the typed entries of a rotation are from one: they may be rounded to a few digits."""
+    names = [f"r{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
+    if not set(names) <= set(goal.names) & point.keys():
+        return 0.0
+    R = [[point[f"r{i}{j}"] for j in (1, 2, 3)] for i in (1, 2, 3)]
+    products = [(sum(row[i] * row[j] for row in R), i == j) for i in range(3) for j in range(3)]
+    return max(abs(value - same) for value, same in products)
 
 
 def point_of(place: Place, problem: Problem) -> dict[str, float]:

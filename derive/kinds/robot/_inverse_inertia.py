@@ -17,6 +17,7 @@ from derive.kinds.robot._chain import matrix_of, moment_names
 from derive.kinds.robot._rates import is_long
 
 MOST_JOINTS = 3
+MOST_REDUCED = 2  # joints; with more, fractions are not multiplied out
 INERTIA = Symbol("D")
 DET = Call("det", (INERTIA,))
 
@@ -63,19 +64,18 @@ class Turned:
 
 
 def turned(problem: Problem, motion: Derivation, what: str) -> Turned:
-    """D of an arm with few joints. Raises NotDerivable for one with more."""
+    """D of an arm with few joints. Raises NotDerivable for one with more, and where D has no inverse."""
     n = len(problem.subject.variables)
     if n > MOST_JOINTS:
         raise NotDerivable(f"{what} worked out for arms of at most {MOST_JOINTS} joints; this one has {n}")
     names = ScalarMatrix.of([[Scalar.symbol(entry_name(i, j)) for j in range(n)] for i in range(n)])
     D, inertia = matrix_of(motion, "D"), problem.ask("inertia-matrix")
-    final: dict[Expr, Expr] = {
-        Symbol(entry_name(i, j)): D.rows[i][j] for i in range(n) for j in range(n)
-    }
+    if not normal_matrix(D).det():
+        raise NotDerivable("D is singular: some joint moves without moving a mass, give the links inertia")
+    final: dict[Expr, Expr] = {Symbol(entry_name(i, j)): D.rows[i][j] for i in range(n) for j in range(n)}
     values = {**final, **moment_names(inertia)}
-    return Turned(
-        problem, D, readable(names.det()), readable_matrix(names.adjugate()), values, is_long(problem)
-    )
+    long = n > MOST_REDUCED or is_long(problem)
+    return Turned(problem, D, readable(names.det()), readable_matrix(names.adjugate()), values, long)
 
 
 def entry_name(i: int, j: int) -> str:

@@ -1,4 +1,4 @@
-"""The moves of an inverse: each finds one joint variable, or a sum of them, in terms of those found before."""
+"""The moves of an inverse: each finds a joint variable, or a sum of them, by those found before."""
 
 from __future__ import annotations
 
@@ -9,7 +9,8 @@ from typing import Any, TypeAlias
 
 from derive.algebra.angles import Form, combination
 from derive.derivation import Step
-from derive.expression import ZERO, Expr, Product, Sum, Symbol, add, is_negative, multiply, negate, number
+from derive.expression import ZERO, Expr, Symbol, add, multiply, number
+from derive.kinds.robot._inverse_trees import minus
 
 Signs: TypeAlias = Mapping[int, int]  # move -> the sign chosen there
 
@@ -34,8 +35,8 @@ class Option:
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """`number` counts the moves from 0; `of` is a sum of angles or the name of a displacement; `trig` the sine and cosine of that sum where
-    they are known without it, by sign."""
+    """`number` counts the moves from 0; `of` is a sum of angles or the name of a displacement, `head` how it
+    is written; `trig` are the sine and cosine of that sum where they are known without it, by sign."""
 
     number: int
     of: Form | str
@@ -88,7 +89,7 @@ def shares(joint: str, forms: tuple[Form, ...], joints: tuple[str, ...]) -> tupl
 
 
 def weighted(values: Sequence[Expr], weights: Sequence[int]) -> Expr:
-    """A sum of values with whole weights, plain ones first."""
+    """A sum of values with whole weights."""
     terms = [_scaled(value, n) for value, n in zip(values, weights, strict=True) if n]
     return add(*terms) if terms else ZERO
 
@@ -97,24 +98,3 @@ def _scaled(value: Expr, n: int) -> Expr:
     if abs(n) == 1:
         return value if n > 0 else minus(value)
     return multiply(number(n), value)
-
-
-def minus(value: Expr) -> Expr:
-    """The opposite of a tree, each term of a sum with its sign turned."""
-    if isinstance(value, Sum):
-        return ordered(Sum(tuple(map(minus, value.terms))))
-    if isinstance(value, Product) and value.factors[0] == number(-1):
-        return multiply(*value.factors[1:])
-    return negate(value)
-
-
-def ordered(tree: Expr) -> Expr:
-    """A sum with what is subtracted at its end."""
-    if isinstance(tree, Sum):
-        return Sum(tuple(sorted(tree.terms, key=is_negative)))
-    return tree
-
-
-def size_of(tree: Expr) -> Expr:
-    """Without the sign in front: what is squared needs none."""
-    return minus(tree) if is_negative(tree) else tree

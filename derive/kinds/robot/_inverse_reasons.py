@@ -22,8 +22,8 @@ def refuse(chain: Chain, goal: Goal) -> None:
     if joints > goal.size:
         raise NotDerivable(
             f"no closed form found: the arm has {joints} joint variables and only {goal.size} of them can be "
-            f"determined by what is given ({_listed(goal)}), so there are infinitely many solutions; give more of "
-            "the pose, or fix a joint"
+            f"determined by what is given ({_listed(goal)}), so there are infinitely many solutions; give more "
+            "of the pose, or fix a joint"
         )
 
 
@@ -35,7 +35,7 @@ def no_closed_form(plan: Plan, problem: Problem) -> str:
         if plan.late
         else "no equation holds only one of them, and no sum of squares does"
     )
-    equations = "; ".join(_written(equation, problem) for equation in plan.left)
+    equations = "; ".join(dict.fromkeys(_written(equation, problem) for equation in plan.left))
     return f"no closed form found for {', '.join(unknown)}: {reason}. The reduced equations are {equations}"
 
 
@@ -45,4 +45,4 @@ def _written(equation: Equation, problem: Problem) -> str:
 
 
 def _listed(goal: Goal) -> str:
-    return "the pose" if len(goal.names) > 9 else "the orientation" if len(goal.names) == 9 else ", ".join(goal.names)
+    return {12: "the pose", 9: "the orientation"}.get(len(goal.names), ", ".join(goal.names))

@@ -100,7 +100,7 @@ def symbol_steps(velocity: Velocity, n: int) -> tuple[Step, ...]:
         if value or n <= MOST_SHOWN:
             names = [Symbol(f"b_{i}{j}{k}")] + ([Symbol(f"b_{i}{k}{j}")] if j != k else [])
             raw = Sum((m(i, j, k), m(i, k, j), negate(m(j, k, i))))
-            steps.append(Step(names[0].name, (*names, multiply(HALF, raw), velocity.values[i, j, k]), "b"))
+            steps.append(Step(names[0].name, (*names, multiply(HALF, raw), velocity.values[i, j, k]), "b", {"row": i}))
     return tuple(steps)
 
 

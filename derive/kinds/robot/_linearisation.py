@@ -10,12 +10,15 @@ from derive.algebra import numeric
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, normal, normal_matrix
 from derive.algebra.operations import operations
+from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Step, named_results
 from derive.errors import NotDerivable
 from derive.expression import (
     ONE,
+    ZERO,
     Call,
     Expr,
+    Matrix,
     Power,
     Product,
     Quotient,
@@ -33,6 +36,8 @@ from derive.mechanics.oracle import Oracle
 from derive.mechanics.robot import Robot
 
 LONGEST = 80  # operations of A and B together
+MOST_REDUCED = 2  # joints; with more, common factors of fractions are not looked for
+MOST_TERMS = 600  # of an entry of A times the determinant
 INVERSE, DET = Power(Symbol("D_0"), number(-1)), Call("det", (Symbol("D_0"),))
 STEP = 1e-4  # of differences; what they leave is about its square
 LEFT = 1e-5
@@ -40,7 +45,8 @@ LEFT = 1e-5
 
 @dataclass(frozen=True, slots=True)
 class Linear:
-    """The matrices at an equilibrium: of dx/dt = A x + B u, and what they are made of (n by n)."""
+    """The matrices at an equilibrium: of dx/dt = A x + B u, and what they are made of (n by n); `det` and
+    `adjugate` are those of `inertia`, which is D_0."""
 
     problem: Problem
     at: Mapping[str, Expr]
@@ -48,21 +54,13 @@ class Linear:
     inertia: ScalarMatrix
     slope: ScalarMatrix
     friction: ScalarMatrix
+    det: Scalar
+    adjugate: ScalarMatrix
 
     @property
-    def inverse(self) -> ScalarMatrix:
-        return self.inertia.inverse()
-
-    @property
-    def A(self) -> ScalarMatrix:
-        n = self.inertia.shape[0]
-        above = ScalarMatrix.beside([ScalarMatrix.zeros(n, n), ScalarMatrix.identity(n)])
-        below = ScalarMatrix.beside([-(self.inverse @ self.slope), -(self.inverse @ self.friction)])
-        return ScalarMatrix.stacked([above, below])
-
-    @property
-    def B(self) -> ScalarMatrix:
-        return ScalarMatrix.stacked([ScalarMatrix.zeros(*self.inertia.shape), self.inverse])
+    def tops(self) -> tuple[ScalarMatrix, ScalarMatrix, ScalarMatrix]:
+        """The lower blocks A_21, A_22 and B_2, times det D_0."""
+        return -(self.adjugate @ self.slope), -(self.adjugate @ self.friction), self.adjugate
 
     @property
     def steps(self) -> tuple[Step, ...]:
@@ -70,35 +68,52 @@ class Linear:
         plain, over the determinant of D_0 that they share."""
         found = [("tau_0", self.torques), ("D_0", self.inertia), ("K_0", self.slope)]
         found += [("B_f", self.friction)] if self.friction else []
-        given = tuple(self._step(name, value) for name, value in found)
+        given = tuple(
+            Step(name, (Symbol(name), self.problem.readable_matrix(value)), "linearised")
+            for name, value in found
+        )
         if self.long:
             return *given, *self._blocks()
-        return *given, self._step("A", self.A), self._step("B", self.B)
+        whole = (Step(name, (Symbol(name), self.results[name]), "linearised") for name in ("A", "B"))
+        return *given, *whole
 
     @property
     def long(self) -> bool:
         return sum(operations(self.results[name]) for name in ("A", "B")) > LONGEST
 
-    def _step(self, name: str, value: ScalarMatrix) -> Step:
-        return Step(name, (Symbol(name), self.problem.readable_matrix(value)), "linearised")
-
     def _blocks(self) -> Iterator[Step]:
         """det D_0, then A_21, A_22 and B_2 as a matrix over it."""
-        yield Step("det_0", (DET, self.problem.readable(self.inertia.det())), "blocks")
-        adjugate = self.inertia.adjugate()
-        for name, route, top in (
-            ("A_21", negate(Product((INVERSE, Symbol("K_0")))), -(adjugate @ self.slope)),
-            ("A_22", negate(Product((INVERSE, Symbol("B_f")))), -(adjugate @ self.friction)),
-            ("B_2", INVERSE, adjugate),
-        ):
+        yield Step("det_0", (DET, self.problem.readable(self.det)), "blocks")
+        routes = (negate(Product((INVERSE, Symbol(name)))) for name in ("K_0", "B_f"))
+        for name, route, top in zip(("A_21", "A_22", "B_2"), (*routes, INVERSE), self.tops, strict=True):
             if top:
                 value = Product((Quotient(ONE, DET), self.problem.readable_matrix(top)))
                 yield Step(name, (Symbol(name), route, value), "blocks")
 
     @property
     def results(self) -> dict[str, Expr]:
-        values = (("tau_0", self.torques), ("A", self.A), ("B", self.B))
-        return {name: self.problem.readable_matrix(value) for name, value in values}
+        n = self.inertia.shape[0]
+        slope, friction, inverse = (self._over(top) for top in self.tops)
+        zeros = (ZERO,) * n
+        above = [(*zeros, *(ONE if i == j else ZERO for j in range(n))) for i in range(n)]
+        below = [(*slope[i], *friction[i]) for i in range(n)]
+        B = Matrix((*(zeros for _ in range(n)), *inverse))
+        return {
+            "tau_0": self.problem.readable_matrix(self.torques),
+            "A": Matrix((*above, *below)),
+            "B": B,
+        }
+
+    def _over(self, top: ScalarMatrix) -> list[tuple[Expr, ...]]:
+        """Rows over det D_0: reduced where the arm is small, as they are where that would take long."""
+        return [tuple(map(self._quotient, row)) for row in top.rows]
+
+    def _quotient(self, top: Scalar) -> Expr:
+        if not top:
+            return ZERO
+        if self.inertia.shape[0] <= MOST_REDUCED or self.det.constant is not None:
+            return self.problem.readable(top / self.det)
+        return Quotient(self.problem.readable(top), self.problem.readable(self.det))
 
     @property
     def definitions(self) -> dict[Expr, Expr]:
@@ -106,25 +121,24 @@ class Linear:
 
     @property
     def claims(self) -> tuple[Claim, ...]:
-        n = self.inertia.shape[0]
-        lower = self.A.block(slice(n, 2 * n), slice(None))
-        left, right = lower.columns(*range(n)), lower.columns(*range(n, 2 * n))
+        one = ScalarMatrix.identity(self.inertia.shape[0])
+        # of long fractions the law below says as much as comparing them, and takes less time
+        large = len(one.rows) > MOST_REDUCED
+        compared = [step for step in self.steps if not (large and step.rule == "blocks")]
         return (
-            *links(self.steps, {**self.problem.names, **self.definitions}),
-            law("D_0 A_21 = -K_0", self.inertia @ left == -self.slope),
-            law("D_0 A_22 = -B_f", self.inertia @ right == -self.friction),
-            law("D_0 B_2 = 1", self.inertia @ self.inverse == ScalarMatrix.identity(n)),
+            *links(compared, {**self.problem.names, **self.definitions}),
+            law("D_0 adj(D_0) = det(D_0) 1", self.inertia @ self.adjugate == one.scaled(self.det)),
             self._second_route(),
         )
 
     def _second_route(self) -> Claim:
         """A by differences of the accelerations, which Newton and Euler give."""
         arm = Oracle(_smooth(self.problem.subject), self.problem.where)
-        A = self.A
+        A, names = self.results["A"], {name for part in self.at.values() for name in free_symbols(part)}
         return agreement(
             "A agrees with differences of the accelerations (Newton-Euler)",
-            self.problem.symbols | {"g"} | {name for part in self.at.values() for name in free_symbols(part)},
-            lambda point: numeric.matrix_numbers(A, arm.at(point)),
+            self.problem.symbols | {"g"} | names,
+            lambda point: numeric.numbers(A, arm.at(point)),
             lambda point: _differences(arm, self.at, point),
             LEFT,
         )
@@ -140,22 +154,24 @@ def linearised(problem: Problem, motion: Derivation, at: Mapping[str, Expr]) -> 
     values: Names = {**problem.names, **{Symbol(name): value for name, value in at.items()}}
     g = matrix_of(motion, "g")
     slope = ScalarMatrix.of([[normal(entry).diff(name) for name in names] for (entry,) in g.rows])
-    found = Linear(
-        problem,
-        at,
-        normal_matrix(g, values),
-        normal_matrix(matrix_of(motion, "D"), values),
-        normal_matrix(problem.readable_matrix(slope), values),
-        _viscous(problem),
-    )
-    if not found.inertia.det():
+    D = normal_matrix(matrix_of(motion, "D"), values)
+    det = D.det()
+    if not det:
         raise NotDerivable("D is singular there, so that the accelerations are not determined")
+    K = normal_matrix(problem.readable_matrix(slope), values)
+    found = Linear(problem, at, normal_matrix(g, values), D, K, _viscous(problem), det, D.adjugate())
+    if max(len(entry.numerator) for top in found.tops for entry in top.entries) > MOST_TERMS:
+        raise NotDerivable("the linearised equations would fill pages; give numbers to some of the symbols")
     return found
 
 
 def _viscous(problem: Problem) -> ScalarMatrix:
-    values = [normal((link.friction or Friction()).viscous, problem.names) for link in moving(problem.subject)]
-    return ScalarMatrix.of([[value if i == j else 0 for j in range(len(values))] for i, value in enumerate(values)])
+    values = [
+        normal((link.friction or Friction()).viscous, problem.names) for link in moving(problem.subject)
+    ]
+    return ScalarMatrix.of(
+        [[value if i == j else 0 for j in range(len(values))] for i, value in enumerate(values)]
+    )
 
 
 def _smooth(robot: Robot) -> Robot:
@@ -191,5 +207,3 @@ def _rates(arm: Oracle, at: Mapping[str, float], forces: Any) -> Any:
     h = arm.torques(at)
     D = np.array([arm.torques({**at, f"{name}_ddot": 1.0}) - h for name in names])
     return np.concatenate([[at[f"{name}_dot"] for name in names], np.linalg.solve(D, forces - h)])
-
-

@@ -40,6 +40,7 @@ class Line:
     formula: Expr
     value: ScalarMatrix
     rule: str
+    i: int = 0  # the link
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,9 +67,9 @@ class Recursion:
     def outward(self) -> Iterator[Line]:
         """Velocities and accelerations of each link, and what moves its body, from base to tip."""
         for i, (row, found) in enumerate(zip(self.arm.rows, self.swept, strict=True), 1):
-            yield _line(f"omega_{i}", self._omega(i), found.w, "outward")
-            yield _line(f"omega_{i}_dot", self._alpha(i), found.alpha, "outward")
-            yield _line(f"o_{i}_ddot", self._origin(i), found.a, "outward")
+            yield _line(i, f"omega_{i}", self._omega(i), found.w, "outward")
+            yield _line(i, f"omega_{i}_dot", self._alpha(i), found.alpha, "outward")
+            yield _line(i, f"o_{i}_ddot", self._origin(i), found.a, "outward")
             if row.body:
                 yield from self._body(i, found)
 
@@ -76,15 +77,13 @@ class Recursion:
         """Forces and moments that the links hand down, and the joint forces, from tip to base."""
         for i in range(len(self.swept), 0, -1):
             found, link = self.swept[i - 1], self.links[i - 1]
-            yield _line(f"f_{i}", self._force(i), found.f, "inward")
-            yield _line(f"mu_{i}", self._moment(i), found.mu, "inward")
+            yield _line(i, f"f_{i}", self._force(i), found.f, "inward")
+            yield _line(i, f"mu_{i}", self._moment(i), found.mu, "inward")
             if found.tau is not None:
                 hand = Symbol(f"mu_{i}" if link.joint == "revolute" else f"f_{i}")
                 formula = add(Product((transpose(Symbol(f"e_{i}")), hand)), *_drive(link))
                 whole = sum((normal(term) for term in _drive(link)), found.tau)
-                yield Line(
-                    Symbol(f"tau_{self._number(i)}"), formula, ScalarMatrix(((whole,),)), "torque"
-                )
+                yield Line(Symbol(f"tau_{self._number(i)}"), formula, ScalarMatrix(((whole,),)), "torque", i)
 
     def _number(self, i: int) -> int:
         """Which joint row i has."""
@@ -129,11 +128,11 @@ class Recursion:
         body, omega = self.bodies[i], Symbol(f"omega_{i}")
         inertia = body.I
         at_com = _of_point(f"omega_{i}", f"r_c{i}") if body.com else ()
-        yield _line(f"o_c{i}_ddot", add(Symbol(f"o_{i}_ddot"), *at_com), found.a_c, "outward")
-        yield _line(f"F_{i}", multiply(body.body.mass, Symbol(f"o_c{i}_ddot")), found.F, "outward")
+        yield _line(i, f"o_c{i}_ddot", add(Symbol(f"o_{i}_ddot"), *at_com), found.a_c, "outward")
+        yield _line(i, f"F_{i}", multiply(body.body.mass, Symbol(f"o_c{i}_ddot")), found.F, "outward")
         if body.turns:
             spin = Product((inertia, Symbol(f"omega_{i}_dot")))
-            yield _line(f"N_{i}", add(spin, cross(omega, Product((inertia, omega)))), found.N, "outward")
+            yield _line(i, f"N_{i}", add(spin, cross(omega, Product((inertia, omega)))), found.N, "outward")
 
     def _force(self, i: int) -> Expr:
         own = Symbol(f"F_{i}") if i in self.bodies else ZERO
@@ -167,11 +166,11 @@ class Recursion:
 def step_of(problem: Problem, line: Line, names_only: bool) -> Step:
     """The line on the page: its value left out where it is long."""
     if names_only:
-        return Step(line.name.name, (line.name, line.formula), line.rule)
+        return Step(line.name.name, (line.name, line.formula), line.rule, {"link": line.i})
     value = written(problem, line)
     long = sum(map(operations, children(value))) > LONGEST if line.value.shape[0] > 1 else False
     chain = (line.name, line.formula) if long or value == line.formula else (line.name, line.formula, value)
-    return Step(line.name.name, chain, line.rule)
+    return Step(line.name.name, chain, line.rule, {"link": line.i})
 
 
 def written(problem: Problem, line: Line) -> Expr:
@@ -209,5 +208,5 @@ def _constant(name: str, value: Vector) -> Line:
     return Line(Symbol(name), Symbol(name), ScalarMatrix.column(value), "constant")
 
 
-def _line(name: str, formula: Expr, value: Vector, rule: str) -> Line:
-    return Line(Symbol(name), formula, ScalarMatrix.column(value), rule)
+def _line(i: int, name: str, formula: Expr, value: Vector, rule: str) -> Line:
+    return Line(Symbol(name), formula, ScalarMatrix.column(value), rule, i)

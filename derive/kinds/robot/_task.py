@@ -34,7 +34,7 @@ class Task:
     @property
     def base(self) -> Derivation:
         """The derivation of the whole Jacobian."""
-        return jacobian_of(self.problem, self.asked)
+        return self.problem.ask("jacobian", point=self.asked)
 
     @property
     def square(self) -> bool:
@@ -92,16 +92,3 @@ def task_of(problem: Problem, rows: tuple[str, ...], point: PointOn | None = Non
     if not chosen:
         raise NotDerivable("no joint moves this point")
     return Task(problem, found, where, chosen, rows_of(J, chosen), point)
-
-
-def jacobian_of(problem: Problem, point: PointOn | None) -> Derivation:
-    """The Jacobian as another question of the problem asks it, so that it is not derived twice; else
-    the whole of it."""
-    for kind, options in problem.questions:
-        if kind == "jacobian" and _plain(options, point):
-            return problem.answer(kind, options)
-    return problem.ask("jacobian", point=point)
-
-
-def _plain(options: Any, point: PointOn | None) -> bool:
-    return bool(options.point == point and options.frame == "base" and options.kind == "geometric")

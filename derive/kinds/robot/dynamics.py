@@ -14,7 +14,7 @@ from derive.kinds.checks import agreement, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import moment_names, oracle_of
-from derive.kinds.robot._drives import friction_column
+from derive.kinds.robot._drives import friction_column, friction_facts
 from derive.kinds.robot._khatib_dynamics import khatib_dynamics
 from derive.kinds.robot._terms import Term, terms_of
 from derive.mechanics.robot import Robot
@@ -68,7 +68,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         claims,
         names,
         uses=(inertia, speed, weight),
-        facts={"big": big, "friction": friction_column(robot) is not None, "notation": "spong"},
+        facts={"big": big, "notation": "spong", **friction_facts(robot)},
         matrices=frozenset({"D"}),
     )
 

@@ -93,7 +93,9 @@ def _acceleration(inverse: Turned, rest: tuple[Step, ...], k: int, variable: str
     """qddot_k in names, and what it is in full; the step ends with that where it is short."""
     name = Symbol(f"{variable}_ddot")
     forces = [subtract(Symbol(f"tau_{j}"), Symbol(step.name)) for j, step in enumerate(rest, 1)]
-    top = add(*(multiply(weight, force) for weight, force in zip(inverse.adjugate.rows[k], forces, strict=True)))
+    top = add(
+        *(multiply(weight, force) for weight, force in zip(inverse.adjugate.rows[k], forces, strict=True))
+    )
     named = Quotient(top, DET)
     values: dict[Expr, Expr] = {Symbol(step.name): step.result for step in rest}
     result = inverse.solved(Quotient(top, inverse.det), values)

@@ -16,6 +16,7 @@ from derive.kinds.robot._inverse_branches import Solutions
 from derive.kinds.robot._inverse_checks import closing
 from derive.kinds.robot._inverse_evaluated import evaluated
 from derive.kinds.robot._inverse_given import Given, goal_of
+from derive.kinds.robot._inverse_opening import Opening
 from derive.kinds.robot._inverse_page import Page
 from derive.kinds.robot._inverse_reasons import no_closed_form, refuse
 from derive.mechanics.chain import Chain
@@ -26,8 +27,8 @@ from derive.mechanics.robot import Robot
 from derive.mechanics.two_link import two_link
 
 RESULTS = {
-    "solutions": "every branch: a value for each joint variable, and when; a value that would fill pages is in "
-    "terms of joint variables found before it",
+    "solutions": "every branch: a value for each joint variable, and when; a value that would fill pages "
+    "is in terms of joint variables found before it",
     "order": "then only: the joint variables in the order in which to evaluate them",
 }
 EXAMPLE = """\
@@ -65,9 +66,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     plan = Search(chain, goal, points[:2], free, Clock()).plan()
     if not plan.complete:
         raise NotDerivable(no_closed_form(plan, problem))
-    page = Page(problem, chain, goal, plan, free)
+    page = Page(problem, chain, goal, plan, Opening(problem, chain, goal, plan, free).written())
     slides = frozenset(plan.knowledge.slides)
-    solutions = Solutions(page.items, chain.variables, slides, problem)
+    solutions = Solutions(page.items, chain.variables, slides, problem, page.singular)
     results: dict[str, Any] = {"solutions": solutions.branches}
     if solutions.nested:
         results["order"] = ", ".join(solutions.order)
@@ -78,9 +79,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         results,
         (*page.claims(), *closing(solutions, goal, problem, points)),
         page.definitions,
-        values,
+        values.values,
         uses=(problem.ask("forward-kinematics"),),
-        facts=page.facts(solutions, values),
+        facts={**page.facts(solutions), **values.facts},
     )
 
 
@@ -107,5 +108,3 @@ def free_name(name: str, problem: Problem, goal: Goal) -> str:
         stem, _, index = name.partition("_")
         name = f"{stem}{stem[-1]}_{index}"
     return name
-
-

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
-from pydantic import Field
+from pydantic import AfterValidator, Field
 
 from derive.algebra import numeric
 from derive.algebra.matrix import ScalarMatrix
@@ -13,8 +13,11 @@ from derive.algebra.normal import normal_matrix
 from derive.derivation import Claim, Derivation, Step, named_results
 from derive.expression import ZERO, Indexed, Matrix, Product, Symbol, free_symbols, number, transpose
 from derive.kinds.checks import agreement, law, links
-from derive.kinds.fields import OptionsModel
+from derive.kinds.evaluation import Evaluation
+from derive.kinds.fields import Name, OptionsModel
+from derive.kinds.pose.euler_angles import known_convention
 from derive.kinds.problem import Problem
+from derive.kinds.robot._analytic import analytic
 from derive.kinds.robot._chain import TOOL, chain_of, closing, oracle_of
 from derive.kinds.robot._columns import jacobian_steps
 from derive.kinds.robot._point import PointOn, Tracked, tracked
@@ -34,6 +37,7 @@ problems:
   questions:
   - {find: jacobian}
   - {find: jacobian, point: {link: 2, at: [-a2/2, 0, 0]}, rows: [vx, vy]}
+  - {find: jacobian, kind: analytic, convention: ZYX}
 """
 ROWS = ("vx", "vy", "vz", "wx", "wy", "wz")
 RowName = Literal["vx", "vy", "vz", "wx", "wy", "wz"]
@@ -41,18 +45,25 @@ DIFFERENCES = 1e-6  # what central differences leave
 
 
 class Options(OptionsModel):
-    """`point`: where (the end-effector if left out); `rows`: some rows only; `in`: the frame of the
-    vectors."""
+    """`point`: where (the end-effector if left out); `rows`: some rows only; `in`: the frame of the vectors;
+    `kind: analytic` has the rates of the Euler angles of a `convention` instead of the angular velocity."""
 
     point: PointOn | None = None
     rows: tuple[RowName, ...] = ()
     frame: Literal["base", "tool"] = Field("base", alias="in")
     kind: Literal["geometric", "analytic"] = "geometric"
+    convention: Annotated[str, AfterValidator(known_convention)] = "ZYX"
+    angles: tuple[Name, Name, Name] | None = None
+    evaluate: Evaluation = None
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """z x (o - o_i) over z for each revolute joint, z over 0 for each prismatic one
     (Spong et al., eq. 4.56 and 4.57; Siciliano et al., eq. 3.30)."""
+    if options.kind == "analytic":
+        return analytic(options, problem)
+    if options.evaluate is not None:  # it changes nothing but the numbers: the same derivation, once
+        return problem.answer("jacobian", options.model_copy(update={"evaluate": None}))
     if options.rows or options.frame == "tool":
         return _restated(options, problem)
     found = chain_of(problem)
@@ -77,7 +88,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         claims,
         definitions,
         uses=(axes,),
-        facts={**_facts(found, point), "restated": False},
+        facts={**_facts(found, point), "restated": False, "analytic": False},
         matrices=frozenset({"J"}),
     )
 
@@ -99,7 +110,7 @@ def _restated(options: Options, problem: Problem) -> Derivation:
         links(steps, {**problem.names, **definitions}),
         definitions,
         uses=(base,),
-        facts={"restated": True},
+        facts={"restated": True, "analytic": False},
         matrices=frozenset({"J"}),
     )
 
@@ -138,7 +149,8 @@ def _facts(found: Chain, point: Tracked) -> dict[str, object]:
         "point": point.name,
         "link": number(point.frame),
         "carried": point.step.rule == "carry",
-        "revolute": [number(i) for joint, i in moving if joint.type == "revolute"],
+        "revolute": [number(i) for joint, i in moving if joint.type != "prismatic"],
+        "helical": [number(i) for joint, i in moving if joint.pitch],
         "prismatic": [number(i) for joint, i in moving if joint.type == "prismatic"],
         "still": [number(i) for i, _ in found.moving if i > point.last],
     }

@@ -8,9 +8,10 @@ from derive.algebra import numeric
 from derive.algebra.factors import Factored, factored
 from derive.algebra.kernels import root
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, Result, Step
+from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import (
+    Approximate,
     Call,
     Expr,
     Number,
@@ -24,11 +25,11 @@ from derive.expression import (
     transpose,
 )
 from derive.kinds.checks import agreement, links
-from derive.kinds.evaluation import Evaluation
+from derive.kinds.evaluation import Evaluation, Place
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import closing, oracle_of
-from derive.kinds.robot._ellipsoids import Ellipsoids, at_point
+from derive.kinds.robot._chain import closing, oracle_of, scalar_of
+from derive.kinds.robot._ellipsoids import at_point
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._singular_work import determinant, gram_determinant, product_tree
 from derive.kinds.robot._task import RowName, Task, task_of
@@ -70,25 +71,30 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 
     Raises NotDerivable where w is zero in every configuration.
     """
+    if options.evaluate is not None:
+        return _at_point(options, problem, options.evaluate)
     task = task_of(problem, options.rows, options.point)
     det, whole, tree = _measure(task)
     steps = _steps(task, whole, tree)
     w = problem.final(tree)
     definitions: dict[Expr, Expr] = {J: task.written, W: tree}
-    found = at_point(task, options.evaluate) if options.evaluate is not None else None
-    results: dict[str, Result] = {"w": w, **(found.results if found else {})}
     claims = (*links(steps, {**problem.names, **definitions}), _second_route(task, w))
     return Derivation(
-        "manipulability",
-        (*steps, *(found.steps if found else ())),
-        results,
-        (*claims, *(found.claims if found else ())),
-        definitions,
-        {"w": numeric.number(w, found.place), **found.evaluated} if found else {},
-        (task.base,),
-        found.plots if found else (),
-        _facts(task, det, found),
+        "manipulability", steps, {"w": w}, claims, definitions, uses=(task.base,), facts=_facts(task, det)
     )
+
+
+def _at_point(options: Options, problem: Problem, place: Place) -> Derivation:
+    """The ellipsoids at a configuration, on top of the measure found once for all of them."""
+    base = problem.answer("manipulability", options.model_copy(update={"evaluate": None}))
+    task = task_of(problem, options.rows, options.point)
+    found = at_point(task, place)
+    w = base.results["w"]
+    return Derivation(
+        "manipulability", found.steps, {"w": w, **found.results}, found.claims, {},
+        {"w": numeric.number(scalar_of(base, "w"), found.place), **found.evaluated}, (base,), found.plots,
+        {**base.facts, **found.facts, "w": (W, Approximate(numeric.number(scalar_of(base, "w"), found.place)))},
+    )  # fmt: skip
 
 
 def _measure(task: Task) -> tuple[Factored, Expr, Expr]:
@@ -150,7 +156,7 @@ def _steps(task: Task, det: Expr, w: Expr) -> tuple[Step, ...]:
     return tuple(steps)
 
 
-def _facts(task: Task, det: Factored, found: Ellipsoids | None) -> dict[str, Any]:
+def _facts(task: Task, det: Factored) -> dict[str, Any]:
     return {
         "rows": task.velocities,
         "square": task.square,
@@ -158,8 +164,8 @@ def _facts(task: Task, det: Factored, found: Ellipsoids | None) -> dict[str, Any
         "angular": any(row[0] == "w" for row in task.rows),
         "mixed": len({row[0] for row in task.rows}) > 1,
         "best": _best(task, det),
-        "numbers": ("w",),
-        **(found.facts if found else {"point": ()}),
+        "numbers": (),
+        "point": (),
     }
 
 

@@ -14,7 +14,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._bodies import Weighted, weighted
 from derive.kinds.robot._body_steps import inertia_steps
 from derive.kinds.robot._chain import chain_of, matrix_of, moment_names
-from derive.kinds.robot._drives import friction_column, with_rotors
+from derive.kinds.robot._drives import with_rotors
 from derive.kinds.robot._rates import is_long, symbols_of
 from derive.kinds.robot._recursion import Line, Recursion, step_of, written
 from derive.mechanics.newton_euler import LinkBody, NewtonEuler
@@ -74,7 +74,6 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
             "levers": any(any(row.arm) for row in arm.rows),
             "offsets": any(any(row.out) for row in arm.rows),
             "prismatic": any(link.joint == "prismatic" for link in robot.links),
-            "friction": friction_column(robot) is not None,
         },
     )
 
@@ -121,7 +120,7 @@ def _torque_steps(motion: Derivation, steps: tuple[Step, ...]) -> tuple[Step, ..
         value = values.get(step.name)
         short = value is not None and operations(value) <= LONGEST_TORQUE
         chain = (*step.chain[:2], value) if short and value is not None else step.chain[:2]
-        found.append(step if value is None else Step(step.name, chain, "torque"))
+        found.append(step if value is None else Step(step.name, chain, "torque", step.facts))
     return tuple(found)
 
 
@@ -141,7 +140,12 @@ def _laws(problem: Problem, arm: NewtonEuler) -> tuple[Claim, ...]:
     g = [normal(weight.definitions[Symbol(f"g_{k}")]) for k in range(1, len(problem.subject.variables) + 1)]
     symbols, found = symbols_of(problem), arm.christoffel()
     return (
-        law("D by Newton-Euler = D by Euler-Lagrange", with_rotors(arm.inertia_matrix(), problem.subject) == D),
-        law("c_ijk by Newton-Euler = c_ijk by Euler-Lagrange", all(found[ijk] == symbols[ijk] for ijk in symbols)),
+        law(
+            "D by Newton-Euler = D by Euler-Lagrange", with_rotors(arm.inertia_matrix(), problem.subject) == D
+        ),
+        law(
+            "c_ijk by Newton-Euler = c_ijk by Euler-Lagrange",
+            all(found[ijk] == symbols[ijk] for ijk in symbols),
+        ),
         law("g by Newton-Euler = g by Euler-Lagrange", list(arm.gravity_torques(_gravity(problem))) == g),
     )

@@ -28,7 +28,7 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of, moment_names
 from derive.kinds.robot._point import PointOn
-from derive.kinds.robot._rates import oracle
+from derive.kinds.robot._rates import is_long, oracle
 from derive.kinds.robot._task import RowName, Task, task_of
 from derive.mechanics.oracle import Oracle
 from derive.mechanics.robot import Robot
@@ -65,6 +65,8 @@ class Options(OptionsModel):
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """Lambda = J^-T D J^-1 (Khatib, A unified approach for motion and force control, 1987, eq. 51)."""
     inertia = problem.ask("inertia-matrix")
+    if is_long(problem):
+        raise NotDerivable("the matrix would fill pages; give numbers to some of the symbols of the arm")
     task = task_of(problem, options.rows, options.point)
     J = _square(task)
     D = matrix_of(inertia, "D")

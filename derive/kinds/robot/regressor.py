@@ -8,8 +8,8 @@ from derive.algebra import numeric
 from derive.algebra.normal import normal_matrix
 from derive.algebra.operations import operations
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, Step, Table, named_results
-from derive.expression import Expr, Indexed, Matrix, Product, Symbol, add, children, column, multiply
+from derive.derivation import Claim, Derivation, Step, Table
+from derive.expression import Approximate, Expr, Indexed, Matrix, Product, Symbol, add, children, column, multiply
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -37,6 +37,7 @@ problems:
 """
 LONGEST_COLUMN = 30  # operations of a column of Y that is still shown
 MOST_LISTED = 20  # parameters
+LONGEST_NUMBER = 10**6  # denominator of a number that is still written in full
 
 
 class Options(OptionsModel):
@@ -51,7 +52,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     made_of = dependent(problem, parameters)
     base = base_parameters(parameters, made_of)
     values = {part.name: _final(problem, part.value, named) for part in parameters}
-    gathered = tuple(_gathered(problem, each, named) for each in base)
+    theta = {each.name: _final(problem, each.value, named) for each in base}
+    gathered = tuple(_gathered(problem, each, theta[each.name]) for each in base)
     lost = tuple(_lost(problem, parameters, j, weights) for j, weights in made_of.items())
     columns = {each.name: problem.readable_matrix(each.column) for each in base}
     shown = () if big else _columns(columns)
@@ -59,11 +61,11 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         "Y": _beside([problem.readable_matrix(part.column) for part in parameters]),
         "parameters": column(values.values()),
         "Y_b": _beside(list(columns.values())),
-        "base_parameters": column(step.result for step in gathered),
+        "base_parameters": column(theta.values()),
     }
     results = {name: problem.final(value) for name, value in results.items()}
     definitions: dict[Expr, Expr] = {name: value for name, value in values.items()}
-    definitions |= named_results(gathered)
+    definitions |= {name: value for name, value in theta.items()}
     definitions |= {_y(part.name): problem.readable_matrix(part.column) for part in parameters}
     claims = (
         *links(gathered if big else (*lost, *gathered), {**problem.names, **definitions, **named}),
@@ -96,10 +98,13 @@ def _y(name: Indexed) -> Indexed:
     return Indexed("y", (name,))
 
 
-def _gathered(problem: Problem, each: Base, named: Mapping[Expr, Expr]) -> Step:
-    """Theta_1 = ZZ_1 + a1^2 M_2 = its value."""
+def _gathered(problem: Problem, each: Base, value: Expr) -> Step:
+    """Theta_1 = ZZ_1 + a1^2 M_2 = its value, rounded where that is a long number."""
     sum_of = add(*(multiply(problem.readable(weight), name) for name, weight in each.parts))
-    return Step(each.name.name, (each.name, sum_of, _final(problem, each.value, named)), "base-parameter")
+    constant = each.value.constant
+    long = constant is not None and constant.denominator > LONGEST_NUMBER
+    shown = Approximate(float(constant)) if long and constant is not None else value
+    return Step(each.name.name, (each.name, sum_of, shown), "base-parameter")
 
 
 def _lost(problem: Problem, parameters: Sequence[Standard], j: int, weights: Mapping[int, Scalar]) -> Step:

@@ -73,7 +73,7 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
 
 def _so_far(encoder: Encoder, options: Options, problem: Problem, results: dict[str, Expr]) -> bool:
     """In floats: the speed times the period is that share of a turn; one count more is a quantum more."""
-    turn = problem.ask("resolution").results["counts"]
+    turn = counted(problem, encoder)[0].final("N")
     trees = [problem.final(e) for e in (options.counts, options.period, encoder.gear or ONE)]
     trees += [turn, results["omega"], results["quantum"]]
     symbols = sorted(frozenset().union(*map(free_symbols, trees)))

@@ -73,7 +73,9 @@ class Frames:
         return T if i == self.base else inverse_pose(self.T[i]) @ T
 
 
-def position_equations(frames: Frames, goal: Sequence[Scalar | None], point: ScalarMatrix) -> Iterator[Equation]:
+def position_equations(
+    frames: Frames, goal: Sequence[Scalar | None], point: ScalarMatrix
+) -> Iterator[Equation]:
     """The position of a point (3 by 1, in the end's frame) seen from each frame; from the base alone where
     a coordinate is not known."""
     there = frames.end @ ScalarMatrix.column((*point.entries, 1))

@@ -50,12 +50,8 @@ class Goal:
 
     @property
     def size(self) -> int:
-        """How many joint variables it can determine at most."""
-        return sum(part is not None for part in self.p) + self._turning
-
-    @property
-    def _turning(self) -> int:
-        return 0 if self.R is None else 1 if self.angle else 3
+        """How many joint variables it can determine at most: 6 of a pose, 3 of an orientation."""
+        return {12: 6, 9: 3}.get(len(self.names), len(self.names))
 
 
 def of_pose() -> Goal:
@@ -75,10 +71,9 @@ def of_coordinates(T: ScalarMatrix, given: Sequence[str], variables: Sequence[st
     """
     p = position_part(T).entries
     varying = [axis for axis in range(3) if any(p[axis].diff(name) for name in variables)]
-    turn = _turn(rotation_part(T), variables)
-    if len(given) == 4:
+    if len(given) == 4 and given[-1] not in AXES:
         return _in_plane(T, given, [0, 1, 2], varying, variables)
-    if len(given) == 3 and len(varying) == 2 and turn is not None and turn not in varying:
+    if len(given) == 3 and len(varying) == 2 and given[-1] not in AXES:
         return _in_plane(T, given, varying, varying, variables)
     if len(given) == 2 and len(varying) == 2:
         return _position(p, given, varying, varying)
@@ -106,13 +101,18 @@ def _position(
 
 
 def _in_plane(
-    T: ScalarMatrix, given: Sequence[str], places: Sequence[int], varying: Sequence[int], variables: Sequence[str]
+    T: ScalarMatrix,
+    given: Sequence[str],
+    places: Sequence[int],
+    varying: Sequence[int],
+    variables: Sequence[str],
 ) -> Goal:
     """The coordinates, and the angle of the first axis of the end-effector that lies in the plane."""
     turn = _turn(rotation_part(T), variables)
     if turn is None:
         raise NotDerivable(
-            f"{given[-1]} would be the angle of the end-effector in a plane, but it turns about more than one axis"
+            f"{given[-1]} would be the angle of the end-effector in a plane, but it turns about more than "
+            "one axis, or about none of x_0, y_0 and z_0"
         )
     goal = _position(position_part(T).entries, given[:-1], places, varying)
     first, second = (k for k in range(3) if k != turn)

@@ -156,15 +156,14 @@ class Search:
         if R is not None and self.goal.whole_position and wrist.centre:
             arm = (R @ wrist.centre).entries
             parts = [part for part in self.goal.p if part is not None]
-            centre = {self.free_name(f"{axis}_w"): p + c for axis, p, c in zip("xyz", parts, arm, strict=True)}
+            names = [self.free_name(f"{axis}_w") for axis in "xyz"]
+            centre = {name: p + c for name, p, c in zip(names, parts, arm, strict=True)}
         turn: dict[str, Scalar] = {}
         base = wrist.rows[0] - 1
         before = rotation_part(self.chain.T[base])
         if R is not None and before != ScalarMatrix.identity(3):
             seen = before.T @ R
-            turn = {
-                self.free_name(f"w_{i + 1}{j + 1}"): seen[i, j] for i in range(3) for j in range(3)
-            }
+            turn = {self.free_name(f"w_{i + 1}{j + 1}"): seen[i, j] for i in range(3) for j in range(3)}
         return Decoupling(wrist, centre, turn)
 
     def _centre(self, decoupling: Decoupling) -> Stage:

@@ -72,7 +72,7 @@ class Stage:
                 return found
         return None
 
-    def left(self, known: Knowledge, most: int = 3) -> list[Equation]:
+    def left(self, known: Knowledge, most: int = 6) -> list[Equation]:
         """The shortest equations that still hold unknown joints."""
         unknown = known.unknown_joints()
         held = [one for one in self.equations if one.joints & unknown]
@@ -117,8 +117,12 @@ class _Looking:
         for equation, value in self._differences(form):
             if not set(value.generators()) & unknown:
                 row = row_of(value, form, equation)
-                if row and not self.stage.samples.vanishes(row.a, row.b):
+                if row and self._counts(row):
                     yield row
+
+    def _counts(self, row: Row) -> bool:
+        """Whether the angle occurs in it at the poses the arm reaches."""
+        return not self.stage.samples.vanishes(row.a, row.b)
 
     def _differences(self, form: Form) -> Iterator[tuple[Equation, Scalar]]:
         """right - left of the equations that may hold nothing unknown but this sum, in its basis."""
@@ -144,7 +148,7 @@ class _Looking:
             here
             for form, _ in self.rows
             for parts, unknown in self._squares(form)
-            if (here := elbow(form, parts, unknown)) and not self.stage.samples.vanishes(here.row.a, here.row.b)
+            if (here := elbow(form, parts, unknown)) and self._counts(here.row)
         ]
         return min(found, key=lambda e: self._size(e.parts), default=None)
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from math import atan2, cos, pi, radians, sin
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from math import atan2, cos, dist, pi, radians, sin
 from typing import Any
 
 from derive.algebra.numeric import number
 from derive.derivation import Caption, Drawing, Place, Stroke
-from derive.expression import Expr, Symbol, free_symbols
+from derive.expression import Expr, Symbol, free_symbols, is_negative, negate
 from derive.mechanics.dh import moves
 from derive.mechanics.motion import Move
 from derive.mechanics.oracle import compose
@@ -85,7 +86,9 @@ def _posed(
     if robot.by_screws:
         found = at([0.0] * count, [0.0] * count)
         return _view(found), found
-    first = at([radians(PLANAR[k % len(PLANAR)]) for k in range(count)], [0.8 + 0.1 * k for k in range(count)])
+    first = at(
+        [radians(PLANAR[k % len(PLANAR)]) for k in range(count)], [0.8 + 0.1 * k for k in range(count)]
+    )
     view = _view(first)
     if view.flat:
         return view, first
@@ -122,7 +125,12 @@ def _pose(robot: Robot, point: Mapping[str, float]) -> Posed:
 
 
 def _run(
-    T: Any, row: Sequence[Move], variable: str | None, point: Mapping[str, float], parts: list[Part], joints: list[Joint]
+    T: Any,
+    row: Sequence[Move],
+    variable: str | None,
+    point: Mapping[str, float],
+    parts: list[Part],
+    joints: list[Joint],
 ) -> Any:
     """The pose after the moves of a row; the pieces of its link and its joint are added."""
     for move in row:
@@ -168,7 +176,7 @@ def _home(robot: Robot, point: Mapping[str, float]) -> Any:
 def _between(joints: Sequence[Joint], T: Any) -> Iterator[Part]:
     """Straight links from joint to joint of a chain of screws, which says nothing of their shape."""
     stops = [joint.at for joint in joints] + [_origin(T)]
-    for start, end in zip(stops, stops[1:], strict=False):
+    for start, end in pairwise(stops):
         if length_between(start, end) > SMALL:
             yield Part(start, end, Symbol(""), False)
 
@@ -178,7 +186,7 @@ def _origin(T: Any) -> Vector:
 
 
 def length_between(a: Vector, b: Vector) -> float:
-    return sum((x - y) ** 2 for x, y in zip(a, b, strict=True)) ** 0.5
+    return dist(a, b)
 
 
 # -- the view -----------------------------------------------------------------------------------------
@@ -207,12 +215,16 @@ def _clarity(posed: Posed, view: View) -> float:
     distinct = [p for k, p in enumerate(spots) if all(length_between(p, q) > 1e-6 for q in spots[:k])]
     flat = [view.place(p) for p in distinct]
     spread = max((length((a[0] - b[0], a[1] - b[1])) for a in flat for b in flat), default=0.0) or 1.0
-    gaps = [
-        length((a[0] - b[0], a[1] - b[1])) / spread for k, a in enumerate(flat) for b in flat[:k]
-    ]
+    gaps = [length((a[0] - b[0], a[1] - b[1])) / spread for k, a in enumerate(flat) for b in flat[:k]]
     low = min((p[2] for p in distinct), default=0.0) / spread
     turned = min((1 - abs(dot(view.front, joint.axis)) for joint in posed.joints), default=1.0)
-    return 1.2 * seen + 1.5 * min([0.4, *gaps]) + min(0.0, low) + 0.6 * min(turned, 0.4) + 0.15 * flat[-1][1] / spread
+    return (
+        1.2 * seen
+        + 1.5 * min([0.4, *gaps])
+        + min(0.0, low)
+        + 0.6 * min(turned, 0.4)
+        + 0.15 * flat[-1][1] / spread
+    )
 
 
 def _size(posed: Posed) -> float:
@@ -225,19 +237,68 @@ def _size(posed: Posed) -> float:
 # -- what is drawn ------------------------------------------------------------------------------------
 
 
+def _apart(posed: Posed, size: float) -> tuple[tuple[Joint, ...], tuple[Part, ...]]:
+    """Joints whose axes meet in a point, drawn one behind the other on their axes; and what joins them."""
+    groups: dict[tuple[float, ...], list[int]] = {}
+    for k, joint in enumerate(posed.joints):
+        groups.setdefault(tuple(round(c / size, 3) for c in joint.at), []).append(k)
+    moved, stubs = list(posed.joints), []
+    for members in groups.values():
+        for k, side in _moved(posed, members):
+            joint = posed.joints[k]
+            at = along(joint.at, (side * (_ahead(posed, joint, side) or 1) * 1.45 * size, joint.axis))
+            moved[k] = replace(joint, at=at)
+            stubs.append(Part(at, joint.at, Symbol(""), False))
+    return tuple(moved), tuple(stubs)
+
+
+def _moved(posed: Posed, members: Sequence[int]) -> list[tuple[int, int]]:
+    """Which joints of one point are drawn before it (-1) and behind it (1) along the arm."""
+    if len(members) == 1:
+        return []
+    first, last = members[0], members[-1]
+    if len(members) > 2:
+        return [(first, -1), (last, 1)]
+    turned = first > 0 and not _ahead(posed, posed.joints[first], -1)
+    return [(last, 1)] if turned and _ahead(posed, posed.joints[last], 1) else [(first, -1)]
+
+
+def _ahead(posed: Posed, joint: Joint, side: int) -> int:
+    """1 where the axis of a joint points on along the arm, -1 where back, 0 where it lies across."""
+    for part in posed.parts if side > 0 else reversed(posed.parts):
+        if length_between(part.start if side > 0 else part.end, joint.at) < SMALL:
+            way = unit([b - a for a, b in zip(part.start, part.end, strict=True)])
+            if abs(dot(way, joint.axis)) > 0.5:
+                return 1 if dot(way, joint.axis) > 0 else -1
+    return 0
+
+
+def _foot(posed: Posed, joints: Sequence[Joint], base: Vector, size: float) -> Vector:
+    """Where the base stands: under its first joint, if that stands on it."""
+    if not joints or joints[0].slides or length_between(posed.joints[0].at, base) > SMALL:
+        return base
+    first = joints[0]
+    upright = abs(first.axis[2]) > 0.99
+    return along(first.at, (-0.7 * size, (0.0, 0.0, 1.0))) if upright else first.at
+
+
 def _sketch(
     robot: Robot, view: View, posed: Posed, size: float
 ) -> tuple[tuple[Stroke, ...], tuple[Caption, ...]]:
     base = posed.parts[0].start if posed.parts else _origin(posed.poses[0])
     if robot.by_screws:
         base = _origin(posed.poses[0])
-    things = [solids.ground(view, base, size), *_links(view, posed)]
-    things += [_joint(view, joint, size, posed) for joint in posed.joints]
+    joints, stubs = (posed.joints, ()) if view.flat or robot.by_screws else _apart(posed, size)
+    foot = base if view.flat or robot.by_screws else _foot(posed, joints, base, size)
+    things = [solids.ground(view, foot, size), *_links(view, posed.parts), *_links(view, stubs, size)]
+    things += [_joint(view, joint, size) for joint in joints]
     strokes = [stroke for thing in sorted(things, key=lambda each: each.depth) for stroke in thing.strokes]
-    captions = [*_lengths(view, posed, size), *_names(view, posed, size)]
+    captions = [*_lengths(view, posed, size), *_names(view, joints, size)]
     last = posed.parts[-1] if posed.parts else None
     if last is not None:
-        strokes += solids.tip(view, last.end, unit([b - a for a, b in zip(last.start, last.end, strict=True)]), size)
+        strokes += solids.tip(
+            view, last.end, unit([b - a for a, b in zip(last.start, last.end, strict=True)]), size
+        )
     if view.flat:
         for arc, caption in _angles(view, posed, size):
             strokes += arc
@@ -248,15 +309,16 @@ def _sketch(
     return tuple(strokes), tuple(captions)
 
 
-def _links(view: View, posed: Posed) -> Iterator[solids.Solid]:
-    for part in posed.parts:
+def _links(view: View, parts: Sequence[Part], behind: float = 0.0) -> Iterator[solids.Solid]:
+    """Thick lines; `behind` puts them so far back."""
+    for part in parts:
         middle = along(part.start, (0.5, [b - a for a, b in zip(part.start, part.end, strict=True)]))
         role = "rod" if part.moving else "link"
         line = (view.place(part.start), view.place(part.end))
-        yield solids.Solid(view.depth(middle), (Stroke(line, role),))
+        yield solids.Solid(view.depth(middle) - 2 * behind, (Stroke(line, role),))
 
 
-def _joint(view: View, joint: Joint, size: float, posed: Posed) -> solids.Solid:
+def _joint(view: View, joint: Joint, size: float) -> solids.Solid:
     if joint.slides:
         return solids.box(view, joint.at, joint.axis, size)
     return solids.cylinder(view, joint.at, joint.axis, size)
@@ -271,17 +333,18 @@ def _lengths(view: View, posed: Posed, size: float) -> Iterator[Caption]:
             continue
         middle = ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
         side = (way[1], -way[0]) if way[0] >= 0 else (-way[1], way[0])  # below the link
-        yield Caption(middle, part.by, side, "length")
+        size_only = negate(part.by) if is_negative(part.by) else part.by
+        yield Caption(middle, size_only, side, "length")
 
 
-def _names(view: View, posed: Posed, size: float) -> Iterator[Caption]:
-    """The variable of each revolute joint in space, beside it; in a plane its angle is drawn."""
-    for joint in posed.joints:
+def _names(view: View, joints: Sequence[Joint], size: float) -> Iterator[Caption]:
+    """The variable of each revolute joint in space, clear of its cylinder; in a plane its angle is drawn."""
+    for joint in joints:
         if not view.flat and not joint.slides:
-            x, y = view.place(joint.at)
-            yield Caption((x, y), joint.name, (-1.0, 0.35), "joint")
-        elif posed.parts == ():
-            yield Caption(view.place(joint.at), joint.name, (1.0, 0.5), "joint")
+            x, y = dot(view.right, joint.axis), dot(view.up, joint.axis)
+            side = (-abs(y), x if y > 0 else -x) if length((x, y)) > 0.3 else (-1.0, 0.3)
+            clear = 0.62 * size / (length(side) or 1.0)
+            yield Caption(view.place(joint.at), joint.name, (side[0] * clear, side[1] * clear), "joint")
 
 
 def _angles(view: View, posed: Posed, size: float) -> Iterator[tuple[list[Stroke], Caption]]:
@@ -291,7 +354,9 @@ def _angles(view: View, posed: Posed, size: float) -> Iterator[tuple[list[Stroke
         if joint.slides or after is None:
             continue
         x, y = view.place(joint.at)
-        zero, now = (view.place(v) for v in (joint.before, [b - a for a, b in zip(joint.at, after.end, strict=True)]))
+        zero, now = (
+            view.place(v) for v in (joint.before, [b - a for a, b in zip(joint.at, after.end, strict=True)])
+        )
         start, end = atan2(zero[1], zero[0]), atan2(now[1], now[0])
         sweep = (end - start + pi) % (2 * pi) - pi
         radius = 1.7 * size
@@ -299,7 +364,10 @@ def _angles(view: View, posed: Posed, size: float) -> Iterator[tuple[list[Stroke
         dashed = ((x, y), _on(x, y, 2.3 * size, start))
         middle = _on(x, y, radius, start + sweep / 2)
         towards = (middle[0] - x, middle[1] - y)
-        yield [Stroke(dashed, "hidden"), Stroke(tuple(arc), "arc")], Caption(middle, joint.name, towards, "angle")
+        yield (
+            [Stroke(dashed, "hidden"), Stroke(tuple(arc), "arc")],
+            Caption(middle, joint.name, towards, "angle"),
+        )
 
 
 def _on(x: float, y: float, radius: float, angle: float) -> Place:
@@ -314,5 +382,3 @@ def _frames(robot: Robot, view: View, posed: Posed, size: float) -> Iterator[tup
         yield from solids.triad(view, pose, 1.6 * size, str(number_), axes)
     if robot.ends_in_tool:
         yield from solids.triad(view, posed.end, 1.6 * size, "_e", axes)
-
-

@@ -15,7 +15,7 @@ AZIMUTH, ELEVATION = radians(38), radians(22)  # x comes towards the reader, y g
 
 @dataclass(frozen=True, slots=True)
 class View:
-    """Unit vectors to the right and up on paper, and towards the reader; `flat` where a plane is looked at."""
+    """Unit vectors to the right and up on paper, and towards the reader; `flat` for a plane."""
 
     right: Vector
     up: Vector

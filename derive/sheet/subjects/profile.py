@@ -154,7 +154,7 @@ def build(given: Given, at: At, known: Known) -> Profile:
     faults = [*_faults(given, at, known)]
     if faults:
         raise SheetErrors(faults)
-    sort = next((each.sort for _, each in _measured(given) if each.sort), "")
+    sort: Sort = next((each.sort for _, each in _measured(given) if each.sort), "")
     if isinstance(given, GivenJourney):
         journey = _journey(given)
         axes: tuple[Axis, ...] = ()
@@ -168,7 +168,7 @@ def build(given: Given, at: At, known: Known) -> Profile:
         return Profile((axis,), whole, given.time, sort, _units(given, sort, known))
     listed = given.axes if isinstance(given, GivenAxes) else given
     time = given.time if isinstance(given, GivenAxes) else None
-    shared = sort if len(_sorts(given)) < 2 else ""
+    shared: Sort = sort if len(_sorts(given)) < 2 else ""
     return Profile(tuple(map(_axis, listed)), None, time, shared, _units(given, shared, known))
 
 
@@ -246,8 +246,8 @@ def _measured(given: Any) -> Iterator[tuple[Route, Measured]]:
     return ((route, value) for route, value in _parts(given) if isinstance(value, Measured))
 
 
-def _sorts(given: Any) -> set[str]:
-    return {each.sort for _, each in _measured(given)} - {""}
+def _sorts(given: Any) -> set[Sort]:
+    return {each.sort for _, each in _measured(given) if each.sort}
 
 
 def _faults(given: Given, at: At, known: Known) -> Iterator[SheetError]:

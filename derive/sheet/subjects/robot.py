@@ -155,6 +155,9 @@ def _mixed(given: Given, at: At) -> Iterator[SheetError]:
     for index, row in enumerate(given.links):
         if isinstance(row, ScrewLink) and row.variable.variable is None:
             yield at.fault("this screw has no joint variable", ("links", index, "variable"), "write theta1*")
+        if isinstance(row, ScrewLink) and row.com == "center":
+            hint = "give the point, in the base frame while all joints are at zero, as [L/2, 0, 0]"
+            yield at.fault("a link given by a screw has no center", ("links", index, "com"), hint)
 
 
 def _names(expr: Expr) -> list[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -27,18 +28,18 @@ class Arm:
     convention: str = "standard"
     positive: tuple[str, ...] = ()
 
-    @property
+    @cached_property
     def robot(self) -> Robot:
         return Robot("", self.convention, tuple(row(*each) for each in self.rows))
 
     def problem(self) -> Problem:
         return Problem("robot", self.robot, assumptions=dict.fromkeys(self.positive, "positive"))
 
-    @property
+    @cached_property
     def joints(self) -> tuple[str, ...]:
         return self.robot.variables
 
-    @property
+    @cached_property
     def slides(self) -> frozenset[str]:
         return frozenset(link.variable for link in self.robot.links if link.joint == "prismatic")
 
@@ -47,10 +48,9 @@ class Arm:
         T = np.eye(4)
         for each in self.rows:
             theta, d, a, alpha = (value(part, at) for part in each)
-            turn = np.array([[math.cos(theta), -math.sin(theta), 0, 0], [math.sin(theta), math.cos(theta), 0, 0],
-                             [0, 0, 1, d], [0, 0, 0, 1]])  # fmt: skip
-            twist = np.array([[1, 0, 0, a], [0, math.cos(alpha), -math.sin(alpha), 0],
-                              [0, math.sin(alpha), math.cos(alpha), 0], [0, 0, 0, 1]])  # fmt: skip
+            c, s, ca, sa = math.cos(theta), math.sin(theta), math.cos(alpha), math.sin(alpha)
+            turn = np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, d], [0, 0, 0, 1]])
+            twist = np.array([[1, 0, 0, a], [0, ca, -sa, 0], [0, sa, ca, 0], [0, 0, 0, 1]])
             T = T @ (turn @ twist if self.convention == "standard" else twist @ turn)
         return T
 
@@ -145,7 +145,8 @@ ARMS = {
         "orientation", 2,
     ),
     "wrist about x, y, z": Arm(
-        (("theta1*", "0", "0", "90 deg"), ("theta2* + 90 deg", "0", "0", "90 deg"), ("theta3*", "0", "0", "0")),
+        (("theta1*", "0", "0", "90 deg"), ("theta2* + 90 deg", "0", "0", "90 deg"),
+         ("theta3*", "0", "0", "0")),
         "orientation", 2,
     ),
     "slanted wrist": Arm(
@@ -170,11 +171,13 @@ ARMS = {
     ),
     "PUMA 560, modified": Arm(
         (("theta1*", "0", "0", "0"), ("theta2*", "0", "0", "-90 deg"), ("theta3*", "d3", "a2", "0"),
-         ("theta4*", "d4", "a3", "-90 deg"), ("theta5*", "0", "0", "90 deg"), ("theta6*", "0", "0", "-90 deg")),
+         ("theta4*", "d4", "a3", "-90 deg"), ("theta5*", "0", "0", "90 deg"),
+         ("theta6*", "0", "0", "-90 deg")),
         "pose", 8, convention="modified",
     ),
     "elbow arm": Arm(
-        (("theta1*", "d1", "0", "90 deg"), ("theta2*", "0", "a2", "0"), ("theta3* + 90 deg", "0", "0", "90 deg"),
+        (("theta1*", "d1", "0", "90 deg"), ("theta2*", "0", "a2", "0"),
+         ("theta3* + 90 deg", "0", "0", "90 deg"),
          ("theta4*", "d4", "0", "-90 deg"), ("theta5*", "0", "0", "90 deg"), ("theta6*", "d6", "0", "0")),
         "pose", 8,
     ),

@@ -1,0 +1,36 @@
+"""What `figure: true` draws: the subject of a problem as a picture."""
+
+from __future__ import annotations
+
+from derive.control.system import System
+from derive.derivation import Drawing
+from derive.errors import NotDerivable
+from derive.kinds.problem import Problem
+from derive.mechanics.frames import Frames
+from derive.mechanics.motion import Motion
+from derive.mechanics.robot import Robot
+
+DRAWN = frozenset({"robot", "motion", "frames", "system", "motor"})  # the subjects that can be drawn
+
+
+def figure_of(problem: Problem) -> Drawing:
+    """The subject drawn, in a pose that shows it. Raises NotDerivable."""
+    match problem.subject:
+        case Robot():
+            from derive.mechanics.pictures import arm
+
+            return arm.drawn(problem.subject, problem.where)
+        case Motion() | Frames():
+            from derive.mechanics.pictures import triads
+
+            if isinstance(problem.subject, Motion):
+                return triads.of_motion(problem.subject, problem.where)
+            return triads.of_frames(problem.subject, problem.where)
+        case System():
+            from derive.control.picture import drawn_blocks
+            from derive.kinds.system._plant import plant
+
+            solved = plant(problem, None, None)
+            return drawn_blocks(problem.subject, solved.rational, solved.style)
+        case _:
+            raise NotDerivable(f"a {problem.name} is not drawn")

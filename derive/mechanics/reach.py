@@ -1,0 +1,102 @@
+"""How far an arm reaches whose joints turn freely: arms in a plane, and arms of three joints that swing such
+an arm about an axis.
+
+Each link is a segment of fixed length between two axes, seen along them (Siciliano et al., section 2.10;
+Craig, section 4.2).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import reduce
+from operator import mul
+
+from derive.algebra.kernels import root
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.scalar import Scalar, as_fraction
+from derive.mechanics.chain import Chain
+
+
+@dataclass(frozen=True, slots=True)
+class PlanarArm:
+    """The lengths of the links between parallel axes, the last one to the point; `center` is a point of the
+    first axis (3 by 1)."""
+
+    lengths: tuple[Scalar, ...]
+    center: ScalarMatrix
+
+
+@dataclass(frozen=True, slots=True)
+class SwungArm:
+    """Two links in a plane that a first axis swings about itself: `offset` from that axis to the second,
+    `side` the distance of the point from the plane of the first axis parallel to the links, `height` of the
+    second axis; `center` is the point of the first axis at that height (3 by 1)."""
+
+    lengths: tuple[Scalar, Scalar]
+    offset: Scalar
+    side: Scalar
+    center: ScalarMatrix
+
+
+def planar_arm(chain: Chain, point: ScalarMatrix, last: int) -> PlanarArm | None:
+    """None where some joint slides, or where the axes are not parallel."""
+    rows = [i for i, _ in chain.moving if i <= last]
+    if not rows or any(chain.joint(i).type != "revolute" for i in rows):
+        return None
+    lengths = _lengths(chain, rows, point)
+    return PlanarArm(lengths, chain.point(rows[0])) if lengths else None
+
+
+def swung_arm(chain: Chain, point: ScalarMatrix, last: int) -> SwungArm | None:
+    """None unless the arm has three revolute joints, the last two parallel and square to the first."""
+    rows = [i for i, _ in chain.moving if i <= last]
+    if len(rows) != 3 or any(chain.joint(i).type != "revolute" for i in rows):
+        return None
+    first, second = chain.axis(rows[0]), chain.axis(rows[1])
+    lengths = _lengths(chain, rows[1:], point)
+    if not lengths or _dot(first, second):
+        return None
+    start, shoulder = chain.point(rows[0]), chain.point(rows[1])
+    across = first.cross(second)
+    offset, height = _dot(shoulder - start, across), _dot(shoulder - start, first)
+    side = _dot(point - start, second)
+    if any(not _fixed(chain, each) for each in (offset, height, side)):
+        return None
+    center = start + first.scaled(height)
+    return SwungArm((lengths[0], lengths[1]), _size(offset * offset), _size(side * side), center)
+
+
+def _lengths(chain: Chain, rows: Sequence[int], point: ScalarMatrix) -> tuple[Scalar, ...]:
+    """Of the links between these axes and on to the point; none where they are not parallel."""
+    axis, zero = chain.axis(rows[0]), ScalarMatrix.zeros(3, 1)
+    if any(chain.axis(i).cross(axis) != zero for i in rows[1:]):
+        return ()
+    places = [*(chain.point(i) for i in rows), point]
+    found = []
+    for here, there in zip(places, places[1:], strict=False):
+        seen = axis.cross(there - here)
+        square = _dot(seen, seen)
+        if not _fixed(chain, square):
+            return ()
+        found.append(_size(square))
+    return tuple(found)
+
+
+def _fixed(chain: Chain, value: Scalar) -> bool:
+    return not any(value.diff(name) for name in chain.variables)
+
+
+def _dot(a: ScalarMatrix, b: ScalarMatrix) -> Scalar:
+    return (a.T @ b)[0, 0]
+
+
+def _size(square: Scalar) -> Scalar:
+    """The root of a square; lengths are taken as positive, so that of a^2 is a."""
+    if square.constant is not None or square.denominator is not None or not square:
+        return root(square)
+    content, factors = square.numerator.factor_squarefree()
+    if any(power % 2 for _, power in factors):
+        return root(square)
+    front = root(Scalar.of(as_fraction(content)))
+    return reduce(mul, (Scalar(square.ring, part) ** (power // 2) for part, power in factors), front)

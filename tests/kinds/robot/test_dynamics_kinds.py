@@ -1,0 +1,261 @@
+"""What is asked of an arm's dynamics, against what books and mechanics say of small arms."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from derive.algebra.grammar import parse
+from derive.algebra.normal import normal
+from derive.algebra.numeric import number_rows, numbers
+from derive.derivation import Table
+from derive.errors import NotDerivable, SheetErrors
+from derive.kinds.problem import Problem
+from derive.kinds.robot._regressor import dependent, standard_parameters
+from tests.kinds.published import matrix, same, same_scalar
+from tests.kinds.robot.test_published_dynamics import derived
+from tests.mechanics.test_two_derivations import ARMS
+
+PENDULUM = """
+    gravity: [0, -g, 0]
+    links:
+    - {theta: theta*, d: 0, a: 0, alpha: 0, mass: m, com: [l, 0, 0], inertia: [0, 0, I]MORE}
+"""
+POLAR = """
+    gravity: [0, -g, 0]
+    links:
+    - {theta: theta1* + 90 deg, d: 0, a: 0, alpha: 90 deg, mass: m1, com: [0, 0, 0], inertia: [0, I1, 0]}
+    - {theta: 0, d: r*, a: 0, alpha: 0, mass: m, com: [0, 0, 0], inertia: point}
+"""
+# Craig, Introduction to Robotics, section 6.7: point masses at the ends of two links, modified convention
+CRAIG = """
+    convention: modified
+    gravity: [0, -g, 0]
+    links:
+    - {theta: theta1*, d: 0, a: 0, alpha: 0, mass: m1, com: [l1, 0, 0], inertia: point}
+    - {theta: theta2*, d: 0, a: l1, alpha: 0, mass: m2, com: [l2, 0, 0], inertia: point}
+"""
+
+
+def pendulum(more: str = "") -> str:
+    return PENDULUM.replace("MORE", more)
+
+
+# -- bodies, motors, friction -----------------------------------------------------------------------------
+
+
+def test_an_inertia_about_the_origin(tmp_path: Path) -> None:
+    """The theorem of parallel axes: I_o = I_c + m (c^T c 1 - c c^T)."""
+    row = "{theta: x*, d: 0, a: a, alpha: 90 deg, mass: m, com: [p, q, r], "
+    last = "{theta: y*, d: 0, a: b, alpha: 0, mass: m, com: [p, q, r], "
+    about_com = "inertia: [A, B, C, D, E, F]}"
+    about_origin = (
+        "about: origin, inertia: [A + m*(q^2 + r^2), B + m*(p^2 + r^2), C + m*(p^2 + q^2), "
+        "D - m*p*q, E - m*q*r, F - m*p*r]}"
+    )
+    (one,), (other,) = (
+        derived(tmp_path, f"\n    links:\n    - {row}{said}\n    - {last}{said}\n", "inertia-matrix")
+        for said in (about_com, about_origin)
+    )
+    assert same(one.results["D"], other.results["D"])
+    assert all(claim.holds for claim in other.claims)
+
+
+def test_a_rotor_and_friction(tmp_path: Path) -> None:
+    more = ", motor: {inertia: J, ratio: G}, friction: {viscous: b, coulomb: tau_c}"
+    inertia, motion = derived(tmp_path, pendulum(more), "inertia-matrix", "dynamics")
+    assert same(inertia.results["D"], matrix("m*l^2 + I + G^2*J"))
+    expected = "(m*l^2 + I + G^2*J)*theta_ddot + m*g*l*cos(theta) + b*theta_dot + tau_c*sign(theta_dot)"
+    assert same(motion.results["tau"], matrix(expected))
+
+
+def test_the_ratio_is_one_where_it_is_not_given(tmp_path: Path) -> None:
+    (inertia,) = derived(tmp_path, pendulum(", motor: {inertia: J}"), "inertia-matrix")
+    assert same(inertia.results["D"], matrix("m*l^2 + I + J"))
+
+
+# -- matrices of the velocity terms -----------------------------------------------------------------------
+
+
+def test_khatibs_matrices(tmp_path: Path) -> None:
+    (found,) = derived(tmp_path, CRAIG, "coriolis-matrices")
+    h = "m2*l1*l2*sin(theta2)"
+    assert same(found.results["C"], matrix(f"0, -{h}\n{h}, 0"))
+    assert same(found.results["B"], matrix(f"-2*{h}\n0"))
+    assert same_scalar(found.results["b_112"], f"-{h}")
+    assert same_scalar(found.results["b_211"], h)
+
+
+def test_row_i_of_b_belongs_to_joint_i() -> None:
+    """The notes repeat the second row in place of the last; see ERRATA.md."""
+    found = Problem("robot", ARMS["anthropomorphic"]).ask("coriolis-matrices").results
+    for i in (1, 2, 3):
+        for place, jk in enumerate(("12", "13", "23")):
+            twice = normal(found[f"b_{i}{jk}"]) * 2
+            assert normal(found["B"].rows[i - 1][place]) == twice
+
+
+def test_one_joint_has_no_coriolis_matrix(tmp_path: Path) -> None:
+    (found,) = derived(tmp_path, pendulum(), "coriolis-matrices")
+    assert set(found.results) == {"C", "b_111", "v"}
+
+
+def test_both_notations_give_the_same_equations(tmp_path: Path) -> None:
+    spong, khatib = derived(tmp_path, CRAIG, "dynamics", "dynamics, notation: khatib")
+    assert same(spong.results["tau"], khatib.results["tau"])
+    assert same(spong.results["g"], khatib.results["G"])
+    assert {"M", "C", "B", "v", "G", "tau"} == set(khatib.results)
+
+
+# -- Newton and Euler -------------------------------------------------------------------------------------
+
+CRAIG_TAU = """
+m2*l2^2*(theta1_ddot + theta2_ddot) + m2*l1*l2*cos(theta2)*(2*theta1_ddot + theta2_ddot) +\
+ (m1 + m2)*l1^2*theta1_ddot - m2*l1*l2*sin(theta2)*theta2_dot^2 -\
+ 2*m2*l1*l2*sin(theta2)*theta1_dot*theta2_dot + m2*l2*g*cos(theta1 + theta2) + (m1 + m2)*l1*g*cos(theta1)
+m2*l1*l2*cos(theta2)*theta1_ddot + m2*l1*l2*sin(theta2)*theta1_dot^2 + m2*l2*g*cos(theta1 + theta2) +\
+ m2*l2^2*(theta1_ddot + theta2_ddot)
+"""
+
+
+def test_craigs_two_links(tmp_path: Path) -> None:
+    """Equation 6.58, and on the way the accelerations of 6.55."""
+    (found,) = derived(tmp_path, CRAIG, "newton-euler")
+    assert same(found.results["tau"], matrix(CRAIG_TAU))
+    first = "-l1*theta1_dot^2 + g*sin(theta1)\nl1*theta1_ddot + g*cos(theta1)\n0"
+    assert same(found.definitions[symbol("o_c1_ddot")], matrix(first))
+
+
+def symbol(name: str):
+    return parse(name)
+
+
+@pytest.mark.parametrize("name", ["SCARA", "PRP", "free rows"])
+def test_all_joints_and_conventions(name: str) -> None:
+    found = Problem("robot", ARMS[name]).ask("newton-euler")
+    assert [claim.claim for claim in found.claims if not claim.holds] == []
+    assert sum("Euler-Lagrange" in claim.claim for claim in found.claims) == 3
+
+
+# -- energies ---------------------------------------------------------------------------------------------
+
+
+def test_energies_of_a_pendulum(tmp_path: Path) -> None:
+    (found,) = derived(tmp_path, pendulum(", motor: {inertia: J, ratio: G}"), "energy")
+    assert same_scalar(found.results["K_1"], "(m*l^2 + I)*theta_dot^2/2")
+    assert same_scalar(found.results["K_m"], "G^2*J*theta_dot^2/2")
+    assert same_scalar(found.results["P"], "m*g*l*sin(theta)")
+    assert isinstance(found.facts["table"], Table)
+
+
+# -- properties -------------------------------------------------------------------------------------------
+
+
+def test_skew_symmetry_in_numbers(tmp_path: Path) -> None:
+    (found,) = derived(tmp_path, CRAIG, "properties")
+    at = {
+        "theta1": 0.3,
+        "theta2": 0.7,
+        "theta1_dot": -0.4,
+        "theta2_dot": 1.1,
+        "m1": 1,
+        "m2": 2,
+        "l1": 1,
+        "l2": 3,
+    }
+    N = np.array(number_rows(found.results["N"], at))
+    assert np.allclose(N, -N.T)
+    assert abs(N).max() > 1
+    assert found.facts["definite"]
+
+
+def test_an_arm_whose_inertia_is_semidefinite_only(tmp_path: Path) -> None:
+    """A point mass on the axis of the last joint."""
+    links = (
+        pendulum() + "    - {theta: phi*, d: 0, a: 0, alpha: 0, mass: M, com: [0, 0, 0], inertia: point}\n"
+    )
+    properties = derived(tmp_path, links, "properties")[0]
+    assert properties.facts["definite"] is False
+    with pytest.raises(SheetErrors) as caught:
+        derived(tmp_path, links, "forward-dynamics")
+    assert "singular" in caught.value.errors[0].message
+
+
+def test_the_puma_has_36_base_parameters() -> None:
+    """Gautier and Khalil, Direct calculation of minimum set of inertial parameters of serial robots, 1990."""
+    problem = Problem("robot", ARMS["PUMA 560"])
+    parameters = standard_parameters(problem)
+    assert len(parameters) - len(dependent(problem, parameters)) == 36
+
+
+def test_the_regressor_times_its_parameters(tmp_path: Path) -> None:
+    more = ", motor: {inertia: J, ratio: G}, friction: {viscous: b, coulomb: tau_c}"
+    (found,) = derived(tmp_path, pendulum(more), "regressor")
+    assert same(found.results["base_parameters"], matrix("m*l^2 + I + G^2*J\nm*l\nb\ntau_c"))
+    assert same(found.results["Y_b"], matrix("theta_ddot, g*cos(theta), theta_dot, sign(theta_dot)"))
+
+
+# -- solved and linearised --------------------------------------------------------------------------------
+
+
+def test_accelerations_of_a_polar_arm(tmp_path: Path) -> None:
+    (found,) = derived(tmp_path, POLAR, "forward-dynamics")
+    turn = "(tau_1 - 2*m*r*r_dot*theta1_dot - m*g*r*cos(theta1))/(m*r^2 + I1)"
+    slide = "tau_2/m + r*theta1_dot^2 - g*sin(theta1)"
+    assert same(found.results["qddot"], matrix(f"{turn}\n{slide}"))
+    assert same_scalar(found.results["det"], "m*(m*r^2 + I1)")
+
+
+def test_a_pendulum_upright(tmp_path: Path) -> None:
+    (found,) = derived(tmp_path, pendulum(", friction: {viscous: b}"), "state-space, at: {theta: 90 deg}")
+    assert same(found.results["A"], matrix("0, 1\nm*g*l/(m*l^2 + I), -b/(m*l^2 + I)"))
+    assert same(found.results["B"], matrix("0\n1/(m*l^2 + I)"))
+    assert same(found.results["tau_0"], matrix("0"))
+
+
+def test_a_pendulum_held_level(tmp_path: Path) -> None:
+    (found,) = derived(tmp_path, pendulum(), "state-space, at: {theta: 0}")
+    assert same(found.results["tau_0"], matrix("m*g*l"))
+    assert same(found.results["A"], matrix("0, 1\n0, 0"))
+
+
+def test_a_point_mass_shows_its_mass(tmp_path: Path) -> None:
+    """A hand of mass m on an arm without inertia resists every force with m."""
+    links = POLAR.replace("I1", "0")
+    (found,) = derived(tmp_path, links, "operational-space-inertia, rows: [vx, vy]")
+    assert same(found.results["Lambda"], matrix("m, 0\n0, m"))
+
+
+def test_results_in_numbers(tmp_path: Path) -> None:
+    (found,) = derived(tmp_path, POLAR, "operational-space-inertia, rows: [vx, vy]")
+    at = {"theta1": 0.4, "r": 0.7, "m": 2.0, "I1": 0.3}
+    along = np.array([np.cos(0.4), np.sin(0.4)])
+    across = np.array([-np.sin(0.4), np.cos(0.4)])
+    expected = 2 * np.outer(along, along) + (2 + 0.3 / 0.49) * np.outer(across, across)
+    assert np.allclose(number_rows(found.results["Lambda"], at), expected)
+    assert numbers(found.results["J_inv"], at)
+
+
+# -- what cannot be derived -------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("question", "said"),
+    [
+        ("state-space, at: {phi: 0}", "phi is no joint variable"),
+        ("operational-space-inertia, rows: [vx, vy]", "J must be square"),
+        ("operational-space-inertia, rows: [vz]", "dependent everywhere"),
+    ],
+)
+def test_reasons(tmp_path: Path, question: str, said: str) -> None:
+    with pytest.raises(SheetErrors) as caught:
+        derived(tmp_path, pendulum(), question)
+    assert said in caught.value.errors[0].message
+
+
+@pytest.mark.parametrize("kind", ["forward-dynamics", "state-space", "operational-space-inertia"])
+def test_many_joints(kind: str) -> None:
+    with pytest.raises(NotDerivable, match=r"at most 3 joints|give numbers"):
+        Problem("robot", ARMS["SCARA"]).ask(kind)

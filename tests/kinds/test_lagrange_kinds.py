@@ -1,0 +1,238 @@
+"""The kinds of the subject `lagrange` against textbooks, the dynamics of robots, and integration."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy
+import pytest
+from scipy.integrate import solve_ivp
+
+from derive.algebra.function import Constraint
+from derive.algebra.grammar import parse, parse_equation
+from derive.algebra.normal import normal
+from derive.algebra.numeric import number
+from derive.derivation import Derivation
+from derive.errors import NotDerivable
+from derive.expression import ZERO, Expr, Matrix, Symbol, add
+from derive.kinds.problem import Problem
+from derive.mechanics.lagrangian import LagrangianSystem, MovingBody
+
+
+def body(mass: str, position: str, inertia: str = "", angle: str = "") -> MovingBody:
+    turning = (parse(inertia), parse(angle)) if inertia else (None, None)
+    return MovingBody(parse(mass), tuple(map(parse, position.split(";"))), *turning)
+
+
+def system(
+    coordinates: str, *bodies: MovingBody, constraints: tuple[str, ...] = (), **given: str
+) -> LagrangianSystem:
+    size = len(bodies[0].position) if bodies else 0
+    forces = {key[2:]: parse(text) for key, text in given.items() if key.startswith("Q_")}
+    return LagrangianSystem(
+        tuple(coordinates.split()),
+        bodies,
+        parse(given.get("kinetic", "0")),
+        parse(given.get("potential", "0")),
+        tuple([ZERO] * (size - 1) + [parse("-g")]) if size else (),
+        tuple(forces.items()),
+        parse(given.get("dissipation", "0")),
+        tuple(Constraint(*parse_equation(each)) for each in constraints),
+    )
+
+
+def ask(subject: LagrangianSystem, kind: str = "equations-of-motion", **options: Any) -> Derivation:
+    found = Problem("lagrange", subject).ask(kind, **options)
+    assert found.claims
+    assert all(claim.holds for claim in found.claims), [c for c in found.claims if not c.holds]
+    return found
+
+
+def entries(found: Derivation, name: str) -> list[Expr]:
+    result = found.results[name]
+    assert isinstance(result, Matrix)
+    return [entry for row in result.rows for entry in row]
+
+
+def are(found: Derivation, name: str, *texts: str) -> bool:
+    pairs = zip(entries(found, name), texts, strict=True)
+    return all(normal(ours) == normal(parse(theirs)) for ours, theirs in pairs)
+
+
+CART_POLE = system("x theta", body("m_c", "x; 0"), body("m_p", "x + l*sin(theta); -l*cos(theta)"), Q_x="f")
+
+
+def test_the_cart_and_pole_of_underactuated_robotics() -> None:
+    """Tedrake, Underactuated Robotics (MIT 6.832), chapter 3, the cart-pole system."""
+    found = ask(CART_POLE, solve=True)
+    assert are(
+        found,
+        "tau",
+        "(m_c + m_p)*x_ddot + m_p*l*theta_ddot*cos(theta) - m_p*l*theta_dot^2*sin(theta)",
+        "m_p*l*x_ddot*cos(theta) + m_p*l^2*theta_ddot + m_p*g*l*sin(theta)",
+    )
+    assert are(
+        found,
+        "accelerations",
+        "(f + m_p*sin(theta)*(l*theta_dot^2 + g*cos(theta)))/(m_c + m_p*sin(theta)^2)",
+        "(-f*cos(theta) - m_p*l*theta_dot^2*cos(theta)*sin(theta) - (m_c + m_p)*g*sin(theta))"
+        "/(l*(m_c + m_p*sin(theta)^2))",
+    )
+    assert are(found, "M", "m_c + m_p", "m_p*l*cos(theta)", "m_p*l*cos(theta)", "m_p*l^2")
+
+
+def test_a_ladder_against_a_smooth_wall() -> None:
+    """The angular acceleration is 3 g sin(theta)/(2 l) (Kleppner and Kolenkow, problem 7.11)."""
+    ladder = system("theta", body("m", "l/2*sin(theta); l/2*cos(theta)", "m*l^2/12", "theta"))
+    assert are(ask(ladder, solve=True), "accelerations", "3*g*sin(theta)/(2*l)")
+
+
+def test_the_hoop_of_goldstein_rolls_down_an_incline() -> None:
+    """Goldstein et al., Classical Mechanics, section 2.4: xddot = g sin(phi)/2 and lambda = M g sin(phi)/2."""
+    rolling = system(
+        "x theta", kinetic="1/2*M*x_dot^2 + 1/2*M*r^2*theta_dot^2", potential="M*g*(l - x)*sin(phi)",
+        constraints=("r*theta = x",),
+    )  # fmt: skip
+    found = ask(rolling)
+    assert are(found, "accelerations", "g*sin(phi)/2", "g*sin(phi)/(2*r)")
+    (force,) = entries(found, "multipliers")
+    assert normal(force) == normal(parse("M*g*sin(phi)/2"))
+
+
+def test_the_tension_of_atwoods_machine() -> None:
+    """a = (m1 - m2) g/(m1 + m2), and a tension of 2 m1 m2 g/(m1 + m2)."""
+    machine = system("x y", body("m1", "0; -x"), body("m2", "0; -y"), constraints=("x + y = l",))
+    found = ask(machine)
+    a = "(m1 - m2)*g/(m1 + m2)"
+    assert are(found, "accelerations", a, f"-{a}")
+    assert are(found, "multipliers", "-2*m1*m2*g/(m1 + m2)")
+
+
+def test_the_bead_on_a_turning_hoop() -> None:
+    """Goldstein et al., exercise 2.18: thetaddot = sin(theta) (Omega^2 cos(theta) - g/R)."""
+    hoop = system(
+        "theta",
+        body("m", "R*sin(theta)*cos(Omega*t); R*sin(theta)*sin(Omega*t); -R*cos(theta)"),
+    )
+    found = ask(hoop, solve=True)
+    assert are(found, "accelerations", "sin(theta)*(Omega^2*cos(theta) - g/R)")
+
+
+def test_a_spherical_pendulum_keeps_its_angular_momentum() -> None:
+    position = "l*sin(theta)*cos(phi); l*sin(theta)*sin(phi); -l*cos(theta)"
+    found = ask(system("theta phi", body("m", position)))
+    ((name, momentum),) = found.facts["cyclic"]
+    assert name == Symbol("phi")
+    assert normal(momentum) == normal(parse("m*l^2*phi_dot*sin(theta)^2"))
+    assert are(
+        found,
+        "tau",
+        "m*l^2*theta_ddot - m*l^2*phi_dot^2*sin(theta)*cos(theta) + m*g*l*sin(theta)",
+        "m*l^2*phi_ddot*sin(theta)^2 + 2*m*l^2*theta_dot*phi_dot*sin(theta)*cos(theta)",
+    )
+
+
+def test_a_planet_in_polar_coordinates() -> None:
+    kepler = system("r theta", kinetic="1/2*m*(r_dot^2 + r^2*theta_dot^2)", potential="-k/r")
+    found = ask(kepler, solve=True)
+    assert are(found, "accelerations", "r*theta_dot^2 - k/(m*r^2)", "-2*r_dot*theta_dot/r")
+
+
+def test_a_pivot_that_is_shaken() -> None:
+    """Kapitza's pendulum (Landau and Lifshitz, Mechanics, section 5, problem 3c)."""
+    shaken = system("theta", body("m", "l*sin(theta); a*cos(Omega*t) - l*cos(theta)"))
+    found = ask(shaken, solve=True)
+    assert are(found, "accelerations", "(a*Omega^2*cos(Omega*t) - g)*sin(theta)/l")
+
+
+def test_a_disc_rolling_upright_is_driven_along_its_heading() -> None:
+    """Siciliano et al., section 11.3: the unicycle; its mass moves with r phi_dot."""
+    disc = system(
+        "x y theta phi",
+        kinetic="1/2*m*(x_dot^2 + y_dot^2) + 1/2*I*theta_dot^2 + 1/2*J*phi_dot^2",
+        constraints=("x_dot = r*cos(theta)*phi_dot", "y_dot = r*sin(theta)*phi_dot"),
+        Q_theta="tau_1", Q_phi="tau_2",
+    )  # fmt: skip
+    found = ask(disc)
+    assert normal(entries(found, "accelerations")[3]) == normal(parse("tau_2/(J + m*r^2)"))
+    assert normal(entries(found, "accelerations")[2]) == normal(parse("tau_1/I"))
+
+
+def test_it_is_the_dynamics_of_the_same_arm() -> None:
+    """Two links as a robot and as bodies with positions: tau is `==`."""
+    from pathlib import Path
+
+    from derive.sheet.load import load_sheet
+
+    sheet = load_sheet(Path(__file__).parents[2] / "exercises" / "week6.yaml")
+    (given, *_) = sheet.problems
+    robot = Problem("robot", given.subject, given.where).ask("dynamics").results["tau"]
+    assert isinstance(robot, Matrix)
+    first = "L_c*cos(theta1); L_c*sin(theta1)"
+    second = "L*cos(theta1) + L_c*cos(theta1 + theta2); L*sin(theta1) + L_c*sin(theta1 + theta2)"
+    moment = "m*L^2/12 + m*(L/10)^2/12"
+    bodies = (body("m", first, moment, "theta1"), body("m", second, moment, "theta1 + theta2"))
+    found = Problem("lagrange", system("theta1 theta2", *bodies), given.where).ask("equations-of-motion")
+    names = {Symbol(name): tree for name, tree in given.where.items()}
+    for (ours,), (theirs,) in zip(found.results["tau"].rows, robot.rows, strict=True):  # type: ignore[union-attr]
+        assert normal(ours, names) == normal(theirs, names)
+
+
+def test_the_energy_is_kept_along_the_integrated_motion() -> None:
+    double = system(
+        "a b",
+        body("m1", "p*sin(a); -p*cos(a)"),
+        body("m2", "p*sin(a) + q*sin(b); -p*cos(a) - q*cos(b)"),
+    )
+    found = ask(double, solve=True)
+    known = {"m1": 1.0, "m2": 0.7, "p": 1.1, "q": 0.8, "g": 9.81}
+    accelerations = entries(found, "accelerations")
+    total = add(found.results["T"], found.results["P"])  # type: ignore[arg-type]
+
+    def at(state: Any) -> dict[str, float]:
+        return {**known, **dict(zip(("a", "b", "a_dot", "b_dot"), map(float, state), strict=True))}
+
+    def motion(_: float, state: Any) -> list[float]:
+        return [*state[2:], *(number(each, at(state)) for each in accelerations)]
+
+    path = solve_ivp(motion, (0, 1), [1.0, 0.4, 0.0, 2.0], rtol=1e-10, atol=1e-10)
+    energies = [number(total, at(state)) for state in path.y.T]
+    assert numpy.ptp(energies) < 1e-7 * max(1.0, abs(energies[0]))
+
+
+def test_friction_takes_what_rayleigh_says() -> None:
+    found = ask(
+        system("x", kinetic="1/2*m*x_dot^2", potential="1/2*k*x^2", dissipation="1/2*b*x_dot^2", Q_x="F")
+    )
+    assert are(found, "equations", "m*x_ddot + b*x_dot + k*x - F")
+
+
+def test_names_of_where_that_move_are_replaced() -> None:
+    where = {"h": parse("l*cos(theta)"), "l": parse("2*a")}
+    pendulum = system("theta", body("m", "l*sin(theta); -h"))
+    found = Problem("lagrange", pendulum, where).ask("equations-of-motion")
+    assert all(claim.holds for claim in found.claims)
+    assert are(found, "tau", "4*m*a^2*theta_ddot + 2*m*g*a*sin(theta)")
+
+
+def test_letters_that_are_taken_give_way() -> None:
+    """A length L and a radius r: the Lagrangian and the position are called otherwise."""
+    found = ask(system("r", body("T", "r; L*r^2")))
+    names = {step.name for step in found.steps}
+    assert {"calL", "p", "K"} <= names
+    assert {"L", "T"} <= set(found.results)
+
+
+@pytest.mark.parametrize(
+    ("subject", "reason"),
+    [
+        (system("x y", kinetic="1/2*m*x_dot^2", potential="k*y^2"), "no inertia"),
+        (
+            system("x y", kinetic="x_dot^2 + y_dot^2", constraints=("x = y", "2*x = 2*y")),
+            "depend on each other",
+        ),
+    ],
+)
+def test_what_has_no_unique_motion_is_refused(subject: LagrangianSystem, reason: str) -> None:
+    with pytest.raises(NotDerivable, match=reason):
+        ask(subject, solve=True)
