@@ -36,7 +36,8 @@ def build(
 ) -> tuple[Path | str, ...]:
     """Builds every sheet and says what was written; without `output` it gives the pages as texts.
 
-    `warn` is told what is strange about a sheet, though it can be built. Raises SheetErrors, before anything is written, with the faults of all the sheets.
+    `warn` is told what is strange about a sheet, though it can be built. Raises SheetErrors, before
+    anything is written, with the faults of all the sheets.
     """
     sheets = load_all(paths, progress)
     for warning in (found for sheet in sheets for each in sheet.problems for found in each.warnings):

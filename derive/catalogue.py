@@ -42,8 +42,12 @@ def table() -> str:
 
 
 def describe(kind: str) -> str:
-    """What one kind answers, its options and results, and a runnable example. Raises SheetErrors."""
-    owners, module = _find(kind)
+    """What one kind answers, its options and results, and a runnable example; of a name that means
+    different things of different subjects each of them. Raises SheetErrors."""
+    return "\n".join(_described(kind, owners, module) for owners, module in _find(kind))
+
+
+def _described(kind: str, owners: list[str], module: ModuleType) -> str:
     blocks = [f"{kind} ({', '.join(owners)})", inspect.getdoc(module) or ""]
     blocks.append(_listed("Options", _options(module), _about(module.Options)))
     blocks.append(_listed("Results", module.RESULTS))
@@ -54,20 +58,23 @@ def describe(kind: str) -> str:
 def starter(name: str, kind: str | None) -> str:
     """A sheet to start from: the example of a kind under a few comments. Raises SheetErrors."""
     chosen = kind or next(iter(kinds.kinds_of("robot")), "")
-    _, module = _find(chosen)
+    _, module = _find(chosen)[0]
     example: str = module.EXAMPLE
     return COMMENTS.format(name=name) + example.strip() + "\n"
 
 
-def _find(kind: str) -> tuple[list[str], ModuleType]:
-    """The subjects a kind can be asked of, and its module."""
-    owners = [subject for subject in subjects.subjects() if kind in kinds.kinds_of(subject)]
-    if not owners:
+def _find(kind: str) -> list[tuple[list[str], ModuleType]]:
+    """The modules of a kind, each with the subjects it can be asked of; that of robots first."""
+    found: dict[str, list[str]] = {}
+    for subject in sorted(subjects.subjects(), key=lambda name: name != "robot"):
+        if kind in (known := kinds.kinds_of(subject)):
+            found.setdefault(known[kind], []).append(subject)
+    if not found:
         every = {known for subject in subjects.subjects() for known in kinds.kinds_of(subject)}
         raise SheetErrors(
             [SheetError(f"there is no kind '{kind}'", None, did_you_mean(kind, every, "kinds"))]
         )
-    return owners, kinds.load(owners[0], kind)
+    return [(sorted(owners), kinds.load(owners[0], kind)) for owners in found.values()]
 
 
 def _options(module: ModuleType) -> dict[str, str]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from typing import TypeAlias
 
-
 from derive.algebra.numeric import scalar_number
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar, common_ring

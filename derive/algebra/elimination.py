@@ -8,15 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from derive.algebra.factors import primitive_column
+from derive.algebra.factors import TooLong, primitive_column
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
 
-MOST_TERMS = 400  # in one entry; nobody reads what comes of longer ones
-
-
-class TooLong(ArithmeticError):
-    """An entry outgrew what is worth writing."""
+MOST_TERMS = 60  # in one entry; nobody reads what comes of longer ones
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,6 +15,13 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar, as_fraction, common_ring
 
 
+MOST_TERMS = 120  # of a column that is still worth writing
+
+
+class TooLong(ArithmeticError):
+    """What is asked for outgrew what is worth writing."""
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Factored:
     """`constant` (free of the names) times the product of the factors, each to its power."""
@@ -62,13 +69,15 @@ def common_factor(scalars: Sequence[Scalar], names: Iterable[str]) -> tuple[Scal
 
 
 def primitive_column(column: ScalarMatrix, names: Iterable[str]) -> ScalarMatrix:
-    """The same direction without fractions and without a common factor."""
+    """The same direction without fractions and without a common factor. Raises TooLong."""
     column = ScalarMatrix.of(column.rows)
     below = [entry.denominator for entry in column.entries if entry.denominator is not None]
     multiple = reduce(_least_multiple, below, column.ring.one)
     whole = [_times(entry, multiple) for entry in column.entries]
     if not any(whole):
         return column
+    if sum(len(entry.numerator) for entry in whole) > MOST_TERMS:
+        raise TooLong
     _, quotients = common_factor(whole, names)
     one = primitive(next(entry for entry in quotients if entry))
     scale = next(entry for entry in quotients if entry) / one

@@ -4,10 +4,16 @@ from __future__ import annotations
 
 from fractions import Fraction
 from functools import lru_cache
+from math import isqrt
+
+from flint import fmpz
 
 from derive.algebra.angles import PI, Form
 from derive.algebra.ring import Root, ring
 from derive.algebra.scalar import Scalar, trig
+
+LARGEST = 10**36  # that is factored in a moment
+TRIED = 10**4
 
 
 @lru_cache(maxsize=256)
@@ -71,13 +77,14 @@ def _prime_root(prime: int) -> Scalar:
 
 
 def _split(n: int) -> tuple[int, tuple[int, ...]]:
-    """n = outside^2 * product of the distinct primes."""
-    outside, primes, p = 1, [], 2
-    while p * p <= n:
-        while n % (p * p) == 0:
-            n, outside = n // (p * p), outside * p
-        if n % p == 0:
-            n //= p
-            primes.append(p)
-        p += 1
-    return (outside, (*primes, n)) if n > 1 else (outside, tuple(primes))
+    """n = outside^2 * product of the distinct primes; of what is too large to be factored only small
+    primes are taken out, and the rest counts as one."""
+    outside, primes = 1, []
+    for prime, power in fmpz(n).factor() if n < LARGEST else fmpz(n).factor(TRIED):
+        base = int(prime)
+        if (square := isqrt(base)) ** 2 == base:  # only of what was left unfactored
+            base, power = square, 2 * power
+        outside *= base ** (power // 2)
+        if power % 2:
+            primes.append(base)
+    return outside, tuple(sorted(primes))

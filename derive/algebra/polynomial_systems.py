@@ -11,8 +11,9 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
+from typing import TypeAlias
 
-from flint import Ordering, arb, ctx, fmpz, fmpz_mpoly_ctx, fmpz_mpoly_vec
+from flint import Ordering, arb, ctx, fmpz, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_mpoly_vec
 
 from derive.algebra.polynomials import (
     ball,
@@ -32,8 +33,8 @@ MOST_CASES = 60
 BASIS_LIMITS = (40, 120, 600)  # polynomials, terms, bits
 LARGEST = 400  # terms of an equation
 
-Equation = tuple[Scalar, ...]  # irreducible factors, one of which vanishes
-Value = Scalar | arb
+Equation: TypeAlias = tuple[Scalar, ...]  # irreducible factors, one of which vanishes
+Value: TypeAlias = Scalar | arb
 
 
 @dataclass(frozen=True, slots=True)
@@ -273,9 +274,9 @@ def _integral(value: Scalar, names: tuple[str, ...], context: fmpz_mpoly_ctx) ->
     )
 
 
-def _scalar(polynomial: object, names: tuple[str, ...]) -> Scalar:
+def _scalar(polynomial: fmpz_mpoly, names: tuple[str, ...]) -> Scalar:
     total = Scalar.of(0)
-    for exponents, k in polynomial.to_dict().items():  # type: ignore[attr-defined]
+    for exponents, k in polynomial.to_dict().items():
         term = Scalar.of(int(k))
         for name, power in zip(names, exponents, strict=True):
             term = term * Scalar.symbol(name) ** int(power) if power else term

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from flint import arb, ctx, fmpq
+from flint import arb, fmpq
 
 from derive.errors import NotDerivable
 from derive.expression import (
@@ -58,8 +58,3 @@ def slope(function: Callable[[arb], arb], at: arb) -> arb:
     """A central difference over a step so small that hundreds of bits are right."""
     step = arb(2) ** (-BITS // 4)
     return (function(at + step).mid() - function(at - step).mid()) / (2 * step)
-
-
-def working_precision() -> object:
-    """The context in which such numbers are to be worked with."""
-    return ctx.workprec(BITS)

@@ -11,11 +11,20 @@ from flint import arb, ctx, fmpq, fmpq_poly
 
 from derive.algebra.fixed import square_root
 from derive.algebra.kernels import root
-from derive.algebra.polynomials import ball, holds, known_sign, monomials
+from derive.algebra.polynomials import (
+    ball,
+    coefficients,
+    factors,
+    holds,
+    known_sign,
+    monomials,
+    numerator,
+)
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.errors import NotDerivable
 
 BITS = 160  # of the numbers that enclose a root
+UNKNOWN = "unknown_"  # a letter that no author types
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,13 +46,13 @@ def real_roots(polynomial: Sequence[Scalar | arb], positive: Collection[str] = (
 
 
 def _irreducible(exact: list[Scalar]) -> list[list[Scalar]]:
-    """Rational coefficients factored over the rationals; any others as they are."""
-    numbers = [k.constant for k in exact]
-    if len(exact) < 2 or None in numbers:
+    """The coefficients of the factors over the rationals, parameters being letters."""
+    if len(exact) < 3:
         return [exact]
-    whole = fmpq_poly([fmpq(n.numerator, n.denominator) for n in numbers if n is not None])
-    _, found = whole.factor()
-    return [[Scalar.of(as_fraction(k)) for k in factor.coeffs()] for factor, _ in found]
+    total = Scalar.of(0)
+    for power, k in enumerate(exact):
+        total = total + k * Scalar.symbol(UNKNOWN) ** power
+    return [coefficients(part, UNKNOWN) for part in factors(numerator(total), (UNKNOWN,))]
 
 
 def _of_irreducible(k: list[Scalar], positive: Collection[str]) -> list[RealRoot]:

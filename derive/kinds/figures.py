@@ -17,9 +17,9 @@ def figure_of(problem: Problem) -> Drawing:
     """The subject drawn, in a pose that shows it. Raises NotDerivable."""
     match problem.subject:
         case Robot():
-            from derive.mechanics.pictures import arm
+            from derive.mechanics.pictures import arm_sketch
 
-            return arm.drawn(problem.subject, problem.where)
+            return arm_sketch.drawn(problem.subject, problem.where)
         case Motion() | Frames():
             from derive.mechanics.pictures import triads
 

@@ -37,7 +37,7 @@ class Problem:
     terms: Counter[Hashable] = field(default_factory=Counter)  # written out so far
     questions: tuple[tuple[str, Any], ...] = ()  # kind and options of all that is asked about the subject
 
-    def ask(self, kind: str, **options: Any) -> Derivation:
+    def ask(self, kind: str, /, **options: Any) -> Derivation:
         """The derivation of a question about this subject, made once however often it is asked.
 
         Raises NotDerivable where the answer is beyond this program.
@@ -49,7 +49,13 @@ class Problem:
         """The same with the options as the kind's own model."""
         key = (kind, options)
         if key not in self.derived:
-            self.derived[key] = self._distinct(load(self.name, kind).derive(self.subject, options, self))
+            try:
+                derivation = load(self.name, kind).derive(self.subject, options, self)
+            except RecursionError as error:  # a name that is defined by itself
+                raise NotDerivable(
+                    "a name of the sheet, such as D or C, is also a name of this answer; choose another for it"
+                ) from error
+            self.derived[key] = self._distinct(derivation)
         return self.derived[key]
 
     def _distinct(self, derivation: Derivation) -> Derivation:

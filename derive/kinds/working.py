@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 from derive.algebra.normal import normal
 from derive.algebra.numeric import scalar_number
@@ -11,7 +11,7 @@ from derive.algebra.scalar import Scalar
 from derive.algebra.signs import sign_of
 from derive.algebra.text import text
 from derive.derivation import Step
-from derive.errors import NotDerivable
+from derive.errors import FormulaError, NotDerivable
 from derive.expression import PI, Degrees, Expr, Number, Quotient, Symbol, children, free_symbols, walk
 from derive.expression import replace as replaced
 from derive.kinds.problem import Problem
@@ -19,33 +19,42 @@ from derive.kinds.problem import Problem
 CLOSE = 1e-12
 
 
-def named(standard: str, value: Expr) -> Symbol:
-    """What a given quantity is called: as its author calls it, else by its usual name."""
-    return value if isinstance(value, Symbol) and value != PI else Symbol(standard)
+def named(standard: str, value: Expr, problem: Problem) -> Symbol:
+    """What a given quantity is called: as its author calls it, else by its usual name, with a mark where the
+    author means something else by that."""
+    if isinstance(value, Symbol) and value != PI:
+        return value
+    return Symbol(f"{standard}_g" if standard in problem.symbols | problem.where.keys() else standard)
 
 
 @dataclass(frozen=True, slots=True)
 class Working:
     """Given quantities by their names on the page, and the lines worked out from them so far.
 
-    `angular` writes multiples of pi in degrees, as the author typed them.
+    `angular` writes multiples of pi in degrees, as the author typed them. An answer whose name is `taken` by
+    the author gets a `_p` on the page.
     """
 
     problem: Problem
     values: Mapping[Expr, Expr]  # names on the page -> trees in the symbols of the sheet
     angular: bool = False
-    steps: tuple[Step, ...] = field(default=())
+    steps: tuple[Step, ...] = ()
+    taken: frozenset[str] = frozenset()
 
     @property
     def given(self) -> tuple[tuple[Expr, Expr], ...]:
         """Names that stand for something typed, as chains; those worked out are left out."""
-        worked = {Symbol(step.name) for step in self.steps}
+        worked = {self.symbol(step.name) for step in self.steps}
         return tuple((n, value) for n, value in self.values.items() if n != value and n not in worked)
 
     @property
     def definitions(self) -> dict[Expr, Expr]:
         """What every name stands for, that of a symbol of the sheet left out."""
         return {name: value for name, value in self.values.items() if name != value}
+
+    def symbol(self, name: str) -> Symbol:
+        """What an answer is called on the page."""
+        return Symbol(f"{name}_p" if name in self.taken else name)
 
     def given_too(self, values: Mapping[Expr, Expr]) -> Working:
         """More quantities that are given."""
@@ -56,8 +65,12 @@ class Working:
         return normal(expr, {**self.problem.names, **self.definitions})
 
     def value(self, expr: Expr) -> Expr:
-        """What an expression comes to, names of `where` kept."""
-        return self.written(normal(expr, self.definitions))
+        """What an expression comes to, names of `where` kept; as it stands where it cannot be read back, as
+        2^b of a symbol."""
+        try:
+            return self.written(normal(expr, self.definitions))
+        except FormulaError:
+            return replaced(expr, self.definitions)
 
     def written(self, value: Scalar) -> Expr:
         """A scalar as a person writes it; an angle in degrees where the author did."""
@@ -84,9 +97,14 @@ class Working:
     def line(self, name: str, formula: Expr, answer: Expr | None = None, rule: str = "") -> Working:
         """One line more: `name = formula = numbers put in = what comes out` (`answer` where that is to be
         written in a certain way). A quantity that is given is none."""
-        symbol = Symbol(name)
+        symbol = self.symbol(name)
         if formula == symbol:
             return self
+        if self.values.get(symbol) == symbol:
+            message = (
+                f"the sheet's own '{symbol.name}' is also a name of this answer; choose another name for it"
+            )
+            raise NotDerivable(message)
         filled = replaced(formula, {key: value for key, value in self.values.items() if key != value})
         if answer is None:  # a formula in the author's own symbols stays as books print it
             answer = formula if filled == formula else self.value(formula)
@@ -97,7 +115,7 @@ class Working:
 
     def final(self, name: str) -> Expr:
         """The value of a line with everything replaced."""
-        return self.problem.final(self.values[Symbol(name)])
+        return self.problem.final(self.values[self.symbol(name)])
 
 
 def _distinct(chain: tuple[Expr, ...]) -> tuple[Expr, ...]:

@@ -163,6 +163,8 @@ def _row(row: tuple[Move, ...], link: Link, names: Names | None) -> _Row:
     k = acting(row, link.variable)
     before, own, after = (composed(part, names) for part in (row[:k], row[k : k + 1], row[k + 1 :]))
     axis = ScalarMatrix.column(unit_vector(row[k].axis, names))
+    if normal(row[k].by).diff(link.variable) == -1:
+        axis = -axis  # to turn about z by -q is to turn about -z by q
     pitch = normal(link.row.pitch, names) if isinstance(link.row, ScrewRow) else ZERO_PITCH
     return _Row((before, own, after), Joint(link.variable, link.joint, before, axis, pitch))
 

@@ -69,7 +69,9 @@ class Oracle:
             case Motion(made):
                 return compose(made, point)
             case ByMatrix(matrix):
-                return np.array([[number(entry, point) for entry in row] for row in matrix.rows])
+                T, size = np.eye(4), len(matrix.rows)
+                T[:size, :size] = [[number(entry, point) for entry in row] for row in matrix.rows]
+                return T
 
     def jacobian(self, point: Point, frame: int, offset: Sequence[float]) -> Array:
         """J (6 by n) by central differences: of a point fixed in a frame (n+1: the tool's)."""

@@ -66,14 +66,14 @@ def minors(J: ScalarMatrix) -> tuple[Minor, ...]:
 
 def of_minors(
     values: Sequence[Scalar], variables: tuple[str, ...], write: Write
-) -> tuple[SingularSet, ...]:
-    """Where all of them vanish: first their common factor, then the rest together."""
+) -> tuple[tuple[SingularSet, ...], bool]:
+    """(where all of them vanish, whether that is all): first their common factor, then the rest together."""
     factor, rest = common_factor([value for value in values if value], variables)
     shared = of_determinant(factored(factor, variables), variables, write)
     known = frozenset((zero.variable, zero.value) for each in shared for zero in each.zeros)
     search = _Search(variables, write, known)
     search.run(tuple(rest), ())
-    return (*shared, *(SingularSet((), found) for found in search.kept()))
+    return (*shared, *(SingularSet((), found) for found in search.kept())), not search.open
 
 
 @dataclass(slots=True)

@@ -15,6 +15,7 @@ from derive.algebra.angles import Form
 from derive.algebra.factors import depends
 from derive.algebra.kernels import root
 from derive.algebra.normal import Walk
+from derive.algebra.operations import operations
 from derive.algebra.pinned import Pair, pinned
 from derive.algebra.scalar import Scalar, trig
 from derive.expression import (
@@ -36,6 +37,7 @@ from derive.expression import (
 
 Write: TypeAlias = Callable[[Scalar], Expr]
 
+LONGEST = 30  # operations of a value; nobody reads a longer one
 NOUGHT = (Scalar.of(1), Scalar.of(0))
 HALF_TURN = (Scalar.of(-1), Scalar.of(0))
 QUARTERS = ((Scalar.of(0), Scalar.of(1)), (Scalar.of(0), Scalar.of(-1)))
@@ -55,10 +57,11 @@ class Zero:
 
 
 def zeros(equation: Scalar, variables: tuple[str, ...], write: Write) -> tuple[Zero, ...]:
-    """All zeros by one variable; none where no sub-problem fits. `variables` in order of preference."""
+    """All zeros by one variable; none where no sub-problem fits, or only with values too long to read. `variables` in order of preference."""
     held = [name for name in variables if equation.diff(name)]
     found = [zero for name in held if (zero := _by(equation, name, held, write))]
-    return min(found, key=_awkward, default=())
+    best: tuple[Zero, ...] = min(found, key=_awkward, default=())
+    return best if all(operations(zero.value) <= LONGEST for zero in best) else ()
 
 
 def _awkward(zero: tuple[Zero, ...]) -> int:
@@ -95,8 +98,8 @@ def _angle(equation: Scalar, name: str, held: list[str], write: Write) -> tuple[
     if not a:
         return (Zero(name, ZERO, NOUGHT, "sine"), Zero(name, PI, HALF_TURN, "sine"))
     if not b:
-        half = Quotient(PI, number(2))
-        return (Zero(name, half, QUARTERS[0], "cosine"), Zero(name, negate(half), QUARTERS[1], "cosine"))
+        up, down = (multiply(number(part), PI) for part in ("1/2", "-1/2"))
+        return (Zero(name, up, QUARTERS[0], "cosine"), Zero(name, down, QUARTERS[1], "cosine"))
     return _as_sum(name, held, write(equation)) or _direction(name, a, b, write)
 
 
@@ -123,8 +126,8 @@ def _as_sum(name: str, held: list[str], tree: Expr) -> tuple[Zero, ...]:
     rest = _without(angle, Symbol(name)) if angle is not None and len(held) > 1 else None
     if rest is None:
         return ()
-    half = Quotient(PI, number(2))
-    values = (ZERO, PI) if function == "sin" else (half, negate(half))
+    quarters = tuple(multiply(number(part), PI) for part in ("1/2", "-1/2"))
+    values = (ZERO, PI) if function == "sin" else quarters
     trees = [_plus(value, _opposite(rest)) for value in values]
     return tuple(Zero(name, tree, Walk({}).trig(tree), "sum") for tree in trees)
 

@@ -17,6 +17,7 @@ from jinja2 import Template
 
 from derive.derivation import Derivation, Step, Table
 from derive.expression import Expr, Number
+from derive.render.conditions import RELATION, condition
 from derive.render.entries import with_named_entries
 from derive.render.latex import Printer, is_approximate
 from derive.render.layout import Chain, Display, Link, lay_out
@@ -174,6 +175,7 @@ class Telling:
 
     def _cell(self, entry: Expr | str) -> str:
         if isinstance(entry, str):
-            return entry
+            found = RELATION.search(entry)  # "stable if k - m > 0"
+            return condition(entry, (), self._printer(None), self.skin.plain) if found else entry
         unit = entry.unit if isinstance(entry, Number) and entry.value else ""
         return f"{self.math(entry)} {unit}".rstrip()

@@ -19,6 +19,9 @@ def body_faults(links: Sequence[Link], at: At, known: Known) -> Iterator[SheetEr
     """Negative masses and rotors, inertias about a point they cannot be about, drives without a joint."""
     for index, link in enumerate(links):
         route = ("links", index)
+        if link.body and link.body.com == "center" and link.joint == "prismatic":
+            message = f"joint {index + 1} moves the middle between the origins along link {index + 1}"
+            yield at.fault(message, (*route, "com"), "write com: as a point of the link, as [0, 0, -l/2]")
         yield from _about_what(link, at, index)
         if link.body and _sign(link.body.mass, known) == -1:
             message = f"the mass of link {index + 1} is negative; no body has a negative mass"

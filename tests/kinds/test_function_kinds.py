@@ -172,7 +172,7 @@ def test_a_whole_circle_of_points() -> None:
     found = ask("lagrange-multipliers", function("x^2 + y^2", "x y z", "x^2 + y^2 + z^2 = 1"))
     assert kinds(found, z="1", x="0", y="0") == ["global minimum"]
     free = [branch for branch in points(found) if is_at(branch, x="x")]
-    assert [branch.when.partition(",")[0] for branch in free] == ["global maximum"] * 2
+    assert [branch.when.partition(" where")[0] for branch in free] == ["global maximum"] * 2
     assert "1 - x**2 >= 0" in free[0].when
 
 

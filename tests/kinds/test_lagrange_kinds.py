@@ -41,8 +41,11 @@ def system(
     )
 
 
-def ask(subject: LagrangianSystem, kind: str = "equations-of-motion", **options: Any) -> Derivation:
-    found = Problem("lagrange", subject).ask(kind, **options)
+def ask(
+    subject: LagrangianSystem, kind: str = "equations-of-motion", positive: str = "", **options: Any
+) -> Derivation:
+    assumptions = dict.fromkeys(positive.split(), "positive")
+    found = Problem("lagrange", subject, assumptions=assumptions).ask(kind, **options)
     assert found.claims
     assert all(claim.holds for claim in found.claims), [c for c in found.claims if not c.holds]
     return found
@@ -88,7 +91,7 @@ def test_a_ladder_against_a_smooth_wall() -> None:
 
 
 def test_the_hoop_of_goldstein_rolls_down_an_incline() -> None:
-    """Goldstein et al., Classical Mechanics, section 2.4: xddot = g sin(phi)/2 and lambda = M g sin(phi)/2."""
+    """Goldstein et al., section 2.4: xddot = g sin(phi)/2, lambda = M g sin(phi)/2."""
     rolling = system(
         "x theta", kinetic="1/2*M*x_dot^2 + 1/2*M*r^2*theta_dot^2", potential="M*g*(l - x)*sin(phi)",
         constraints=("r*theta = x",),
@@ -236,3 +239,91 @@ def test_letters_that_are_taken_give_way() -> None:
 def test_what_has_no_unique_motion_is_refused(subject: LagrangianSystem, reason: str) -> None:
     with pytest.raises(NotDerivable, match=reason):
         ask(subject, solve=True)
+
+
+# -- states of rest --------------------------------------------------------------------------------------
+
+
+def test_the_cart_and_pole_linearised_upright() -> None:
+    """Ogata, Modern Control Engineering, example 3.5 with a point mass; theta from the downward direction."""
+    found = ask(CART_POLE, "linearisation", positive="l", at={"x": "0", "theta": "180 deg"})
+    A, B = (numpy.array(_rows(found, name), dtype=object) for name in ("A", "B"))
+    assert normal(A[2][1]) == normal(parse("m_p*g/m_c"))
+    assert normal(A[3][1]) == normal(parse("(m_c + m_p)*g/(m_c*l)"))
+    assert [
+        normal(row[0]) == normal(parse(text))
+        for row, text in zip(B, ("0", "0", "1/m_c", "1/(m_c*l)"), strict=True)
+    ]
+    assert found.facts["stability"] == "unstable"
+
+
+def _rows(found: Derivation, name: str) -> list[list[Expr]]:
+    result = found.results[name]
+    assert isinstance(result, Matrix)
+    return [list(row) for row in result.rows]
+
+
+def test_a_pendulum_held_up_by_a_torque() -> None:
+    pendulum = system("theta", body("m", "l*sin(theta); -l*cos(theta)"), Q_theta="tau")
+    found = ask(pendulum, "linearisation", at={"theta": "30 deg", "tau": "m*g*l/2"})
+    assert are(found, "K_0", "sqrt(3)/2*m*g*l")
+    with pytest.raises(NotDerivable, match="no state of rest"):
+        ask(pendulum, "linearisation", at={"theta": "30 deg"})
+    with pytest.raises(NotDerivable, match="neither a coordinate nor an input"):
+        ask(pendulum, "linearisation", at={"phi": "0"})
+
+
+def states(found: Derivation) -> list[tuple[str, ...]]:
+    from derive.algebra.text import text
+    from derive.derivation import Branch
+
+    branches = found.results["solutions"]
+    assert isinstance(branches, tuple)
+    return [(*map(text, b.values.values()), b.when) for b in branches if isinstance(b, Branch)]
+
+
+def test_where_a_bead_on_a_turning_hoop_rests() -> None:
+    """Strogatz, Nonlinear Dynamics and Chaos, section 3.5: a pitchfork where Omega^2 R = g."""
+    hoop = system("theta", body("m", "R*sin(theta)*cos(Omega*t); R*sin(theta)*sin(Omega*t); -R*cos(theta)"))
+    problem = Problem("lagrange", hoop, assumptions={"R": "positive", "Omega": "positive"})
+    found = problem.ask("equilibria")
+    assert all(claim.holds for claim in found.claims)
+    assert states(found) == [
+        ("0", "stable if g - Omega**2*R > 0, unstable if g - Omega**2*R < 0"),
+        ("pi", "unstable"),
+        ("acos(g/(Omega**2*R))", "stable where Omega**2*R - g >= 0"),
+        ("-acos(g/(Omega**2*R))", "stable where Omega**2*R - g >= 0"),
+    ]
+
+
+def test_a_double_pendulum_rests_in_four_ways() -> None:
+    first, second = "sin(p); -cos(p)", "sin(p) + sin(p + q); -cos(p) - cos(p + q)"
+    found = ask(system("p q", body("m1", first), body("m2", second)), "equilibria")
+    assert sorted(states(found)) == [
+        ("0", "0", "stable"), ("0", "pi", "unstable"), ("pi", "0", "unstable"), ("pi", "pi", "unstable"),
+    ]  # fmt: skip
+
+
+def test_a_cart_may_rest_anywhere() -> None:
+    found = ask(CART_POLE, "equilibria", positive="l")
+    assert states(found) == [("x", "0", "stable, neutral along x"), ("x", "pi", "unstable")]
+
+
+def test_a_buckled_spring() -> None:
+    """The potential a x^4/4 - k x^2/2 has two wells."""
+    well = system("x", kinetic="1/2*m*x_dot^2", potential="1/4*a*x^4 - 1/2*k*x^2")
+    found = Problem("lagrange", well, assumptions={"a": "positive", "k": "positive"}).ask("equilibria")
+    assert [when for _, when in states(found)] == ["unstable", "stable", "stable"]
+
+
+@pytest.mark.parametrize(
+    ("subject", "reason"),
+    [
+        (system("x", kinetic="x_dot^2", potential="x^2 + sin(x)"), "inside a sine or cosine and outside"),
+        (system("x", kinetic="x_dot^2", potential="x*cos(w*t)"), "change with the time"),
+        (system("x y", kinetic="x_dot^2 + y_dot^2", constraints=("x = y",)), "under constraints"),
+    ],
+)
+def test_states_of_rest_out_of_reach(subject: LagrangianSystem, reason: str) -> None:
+    with pytest.raises(NotDerivable, match=reason):
+        ask(subject, "equilibria")

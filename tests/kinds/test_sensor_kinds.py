@@ -56,7 +56,9 @@ def test_symbolic_resolution(tmp_path: Path) -> None:
 
 
 def test_names_that_clash_are_told(tmp_path: Path) -> None:
-    found = ask(tmp_path, "sensor: {encoder: incremental, lines: n_l, edges: 4, gear: r}", "resolution").results
+    found = ask(
+        tmp_path, "sensor: {encoder: incremental, lines: n_l, edges: 4, gear: r}", "resolution"
+    ).results
     assert normal(found["resolution"]) == normal(parse("2*pi/(4*n_l*r)"))
     bits = ask(tmp_path, "sensor: {encoder: absolute, bits: b, gear: r}", "resolution").results
     assert value(bits["resolution"], b=10, r=3) == pytest.approx(2 * pi / 1024 / 3)
@@ -92,14 +94,14 @@ def test_time_on(tmp_path: Path) -> None:
 
 
 def test_reflected_inertia(tmp_path: Path) -> None:
-    """Spong et al., section 6.1: J_m + J_l/r^2 at the motor; r^2 as much at the load."""
+    """Lynch and Park, section 8.9: J_m + J_l/r^2 at the motor; r^2 as much at the load."""
     found = ask(tmp_path, "drive: {rotor: J_m, load: J_l, gear: r}", "reflected-inertia").results
     assert normal(found["J_motor"]) == normal(parse("J_m + J_l/r^2"))
     assert normal(found["J_load"]) == normal(parse("r^2*J_m + J_l"))
 
 
 def test_inertia_matching(tmp_path: Path) -> None:
-    """The gear of the greatest acceleration is sqrt(J_l/J_m) (Siciliano et al., problem 5.2, among others)."""
+    """The gear of the greatest acceleration is sqrt(J_l/J_m) (inertia matching)."""
     found = ask(tmp_path, "drive: {rotor: J_m, load: J_l}", "gear-ratio").results
     assert normal(found["G"]) ** 2 == normal(parse("J_l/J_m"))
     assert value(found["alpha"], J_m=2.0, J_l=8.0, tau_m=3.0) == pytest.approx(3 / (2 * sqrt(16)))
@@ -108,7 +110,9 @@ def test_inertia_matching(tmp_path: Path) -> None:
 def test_gear_against_a_load_by_search(tmp_path: Path) -> None:
     drive = "drive: {rotor: 0.002, load: 0.6, torque: 0.5, load_torque: 4}"
     found = ask(tmp_path, drive, "gear-ratio").results
-    best = minimize_scalar(lambda G: -(G * 0.5 - 4) / (G * G * 0.002 + 0.6), bounds=(1, 200), method="bounded")
+    best = minimize_scalar(
+        lambda G: -(G * 0.5 - 4) / (G * G * 0.002 + 0.6), bounds=(1, 200), method="bounded"
+    )
     assert value(found["G"]) == pytest.approx(best.x, rel=1e-4)
     assert value(found["alpha"]) == pytest.approx(-best.fun)
 

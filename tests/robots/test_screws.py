@@ -158,6 +158,22 @@ def texts(rows: Derivation) -> list[tuple[str, ...]]:
     return [tuple(map(typed, row)) for row in rows.results["DH"].rows]
 
 
+TURNED = (
+    UR5[: UR5.index("    home")]
+    + """
+    home: [{translate: x, by: L_1}, {rotate: x, by: 30 deg}, {rotate: y, by: 45 deg}]
+"""
+)
+
+
+@pytest.mark.parametrize("links", [UR5, TURNED], ids=["as in the book", "another tool"])
+def test_inverse_kinematics_of_screws(tmp_path: Path, links: str) -> None:
+    """Found by way of the rows; each branch is put back through the pose of the arm."""
+    (found,) = asked(tmp_path, links, "inverse-kinematics, given: pose")
+    assert len(found.results["solutions"]) == 8
+    assert [used.kind for used in found.uses] == ["dh-table", "forward-kinematics"]
+
+
 ONE = "\n    - {screw: {axis: z}, variable: q1*}"
 ROW = "\n    - {theta: q1*, d: 0, a: 0, alpha: 0}"
 FAULTS = {

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from derive.algebra.numeric import number as at
 from derive.derivation import Claim, Derivation, Step
 from derive.expression import (
+    ONE,
     Derivative,
     Expr,
     Product,
@@ -39,7 +40,8 @@ problems:
 - drive: {rotor: J_m, load: J_l, torque: tau_m, load_torque: tau_l}
   find: gear-ratio
 """
-G, ALPHA, BEST = symbols("G alpha G_opt")
+ALPHA, BEST = symbols("alpha G_opt")
+GEARS = ("G", "r", "n", "G_r")  # what it is called, the first that means nothing else
 NEAR = (0.9, 1.1)  # gears beside the best
 
 
@@ -51,14 +53,19 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
     """alpha = (G tau_m - tau_l)/(G^2 J_m + J_l) is greatest where its derivative by G vanishes; without a
     torque at the load that is G = sqrt(J_l/J_m)."""
     torque = drive.torque or Symbol("tau_m")
-    J_m, J_l, tau_m = named("J_m", drive.rotor), named("J_l", drive.load), named("tau_m", torque)
+    J_m, J_l, tau_m = (
+        named("J_m", drive.rotor, problem),
+        named("J_l", drive.load, problem),
+        named("tau_m", torque, problem),
+    )
     values: dict[Expr, Expr] = {J_m: drive.rotor, J_l: drive.load, tau_m: torque}
     tau_l = None
     if drive.load_torque is not None:
-        tau_l = named("tau_l", drive.load_torque)
+        tau_l = named("tau_l", drive.load_torque, problem)
         values[tau_l] = drive.load_torque
     working = Working(problem, values)
-    law, slope, top = _slope(J_m, J_l, tau_m, tau_l)
+    G = _gear(drive, problem)
+    law, slope, top = _slope(G, J_m, J_l, tau_m, tau_l)
     working = _best(working, J_m, J_l, tau_m, tau_l)
     steps = (
         Step("alpha", (ALPHA, law)),
@@ -83,7 +90,13 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
     return Derivation("gear-ratio", steps, results, claims, working.definitions, facts=facts)
 
 
-def _slope(J_m: Expr, J_l: Expr, tau_m: Expr, tau_l: Expr | None) -> tuple[Expr, Expr, Expr]:
+def _gear(drive: Drive, problem: Problem) -> Symbol:
+    trees = [drive.rotor, drive.load, drive.torque or ONE, drive.load_torque or ONE, *problem.where.values()]
+    taken = frozenset(problem.where).union(*map(free_symbols, trees))
+    return Symbol(next(name for name in GEARS if name not in taken))
+
+
+def _slope(G: Symbol, J_m: Expr, J_l: Expr, tau_m: Expr, tau_l: Expr | None) -> tuple[Expr, Expr, Expr]:
     """The acceleration by G, its derivative, and the numerator of that."""
     whole = add(Product((squared(G), J_m)), J_l)
     push = Product((G, tau_m))
@@ -103,16 +116,20 @@ def _best(working: Working, J_m: Expr, J_l: Expr, tau_m: Expr, tau_l: Expr | Non
     """The positive root, and the acceleration there; roots of symbols stay as a person writes them."""
     open_ = bool(free_symbols(working.problem.final(working.value(Quotient(J_l, J_m)))))
     ratio = working.value(Quotient(J_l, J_m))
+
+    def put_in(tree: Expr) -> Expr:
+        return replace(tree, working.definitions)
+
     if tau_l is None:
         working = working.line("G_opt", sqrt(Quotient(J_l, J_m)), sqrt(ratio) if open_ else None)
         force = Quotient(tau_m, Product((number(2), sqrt(Product((J_m, J_l))))))
-        return working.line("alpha_max", force, force if open_ else None)
+        return working.line("alpha_max", force, put_in(force) if open_ else None)
     pull = Quotient(tau_l, tau_m)
     root = add(pull, sqrt(add(squared(pull), Quotient(J_l, J_m))))
     open_ = open_ or bool(free_symbols(working.problem.final(working.value(pull))))
-    working = working.line("G_opt", root, root if open_ else None)
+    working = working.line("G_opt", root, put_in(root) if open_ else None)
     force = Quotient(tau_m, Product((number(2), BEST, J_m)))
-    return working.line("alpha_max", force, force if open_ else None)
+    return working.line("alpha_max", force, put_in(force) if open_ else None)
 
 
 def _second_route(drive: Drive, problem: Problem, results: Mapping[str, Expr]) -> Claim:

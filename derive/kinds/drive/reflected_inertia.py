@@ -29,9 +29,13 @@ class Options(OptionsModel):
 
 
 def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
-    """The kinetic energy in the speed of the one and of the other (Spong et al., section 6.1)."""
+    """The kinetic energy in the speed of the one and of the other (Lynch and Park, section 8.9)."""
     gear = drive.gear or ONE
-    J_m, J_l, G = named("J_m", drive.rotor), named("J_l", drive.load), named("G", gear)
+    J_m, J_l, G = (
+        named("J_m", drive.rotor, problem),
+        named("J_l", drive.load, problem),
+        named("G", gear, problem),
+    )
     values: dict[Expr, Expr] = {J_m: drive.rotor, J_l: drive.load, G: gear}
     working = Working(problem, values)
     working = working.line("J_load", add(Product((squared(G), J_m)), J_l))

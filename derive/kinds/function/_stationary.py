@@ -161,7 +161,7 @@ def _det(rows: Sequence[Sequence[Value]]) -> Value:
     if not rows:
         return Scalar.of(1)
     if all(isinstance(entry, Scalar) for row in rows for entry in row):
-        return ScalarMatrix.of(rows).det()  # type: ignore[arg-type]
+        return ScalarMatrix.of(rows).det()
     with ctx.workprec(BITS):
         total = arb(0)
         for k, entry in enumerate(rows[0]):

@@ -144,7 +144,7 @@ def _said(point: Point, extreme: str, problem: Problem, task: Task) -> str:
     if extreme:
         said = GLOBAL[extreme] + (f", {WORDS['singular']}" if point.kind == "singular" else "")
     needs = [text(problem.readable(each)) for each in point.solution.real_if]
-    return said + "".join(f", if {each} >= 0" for each in needs)
+    return said + "".join(f" where {each} >= 0" for each in needs)
 
 
 def _conditional(point: Point, problem: Problem, task: Task) -> str:
@@ -188,7 +188,7 @@ def _table(found: Sequence[Point], said: Sequence[str], name: Symbol, task: Task
         branch = _branch(point, words, name, task, problem).values
         known = [branch.get(each, "none") for each in (*task.variables, *task.multipliers, name.name)]
         signs: list[Expr | str] = [written(minor, problem) for minor in point.minors] or [""] * len(sizes)
-        rows.append((*known, *signs, words.partition(", if")[0]))
+        rows.append((*known, *signs, words))
     return Table(headings, tuple(rows))
 
 

@@ -30,9 +30,9 @@ def _roots_above(value: Scalar) -> Scalar:
     """With no root below the line: both parts times the conjugate of the denominator."""
     home = value.ring
     for place, root in enumerate(home.roots):
-        bottom = value.denominator
-        along = None if bottom is None else bottom.derivative(place)
-        if bottom is not None and along != 0:
+        bottom = home.one if value.denominator is None else value.denominator
+        along = bottom.derivative(place)
+        if along != 0:
             conjugate = bottom - 2 * along * home.gen(root.name)
             value = fraction(home, value.numerator * conjugate, home.reduce(bottom * conjugate))
     return value

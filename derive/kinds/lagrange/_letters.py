@@ -32,8 +32,8 @@ class Letters:
             ("P", "V", "calP"), ("L", "calL"), ("D", "R", "calD"), ("lambda", "mu", "nu"),
         )  # fmt: skip
         count = max(len(system.bodies), len(system.constraints), 1)
-        found = [_free(letters, taken, count) for letters in choices]
-        return Letters(*found, indexed=len(system.bodies) > 1)
+        r, v, omega, T, P, L, D, multiplier = (_free(letters, taken, count) for letters in choices)
+        return Letters(r, v, omega, T, P, L, D, multiplier, len(system.bodies) > 1)
 
     def of_body(self, letter: str, number: int) -> Symbol:
         """r_1, r_2, ...; r alone for the only body."""

@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from flint import arb
+from flint import arb, ctx
 
-from derive.algebra.precise import precise, slope, working_precision
+from derive.algebra.precise import BITS, precise, slope
 from derive.expression import Expr, free_symbols
 from derive.mechanics.lagrangian import TIME, LagrangianSystem
 
@@ -28,7 +28,7 @@ class Differences:
     def left_sides(self, at: Mapping[str, float]) -> list[float]:
         """d/dt dL/dqdot - dL/dq + dD/dqdot at a point that names coordinates, rates, accelerations,
         parameters and the time."""
-        with working_precision():  # type: ignore[attr-defined]
+        with ctx.workprec(BITS):
             point = {name: arb(value) for name, value in at.items()}
             return [float(self._left_side(k, point).mid()) for k in range(len(self.system.coordinates))]
 

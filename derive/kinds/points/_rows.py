@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from derive.algebra.kernels import root
@@ -11,13 +12,14 @@ from derive.algebra.numeric import matrix_numbers
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Result, Step
 from derive.errors import NotDerivable
-from derive.expression import Call, Product, Symbol, transpose
+from derive.expression import Call, Expr, Matrix, Product, Symbol, number, transpose
 from derive.kinds.checks import SECOND_ROUTE, close, law, links
-from derive.kinds.points._data import Data, point_table, rounded, shown
+from derive.kinds.points._data import Data, point_table, rounded, rounded_matrix, shown
 from derive.kinds.problem import Problem
 from derive.mechanics.fitting import PointPairs, residual
 
 A, T, R = Symbol("A"), Symbol("T"), Symbol("R")
+SHORT = 10**6  # a squared length as p/q with p q below this has a root worth printing
 
 
 def fitted(pairs: PointPairs, problem: Problem) -> Derivation:
@@ -34,52 +36,88 @@ def fitted(pairs: PointPairs, problem: Problem) -> Derivation:
         )
     targets = [ScalarMatrix.column(b.entries[k] for b in data.b) for k in range(size)]
     rows = [gram.inverse() @ (table.T @ target) for target in targets]
-    lengths = [_length(row, size) for row in rows]
-    normalised = ScalarMatrix.of(
-        [entry / length for entry in row.entries[:size]] for row, length in zip(rows, lengths, strict=True)
-    )
+    scaled = Scaled.of(rows, size, problem)
     position = ScalarMatrix.column(row.entries[size] for row in rows)
-    product = normalised @ normalised.T
-    rotation, p = shown(normalised, problem), shown(position, problem)
-    rms = residual(*_floats(normalised, position), *data.floats)
-    whole = _transform(rows, size)
+    p = shown(position, problem)
+    rms = residual(scaled.numbers, [row[0] for row in matrix_numbers(position, {})], *data.floats)
+    whole = shown(_transform(rows, size), problem)
     steps = (
         Step("A", (A, shown(table, problem)), "table"),
         *_row_steps(rows, targets, problem),
-        Step("T", (T, shown(whole, problem)), "transform"),
-        *_length_steps(lengths, problem),
-        Step("R", (R, rotation), "normalised"),
-        Step("R R^T", (Product((R, transpose(R))), shown(product, problem)), "law"),
-        Step(
-            "det R",
-            (Call("det", (R,)), shown(ScalarMatrix.of([[normalised.det()]]), problem).rows[0][0]),
-            "law",
+        Step("T", (T, whole), "transform"),
+        *(
+            Step(f"length_{k}", (Call("abs", (Symbol(f"r_{k}"),)), each), "law")
+            for k, each in enumerate(scaled.lengths, 1)
         ),
+        Step("R", (R, scaled.R), "normalised"),
+        Step("R R^T", (Product((R, transpose(R))), scaled.product), "law"),
+        Step("det R", (Call("det", (R,)), scaled.det), "law"),
         Step("rms", (Symbol("rms"), rounded(rms)), "law"),
     )
-    results: dict[str, Result] = {"R": rotation, "p": p, "rms": rounded(rms), "T": shown(whole, problem)}
+    results: dict[str, Result] = {"R": scaled.R, "p": p, "rms": rounded(rms), "T": whole}
     facts: dict[str, Any] = {
         "method": "rows", "points": point_table(pairs), "count": len(pairs.source), "A": A, "size": size,
-        "rotation": product == ScalarMatrix.identity(size) and normalised.det() == 1,
-        "unit": all(length == 1 for length in lengths), "unknowns": size + 1,
-        "reflected": product == ScalarMatrix.identity(size) and normalised.det() == -1,
+        "rotation": scaled.orthogonal and scaled.det == number(1),
+        "unit": all(length == number(1) for length in scaled.lengths), "unknowns": size + 1,
+        "reflected": scaled.orthogonal and scaled.det == number(-1),
     }  # fmt: skip
     claims = (*links(steps, problem.names), *_claims(data, table, rows, targets))
     return Derivation("fit-transform", steps, results, claims, facts=facts)
 
 
-def _length(row: ScalarMatrix, size: int) -> Scalar:
-    """Of the part that is a row of the rotation. Raises NotDerivable for a row of zeros."""
-    square = sum((entry * entry for entry in row.entries[:size]), Scalar.of(0))
-    if not square:
-        raise NotDerivable(
-            "a row of the fit vanishes: in the second frame the points do not vary along an axis"
+@dataclass(frozen=True, slots=True)
+class Scaled:
+    """The rows of the rotation part divided by their lengths: exactly where the lengths are short roots,
+    else in floating point."""
+
+    R: Matrix
+    numbers: list[list[float]]
+    lengths: tuple[Expr, ...]
+    product: Matrix
+    det: Expr
+    orthogonal: bool
+
+    @staticmethod
+    def of(rows: Sequence[ScalarMatrix], size: int, problem: Problem) -> Scaled:
+        """Raises NotDerivable for a row of zeros."""
+        parts = ScalarMatrix.of(row.entries[:size] for row in rows)
+        squares = [sum((entry * entry for entry in row), Scalar.of(0)) for row in parts.rows]
+        if not all(squares):
+            raise NotDerivable(
+                "a row of the fit vanishes: in the second frame the points do not vary along an axis"
+            )
+        values = [square.constant for square in squares]
+        if all(value is not None and value.numerator * value.denominator < SHORT for value in values):
+            return Scaled._exactly(parts, [root(square) for square in squares], problem)
+        return Scaled._in_floats(matrix_numbers(parts, {}))
+
+    @staticmethod
+    def _exactly(parts: ScalarMatrix, lengths: Sequence[Scalar], problem: Problem) -> Scaled:
+        R = ScalarMatrix.of([e / n for e in row] for row, n in zip(parts.rows, lengths, strict=True))
+        product = R @ R.T
+        return Scaled(
+            shown(R, problem),
+            matrix_numbers(R, {}),
+            tuple(_entry(length, problem) for length in lengths),
+            shown(product, problem),
+            _entry(R.det(), problem),
+            product == ScalarMatrix.identity(len(lengths)),
         )
-    return root(square)
+
+    @staticmethod
+    def _in_floats(parts: list[list[float]]) -> Scaled:
+        import numpy as np
+
+        lengths = np.linalg.norm(parts, axis=1)
+        R = np.array(parts) / lengths[:, None]
+        product = rounded_matrix((R @ R.T).tolist())
+        det = rounded(float(np.linalg.det(R)))
+        sizes = tuple(map(rounded, lengths.tolist()))
+        return Scaled(rounded_matrix(R.tolist()), R.tolist(), sizes, product, det, False)
 
 
-def _floats(R_: ScalarMatrix, position: ScalarMatrix) -> tuple[list[list[float]], list[float]]:
-    return matrix_numbers(R_, {}), [row[0] for row in matrix_numbers(position, {})]
+def _entry(value: Scalar, problem: Problem) -> Expr:
+    return shown(ScalarMatrix.of([[value]]), problem).rows[0][0]
 
 
 def _transform(rows: Sequence[ScalarMatrix], size: int) -> ScalarMatrix:
@@ -95,10 +133,8 @@ def _row_steps(
         yield Step(f"x_{k}", (Symbol(f"x_{k}"), shown(row, problem)), "row")
 
 
-def _length_steps(lengths: Sequence[Scalar], problem: Problem) -> Iterator[Step]:
-    for k, length in enumerate(lengths, 1):
-        value = shown(ScalarMatrix.of([[length]]), problem).rows[0][0]
-        yield Step(f"length_{k}", (Call("abs", (Symbol(f"r_{k}"),)), value), "law")
+def _length_step(k: int, length: Expr) -> Step:
+    return Step(f"length_{k}", (Call("abs", (Symbol(f"r_{k}"),)), length), "law")
 
 
 def _claims(

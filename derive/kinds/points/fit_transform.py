@@ -38,4 +38,6 @@ def derive(pairs: PointPairs, options: Options, problem: Problem) -> Derivation:
 
     Raises NotDerivable where the points leave the rotation, or a row, open.
     """
-    return (_svd if options.method == "svd" else _rows).fitted(pairs, problem)
+    if options.method == "svd":
+        return _svd.fitted(pairs, problem)
+    return _rows.fitted(pairs, problem)

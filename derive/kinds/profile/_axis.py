@@ -102,7 +102,7 @@ def _rate(given: Given, name: Expr) -> int | None:
 def _laws(given: Given, timed: bool) -> dict[str, Any]:
     """The areas under the velocity, as the words quote them."""
     d, v_M, a_M, t_3 = given.d, given.fastest, given.strongest, given.t_3
-    v, t_1, t_2, t_m = symbols("v t_1 t_2 t_m")
+    v, (t_1, t_2, t_m) = given.working.symbol("v"), symbols("t_1 t_2 t_m")
     last = t_3 if timed else Symbol("t_3")
     return {
         "tried": timed,
@@ -149,7 +149,8 @@ def _agrees(each: Solved, point: Mapping[str, float]) -> bool:
         return value_of(each.problem.final(expr), point)
 
     axis = each.axis
-    d, v_max, a_max = abs(at(axis.distance)), at(axis.v_max), at(axis.a_max)
+    way, v_max, a_max = at(axis.distance), at(axis.v_max), at(axis.a_max)
+    d = -way if each.given.backwards else way
     if min(d, v_max, a_max) <= 0:
         return True
     least = trapezoid.searched_time(d, v_max, a_max)

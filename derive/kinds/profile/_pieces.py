@@ -78,7 +78,7 @@ def in_floats(spans: Sequence[Span], evaluate: Place | None, problem: Problem) -
     """The course, where every value is known. Raises NotDerivable that names one that is not."""
     try:
         point = point_of({n: v for n, v in evaluate or () if n != "t"}, problem.where)
-        return tuple(
+        found = tuple(
             Piece(
                 value_of(problem.final(span.start), point),
                 value_of(problem.final(span.end), point),
@@ -90,6 +90,11 @@ def in_floats(spans: Sequence[Span], evaluate: Place | None, problem: Problem) -
         if evaluate is None:
             return None
         raise NotDerivable(f"no value is known for {error.args[0]}; give it one under evaluate:") from error
+    except (ValueError, ZeroDivisionError) as error:
+        raise NotDerivable("there is no such trajectory at the point asked for") from error
+    if any(piece.end < piece.start for piece in found):
+        raise NotDerivable("the time is too short at the point asked for: its pieces overlap")
+    return found
 
 
 def q_at(course: Course, evaluate: Place) -> dict[str, Any]:

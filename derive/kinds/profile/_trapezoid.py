@@ -13,6 +13,7 @@ from derive.expression import (
     Quotient,
     Symbol,
     free_symbols,
+    is_negative,
     negate,
     number,
     sqrt,
@@ -26,7 +27,8 @@ from derive.kinds.problem import Problem
 from derive.kinds.working import Working, named
 from derive.mechanics.profile import Axis
 
-T_1, T_2, T_M, V, A = symbols("t_1 t_2 t_m v a")
+T_1, T_2, T_M = symbols("t_1 t_2 t_m")
+RENAMED = frozenset({"v", "a"})  # answers that make way for an author's own symbols
 NAMES = ("t_1", "t_2", "t_3", "v", "a")
 
 
@@ -74,18 +76,20 @@ class Outcome:
 def begun(problem: Problem, axis: Axis, time: Expr | None, angular: bool) -> Given:
     """The given quantities under their names; a distance backwards is counted as its size."""
     bare = Working(problem, {}, angular)
-    backwards = bare.sign(axis.distance) == -1
-    d, size = named("d", axis.distance), axis.distance
-    if backwards:
-        d, size = Symbol("delta" if "d" in problem.where else "d"), bare.value(negate(axis.distance))
+    sign = bare.sign(axis.distance)
+    backwards = sign == -1 or (sign is None and is_negative(axis.distance))
+    size = bare.value(negate(axis.distance)) if backwards else axis.distance
+    d = named("d", size, problem)
     values: dict[Expr, Expr] = {d: size}
-    v_M, a_M = named("v_M", axis.v_max), named("a_M", axis.a_max)
+    v_M, a_M = named("v_M", axis.v_max, problem), named("a_M", axis.a_max, problem)
     values |= {v_M: axis.v_max, a_M: axis.a_max}
     t_3 = Symbol("t_3")
     if time is not None:
-        t_3 = named("t_3", time)
+        t_3 = named("t_3", time, problem)
         values[t_3] = time
-    return Given(d, v_M, a_M, t_3, Working(problem, values, angular), backwards)
+    return Given(
+        d, v_M, a_M, t_3, Working(problem, values, angular, taken=RENAMED & problem.symbols), backwards
+    )
 
 
 # -- in the shortest time -----------------------------------------------------------------------------
@@ -162,7 +166,7 @@ def timed(given: Given) -> tuple[Outcome, ...]:
 def _slow_triangle(given: Given) -> Outcome:
     working = given.working.line("t_1", Quotient(given.t_3, number(2))).line("t_2", T_1)
     working = _keep_time(working, given.t_3)
-    working = working.line("v", Quotient(given.d, T_1)).line("a", Quotient(V, T_1))
+    working = working.line("v", Quotient(given.d, T_1)).line("a", Quotient(working.symbol("v"), T_1))
     return Outcome("triangular", working, plateau=False)
 
 
@@ -170,12 +174,14 @@ def _slow_trapezoid(given: Given) -> Outcome:
     """The plateau follows from the area, d = v (t_3 + t_m)/2."""
     d, v_M, t_3 = given.d, given.fastest, given.t_3
     working = given.working.line("v", v_M)
-    working = working.line("t_m", subtract(Quotient(Product((number(2), d)), V), t_3))
+    working = working.line("t_m", subtract(Quotient(Product((number(2), d)), working.symbol("v")), t_3))
     working = working.line("t_1", Quotient(subtract(t_3, T_M), number(2)))
     room = working.sign(T_1)
     if room is not None and room <= 0:
         return Outcome("infeasible", working, too_fast=True)
-    working = _keep_time(working.line("t_2", subtract(t_3, T_1)), t_3).line("a", Quotient(V, T_1))
+    working = _keep_time(working.line("t_2", subtract(t_3, T_1)), t_3).line(
+        "a", Quotient(working.symbol("v"), T_1)
+    )
     limit = _condition(working, Quotient(d, v_M))
     when = () if room else (Condition(_condition(working, t_3), ">", limit),)
     return Outcome("trapezoidal", working, when)
@@ -191,9 +197,13 @@ def _checked(outcome: Outcome, given: Given) -> Outcome:
     """Infeasible where the acceleration is beyond its limit; a condition where symbols leave that open."""
     if outcome.case == "infeasible":
         return outcome
-    beyond = outcome.working.sign(subtract(A, given.strongest))
+    beyond = outcome.working.sign(subtract(outcome.working.symbol("a"), given.strongest))
     if beyond is None:
-        limit = Condition(_condition(outcome.working, A), "<=", _condition(outcome.working, given.strongest))
+        limit = Condition(
+            _condition(outcome.working, outcome.working.symbol("a")),
+            "<=",
+            _condition(outcome.working, given.strongest),
+        )
         return replace(outcome, when=(*outcome.when, limit))
     return replace(outcome, case="infeasible") if beyond > 0 else outcome
 

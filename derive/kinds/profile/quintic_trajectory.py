@@ -33,5 +33,5 @@ class Options(OptionsModel):
 
 
 def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
-    """Place, velocity and acceleration are given at both ends (Craig, eq. 7.18; Spong et al., sec. 5.5.2)."""
+    """Place, velocity and acceleration at both ends (Craig, section 7.3; Spong et al., section 5.5.2)."""
     return polynomial(profile, "quintic-trajectory", 3, options.evaluate, problem)

@@ -56,6 +56,7 @@ problems:
   find: spline-trajectory
   ends: natural
 """
+MOST_BY_SYMBOLS = 3  # via points at times that are symbols
 SHORT = 9  # characters of a fraction that is still read
 Ends = Literal["clamped", "natural"]
 
@@ -95,6 +96,8 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
             "there are no via points: add via: [{time: 1 s, at: 10 deg}], or ask cubic-trajectory"
         )
     knots = _knots(journey, profile, options.ends, problem)
+    if len(journey.via) > MOST_BY_SYMBOLS and any(free_symbols(problem.final(time)) for time in knots.times):
+        raise NotDerivable(f"with more than {MOST_BY_SYMBOLS} via points their times must be numbers")
     A, b = _system(knots)
     velocities = (A.inverse() @ b).entries
     working = knots.working
@@ -159,7 +162,7 @@ def _system(knots: Knots) -> tuple[ScalarMatrix, ScalarMatrix]:
 
 
 def _span(knots: Knots, velocities: Sequence[Scalar], k: int) -> Span:
-    """The cubic between two points with the velocities there (Craig, eq. 7.11)."""
+    """The cubic between two points with the velocities there (Craig, section 7.3)."""
     t, q = knots.scalars(knots.times[k : k + 2]), knots.scalars(knots.places[k : k + 2])
     h = t[1] - t[0]
     slope, before, after = (q[1] - q[0]) / h, velocities[k], velocities[k + 1]

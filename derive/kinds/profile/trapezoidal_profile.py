@@ -8,7 +8,7 @@ from typing import Any
 from derive.algebra.numeric import number as value_of
 from derive.derivation import Branch, Derivation, Figure, Result
 from derive.errors import NotDerivable
-from derive.expression import Expr
+from derive.expression import Expr, is_negative
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -154,4 +154,4 @@ def _direction(axis: Axis, problem: Problem) -> float:
     try:
         return -1.0 if value_of(problem.final(axis.distance), {}) < 0 else 1.0
     except KeyError:
-        return 1.0
+        return -1.0 if is_negative(axis.distance) else 1.0

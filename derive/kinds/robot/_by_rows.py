@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import Any, Literal
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
-from derive.expression import Expr, negate, sqrt, squared
+from derive.expression import ZERO, Expr, free_symbols, negate, sqrt, squared
 from derive.expression import add as total
 from derive.expression import atan2 as direction
 from derive.kinds.pose._angles import known_angle
@@ -17,6 +17,8 @@ from derive.kinds.robot._dh_found import found_rows
 from derive.mechanics.motion import Move
 from derive.mechanics.poses import position_part, rotation_part
 from derive.mechanics.robot import Link, Robot
+
+ALONG: tuple[Literal["x", "y", "z"], ...] = ("x", "y", "z")
 
 
 def by_rows(kind: str, options: Any, problem: Problem) -> Derivation:
@@ -37,30 +39,25 @@ def arm_of_rows(robot: Robot, problem: Problem) -> Robot:
 
 def _moves(T: ScalarMatrix, problem: Problem) -> tuple[Move, ...]:
     """A fixed pose as moves about current axes: along x, y, z, then about z, y, x."""
-    lengths = zip(("x", "y", "z"), position_part(T).entries, strict=True)
+    lengths = zip(ALONG, position_part(T).entries, strict=True)
     shifts = (Move("translate", axis, problem.readable(part)) for axis, part in lengths if part)
     R = rotation_part(T)
-    if R == ScalarMatrix.identity(3):
+    if ScalarMatrix.identity(3) == R:
         return tuple(shifts)
-    angles = zip(("z", "y", "x"), _angles(R, problem), strict=True)
+    angles = zip(reversed(ALONG), _angles(R, problem), strict=True)
     return (*shifts, *(Move("rotate", axis, angle) for axis, angle in angles))
 
 
 def _angles(R: ScalarMatrix, problem: Problem) -> tuple[Expr, Expr, Expr]:
     """Yaw, pitch and roll of a rotation of numbers (Siciliano et al., eq. 2.22); no roll at the pole."""
-    if any(entry.constant is None and tuple(entry.generators()) for entry in R.entries):
-        raise NotDerivable("the end-effector is turned against the last joint by an angle that is no number")
     r = [[problem.readable(entry) for entry in row] for row in R.rows]
+    if any(free_symbols(entry) for row in r for entry in row):
+        raise NotDerivable("the end-effector is turned against the last joint by an angle that is no number")
     if not R[0, 0] and not R[1, 0]:
-        yaw, roll = direction(negate(r[0][1]), r[1][1]), direction(negate(r[2][0]), r[2][2])
-        pitch = direction(negate(r[2][0]), r[0][0])
-        return known_angle(yaw, problem), known_angle(pitch, problem), known_angle(_zero(roll), problem)
+        yaw = direction(negate(r[0][1]), r[1][1])
+        pitch = direction(negate(r[2][0]), ZERO)
+        return known_angle(yaw, problem), known_angle(pitch, problem), ZERO
     yaw = direction(r[1][0], r[0][0])
     pitch = direction(negate(r[2][0]), sqrt(total(squared(r[0][0]), squared(r[1][0]))))
     roll = direction(r[2][1], r[2][2])
     return known_angle(yaw, problem), known_angle(pitch, problem), known_angle(roll, problem)
-
-
-def _zero(angle: Expr) -> Expr:
-    """No angle at all."""
-    return direction(negate(angle), angle) if False else angle

@@ -38,12 +38,13 @@ def end_frame(robot: Robot) -> str:
 def axis_names(found: Chain, robot: Robot, i: int) -> tuple[Symbol, Symbol]:
     """(axis, point) of joint i: z_{i-1}, o_{i-1} after Denavit and Hartenberg, z_i, o_i in the modified
     convention; k_i, p_i where a free row or the base puts its axis elsewhere."""
-    if robot.convention == "modified" and isinstance(robot.links[i - 1].row, DHRow):
-        return Symbol(f"z_{i}"), Symbol(f"o_{i}")
     joint = found.joint(i)
+    along_z = joint.axis == ScalarMatrix.column((0, 0, 1))
+    if robot.convention == "modified" and isinstance(robot.links[i - 1].row, DHRow) and along_z:
+        return Symbol(f"z_{i}"), Symbol(f"o_{i}")
     if i == 1 and robot.base:
         return Symbol("k_1"), Symbol("p_1")
-    if joint.before == ScalarMatrix.identity(4) and joint.axis == ScalarMatrix.column((0, 0, 1)):
+    if joint.before == ScalarMatrix.identity(4) and along_z:
         return Symbol(f"z_{i - 1}"), Symbol(f"o_{i - 1}")
     return Symbol(f"k_{i}"), Symbol(f"p_{i}")
 

@@ -7,6 +7,7 @@ from functools import reduce
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal
 from derive.algebra.numeric import matrix_numbers, number
 from derive.derivation import Claim, Step
 from derive.expression import ZERO, Call, Expr, Indexed, Matrix, Product, Symbol, column, cross, multiply
@@ -106,10 +107,9 @@ class Exponentials:
         for screw in self.screws:
             chain: tuple[Expr, ...] = (self.exponential(screw), self._written(screw.exponential))
             name = Symbol(f"T_{screw.i}^{screw.i - 1}")
-            local = self.frames and (name != self.name or not self.whole)
-            if local:
-                chain = (name, *chain)
-            found.append(Step(name.name if local else f"E_{screw.i}", chain, "exponential", {"i": screw.i}))
+            if not self.frames or (self.whole and name == self.name):
+                name = Symbol(f"E_{screw.i}")
+            found.append(Step(name.name, (name, *chain), "exponential", {"i": screw.i}))
         return found
 
     def _product(self) -> tuple[Step, ...]:
@@ -133,6 +133,8 @@ class Exponentials:
             found[self.exponential(screw)] = self._written(screw.exponential)
             if self.frames:
                 found[Symbol(f"T_{screw.i}^{screw.i - 1}")] = found[self.exponential(screw)]
+            else:
+                found[Symbol(f"E_{screw.i}")] = found[self.exponential(screw)]
         if self.whole:
             found[self.M] = self._written(self.home)
         found |= {Symbol(step.name): step.result for step in self._product()[1:]}
@@ -144,9 +146,9 @@ class Exponentials:
         found = []
         for screw in self.screws:
             E, name = screw.exponential, self.robot.links[screw.i - 1].variable or ""
-            found.append(
-                law(f"dE_{screw.i}/d{name} = [S_{screw.i}] E_{screw.i}", E.diff(name) == screw.bracket @ E)
-            )
+            rate = normal(screw.row.by).diff(name)
+            law_of = f"dE_{screw.i}/d{name} = {'-' if rate == -1 else ''}[S_{screw.i}] E_{screw.i}"
+            found.append(law(law_of, E.diff(name) == (screw.bracket @ E).scaled(rate)))
             found.append(self._series(screw))
         return found
 

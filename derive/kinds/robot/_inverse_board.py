@@ -108,7 +108,7 @@ class Board:
         return (1 if coefficient > 0 else -1), tuple(self.signs[name] for name in open_ones)
 
     def _positive(self, name: str) -> bool:
-        return self.problem.assumptions.get(name) == "positive" and name not in self.signs
+        return self.problem.assumptions.get(name) == "positive"
 
 
 class Draft:

@@ -6,14 +6,15 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from derive.algebra.angles import Form
+from derive.algebra.angles import Form, combination
 from derive.algebra.compiled import Compiled, compiled
 from derive.algebra.numeric import Point
 from derive.derivation import Branch
-from derive.expression import Call, Expr, Sum, Symbol, children, rebuild, replace
+from derive.expression import Call, Expr, Sum, Symbol, add, children, is_negative, rebuild, replace
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse_moves import Definition, Item, Move, Option, choices, shares, weighted
 from derive.kinds.robot._inverse_singular import Case
+from derive.kinds.robot._inverse_trees import minus
 
 LARGEST = 1200  # names, numbers and operations in a value; above that it stays in terms of earlier joints
 
@@ -50,7 +51,7 @@ class Solutions:
             if isinstance(item, Move) and isinstance(item.of, Form):
                 forms.append(item.of)
                 found += [j for j in self.turning if j not in found and self._fixed(j, forms)]
-            elif isinstance(item, Move):
+            elif isinstance(item, Move) and isinstance(item.of, str):
                 found.append(item.of)
         return tuple(found)
 
@@ -113,9 +114,9 @@ class Solutions:
         found: dict[str, Expr] = {}
         for item in self.items:
             if isinstance(item, Definition):
-                known[item.name] = replace(item.value, known)
+                known[item.name] = replace(self._summed(item.value, known, forms, values), known)
                 continue
-            value = replace(taken[item.number].value, known)
+            value = replace(self._summed(taken[item.number].value, known, forms, values), known)
             if isinstance(item.of, str):
                 self._keep(item.of, value, known, found)
                 continue
@@ -133,6 +134,30 @@ class Solutions:
         when = ", ".join(option.when for option in taken.values() if option.when)
         return Branch({name: self._final(found[name]) for name in self.joints}, when)
 
+    def _summed(
+        self, tree: Expr, known: Mapping[Expr, Expr], forms: Sequence[Form], values: Sequence[Expr]
+    ) -> Expr:
+        """Sums of joint angles that are known though the angles are not, replaced by their values."""
+        if isinstance(tree, Sum) and tree not in known:
+            joints, rest = self._joint_terms(tree)
+            open_ones = [name for name, _ in joints.parts if Symbol(name) not in known]
+            weights = combination(joints, forms) if open_ones else None
+            if weights is not None:
+                return add(weighted(values, [int(n) for n in weights]), *rest)
+        return rebuild(tree, lambda part: self._summed(part, known, forms, values))
+
+    def _joint_terms(self, tree: Sum) -> tuple[Form, list[Expr]]:
+        """The joint angles in a sum, and its other terms."""
+        found: dict[str, int] = {}
+        rest: list[Expr] = []
+        for term in tree.terms:
+            bare = minus(term) if is_negative(term) else term
+            if isinstance(bare, Symbol) and bare.name in self.turning:
+                found[bare.name] = -1 if is_negative(term) else 1
+            else:
+                rest.append(term)
+        return Form.of(found), rest
+
     def _keep(self, joint: str, value: Expr, known: dict[Expr, Expr], found: dict[str, Expr]) -> None:
         found[joint] = value
         if size(value) <= LARGEST:
@@ -140,8 +165,6 @@ class Solutions:
 
     def _fixed(self, joint: str, forms: Sequence[Form]) -> bool:
         """Whether these sums determine a joint angle."""
-        from derive.algebra.angles import combination
-
         return combination(Form.of({joint: 1}), forms) is not None
 
     def _final(self, value: Expr) -> Expr:

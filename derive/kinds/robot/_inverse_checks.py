@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 from derive.algebra.compiled import compiled
 from derive.derivation import Claim
@@ -17,25 +18,45 @@ from derive.mechanics.oracle import Oracle
 SAME = 1e-6  # radians or metres: two joint values this close are one
 
 
-def closing(
-    solutions: Solutions, goal: Goal, problem: Problem, points: Sequence[Mapping[str, float]]
-) -> Iterator[Claim]:
-    """Each branch reaches the pose it was made for; the joint values the pose came from are among them."""
+@dataclass(frozen=True, slots=True)
+class Tried:
+    """What came of putting branches back at poses the arm reaches: whether each always reached them, and
+    whether the joint values they came from were always found. `spare` says that the arm has fewer joints than
+    what is given has coordinates, so that a branch has to fulfil more equations than it is made from."""
+
+    solutions: Solutions
+    reached: tuple[bool, ...]
+    found: bool
+    spare: bool
+
+    @property
+    def partial(self) -> bool:
+        """Whether some branches are solutions at some poses only."""
+        return self.spare and not all(self.reached)
+
+    def claims(self, point: Mapping[str, float]) -> Iterator[Claim]:
+        """What has to hold; of a branch nothing where it need not reach."""
+        for branch, holds in zip(self.solutions.branches, self.reached, strict=True):
+            name = f" '{branch.when}'" if branch.when else ""
+            if holds or not self.spare:
+                yield Claim(f"the branch{name} reaches its target", SECOND_ROUTE, holds)
+        claim = "the joint values a pose came from are among the solutions"
+        yield Claim(claim, SECOND_ROUTE, self.found)
+        same = _as_printed(self.solutions, point)
+        yield Claim("the solutions as printed have the values found step by step", SECOND_ROUTE, same)
+
+
+def tried(solutions: Solutions, goal: Goal, problem: Problem, points: Sequence[Mapping[str, float]]) -> Tried:
+    """Every branch at every point."""
     oracle = oracle_of(problem)
     reached = [True] * len(solutions.chosen)
     found = True
     for point in points:
         branches = solutions.at(point)
-        for k, values in enumerate(branches):
-            if values is not None:
-                reached[k] &= reaches(oracle, goal, point, values)
+        there = [values is None or reaches(oracle, goal, point, values) for values in branches]
+        reached = [before and now for before, now in zip(reached, there, strict=True)]
         found &= any(values is not None and matches(values, point, solutions) for values in branches)
-    for branch, holds in zip(solutions.branches, reached, strict=True):
-        name = f" '{branch.when}'" if branch.when else ""
-        yield Claim(f"the branch{name} reaches its target", SECOND_ROUTE, holds)
-    yield Claim("the joint values a pose came from are among the solutions", SECOND_ROUTE, found)
-    same = _as_printed(solutions, points[0])
-    yield Claim("the solutions as printed have the values found step by step", SECOND_ROUTE, same)
+    return Tried(solutions, tuple(reached), found, len(solutions.joints) < goal.size)
 
 
 def reaches(
@@ -73,7 +94,9 @@ def _as_printed(solutions: Solutions, point: Mapping[str, float]) -> bool:
     given = {name: value for name, value in point.items() if name not in solutions.joints}
     for branch, values in zip(solutions.branches, branches, strict=True):
         known = dict(given)
-        for name in solutions.order if values is not None else ():
+        if values is None:
+            continue
+        for name in solutions.order:
             known[name] = compiled(branch.values[name])(known)
             if abs(known[name] - values[name]) > SAME * max(1.0, abs(values[name])):
                 return False

@@ -10,11 +10,11 @@ from derive.algebra.numeric import number
 from derive.derivation import Branch
 from derive.errors import NotDerivable
 from derive.kinds.evaluation import Place
-from derive.kinds.pose._numbers import completed
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._inverse_branches import Solutions
 from derive.kinds.robot._inverse_checks import reaches
+from derive.kinds.values_at import completed
 from derive.mechanics.inverse.goal import Goal
 
 REACHED = 1e-6  # relative

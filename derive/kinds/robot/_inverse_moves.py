@@ -46,6 +46,11 @@ class Move:
     facts: Mapping[str, Any]
     trig: Mapping[int, Mapping[Expr, Expr]] = field(default_factory=dict)
 
+    @property
+    def chosen(self) -> bool:
+        """Whether there is a choice to make, rather than one made already."""
+        return len(self.options) > 1 and any(option.sign for option in self.options)
+
 
 @dataclass(frozen=True, slots=True)
 class Definition:

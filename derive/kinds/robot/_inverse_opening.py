@@ -45,7 +45,7 @@ class Opening:
         """The whole board."""
         board = Board(self.problem, self.goal, self._turning(), self.free_name)
         decoupling = self.plan.decoupling
-        given, turn = self._given(), ()
+        given, turn = self._given(), tuple[Step, ...]()
         if decoupling and decoupling.centre:
             given = (*given, self._centre(board, decoupling))
         for stage, found in self.plan.found:

@@ -59,7 +59,7 @@ class Page:
     @cached_property
     def singular(self) -> tuple[Case, ...]:
         """What the wrist determines where its outer axes coincide."""
-        first, *_ = self.stage("wrist") or [None]
+        first = next(iter(self.stage("wrist")), None)
         joints = self.chain.variables[-3:]
         if (
             first is None
@@ -161,7 +161,7 @@ class Page:
         }
 
     def _two_valued(self) -> list[Move]:
-        return [move for move in self.moves if any(option.sign for option in move.options)]
+        return [move for move in self.moves if move.chosen]
 
     def _wrist_facts(self, move: Move) -> Mapping[str, Any]:
         """What happens where the outer axes coincide is said once."""

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping, Sequence
+
 from derive.algebra.text import text
 from derive.errors import NotDerivable
 from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import oracle_of
 from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.equation import Equation
 from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.plan import Plan
 
+STEP = 1e-6  # of differences
 LONGEST = 160  # letters of an equation in the message
 
 
@@ -21,22 +26,49 @@ def refuse(chain: Chain, goal: Goal) -> None:
     joints = len(chain.variables)
     if joints > goal.size:
         raise NotDerivable(
-            f"no closed form found: the arm has {joints} joint variables and only {goal.size} of them can be "
-            f"determined by what is given ({_listed(goal)}), so there are infinitely many solutions; give more "
-            "of the pose, or fix a joint"
+            f"no closed form found: the arm has {joints} joint variables, and what is given "
+            f"({_listed(goal)}) can determine only {goal.size}, so there are infinitely many solutions; "
+            "give more of the pose, or fix a joint"
         )
 
 
-def no_closed_form(plan: Plan, problem: Problem) -> str:
-    """What was found, what is left, and the equations it is left in."""
-    unknown = sorted(plan.knowledge.unknown_joints())
+def loose(chain: Chain, goal: Goal, problem: Problem, points: Sequence[Mapping[str, float]]) -> None:
+    """Raises NotDerivable where the arm can move everywhere without changing what is given."""
+    import numpy as np
+
+    oracle, joints = oracle_of(problem), chain.variables
+
+    def given(point: Mapping[str, float]) -> list[float]:
+        found = goal.numbers(oracle.tool(point))
+        angle = found.pop(goal.angle, None) if goal.angle else None
+        return [*found.values(), *(() if angle is None else (math.cos(angle), math.sin(angle)))]
+
+    ranks = []
+    for point in points[:2]:
+        ahead, behind = (
+            np.array([given({**point, name: point[name] + step}) for name in joints])
+            for step in (STEP, -STEP)
+        )
+        ranks.append(int(np.linalg.matrix_rank((ahead - behind) / (2 * STEP), tol=1e-5)))
+    if max(ranks) < len(joints):
+        raise NotDerivable(
+            f"no closed form found: the arm can move its {len(joints)} joints without changing what is given "
+            f"({_listed(goal)}), so there are infinitely many solutions; give more of the pose, or fix a joint"
+        )
+
+
+def no_closed_form(plan: Plan, goal: Goal, problem: Problem) -> str:
+    """What was not found, why, and the equations it is left in."""
+    unknown = ", ".join(sorted(plan.knowledge.unknown_joints()))
+    if not plan.left:
+        return f"no closed form found: what is given ({_listed(goal)}) does not change with {unknown}"
     reason = (
         "the search was stopped after its time was up"
         if plan.late
-        else "no equation holds only one of them, and no sum of squares does"
+        else "no equation holds one of them alone, and no sum of squares does"
     )
     equations = "; ".join(dict.fromkeys(_written(equation, problem) for equation in plan.left))
-    return f"no closed form found for {', '.join(unknown)}: {reason}. The reduced equations are {equations}"
+    return f"no closed form found for {unknown}: {reason}. The reduced equations are {equations}"
 
 
 def _written(equation: Equation, problem: Problem) -> str:

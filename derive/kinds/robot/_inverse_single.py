@@ -66,6 +66,7 @@ def solved(
     q = draft.board.angle(angle)
     a, b, c = trees
     x, y = (minus(b), a) if _sines(draft.board, row) else (a, b)
+    values: tuple[Expr, Expr]
     if zero:
         values = (atan2(y, x), atan2(minus(y), minus(x)))
         facts: dict[str, Any] = {"method": "zero", "both": [unsigned(b), unsigned(a)]}
@@ -90,7 +91,8 @@ def _alone(
     plain = draft.holds(u, own)
     if not plain:
         draft.add("solved", own, u)
-    options, shown, trig = [], [], {}
+    options, shown = [], []
+    trig: dict[int, dict[Expr, Expr]] = {}
     for sign in SIGNS:
         when = f"{text(q if even else cos(q))} {'>' if sign > 0 else '<'} 0"
         value, page = (signed(sign, size or sqrt(subtract(ONE, square(each)))) for each in (u, own))

@@ -7,7 +7,20 @@ from dataclasses import replace
 from fractions import Fraction
 
 from derive.algebra.scalar import Scalar, as_fraction
-from derive.expression import Expr, Symbol, add, cos, multiply, negate, number, sin, sqrt, squared, subtract
+from derive.expression import (
+    Expr,
+    Power,
+    Symbol,
+    add,
+    cos,
+    multiply,
+    negate,
+    number,
+    sin,
+    sqrt,
+    squared,
+    subtract,
+)
 from derive.kinds.robot._inverse_board import Board, Draft
 from derive.kinds.robot._inverse_moves import Move, Option
 from derive.kinds.robot._inverse_single import solved
@@ -62,6 +75,7 @@ def reach(board: Board, found: Reach) -> Move:
     draft.add("squares", total(squares), add(times(P, squared(d)), times(Q, d), *terms_of(D)))
     rest = total((*squares, *map(minus, terms_of(D))))
     symmetric = not found.linear
+    values: tuple[Expr, Expr]
     if symmetric:
         size = sqrt(over(rest, P))
         values = (size, negate(size))
@@ -73,8 +87,14 @@ def reach(board: Board, found: Reach) -> Move:
         names = [f"{sign} sign in {d.name}" for sign in ("plus", "minus")]
     options = [Option(v, s, when) for v, s, when in zip(values, SIGNS, names, strict=True)]
     positive = symmetric and board.problem.assumptions.get(d.name) in ("positive", "nonnegative")
-    facts = {"method": "reach", "symmetric": symmetric, "positive": positive, "exists": rest}
+    facts = {"method": "reach", "symmetric": symmetric, "positive": positive, "exists": _doubtful(rest)}
     return draft.move(found.slide, d, options[:1] if positive else options, {**facts, "law": len(squares)})
+
+
+def _doubtful(rest: Expr) -> Expr | None:
+    """What has to be positive; nothing to say of a sum of squares."""
+    squares = all(isinstance(term, Power) and term.exponent == number(2) for term in terms_of(rest))
+    return None if squares else rest
 
 
 def _known_sides(draft: Draft, parts: Iterable[Part]) -> list[Expr]:

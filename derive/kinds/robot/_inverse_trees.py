@@ -92,11 +92,11 @@ def square(tree: Expr) -> Expr:
 
 def total(terms: Iterable[Expr]) -> Expr:
     """A sum in which numbers are added up, at its end."""
-    rest, numbers = [], []
-    for term in terms:
-        (numbers if isinstance(term, Number) else rest).append(term)
-    value = sum((n.value for n in numbers if isinstance(n, Number)), Fraction(0))
-    decimal = any(isinstance(n, Number) and n.decimal for n in numbers)
+    found = tuple(terms)
+    numbers = [term for term in found if isinstance(term, Number)]
+    rest = [term for term in found if not isinstance(term, Number)]
+    value = sum((n.value for n in numbers), Fraction(0))
+    decimal = any(n.decimal for n in numbers)
     return add(*rest, Number(value, decimal))
 
 

@@ -49,7 +49,7 @@ def slide(board: Board, found: Slide) -> Move:
 
 def _learn(board: Board, move: Move, facts: Mapping[str, Any]) -> None:
     """The move is made: joints and signs it decides are known from now on."""
-    chosen = any(option.sign for option in move.options)
+    chosen = move.chosen
     left: list[Step] = []
     if isinstance(move.of, Form):
         left = _differences(board, move.of)

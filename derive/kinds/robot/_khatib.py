@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from itertools import combinations
+from itertools import combinations, combinations_with_replacement, product
 
 from derive.algebra.normal import normal_matrix
 from derive.algebra.scalar import Scalar
@@ -51,7 +51,7 @@ def velocity_of(problem: Problem, big: bool) -> Velocity:
     def shown(value: Scalar) -> Expr:
         return problem.final(problem.readable(value), named) if value else ZERO
 
-    b = dict(sorted(((i, j, k), value) for (j, k, i), value in found.items() if j <= k))
+    b = {(i, j, k): found[j, k, i] for i, j, k in sorted((i, j, k) for j, k, i in found if j <= k)}
     values = {ijk: shown(value) for ijk, value in b.items()}
     n = range(1, len(variables) + 1)
     C = Matrix(tuple(tuple(values[i, j, j] for j in n) for i in n))
@@ -83,7 +83,7 @@ def entry_steps(problem: Problem, D: Expr) -> tuple[Step, ...]:
         moment_names(problem.ask("inertia-matrix")),
     )
     n, steps = len(variables), []
-    for i, j, k in ((i, j, k) for i in range(n) for j in range(i, n) for k in range(n)):
+    for (i, j), k in product(combinations_with_replacement(range(n), 2), range(n)):
         value = M[i, j].diff(variables[k])
         if value:
             names = [m(i + 1, j + 1, k + 1)] + ([m(j + 1, i + 1, k + 1)] if i != j else [])
@@ -100,7 +100,9 @@ def symbol_steps(velocity: Velocity, n: int) -> tuple[Step, ...]:
         if value or n <= MOST_SHOWN:
             names = [Symbol(f"b_{i}{j}{k}")] + ([Symbol(f"b_{i}{k}{j}")] if j != k else [])
             raw = Sum((m(i, j, k), m(i, k, j), negate(m(j, k, i))))
-            steps.append(Step(names[0].name, (*names, multiply(HALF, raw), velocity.values[i, j, k]), "b", {"row": i}))
+            steps.append(
+                Step(names[0].name, (*names, multiply(HALF, raw), velocity.values[i, j, k]), "b", {"row": i})
+            )
     return tuple(steps)
 
 

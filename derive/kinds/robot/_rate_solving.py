@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 
-from derive.algebra.factors import factored
+from derive.algebra.factors import common_factor, primitive
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.scalar import Scalar
@@ -32,7 +31,7 @@ from derive.expression import (
 from derive.expression import replace as replaced
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import closing
-from derive.kinds.robot._singular_work import determinant, opposite, product_tree
+from derive.kinds.robot._singular_work import determinant, natural, opposite, product_tree
 from derive.kinds.robot._task import Task
 from derive.mechanics.singular import minors
 
@@ -66,7 +65,7 @@ def by_inverse(task: Task) -> Solved:
     det = task.J.det()
     if not det:
         raise NotDerivable(f"the Jacobian of {', '.join(task.rows)} is singular in every configuration")
-    tree = product_tree(problem, factored(det, variables))
+    tree = product_tree(problem, natural(problem, det, variables))
     adjugate = task.J.adjugate()
     shown = problem.readable_matrix(adjugate)
     velocity = column(task.velocities)
@@ -140,7 +139,7 @@ def _by_minors(task: Task) -> _Made:
     problem, variables, velocity = task.problem, task.found.variables, normal_matrix(column(task.velocities))
     found = [minor for minor in minors(task.J) if minor.value]
     names: list[Expr] = [Symbol("Delta_" + "".join(str(k + 1) for k in minor.lines)) for minor in found]
-    trees = [product_tree(problem, factored(minor.value, variables)) for minor in found]
+    trees = [product_tree(problem, natural(problem, minor.value, variables)) for minor in found]
     steps = [
         Step(f"minor_{place}", (name, tree), "minor")
         for place, (name, tree) in enumerate(zip(names, trees, strict=True))
@@ -165,7 +164,7 @@ def _by_gram(task: Task, gram: ScalarMatrix, det: Scalar) -> _Made:
     """The adjugate of J^T J over its determinant, times J^T v."""
     problem, variables, A = task.problem, task.found.variables, Symbol("A")
     adjugate = gram.adjugate()
-    tree = product_tree(problem, factored(det, variables))
+    tree = product_tree(problem, natural(problem, det, variables))
     exact = adjugate @ (task.J.T @ normal_matrix(column(task.velocities)))
     qdot = column(quotient(problem, entry, det, variables) for entry in exact.entries)
     shown = Product((Quotient(ONE, determinant(A)), problem.readable_matrix(adjugate)))
@@ -176,14 +175,24 @@ def _by_gram(task: Task, gram: ScalarMatrix, det: Scalar) -> _Made:
     return _Made(steps, qdot, exact, {})
 
 
-def quotient(problem: Problem, top: Scalar, bottom: Scalar, variables: Iterable[str]) -> Expr:
+def quotient(problem: Problem, top: Scalar, bottom: Scalar, variables: tuple[str, ...]) -> Expr:
     """A fraction without what both sides share, its denominator factored."""
-    value = top / bottom
-    if value.denominator is None:
-        return problem.readable(value)
-    home = value.ring
-    below = product_tree(problem, factored(Scalar(home, value.denominator), variables))
-    above = problem.readable(Scalar(home, value.numerator))
+    if not top:
+        return ZERO
+    if top.denominator is None and bottom.denominator is None:
+        _, (top, bottom) = common_factor([top, bottom], variables)
+        number = _shared_number(problem, bottom, variables)
+        top, bottom = top / number, bottom / number
+    if bottom.constant is not None:
+        return problem.readable(top / bottom)
+    below = product_tree(problem, natural(problem, bottom, variables))
+    above = problem.readable(top)
     if is_negative(below):
         above, below = opposite(above), negate(below)
     return Quotient(above, below)
+
+
+def _shared_number(problem: Problem, value: Scalar, variables: tuple[str, ...]) -> Scalar:
+    """The number in front of a denominator, which the numerator takes over."""
+    front = natural(problem, value, variables).constant
+    return front / primitive(front)

@@ -61,7 +61,7 @@ class Recursion:
                 yield _constant(f"p_{i}", row.out)
             if any(row.arm):
                 yield _constant(f"r_{i}", row.arm)
-            if row.body and row.body.com:
+            if row.body and row.body.com and self._heavy(i):
                 yield _constant(f"r_c{i}", row.body.com.entries)
 
     def outward(self) -> Iterator[Line]:
@@ -84,6 +84,10 @@ class Recursion:
                 formula = add(Product((transpose(Symbol(f"e_{i}")), hand)), *_drive(link))
                 whole = sum((normal(term) for term in _drive(link)), found.tau)
                 yield Line(Symbol(f"tau_{self._number(i)}"), formula, ScalarMatrix(((whole,),)), "torque", i)
+
+    def _heavy(self, i: int) -> bool:
+        """Whether link i has a mass."""
+        return i in self.bodies and self.bodies[i].body.mass != ZERO
 
     def _number(self, i: int) -> int:
         """Which joint row i has."""
@@ -128,14 +132,16 @@ class Recursion:
         body, omega = self.bodies[i], Symbol(f"omega_{i}")
         inertia = body.I
         at_com = _of_point(f"omega_{i}", f"r_c{i}") if body.com else ()
-        yield _line(i, f"o_c{i}_ddot", add(Symbol(f"o_{i}_ddot"), *at_com), found.a_c, "outward")
-        yield _line(i, f"F_{i}", multiply(body.body.mass, Symbol(f"o_c{i}_ddot")), found.F, "outward")
+        if self._heavy(i):
+            yield _line(i, f"o_c{i}_ddot", add(Symbol(f"o_{i}_ddot"), *at_com), found.a_c, "outward")
+        if self._heavy(i):
+            yield _line(i, f"F_{i}", multiply(body.body.mass, Symbol(f"o_c{i}_ddot")), found.F, "outward")
         if body.turns:
             spin = Product((inertia, Symbol(f"omega_{i}_dot")))
             yield _line(i, f"N_{i}", add(spin, cross(omega, Product((inertia, omega)))), found.N, "outward")
 
     def _force(self, i: int) -> Expr:
-        own = Symbol(f"F_{i}") if i in self.bodies else ZERO
+        own = Symbol(f"F_{i}") if self._heavy(i) else ZERO
         return add(self._handed(i, "f_{}"), own)
 
     def _handed(self, i: int, name: str) -> Expr:
@@ -151,7 +157,7 @@ class Recursion:
         if body and body.turns:
             terms.append(Symbol(f"N_{i}"))
         lever = add(*self._lever(i), *([Symbol(f"r_c{i}")] if body and body.com else []))
-        if body and lever != ZERO:
+        if self._heavy(i) and lever != ZERO:
             terms.append(cross(lever, Symbol(f"F_{i}")))
         if i < len(self.swept):
             onward = [Symbol(f"p_{i + 1}")] if any(self.arm.rows[i].out) else []
@@ -168,6 +174,8 @@ def step_of(problem: Problem, line: Line, names_only: bool) -> Step:
     if names_only:
         return Step(line.name.name, (line.name, line.formula), line.rule, {"link": line.i})
     value = written(problem, line)
+    if line.formula == ZERO:  # nothing in names adds up to it
+        return Step(line.name.name, (line.name, value), line.rule, {"link": line.i})
     long = sum(map(operations, children(value))) > LONGEST if line.value.shape[0] > 1 else False
     chain = (line.name, line.formula) if long or value == line.formula else (line.name, line.formula, value)
     return Step(line.name.name, chain, line.rule, {"link": line.i})

@@ -24,7 +24,8 @@ def facts_of(problem: Problem, work: Work, sets: tuple[Analysed, ...]) -> dict[s
         "wide": wide,
         "gram": Product((J, transpose(J)) if wide else (transpose(J), J)),
         "sets": tuple(_set(problem, work, each) for each in sets),
-        "none": not sets,
+        "none": not sets and all(part.complete for part in work.parts),
+        "complete": all(part.complete for part in work.parts),
     }
 
 

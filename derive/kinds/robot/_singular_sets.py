@@ -6,7 +6,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from derive.algebra.elimination import TooLong, column_space, eliminated, null_space
+from derive.algebra.elimination import column_space, eliminated, null_space
+from derive.algebra.factors import TooLong
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.pinned import in_single_angles, pinned_matrix
 from derive.algebra.text import text
@@ -145,21 +146,21 @@ def _vanishing(each: Analysed) -> str:
 def said(case: Case, block: Block, point: str) -> str:
     """How a case looks, in plain words."""
     rows = block.seeing.rows
-    return "; ".join(dict.fromkeys(_spoken(look, point, rows) for look in _telling(case.looks)))
+    return "; ".join(dict.fromkeys(_spoken(look, point, rows) for look in _telling(case.looks, len(case.zeros) > 1)))
 
 
-def _telling(looks: tuple[Look, ...]) -> tuple[Look, ...]:
-    """What says most: axes in line before anything; then a point on an axis; the plane only by itself."""
+def _telling(looks: tuple[Look, ...], several: bool) -> tuple[Look, ...]:
+    """`several` joint variables are fixed. What says most: axes in line before anything; then a point on an axis; the plane only by itself."""
     for kinds in (("coincide",), ("stretched", "folded"), ("axis",), ("parallel",), ("plane",)):
         if found := tuple(look for look in looks if look.kind in kinds):
-            return found if kinds == ("stretched", "folded") else found[-1:]
+            return found if several or kinds == ("stretched", "folded") else found[-1:]
     return ()
 
 
 def clauses(case: Case, block: Block, point: str) -> tuple[str, ...]:
     """The same as sentences to go on with."""
     rows = block.seeing.rows
-    return tuple(dict.fromkeys(_clause(look, point, rows) for look in _telling(case.looks)))
+    return tuple(dict.fromkeys(_clause(look, point, rows) for look in _telling(case.looks, len(case.zeros) > 1)))
 
 
 def _clause(look: Look, point: str, rows: tuple[int, ...]) -> str:

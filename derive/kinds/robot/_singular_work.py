@@ -9,7 +9,7 @@ from derive.algebra.elimination import rank
 from derive.algebra.factors import Factored, factored
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.operations import operations
-from derive.algebra.scalar import Scalar
+from derive.algebra.scalar import Scalar, as_fraction
 from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import (
@@ -43,6 +43,7 @@ from derive.mechanics.singular import MOST_MINORS, Minor, SingularSet, minors, o
 from derive.mechanics.wrist import Wrist
 
 SIX = 6
+LARGE = 100  # a coefficient that decimals were multiplied up to
 MOST_EXPANDED = 12  # terms of all minors
 
 
@@ -52,6 +53,7 @@ class Part:
 
     block: Block
     sets: tuple[SingularSet, ...]
+    complete: bool = True  # False where there may be more of them
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +82,7 @@ def by_determinant(task: Task) -> Work:
     frame = _middle(task) if six else 0
     J = _seen_from(task, frame) if six else task.J
     name = Symbol(f"J^{frame}" if six else "J")
-    det = factored(J.det(), variables)
+    det = natural(problem, J.det(), variables)
     _refuse_dependent(task, det.constant if not det.factors else None)
     tree = product_tree(problem, det)
     shown = problem.readable_matrix(J)
@@ -106,7 +108,7 @@ def by_wrist(task: Task, wrist: Wrist) -> Work:
     parts, trees, steps = [], [], [Step("center", (center, problem.readable_matrix(wrist.center)), "center")]
     dets = []
     for block in blocks:
-        det = factored(block.J.det(), block.variables)
+        det = natural(problem, block.J.det(), block.variables)
         dets.append(det)
         _refuse_dependent(task, det.constant if not det.factors else None)
         tree = product_tree(problem, det)
@@ -119,7 +121,7 @@ def by_wrist(task: Task, wrist: Wrist) -> Work:
     tree = product_tree(problem, whole)
     split = Product(tuple(determinant(Symbol(block.name)) for block in blocks))
     steps.append(Step("det", (determinant(Symbol("J")), split, problem.final(tree)), "law"))
-    J = _seen_from(task, _middle(task))
+    J = seen_from_middle(task)
     laws = (law("det J = det J_11 det J_22", J.det() == whole.value),)
     definitions: dict[Expr, Expr] = {center: steps[0].result}
     definitions |= {Symbol(block.name): problem.readable_matrix(block.J) for block in blocks}
@@ -141,7 +143,7 @@ def by_minors(task: Task) -> Work:
     _refuse_dependent(task, None if found else J[0, 0])
     shown = problem.readable_matrix(J)
     names = [_minor_name(task, minor) for minor in found]
-    products = [factored(minor.value, variables) for minor in found]
+    products = [natural(problem, minor.value, variables) for minor in found]
     minor_steps = tuple(
         Step(f"minor_{place}", (each, product_tree(problem, product)), "minor", {"lines": minor.lines})
         for place, (each, product, minor) in enumerate(zip(names, products, found, strict=True), 1)
@@ -152,11 +154,30 @@ def by_minors(task: Task) -> Work:
     det = _closed(problem, "det", (determinant(gram), squares, tree))
     steps = (Step("J", (name, shown), "frame" if frame else "rows", {"frame": frame}), *minor_steps, det)
     block = Block(name.name, J, variables, task.rows, frame, _seeing(task))
-    sets = of_minors([minor.value for minor in found], variables, problem.readable)
+    sets, complete = of_minors([minor.value for minor in found], variables, problem.readable)
     definitions: dict[Expr, Expr] = {name: shown}
     definitions |= {each: step.result for each, step in zip(names, minor_steps, strict=True)}
     uses = (problem.ask("forward-kinematics"),) if frame else (task.base,)
-    return Work("minors", _moved(task), steps, tree, (Part(block, sets),), definitions, uses)
+    return Work("minors", _moved(task), steps, tree, (Part(block, sets, complete),), definitions, uses)
+
+
+def natural(problem: Problem, value: Scalar, variables: tuple[str, ...]) -> Factored:
+    """The factors of a determinant. Where the author gave decimals, each is scaled by a power of ten so that
+    lengths read as lengths again: 0.4318 c_2 + 0.0203 c_23, not 4318 c_2 + 203 c_23."""
+    found = factored(value, variables)
+    if not problem.style.decimals:
+        return found
+    constant, factors = found.constant, []
+    for factor, power in found.factors:
+        scale = _scale(factor)
+        constant = constant * scale**power
+        factors.append((factor / scale, power))
+    return Factored(constant, tuple(factors))
+
+
+def _scale(factor: Scalar) -> int:
+    largest = max(abs(as_fraction(k)) for k in factor.numerator.coeffs())
+    return 1 if largest < LARGE else int(10 ** len(str(int(largest))))
 
 
 def product_tree(problem: Problem, det: Factored) -> Expr:
@@ -197,7 +218,7 @@ def gram_determinant(problem: Problem, J: ScalarMatrix, variables: tuple[str, ..
     """det(J J^T) or det(J^T J), whichever is smaller: the squares of the minors of full size (Cauchy and
     Binet), or their sum multiplied out where it is much shorter."""
     found = [minor.value for minor in minors(J) if minor.value]
-    squares = add(*(_square(product_tree(problem, factored(value, variables))) for value in found))
+    squares = add(*(_square(product_tree(problem, natural(problem, value, variables))) for value in found))
     if sum(len(value.numerator) for value in found) > MOST_EXPANDED:
         return squares
     expanded = problem.readable(sum((value * value for value in found), Scalar.of(0)))
@@ -243,6 +264,12 @@ def _middle(task: Task) -> int:
     """The frame of the joint in the middle: seen from there a Jacobian is shortest."""
     moving = [i for i, _ in task.found.moving]
     return moving[(len(moving) - 1) // 2]
+
+
+def seen_from_middle(task: Task) -> ScalarMatrix:
+    """The whole Jacobian where it is shortest: in the axes of the middle frame. No determinant of six rows
+    and no minor of that size changes."""
+    return _seen_from(task, _middle(task))
 
 
 def _seen_from(task: Task, frame: int) -> ScalarMatrix:

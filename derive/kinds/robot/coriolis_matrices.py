@@ -19,6 +19,7 @@ from derive.kinds.robot._khatib import (
     velocity_of,
 )
 from derive.kinds.robot._rates import is_long, pairs, squares, velocity_agreement
+from derive.kinds.robot._reserved import reserve
 from derive.mechanics.robot import Robot
 
 RESULTS = {
@@ -45,6 +46,7 @@ class Options(OptionsModel):
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """v = C [qdot^2] + B [qdot qdot] (Khatib, Introduction to Robotics, dynamics; Craig, eq. 6.63)."""
+    reserve(problem, "C", "B", "v")
     inertia = problem.ask("inertia-matrix")
     D, big, n = inertia.definitions[Symbol("D")], is_long(problem), len(robot.variables)
     velocity = velocity_of(problem, big)

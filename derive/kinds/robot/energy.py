@@ -78,7 +78,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     results = _results(problem, parts, K, weight)
     claims = (
         *links(() if big else steps, {**problem.names, **definitions, **named}),
-        _quadratic(inertia, K, named, robot),
+        _quadratic(problem, inertia, K, named),
         _balance(problem, results),
     )
     return Derivation(
@@ -192,9 +192,10 @@ def _table(results: Mapping[str, Result]) -> Table | None:
     return Table(("link", "kinetic energy", "potential energy"), tuple(found))
 
 
-def _quadratic(inertia: Derivation, K: Step, named: Mapping[Expr, Expr], robot: Robot) -> Claim:
+def _quadratic(problem: Problem, inertia: Derivation, K: Step, named: Mapping[Expr, Expr]) -> Claim:
     """K is the quadratic form of D."""
-    D, rate = normal_matrix(inertia.definitions[Symbol("D")], named), rate_column(robot.variables)
+    known: dict[Expr, Expr] = {**problem.names, **named}
+    D, rate = normal_matrix(inertia.definitions[Symbol("D")], known), rate_column(problem.subject.variables)
     form = (rate.T @ D @ rate)[0, 0] * Fraction(1, 2)
     return law("K = qdot^T D qdot / 2", form == normal(K.result))
 

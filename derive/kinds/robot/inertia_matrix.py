@@ -19,6 +19,7 @@ from derive.kinds.robot._body_steps import body_definitions, com_jacobian_steps,
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._drives import rotor_steps, with_rotors
 from derive.kinds.robot._local_jacobians import local_definitions, local_parts, local_steps
+from derive.kinds.robot._reserved import reserve
 from derive.mechanics.chain import Chain
 from derive.mechanics.dynamics import inertia_matrix, link_inertia
 from derive.mechanics.robot import Robot
@@ -48,6 +49,7 @@ class Options(OptionsModel):
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """D = sum of m J_v^T J_v + J_w^T R I R^T J_w (Spong et al., eq. 6.30)."""
+    reserve(problem, "D")
     found = chain_of(problem)
     bodies = weighted(problem, found)
     D = with_rotors(inertia_matrix([body.motion for body in bodies]), robot)

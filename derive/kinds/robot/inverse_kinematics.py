@@ -11,14 +11,15 @@ from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot import _inverse_planar
+from derive.kinds.robot._by_rows import by_rows
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._inverse_branches import Solutions
-from derive.kinds.robot._inverse_checks import closing
+from derive.kinds.robot._inverse_checks import tried
 from derive.kinds.robot._inverse_evaluated import evaluated
 from derive.kinds.robot._inverse_given import Given, goal_of
 from derive.kinds.robot._inverse_opening import Opening
 from derive.kinds.robot._inverse_page import Page
-from derive.kinds.robot._inverse_reasons import no_closed_form, refuse
+from derive.kinds.robot._inverse_reasons import loose, no_closed_form, refuse
 from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.plan import Clock, Search
@@ -57,31 +58,35 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     al., section 2.12)."""
     chain = chain_of(problem)
     arm = two_link(chain)
-    if arm is not None and len(options.given) == 2:
+    if arm is not None and isinstance(options.given, tuple) and len(options.given) == 2:
         return _inverse_planar.derive(arm, options.given, options.evaluate, problem)
     goal = goal_of(options.given, chain, problem)
     refuse(chain, goal)
     points = sample_points(chain, goal, problem, POINTS)
+    loose(chain, goal, problem, points)
     free = partial(free_name, problem=problem, goal=goal)
     plan = Search(chain, goal, points[:2], free, Clock()).plan()
+    if not plan.complete and robot.by_screws:
+        return by_rows("inverse-kinematics", options, problem)
     if not plan.complete:
-        raise NotDerivable(no_closed_form(plan, problem))
+        raise NotDerivable(no_closed_form(plan, goal, problem))
     page = Page(problem, chain, goal, plan, Opening(problem, chain, goal, plan, free).written())
     slides = frozenset(plan.knowledge.slides)
     solutions = Solutions(page.items, chain.variables, slides, problem, page.singular)
     results: dict[str, Any] = {"solutions": solutions.branches}
     if solutions.nested:
         results["order"] = ", ".join(solutions.order)
+    trial = tried(solutions, goal, problem, points)
     values = evaluated(solutions, goal, problem, options.evaluate)
     return Derivation(
         "inverse-kinematics",
         page.steps,
         results,
-        (*page.claims(), *closing(solutions, goal, problem, points)),
+        (*page.claims(), *trial.claims(points[0])),
         page.definitions,
         values.values,
         uses=(problem.ask("forward-kinematics"),),
-        facts={**page.facts(solutions), **values.facts},
+        facts={**page.facts(solutions), **values.facts, "partial": trial.partial},
     )
 
 

@@ -15,8 +15,10 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._rate_solving import Solved, by_inverse, by_pseudo_inverse
+from derive.kinds.robot._rate_splitting import Split, by_wrist
 from derive.kinds.robot._task import RowName, Task, task_of
 from derive.mechanics.robot import Robot
+from derive.mechanics.wrist import wrist_of
 
 RESULTS = {"qdot": "the joint rates (n), for the velocities vx, vy, vz, wx, wy, wz of the rows"}
 EXAMPLE = """\
@@ -45,6 +47,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     Raises NotDerivable where J is singular in every configuration, or too large to be written.
     """
     task = task_of(problem, options.rows, options.point)
+    wrist = wrist_of(task.found) if task.square and options.point is None else None
+    if wrist:
+        return _by_halves(task, by_wrist(task, wrist))
     solved = by_inverse(task) if task.square else by_pseudo_inverse(task)
     qdot = problem.final(solved.qdot)
     claims = (
@@ -55,6 +60,21 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     return Derivation(
         "inverse-velocity", solved.steps, {"qdot": qdot}, claims, solved.definitions,
         uses=(task.base,), facts=_facts(task, solved),
+    )  # fmt: skip
+
+
+def _by_halves(task: Task, split: Split) -> Derivation:
+    """The arm first, then the wrist."""
+    facts = {
+        "way": "wrist",
+        "rows": task.velocities,
+        "frames": split.frames,
+        "offset": split.offset,
+        "zero": split.zero,
+    }
+    return Derivation(
+        "inverse-velocity", split.steps, {"qdot": split.qdot}, (*split.claims, _second_route(task, split.qdot)),
+        split.definitions, uses=split.uses, facts=facts,
     )  # fmt: skip
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from derive.algebra import numeric
-from derive.algebra.factors import Factored, factored
+from derive.algebra.factors import Factored
 from derive.algebra.kernels import root
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Step
@@ -31,9 +31,16 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import closing, oracle_of, scalar_of
 from derive.kinds.robot._ellipsoids import at_point
 from derive.kinds.robot._point import PointOn
-from derive.kinds.robot._singular_work import determinant, gram_determinant, product_tree
+from derive.kinds.robot._singular_work import (
+    determinant,
+    gram_determinant,
+    natural,
+    product_tree,
+    seen_from_middle,
+)
 from derive.kinds.robot._task import RowName, Task, task_of
 from derive.mechanics.robot import Robot
+from derive.mechanics.singular import minors
 from derive.mechanics.zeros import zeros
 
 RESULTS = {
@@ -54,6 +61,8 @@ problems:
   evaluate: {theta1: 30 deg, theta2: 60 deg, l1: 1, l2: 1}
 """
 DIFFERENCES = 1e-6
+SIX = 6
+SHORT = 12  # terms of all minors, whose squares may add up to something short
 J, W = Symbol("J"), Symbol("w")
 
 
@@ -89,26 +98,43 @@ def _at_point(options: Options, problem: Problem, place: Place) -> Derivation:
     base = problem.answer("manipulability", options.model_copy(update={"evaluate": None}))
     task = task_of(problem, options.rows, options.point)
     found = at_point(task, place)
-    w = base.results["w"]
+    w = scalar_of(base, "w")
+    size = numeric.number(w, found.place)
     return Derivation(
         "manipulability", found.steps, {"w": w, **found.results}, found.claims, {},
-        {"w": numeric.number(scalar_of(base, "w"), found.place), **found.evaluated}, (base,), found.plots,
-        {**base.facts, **found.facts, "w": (W, Approximate(numeric.number(scalar_of(base, "w"), found.place)))},
+        {"w": size, **found.evaluated}, (base,), found.plots,
+        {**base.facts, **found.facts, "w": (W, Approximate(size))},
     )  # fmt: skip
 
 
 def _measure(task: Task) -> tuple[Factored, Expr, Expr]:
     """det J, or det of the smaller of J J^T and J^T J, factored; the same and w as trees."""
-    variables = task.found.variables
-    matrix = task.J if task.square else task.J @ task.J.T if task.redundant else task.J.T @ task.J
-    value = matrix.det()
+    problem, variables = task.problem, task.found.variables
+    if not task.square:
+        return _of_minors(task)
+    value = task.J.det() if len(task.rows) < SIX else seen_from_middle(task).det()
+    det = natural(problem, value, variables)
     if not value:
-        raise NotDerivable(f"the rows {', '.join(task.rows)} are dependent in every configuration: w is zero")
-    det = factored(value, variables)
-    if task.square:
-        return det, product_tree(task.problem, det), _absolute(task.problem, det)
-    whole = gram_determinant(task.problem, task.J, variables)
-    if all(power % 2 == 0 for _, power in det.factors) and (half := _root(task.problem, det)) is not None:
+        raise NotDerivable(_zero(task))
+    return det, product_tree(problem, det), _absolute(problem, det)
+
+
+def _zero(task: Task) -> str:
+    return f"the rows {', '.join(task.rows)} are dependent in every configuration: w is zero"
+
+
+def _of_minors(task: Task) -> tuple[Factored, Expr, Expr]:
+    """By the squares of the minors; a rotation of the axes changes none of those of all six rows."""
+    problem, variables = task.problem, task.found.variables
+    J = task.J if len(task.rows) < SIX else seen_from_middle(task)
+    values = [minor.value for minor in minors(J) if minor.value]
+    if not values:
+        raise NotDerivable(_zero(task))
+    whole = gram_determinant(problem, J, variables)
+    if sum(len(value.numerator) for value in values) > SHORT:
+        return Factored(Scalar.of(1), ()), whole, sqrt(whole)
+    det = natural(problem, sum((value * value for value in values), Scalar.of(0)), variables)
+    if all(power % 2 == 0 for _, power in det.factors) and (half := _root(problem, det)) is not None:
         return det, whole, half
     return det, whole, sqrt(whole)
 
@@ -150,7 +176,8 @@ def _steps(task: Task, det: Expr, w: Expr) -> tuple[Step, ...]:
         steps.append(Step("det", (determinant(J), det), "determinant"))
         chain: tuple[Expr, ...] = (W, sqrt(determinant(product)), Call("abs", (determinant(J),)), w)
     else:
-        steps.append(Step("det", (determinant(product), det), "determinant"))
+        rule = "determinant" if len(task.rows) < SIX else "law"  # too long to be multiplied out again
+        steps.append(Step("det", (determinant(product), det), rule))
         chain = (W, sqrt(determinant(product)), w)
     steps.append(closing(Step("w", chain, "law"), problem.final(w)))
     return tuple(steps)

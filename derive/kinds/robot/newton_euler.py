@@ -137,7 +137,9 @@ def _laws(problem: Problem, arm: NewtonEuler) -> tuple[Claim, ...]:
     """D, every c_ijk and g of the recursion are those of Euler and Lagrange."""
     inertia, weight = problem.ask("inertia-matrix"), problem.ask("gravity")
     D = normal_matrix(inertia.definitions[Symbol("D")])
-    g = [normal(weight.definitions[Symbol(f"g_{k}")]) for k in range(1, len(problem.subject.variables) + 1)]
+    known, count = problem.names, len(problem.subject.variables)
+    g = [normal(weight.definitions[Symbol(f"g_{k}")], known) for k in range(1, count + 1)]
+    held = [normal(problem.readable(entry), known) for entry in arm.gravity_torques(_gravity(problem))]
     symbols, found = symbols_of(problem), arm.christoffel()
     return (
         law(
@@ -147,5 +149,5 @@ def _laws(problem: Problem, arm: NewtonEuler) -> tuple[Claim, ...]:
             "c_ijk by Newton-Euler = c_ijk by Euler-Lagrange",
             all(found[ijk] == symbols[ijk] for ijk in symbols),
         ),
-        law("g by Newton-Euler = g by Euler-Lagrange", list(arm.gravity_torques(_gravity(problem))) == g),
+        law("g by Newton-Euler = g by Euler-Lagrange", held == g),
     )

@@ -9,7 +9,18 @@ from derive.algebra.normal import normal_matrix
 from derive.algebra.operations import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Step, Table
-from derive.expression import Approximate, Expr, Indexed, Matrix, Product, Symbol, add, children, column, multiply
+from derive.expression import (
+    Approximate,
+    Expr,
+    Indexed,
+    Matrix,
+    Product,
+    Symbol,
+    add,
+    children,
+    column,
+    multiply,
+)
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -51,8 +62,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     parameters = standard_parameters(problem)
     made_of = dependent(problem, parameters)
     base = base_parameters(parameters, made_of)
-    values = {part.name: _final(problem, part.value, named) for part in parameters}
-    theta = {each.name: _final(problem, each.value, named) for each in base}
+    values: dict[Expr, Expr] = {part.name: _final(problem, part.value, named) for part in parameters}
+    theta: dict[Expr, Expr] = {each.name: _final(problem, each.value, named) for each in base}
     gathered = tuple(_gathered(problem, each, theta[each.name]) for each in base)
     lost = tuple(_lost(problem, parameters, j, weights) for j, weights in made_of.items())
     columns = {each.name: problem.readable_matrix(each.column) for each in base}
@@ -64,8 +75,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         "base_parameters": column(theta.values()),
     }
     results = {name: problem.final(value) for name, value in results.items()}
-    definitions: dict[Expr, Expr] = {name: value for name, value in values.items()}
-    definitions |= {name: value for name, value in theta.items()}
+    definitions = {**values, **theta}
     definitions |= {_y(part.name): problem.readable_matrix(part.column) for part in parameters}
     claims = (
         *links(gathered if big else (*lost, *gathered), {**problem.names, **definitions, **named}),
@@ -126,7 +136,7 @@ def _beside(columns: Sequence[Matrix]) -> Matrix:
     return Matrix(tuple(zip(*(children(each) for each in columns), strict=True)))
 
 
-def _table(values: Mapping[Indexed, Expr]) -> Table | None:
+def _table(values: Mapping[Expr, Expr]) -> Table | None:
     """Every parameter and its value, where they are not too many."""
     return Table(("parameter", "value"), tuple(values.items())) if len(values) <= MOST_LISTED else None
 

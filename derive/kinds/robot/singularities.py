@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from derive.derivation import Derivation
+from derive.derivation import Branch, Derivation, Result
 from derive.kinds.checks import links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -47,7 +47,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = _work(task, options)
     sets = tuple(analysed(problem, part.block, found) for part in work.parts for found in part.sets)
     claims = (*links(work.steps, {**problem.names, **work.definitions}), *work.laws, *checked(task, sets))
-    results = {"det": problem.final(work.det), "solutions": branches(problem, sets, work.point)}
+    solutions = branches(problem, sets, work.point)
+    if not all(part.complete for part in work.parts):
+        solutions = (*solutions, Branch({}, "any other configuration where all minors vanish"))
+    results: dict[str, Result] = {"det": problem.final(work.det), "solutions": solutions}
     return Derivation(
         "singularities", work.steps, results, claims, work.definitions,
         uses=work.uses, facts=facts_of(problem, work, sets),

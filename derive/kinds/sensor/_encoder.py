@@ -7,19 +7,21 @@ from derive.kinds.problem import Problem
 from derive.kinds.working import Working, named
 from derive.mechanics.sensing import Absolute, Encoder, Incremental
 
-N, DELTA_M, DELTA = symbols("N Delta_m Delta")
+DELTA_M, DELTA = symbols("Delta_m Delta")
 TURN = Product((number(2), PI))
 
 
 def counted(problem: Problem, encoder: Encoder) -> tuple[Working, Symbol | None]:
     """The working up to the angle of one count, at the motor and at the link; and the name of the gear."""
     values: dict[Expr, Expr] = {}
-    formula = _counts(encoder, values)
+    formula = _counts(encoder, values, problem)
     gear = None
     if encoder.gear is not None:
-        gear = named("G", encoder.gear)
+        gear = named("G", encoder.gear, problem)
         values[gear] = encoder.gear
-    working = Working(problem, values, angular=True).line("N", formula, _power(encoder, formula, problem))
+    start = Working(problem, values, angular=True, taken=problem.symbols & {"N"})
+    N = start.symbol("N")
+    working = start.line("N", formula, _power(encoder, formula, problem))
     first = "Delta_m" if gear else "Delta"
     shown = _over(TURN, working)
     working = working.line(first, Quotient(TURN, N), shown)
@@ -37,15 +39,19 @@ def _power(encoder: Encoder, formula: Expr, problem: Problem) -> Expr | None:
 
 
 def _over(turn: Expr, working: Working) -> Expr | None:
-    return Quotient(turn, working.values[N]) if isinstance(working.values[N], Power) else None
+    return (
+        Quotient(turn, working.values[working.symbol("N")])
+        if isinstance(working.values[working.symbol("N")], Power)
+        else None
+    )
 
 
-def _counts(encoder: Encoder, values: dict[Expr, Expr]) -> Expr:
+def _counts(encoder: Encoder, values: dict[Expr, Expr], problem: Problem) -> Expr:
     disc = encoder.disc
     if isinstance(disc, Incremental):
-        edges, lines = named("k", disc.edges), named("N_l", disc.lines)
+        edges, lines = named("k", disc.edges, problem), named("N_l", disc.lines, problem)
         values |= {edges: disc.edges, lines: disc.lines}
         return Product((edges, lines))
-    bits = named("b", disc.bits)
+    bits = named("b", disc.bits, problem)
     values[bits] = disc.bits
     return Power(number(2), bits)

@@ -35,11 +35,11 @@ class Options(OptionsModel):
 
 def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivation:
     """The area under one period over its length."""
-    high, low = named("U", voltage.high), named("U_0", voltage.low)
+    high, low = named("U", voltage.high, problem), named("U_0", voltage.low, problem)
     values: dict[Expr, Expr] = {high: voltage.high}
     bipolar = problem.final(voltage.low) != ZERO
     values |= {low: voltage.low} if bipolar else {}
-    mean, duty = _names(voltage)
+    mean, duty = _names(voltage, problem)
     if voltage.duty is not None:
         values[duty] = voltage.duty
     if voltage.mean is not None:
@@ -47,7 +47,7 @@ def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivatio
     working = _solved(Working(problem, values), voltage, (high, low, mean, duty), bipolar)
     results = {"mean": problem.final(working.values[mean]), "duty": problem.final(working.values[duty])}
     if voltage.frequency is not None:
-        f = named("f", voltage.frequency)
+        f = named("f", voltage.frequency, problem)
         working = working.given_too({f: voltage.frequency}).line("t_on", Quotient(duty, f))
         results["t_on"] = working.final("t_on")
     claims = (
@@ -69,10 +69,10 @@ def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivatio
     return Derivation("mean-voltage", working.steps, results, claims, working.definitions, facts=facts)
 
 
-def _names(voltage: PulseWidth) -> tuple[Symbol, Symbol]:
+def _names(voltage: PulseWidth, problem: Problem) -> tuple[Symbol, Symbol]:
     return (
-        MEAN if voltage.mean is None else named("U_m", voltage.mean),
-        DUTY if voltage.duty is None else named("D", voltage.duty),
+        MEAN if voltage.mean is None else named("U_m", voltage.mean, problem),
+        DUTY if voltage.duty is None else named("D", voltage.duty, problem),
     )
 
 

@@ -10,7 +10,7 @@ from derive.expression import ONE, Expr
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.sensor._encoder import N, counted
+from derive.kinds.sensor._encoder import counted
 from derive.mechanics.sensing import Encoder, Incremental
 
 NEEDS = ("encoder",)
@@ -34,7 +34,7 @@ class Options(OptionsModel):
 
 
 def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
-    """2 pi over the counts of a turn, divided by the gear (Siciliano et al., section 5.4.1)."""
+    """2 pi over the counts of a turn, divided by the gear (Siciliano et al., section 5.3.1)."""
     working, gear = counted(problem, encoder)
     results: dict[str, Expr] = {"counts": working.final("N")}
     if gear:
@@ -53,7 +53,6 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
         "given": working.given,
         "gear": gear,
         "edges": encoder.disc.edges if isinstance(encoder.disc, Incremental) else None,
-        "counts": working.values[N],
         "gear_value": working.values[gear] if gear else None,
     }
     return Derivation("resolution", working.steps, results, claims, working.definitions, facts=facts)

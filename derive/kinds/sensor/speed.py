@@ -5,7 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 from math import tau
 
+from pydantic import field_validator
+
 from derive.algebra.numeric import number as at
+from derive.algebra.quantities import rational
 from derive.derivation import Claim, Derivation
 from derive.expression import ONE, Expr, Product, Quotient, Symbol, free_symbols
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
@@ -39,13 +42,20 @@ class Options(OptionsModel):
     counts: Formula
     period: Time
 
+    @field_validator("counts", "period")
+    @classmethod
+    def _is_positive(cls, value: Expr) -> Expr:
+        if (size := rational(value)) is not None and size <= 0:
+            raise ValueError("this must be positive: something is counted, in some time")
+        return value
+
 
 def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
     """Counts times the angle of one, over the period; one count more or less is not seen in between."""
     base = problem.ask("resolution")
     working, gear = counted(problem, encoder)
     told = len(working.steps)
-    n, T = named("n", options.counts), named("T", options.period)
+    n, T = named("n", options.counts, problem), named("T", options.period, problem)
     working = working.given_too({n: options.counts, T: options.period})
     working = working.line("omega", Quotient(Product((n, DELTA)), T))
     if gear:

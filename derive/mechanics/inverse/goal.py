@@ -71,9 +71,10 @@ def of_coordinates(T: ScalarMatrix, given: Sequence[str], variables: Sequence[st
     """
     p = position_part(T).entries
     varying = [axis for axis in range(3) if any(p[axis].diff(name) for name in variables)]
+    R = rotation_part(T)
     if len(given) == 4 and given[-1] not in AXES:
         return _in_plane(T, given, [0, 1, 2], varying, variables)
-    if len(given) == 3 and len(varying) == 2 and given[-1] not in AXES:
+    if len(given) == 3 and len(varying) == 2 and given[-1] not in AXES and _turn(R, variables) is not None:
         return _in_plane(T, given, varying, varying, variables)
     if len(given) == 2 and len(varying) == 2:
         return _position(p, given, varying, varying)

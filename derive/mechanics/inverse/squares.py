@@ -7,7 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import reduce
 from itertools import combinations
+from operator import add
 
 from derive.algebra.angles import Form
 from derive.algebra.scalar import Scalar
@@ -88,8 +90,4 @@ def reach(slide: str, parts: tuple[Part, ...], unknown: frozenset[str]) -> Reach
 
 
 def _total(parts: tuple[Part, ...]) -> Scalar:
-    home = parts[0].unknown.ring
-    total = home.zero
-    for part in parts:
-        total = total + part.unknown.numerator * part.unknown.numerator
-    return Scalar(home, home.reduce(total))
+    return reduce(add, (part.unknown * part.unknown for part in parts))

@@ -141,7 +141,7 @@ def _body_faults(given: Given, at: At, known: Known) -> Iterator[SheetError]:
 
 
 def _is_negative(value: Expr, known: Known) -> bool:
-    names = {Symbol(name): each for name, each in known.where.items()}
+    names: dict[Expr, Expr] = {Symbol(name): each for name, each in known.where.items()}
     positive = [name for name, what in known.assumptions.items() if what == "positive"]
     try:
         return sign_of(normal(value, names), positive) == -1

@@ -10,10 +10,12 @@ import pytest
 from derive.algebra.grammar import parse
 from derive.algebra.normal import normal
 from derive.algebra.numeric import number_rows, numbers
+from derive.build import assemble, render
 from derive.derivation import Table
 from derive.errors import NotDerivable, SheetErrors
 from derive.kinds.problem import Problem
 from derive.kinds.robot._regressor import dependent, standard_parameters
+from derive.sheet.load import load_sheet
 from tests.kinds.published import matrix, same, same_scalar
 from tests.kinds.robot.test_published_dynamics import derived
 from tests.mechanics.test_two_derivations import ARMS
@@ -50,10 +52,10 @@ def test_an_inertia_about_the_origin(tmp_path: Path) -> None:
     """The theorem of parallel axes: I_o = I_c + m (c^T c 1 - c c^T)."""
     row = "{theta: x*, d: 0, a: a, alpha: 90 deg, mass: m, com: [p, q, r], "
     last = "{theta: y*, d: 0, a: b, alpha: 0, mass: m, com: [p, q, r], "
-    about_com = "inertia: [A, B, C, D, E, F]}"
+    about_com = "inertia: [A_x, A_y, A_z, A_xy, A_yz, A_xz]}"
     about_origin = (
-        "about: origin, inertia: [A + m*(q^2 + r^2), B + m*(p^2 + r^2), C + m*(p^2 + q^2), "
-        "D - m*p*q, E - m*q*r, F - m*p*r]}"
+        "about: origin, inertia: [A_x + m*(q^2 + r^2), A_y + m*(p^2 + r^2), A_z + m*(p^2 + q^2), "
+        "A_xy - m*p*q, A_yz - m*q*r, A_xz - m*p*r]}"
     )
     (one,), (other,) = (
         derived(tmp_path, f"\n    links:\n    - {row}{said}\n    - {last}{said}\n", "inertia-matrix")
@@ -259,3 +261,60 @@ def test_reasons(tmp_path: Path, question: str, said: str) -> None:
 def test_many_joints(kind: str) -> None:
     with pytest.raises(NotDerivable, match=r"at most 3 joints|give numbers"):
         Problem("robot", ARMS["SCARA"]).ask(kind)
+
+
+def test_a_name_that_means_two_things(tmp_path: Path) -> None:
+    with pytest.raises(SheetErrors) as caught:
+        derived(tmp_path, pendulum().replace("mass: m", "mass: D"), "inertia-matrix")
+    assert "also a name of this answer" in caught.value.errors[0].message
+
+
+# -- arms out of the ordinary -----------------------------------------------------------------------------
+
+KINDS = (
+    "energy", "dynamics, notation: khatib", "coriolis-matrix", "coriolis-matrices", "regressor", "properties",
+    "newton-euler", "forward-dynamics", "state-space, at: {q1: 0.3}",
+)  # fmt: skip
+ODD = {
+    "names that stand for others": """
+    gravity: [0, -g, 0]
+    links:
+    - {theta: q1*, d: 0, a: L, alpha: 0, mass: m, com: [L_c - L, 0, 0], inertia: {box: [L, L/10, L/10]},
+       motor: {inertia: L_c, ratio: n}, friction: {viscous: L_c}}
+    - {theta: q2*, d: 0, a: L, alpha: 0, mass: m, com: center, inertia: {box: [L, L/10, L/10]}}
+""",
+    "screws": """
+    gravity: [0, -g, 0]
+    links:
+    - {screw: {axis: z}, variable: q1*, com: [L/2, 0, 0], mass: m, inertia: [I_x, I_y, I_z]}
+    - {screw: {axis: z, through: [L, 0, 0]}, variable: q2*, com: [3*L/2, 0, 0], mass: m, inertia: [I_x, I_y, I_z]}
+    home: [{translate: x, by: 2*L}]
+""",
+    "a slanting base, a tool, a slide": """
+    base: [{rotate: x, by: 30 deg}, {translate: z, by: h}]
+    tool: [{translate: x, by: 0.1 m}]
+    links:
+    - {theta: 0, d: q1*, a: 0, alpha: -90 deg, mass: m1, com: [0, h, 0], inertia: {sphere: r}}
+    - {theta: q2* + 90 deg, d: 0, a: 0.5 m, alpha: 0, mass: 2 kg, com: [-0.25, 0, 0], inertia: [0, 0.2, 0.2],
+       about: origin, friction: {coulomb: 0.3}}
+""",
+    "a row that does not move": """
+    convention: modified
+    links:
+    - {theta: q1*, d: 0, a: 0, alpha: 0, mass: m1, com: [0, 0, p], inertia: [A1, A1, B1]}
+    - {theta: 90 deg, d: k, a: 0, alpha: 0, mass: m2, com: [0, q, 0], inertia: point}
+    - {theta: q3*, d: 0, a: b, alpha: 90 deg, mass: m3, com: [u, 0, 0], inertia: point}
+""",
+}
+
+
+@pytest.mark.parametrize("arm", ODD)
+def test_every_kind_of_an_odd_arm(tmp_path: Path, arm: str) -> None:
+    """Built, which they are not where a claim fails."""
+    sheet = tmp_path / "sheet.yaml"
+    asked = "".join(f"  - {{find: {kind}}}\n" for kind in KINDS)
+    text = f"title: t\nwhere: {{L_c: L/2}}\nproblems:\n- robot:{ODD[arm].rstrip()}\n  questions:\n{asked}"
+    sheet.write_text(text, encoding="utf-8")
+    document = assemble(load_sheet(sheet))
+    assert len(list(document.questions())) == len(KINDS)
+    assert render(document, "md").count("#### Solution") == len(KINDS)

@@ -1,0 +1,33 @@
+"""A system at rest: its inputs, and what its equations come to where nothing moves."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from derive.algebra.normal import normal
+from derive.algebra.scalar import Scalar
+from derive.expression import Expr, Symbol, free_symbols
+from derive.kinds.lagrange._model import Model
+from derive.kinds.problem import expressions
+from derive.mechanics.lagrangian import LagrangianSystem
+
+
+def inputs_of(system: LagrangianSystem) -> tuple[str, ...]:
+    """Names that stand in the generalised forces and nowhere else, in their order."""
+    elsewhere = [*expressions(system.bodies), system.kinetic, system.potential, system.dissipation]
+    elsewhere += system.gravity
+    taken = frozenset().union(*map(free_symbols, elsewhere), system.coordinates, system.rates)
+    found = [name for _, tree in system.forces for name in sorted(free_symbols(tree) - taken)]
+    return tuple(dict.fromkeys(found))
+
+
+def there(model: Model, value: Scalar, at: Mapping[Expr, Expr]) -> Scalar:
+    """A value at the state of rest; through its tree, for angles stand inside sines."""
+    return normal(model.problem.readable(value), {**model.moving, **at})
+
+
+def surely_positive(model: Model) -> set[str]:
+    """Bare letters for masses, moments of inertia and the acceleration of gravity."""
+    trees = [part for body in model.system.bodies for part in (body.mass, body.inertia)]
+    names = {tree.name for tree in trees if isinstance(tree, Symbol)}
+    return names | ({"g"} if model.system.gravity else set())

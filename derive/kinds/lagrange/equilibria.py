@@ -1,0 +1,188 @@
+"""Where a system can stay at rest, and whether it does when disturbed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.polynomials import known_sign, odd_part
+from derive.algebra.scalar import Scalar
+from derive.algebra.text import text
+from derive.derivation import Branch, Claim, Derivation, Step, Table
+from derive.errors import NotDerivable
+from derive.expression import ZERO, Approximate, Symbol, walk
+from derive.kinds.checks import SECOND_ROUTE, law, links, random_points
+from derive.kinds.fields import OptionsModel
+from derive.kinds.lagrange._angles_found import Found, solved
+from derive.kinds.lagrange._model import Model
+from derive.kinds.lagrange._oracle import Differences
+from derive.kinds.lagrange._rest import inputs_of, surely_positive, there
+from derive.kinds.problem import Problem
+from derive.kinds.values_at import completed
+from derive.mechanics.lagrangian import TIME, LagrangianSystem, without
+
+RESULTS = {"solutions": "the coordinates at rest, and whether the state is stable"}
+EXAMPLE = """\
+title: A bead on a turning hoop
+symbols: {R: positive, Omega: positive}
+problems:
+- lagrange:
+    coordinates: [theta]
+    bodies:
+    - {mass: m, position: [R*sin(theta)*cos(Omega*t), R*sin(theta)*sin(Omega*t), -R*cos(theta)]}
+  find: equilibria
+"""
+NEARLY = 1e-9
+STABLE, UNSTABLE, OPEN = "stable", "unstable", "stability not decided by the terms of second order"
+
+
+class Options(OptionsModel):
+    """None."""
+
+
+def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Derivation:
+    """Every rate and input zero; stable where the potential energy is least (Goldstein et al., section 6.1).
+
+    Raises NotDerivable under constraints, and where the equations have no exact or isolated solution.
+    """
+    if system.constraints:
+        raise NotDerivable("under constraints no equilibria are looked for; take coordinates that are free")
+    model = Model(system, problem)
+    positive = {n for n, what in problem.assumptions.items() if what == "positive"} | surely_positive(model)
+    left = _at_rest(model)
+    found = solved([each for each in left if each], system.coordinates, positive, problem)
+    stiffness = ScalarMatrix.of([row.diff(q) for q in system.coordinates] for row in left)
+    said = [_said(model, each, stiffness, positive) for each in found]
+    equations = problem.ask("equations-of-motion")
+    steps = (
+        *(Step(f"rest_{k}", (problem.readable(each), ZERO), "law") for k, each in enumerate(left, 1) if each),
+        Step("K", (Symbol("K"), problem.readable_matrix(stiffness)), "stiffness"),
+    )
+    branches = tuple(_branch(system, each, words) for each, words in zip(found, said, strict=True))
+    claims = (
+        *links(steps, problem.names),
+        *(_put_back(model, left, each, k) for k, each in enumerate(found, 1)),
+        _second_route(model, found),
+    )
+    facts: dict[str, Any] = {
+        "coordinates": tuple(map(Symbol, system.coordinates)),
+        "inputs": tuple(map(Symbol, inputs_of(system))),
+        "table": _table(system, branches), "count": len(found), "single": len(system.coordinates) == 1,
+        "free": [Symbol(q) for q in dict.fromkeys(q for each in found for q in each.free)],
+        "angles": any(isinstance(node, Symbol) and node.name == "pi" for b in branches
+                      for tree in b.values.values() for node in walk(tree)),
+    }  # fmt: skip
+    return Derivation("equilibria", steps, {"solutions": branches}, claims, uses=(equations,), facts=facts)
+
+
+def _at_rest(model: Model) -> list[Scalar]:
+    """The left sides less the forces, with every rate and every input zero."""
+    system = model.system
+    nothing = (*system.rates, *inputs_of(system))
+    found = [without(model.rest[k] - model.forces[q], nothing) for k, q in enumerate(system.coordinates)]
+    if any(TIME in _words(each) for each in found):
+        raise NotDerivable("the forces change with the time: the system has no state of rest")
+    return found
+
+
+def _words(value: Scalar) -> set[str]:
+    """The names that its generators hold."""
+    texts = " ".join(value.generators())
+    return set("".join(c if c.isalnum() or c == "_" else " " for c in texts).split())
+
+
+def _put_in(model: Model, value: Scalar, found: Found) -> Scalar:
+    return there(model, value, {Symbol(q): tree for q, tree in found.values.items()})
+
+
+def _exact(found: Found) -> bool:
+    return not any(isinstance(node, Approximate) for tree in found.values.values() for node in walk(tree))
+
+
+def _said(model: Model, found: Found, stiffness: ScalarMatrix, positive: set[str]) -> str:
+    """Stable where K is positive definite there; the condition, where parameters decide."""
+    needs = [f"{_written(model, each, positive)} >= 0" for each in found.real_if]
+    said = _stability(model, found, stiffness, positive) if _exact(found) else OPEN
+    return said + "".join(f" where {each}" for each in dict.fromkeys(needs))
+
+
+def _stability(model: Model, found: Found, stiffness: ScalarMatrix, positive: set[str]) -> str:
+    """Of the coordinates that are not free; along a free one with zeros in K the state is neutral."""
+    whole = ScalarMatrix.of([_put_in(model, entry, found) for entry in row] for row in stiffness.rows)
+    names = model.system.coordinates
+    kept = [k for k, q in enumerate(names) if q not in found.free or any(whole.rows[k])]
+    K = ScalarMatrix(tuple(whole.rows[k] for k in kept)).columns(*kept) if kept else whole
+    if K != K.T:
+        return OPEN
+    minors = [K.block(slice(k), slice(k)).det() for k in range(1, len(K.rows) + 1)]
+    signs = [_sign(minor, found, positive) for minor in minors]
+    neutral = "".join(f", neutral along {q}" for k, q in enumerate(names) if k not in kept)
+    if all(sign == 1 for sign in signs):
+        return STABLE + neutral
+    if len(minors) == 1 and signs[0] is None:
+        part = _written(model, minors[0], positive)
+        return f"stable if {part} > 0, unstable if {part} < 0{neutral}"
+    diagonal = [_sign(K[k, k], found, positive) for k in range(len(K.rows))]
+    return UNSTABLE if -1 in diagonal or signs[-1] == -1 else OPEN
+
+
+def _sign(value: Scalar, found: Found, positive: set[str]) -> int | None:
+    """The sign; what makes the solution real is positive too."""
+    known = known_sign(value, positive)
+    if known is not None:
+        return known
+    part = odd_part(value, positive)
+    for each in found.real_if:
+        given = odd_part(each, positive)
+        if part == given or part == -given:
+            return 1 if part == given else -1
+    return None
+
+
+def _written(model: Model, value: Scalar, positive: set[str]) -> str:
+    return text(model.problem.readable(odd_part(value, positive)))
+
+
+def _branch(system: LagrangianSystem, found: Found, when: str) -> Branch:
+    values = {q: found.values.get(q, Symbol(q)) for q in system.coordinates}
+    return Branch(values, when)
+
+
+def _table(system: LagrangianSystem, branches: tuple[Branch, ...]) -> Table:
+    rows = tuple((*branch.values.values(), branch.when) for branch in branches)
+    return Table((*map(Symbol, system.coordinates), ""), rows)
+
+
+def _put_back(model: Model, left: list[Scalar], found: Found, k: int) -> Claim:
+    claim = f"equilibrium {k} satisfies every equation"
+    if _exact(found):
+        return law(claim, not any(_put_in(model, each, found) for each in left))
+    return Claim(claim, "floating point", True)
+
+
+def _second_route(model: Model, found: list[Found]) -> Claim:
+    """Held there, no force is needed: by differences of the Lagrangian, for parameters that allow it."""
+    system, problem = model.system, model.problem
+    differences, holds = Differences(system, problem.where), True
+    still: Mapping[str, float] = dict.fromkeys(
+        (*system.rates, *system.accelerations, *inputs_of(system)), 0.0
+    )
+    names = sorted(problem.symbols | {TIME, *system.coordinates})
+    for at in random_points(names, 2):
+        for each in found:
+            known = completed({**at, **still}, problem.where)
+            for place in _places(each, known):
+                lefts = differences.left_sides({**known, **place})
+                holds &= all(abs(left) < NEARLY * (1 + max(map(abs, known.values())) ** 4) for left in lefts)
+    return Claim("held there, the system needs no force", SECOND_ROUTE, holds)
+
+
+def _places(found: Found, known: Mapping[str, float]) -> Iterator[dict[str, float]]:
+    """The coordinates in floats, where they are real."""
+    from derive.algebra.numeric import number
+
+    try:
+        yield {q: number(tree, known) for q, tree in found.values.items()}
+    except (ValueError, ZeroDivisionError):
+        return

@@ -1,0 +1,249 @@
+"""The equations of motion linearised about a state of rest, and their state-space form."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.numeric import matrix_numbers
+from derive.algebra.polynomials import known_sign
+from derive.algebra.text import text
+from derive.derivation import Claim, Derivation, Step
+from derive.errors import NotDerivable
+from derive.expression import ZERO, Expr, Matrix, Symbol, column
+from derive.kinds.checks import SECOND_ROUTE, close, law, links, random_points
+from derive.kinds.evaluation import Evaluation
+from derive.kinds.fields import Name, OptionsModel
+from derive.kinds.lagrange._equations import written_fraction
+from derive.kinds.lagrange._model import Model
+from derive.kinds.lagrange._oracle import Differences
+from derive.kinds.lagrange._rest import inputs_of, surely_positive, there
+from derive.kinds.problem import Problem
+from derive.kinds.values_at import completed
+from derive.mechanics.lagrangian import TIME, LagrangianSystem
+
+RESULTS = {
+    "M_0": "the mass matrix at the state of rest",
+    "C_0": "what multiplies the rates",
+    "K_0": "what multiplies the displacements",
+    "F_0": "what multiplies the inputs",
+    "A": "of the state (displacements, then rates)",
+    "B": "of the inputs",
+}
+EXAMPLE = """\
+title: A cart with a pole that stands upright
+problems:
+- lagrange:
+    coordinates: [x, theta]
+    bodies:
+    - {mass: m_c, position: [x, 0]}
+    - {mass: m_p, position: [x + l*sin(theta), -l*cos(theta)]}
+    forces: {x: F}
+  find: linearisation
+  at: {x: 0, theta: 180 deg}
+"""
+SMALL = 1e-5  # a displacement small enough for the linear equations
+LEFT_OVER = 1e-6
+
+
+class Options(OptionsModel):
+    """`at`: the coordinates at rest, and inputs that are not zero there; what is left out stays a letter.
+    `inputs`: the names that drive the system (those that stand in the forces only, if left out)."""
+
+    at: Evaluation = None
+    inputs: tuple[Name, ...] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Linear:
+    """M x'' + C x' + K x = F u about the state of rest."""
+
+    M: ScalarMatrix
+    C: ScalarMatrix
+    K: ScalarMatrix
+    F: ScalarMatrix | None
+    inputs: tuple[str, ...]
+
+
+def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Derivation:
+    """The first terms of Taylor's series (Ogata, Modern Control Engineering, section 2.7).
+
+    Raises NotDerivable under constraints, and where the state is no state of rest.
+    """
+    if system.constraints:
+        raise NotDerivable(
+            "with constraints only coordinates that are free can be linearised; eliminate the others"
+        )
+    model = Model(system, problem)
+    inputs = options.inputs if options.inputs is not None else inputs_of(system)
+    at = _state(options, system, inputs)
+    _require_rest(model, at)
+    linear = _linear(model, at, inputs)
+    if not linear.M.det():
+        raise NotDerivable("the mass matrix is singular at this state: a coordinate has no inertia there")
+    equations = problem.ask("equations-of-motion")
+    steps = (*_matrix_steps(model, linear), *_state_steps(model, linear))
+    definitions: dict[Expr, Expr] = {Symbol(step.name): step.result for step in steps if step.rule != "law"}
+    results = {step.name: problem.final(step.result) for step in steps if step.rule != "law"}
+    claims = (
+        *links(steps, {**problem.names, **definitions}),
+        law("M_0 is symmetric", linear.M == linear.M.T),
+        _second_route(model, linear, at),
+    )
+    facts = _facts(model, options, linear, at)
+    return Derivation("linearisation", steps, results, claims, definitions, uses=(equations,), facts=facts)
+
+
+def _state(options: Options, system: LagrangianSystem, inputs: tuple[str, ...]) -> dict[Expr, Expr]:
+    """Names and what they are at rest; inputs are zero unless given. Raises NotDerivable."""
+    given = dict(options.at or ())
+    if unknown := given.keys() - set(system.coordinates) - set(inputs):
+        names = ", ".join((*system.coordinates, *inputs))
+        raise NotDerivable(f"{min(unknown)} under at: is neither a coordinate nor an input ({names})")
+    rest = {Symbol(name): ZERO for name in (*inputs, *system.rates, *system.accelerations)}
+    return {**rest, **{Symbol(name): value for name, value in given.items()}}
+
+
+def _require_rest(model: Model, at: Mapping[Expr, Expr]) -> None:
+    for k, q in enumerate(model.system.coordinates):
+        left = there(model, model.rest[k] - model.forces[q], at)
+        if left:
+            written = text(model.problem.readable(left))
+            raise NotDerivable(
+                f"this is no state of rest: the equation of {q} leaves {written}, which is not zero; "
+                "give the coordinates, or an input that holds the system, under at:"
+            )
+
+
+def _linear(model: Model, at: Mapping[Expr, Expr], inputs: tuple[str, ...]) -> Linear:
+    system = model.system
+    whole = [model.rest[k] - model.forces[q] for k, q in enumerate(system.coordinates)]
+
+    def derivatives(names: tuple[str, ...], sign: int = 1) -> ScalarMatrix:
+        return ScalarMatrix.of([there(model, row.diff(name), at) * sign for name in names] for row in whole)
+
+    return Linear(
+        _mass(model, at),
+        derivatives(system.rates),
+        derivatives(system.coordinates),
+        derivatives(inputs, -1) if inputs else None,
+        inputs,
+    )
+
+
+def _mass(model: Model, at: Mapping[Expr, Expr]) -> ScalarMatrix:
+    return ScalarMatrix.of([there(model, entry, at) for entry in row] for row in model.mass.rows)
+
+
+def _matrix_steps(model: Model, linear: Linear) -> Iterator[Step]:
+    readable = model.problem.readable_matrix
+    yield Step("M_0", (Symbol("M_0"), readable(linear.M)), "linear")
+    if linear.C:
+        yield Step("C_0", (Symbol("C_0"), readable(linear.C)), "linear")
+    yield Step("K_0", (Symbol("K_0"), readable(linear.K)), "linear")
+    if linear.F is not None:
+        yield Step("F_0", (Symbol("F_0"), readable(linear.F)), "linear")
+
+
+def _state_steps(model: Model, linear: Linear) -> Iterator[Step]:
+    """A = [0 1; -M^-1 K  -M^-1 C] and B = [0; M^-1 F], written in the inverse first."""
+    n = len(model.system.coordinates)
+    inverse = linear.M.inverse()
+    zero, one = ScalarMatrix.zeros(n, n), ScalarMatrix.identity(n)
+    A = ScalarMatrix.stacked(
+        [
+            ScalarMatrix.beside([zero, one]),
+            ScalarMatrix.beside([-(inverse @ linear.K), -(inverse @ linear.C)]),
+        ]
+    )
+    yield Step("A", (Symbol("A"), _written(A, model.problem)), "state-space")
+    if linear.F is not None:
+        B = ScalarMatrix.stacked([ScalarMatrix.zeros(n, len(linear.inputs)), inverse @ linear.F])
+        yield Step("B", (Symbol("B"), _written(B, model.problem)), "state-space")
+
+
+def _written(matrix: ScalarMatrix, problem: Problem) -> Matrix:
+    return Matrix(tuple(tuple(written_fraction(entry, problem) for entry in row) for row in matrix.rows))
+
+
+def _facts(model: Model, options: Options, linear: Linear, at: Mapping[Expr, Expr]) -> dict[str, Any]:
+    system = model.system
+    return {
+        "at": [(Symbol(q), at[Symbol(q)]) for q in system.coordinates if Symbol(q) in at],
+        "held": [(Symbol(u), at[Symbol(u)]) for u in linear.inputs if at[Symbol(u)] != ZERO],
+        "inputs": tuple(map(Symbol, linear.inputs)), "damped": bool(linear.C),
+        "state": column((*map(Symbol, system.coordinates), *map(Symbol, system.rates))),
+        "single": len(system.coordinates) == 1, "stability": _stability(model, linear),
+    }  # fmt: skip
+
+
+def _stability(model: Model, linear: Linear) -> str:
+    """Of a conservative system: "stable" where K_0 is positive definite, "unstable" where a displacement
+    lowers the potential energy (Lagrange and Dirichlet); "" where it is not known."""
+    if linear.C or linear.K != linear.K.T:
+        return ""
+    assumed = model.problem.assumptions.items()
+    positive = {name for name, what in assumed if what == "positive"} | surely_positive(model)
+    n = len(linear.K.rows)
+    signs = [known_sign(linear.K.block(slice(k), slice(k)).det(), positive) for k in range(1, n + 1)]
+    if all(sign == 1 for sign in signs):
+        return "stable"
+    diagonal = [known_sign(linear.K[k, k], positive) for k in range(n)]
+    return "unstable" if -1 in diagonal or signs[-1] == -1 else ""
+
+
+def _second_route(model: Model, linear: Linear, at: Mapping[Expr, Expr]) -> Claim:
+    """A small motion about the state, by differences of the Lagrangian, against the linear equations."""
+    system, problem = model.system, model.problem
+    differences = Differences(system, problem.where)
+    moving = (*system.coordinates, *system.rates, *system.accelerations, *linear.inputs)
+    names = sorted(problem.symbols | {TIME, *moving})
+    holds = all(_agree(model, linear, at, differences, point) for point in random_points(names, 2))
+    return Claim("a small motion obeys the linear equations", SECOND_ROUTE, holds)
+
+
+def _agree(
+    model: Model, linear: Linear, at: Mapping[Expr, Expr], differences: Differences, point: dict[str, float]
+) -> bool:
+    from derive.algebra.numeric import number as value_of
+
+    system = model.system
+    known = completed(point, model.problem.where)
+    rest = {**known}
+    for name, tree in at.items():
+        if isinstance(name, Symbol):
+            rest[name.name] = value_of(tree, known)
+    moving = (*system.coordinates, *system.rates, *system.accelerations, *linear.inputs)
+
+    def leftover(sign: int) -> list[float]:
+        here = {**rest, **{name: rest[name] + sign * SMALL * point[name] for name in moving}}
+        lefts = differences.left_sides(here)
+        forces = dict(system.forces)
+        pushes = [
+            value_of(forces.get(q, ZERO), completed(here, model.problem.where)) for q in system.coordinates
+        ]
+        return [left - push for left, push in zip(lefts, pushes, strict=True)]
+
+    slope = [(a - b) / (2 * SMALL) for a, b in zip(leftover(1), leftover(-1), strict=True)]
+    return close(slope, _linear_side(model, linear, rest, point), LEFT_OVER)
+
+
+def _linear_side(
+    model: Model, linear: Linear, rest: Mapping[str, float], point: Mapping[str, float]
+) -> list[float]:
+    """M x'' + C x' + K x - F u for the displacement of a point."""
+    system = model.system
+    parts = [
+        (linear.M, system.accelerations, 1),
+        (linear.C, system.rates, 1),
+        (linear.K, system.coordinates, 1),
+    ]
+    if linear.F is not None:
+        parts.append((linear.F, linear.inputs, -1))
+    total = [0.0] * len(system.coordinates)
+    for matrix, names, sign in parts:
+        for k, row in enumerate(matrix_numbers(matrix, rest)):
+            total[k] += sign * sum(entry * point[name] for entry, name in zip(row, names, strict=True))
+    return total

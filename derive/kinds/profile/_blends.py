@@ -1,0 +1,205 @@
+"""How a linear segment with parabolic blends is made: by its velocity, its acceleration, the duration of its
+blends, or the limits it keeps."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from derive.derivation import Derivation
+from derive.errors import NotDerivable
+from derive.expression import (
+    MINUS_ONE,
+    ZERO,
+    Expr,
+    Product,
+    Quotient,
+    Symbol,
+    add,
+    free_symbols,
+    is_negative,
+    negate,
+    number,
+    replace,
+    sqrt,
+    squared,
+    subtract,
+    symbols,
+)
+from derive.kinds.problem import Problem
+from derive.kinds.profile._pieces import Span, term
+from derive.kinds.working import Working, named
+from derive.mechanics.profile import Journey, Profile
+
+t, T_B, V, A = symbols("t t_b v a")
+RATES = {"q_0": 0, "q_f": 0, "v": 1, "a": 2, "t_f": None, "t_b": None}
+
+
+@dataclass(frozen=True, slots=True)
+class Blended:
+    """The working up to t_b, v and a, the names of the ends and of the time, and what was given."""
+
+    working: Working
+    start: Expr
+    end: Expr
+    T: Symbol
+    by: str
+    rates: Mapping[Expr, int | None]
+    uses: tuple[Derivation, ...] = ()
+    given: Symbol | None = None  # the velocity, acceleration or duration that was given
+
+    @property
+    def way(self) -> Expr:
+        return subtract(self.end, self.start)
+
+    @property
+    def open(self) -> bool:
+        """Whether symbols are left in the duration of the blends."""
+        return bool(free_symbols(self.working.problem.final(worked_out(T_B, self.working))))
+
+    def laws(self) -> tuple[Expr, Expr, Expr]:
+        """q as a function of t in the three pieces, as books print it (Spong et al., section 5.5.3)."""
+        half = Quotient(T_B, number(2))
+        return (
+            add(self.start, Quotient(Product((A, squared(t))), number(2))),
+            add(self.start, Product((V, add(t, _minus(half))))),
+            add(self.end, _minus(Quotient(Product((A, squared(subtract(self.T, t)))), number(2)))),
+        )
+
+    def spans(self) -> tuple[Span, Span, Span]:
+        """The same by the time since the beginning of each piece."""
+        ramp = Quotient(Product((V, T_B)), number(2))
+        push = Quotient(A, number(2))
+        later = subtract(self.T, T_B)
+        return (
+            Span(ZERO, T_B, (self.start, ZERO, push)),
+            Span(T_B, later, (add(self.start, ramp), V)),
+            Span(later, self.T, (subtract(self.end, ramp), V, negate(push))),
+        )
+
+
+def blended(journey: Journey, profile: Profile, problem: Problem) -> Blended:
+    values: dict[Expr, Expr] = {}
+    rates: dict[Expr, int | None] = {}
+
+    def name(standard: str, value: Expr) -> Symbol:
+        symbol = named(standard, value, problem)
+        values[symbol], rates[symbol] = value, RATES[standard]
+        return symbol
+
+    start = ZERO if journey.start == ZERO else name("q_0", journey.start)
+    end = ZERO if journey.end == ZERO else name("q_f", journey.end)
+    angular = profile.sort == "angle" and problem.style.degrees
+    chosen = (("v", journey.cruise), ("a", journey.acceleration), ("t_b", journey.blend))
+    by = next((key for key, value in chosen if value is not None), "")
+    if not by:
+        return _by_limits(profile, problem, start, end, values, rates, angular)
+    if profile.time is None:
+        raise NotDerivable("no time is given: add time: t_f, or v_max: and a_max: for the shortest")
+    T = name("t_f", profile.time)
+    value = _same_way(dict(chosen)[by] or ZERO, by, subtract(end, start), Working(problem, values, angular))
+    given = name(by, value)
+    working = _solved(Working(problem, values, angular), by, given, subtract(end, start), T)
+    return Blended(working, start, end, T, by, rates, given=given)
+
+
+def _same_way(value: Expr, by: str, way: Expr, working: Working) -> Expr:
+    """A velocity or an acceleration has the sign of the way; a duration has none."""
+    signs = working.sign(value), working.sign(way)
+    if signs[1] == 0:
+        raise NotDerivable("start and end are the same: there is nowhere to go")
+    return (
+        working.value(negate(value)) if by != "t_b" and None not in signs and signs[0] != signs[1] else value
+    )
+
+
+def _solved(working: Working, by: str, given: Symbol, way: Expr, T: Symbol) -> Working:
+    """The other two of t_b, v and a."""
+    if by == "v":
+        working = working.line("v", given).line("t_b", add(T, _minus(Quotient(way, given))))
+        _need(working, T, "the velocity must lie between the way over the time and twice that")
+        return working.line("a", Quotient(given, T_B))
+    if by == "a":
+        working = working.line("a", given)
+        inside = add(Quotient(squared(T), number(4)), _minus(Quotient(way, given)))
+        if working.sign(inside) == -1:
+            raise NotDerivable("the acceleration must be at least four times the way over the time squared")
+        working = working.line("t_b", subtract(Quotient(T, number(2)), sqrt(inside)))
+        duration = working.values[T_B]
+        return working.line(
+            "v", Product((given, T_B)), Product((given, duration)) if free_symbols(duration) else None
+        )
+    working = working.line("t_b", given)
+    _need(working, T, "the two blends cannot last longer than the whole")
+    return working.line("v", Quotient(way, subtract(T, T_B))).line("a", Quotient(V, T_B))
+
+
+def _minus(expr: Expr) -> Expr:
+    """The opposite, its sign in front of the whole fraction."""
+    return negate(expr) if is_negative(expr) else Product((MINUS_ONE, expr))
+
+
+def _need(working: Working, T: Symbol, why: str) -> None:
+    """0 < t_b <= t_f/2. Raises NotDerivable."""
+    if working.sign(T_B) in (0, -1) or working.sign(subtract(Quotient(T, number(2)), T_B)) == -1:
+        raise NotDerivable(f"this cannot be done in the time: {why}")
+
+
+def _by_limits(
+    profile: Profile, problem: Problem, start: Expr, end: Expr, values: dict[Expr, Expr],
+    rates: dict[Expr, int | None], angular: bool,
+) -> Blended:  # fmt: skip
+    """Within v_max and a_max: by the switching times of the trapezoidal profile."""
+    if len(profile.axes) != 1:
+        raise NotDerivable(
+            "nothing says how fast it is: add cruise:, acceleration: or blend:, or both limits"
+        )
+    base = problem.ask("trapezoidal-profile")
+    if base.results["case"] not in ("trapezoidal", "triangular"):
+        raise NotDerivable(f"the profile is {base.results['case']}: its pieces cannot be written down")
+    sign = number(Working(problem, values).sign(subtract(end, start)) or 1)
+    T = Symbol("t_f")
+    found: dict[Symbol, Any] = {
+        Symbol(key): base.results[name]
+        for key, name in (("t_b", "t_1"), ("v", "v"), ("a", "a"), ("t_f", "t_3"))
+    }
+    working = Working(problem, values, angular)
+    for symbol, value in found.items():
+        signed = value if symbol in (T, T_B) or sign == number(1) else negate(value)
+        working = working.given_too({symbol: working.value(signed)})
+        rates[symbol] = RATES[symbol.name]
+    return Blended(working, start, end, T, "limits", rates, (base,))
+
+
+# -- with numbers put in ---------------------------------------------------------------------------
+
+
+def with_values(tree: Expr, working: Working) -> Expr:
+    """With the values of all names."""
+    return replace(tree, {name: value for name, value in working.values.items() if name != value})
+
+
+def filled_span(span: Span, working: Working) -> Span:
+    values = tuple(worked_out(c, working) for c in span.coefficients)
+    return Span(worked_out(span.start, working), worked_out(span.end, working), values)
+
+
+def filled_laws(found: Blended, working: Working) -> tuple[Expr, ...]:
+    """q of t in the three pieces, with numbers where there are."""
+    if found.open:
+        return tuple(with_values(tree, working) for tree in found.laws())
+    push = Quotient(A, number(2))
+    through = subtract(found.start, Quotient(Product((V, T_B)), number(2)))
+    left = subtract(worked_out(found.T, working), t)
+    return (
+        add(worked_out(found.start, working), term(worked_out(push, working), t, 2)),
+        add(worked_out(through, working), term(worked_out(V, working), t, 1)),
+        add(worked_out(found.end, working), term(worked_out(negate(push), working), left, 2)),
+    )
+
+
+def worked_out(tree: Expr, working: Working) -> Expr:
+    """Worked out where it is a number, with all names put in where it is not."""
+    put_in = with_values(tree, working)
+    return put_in if free_symbols(working.problem.final(put_in)) else working.value(tree)
