@@ -14,7 +14,6 @@ from derive.algebra.half_angles import HalfAngles, Halved, half_angles
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar, as_fraction, common_ring
 
-
 MOST_TERMS = 120  # of a column that is still worth writing
 
 

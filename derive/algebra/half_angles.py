@@ -122,8 +122,8 @@ class HalfAngles:
 
     def _power(self, k: int, cosines: int, sines: int, degree: int) -> fmpq_mpoly:
         """c^cosines s^sines of an angle, made of this degree by powers of 1 = u^2 + v^2."""
-        t = self.context.gen(k)
-        return (1 - t**2) ** int(cosines) * (2 * t) ** int(sines) * (1 + t**2) ** int(degree - cosines - sines)
+        t, ones = self.context.gen(k), int(degree - cosines - sines)
+        return (1 - t**2) ** int(cosines) * (2 * t) ** int(sines) * (1 + t**2) ** ones
 
     @staticmethod
     def _along(part: fmpq_mpoly, k: int) -> int:
@@ -136,9 +136,8 @@ class HalfAngles:
     def _whole(c: fmpq_mpoly, s: fmpq_mpoly, power: int, degree: int) -> fmpq_mpoly:
         """u^power v^(degree - power), the degree even."""
         odd = power % 2
-        return (
-            ((1 - c) / 2) ** ((power - odd) // 2) * ((1 + c) / 2) ** ((degree - power - odd) // 2) * (s / 2) ** odd
-        )
+        squares_of_u, squares_of_v = (power - odd) // 2, (degree - power - odd) // 2
+        return ((1 - c) / 2) ** squares_of_u * ((1 + c) / 2) ** squares_of_v * (s / 2) ** odd
 
 
 def half_angles(home: Ring, names: Iterable[str]) -> HalfAngles:

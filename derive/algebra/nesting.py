@@ -8,62 +8,26 @@ What is found is a plan; `derive.algebra.writing` turns it into a tree.
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
-from functools import reduce
-from math import gcd, lcm
-from typing import TypeAlias
+from math import inf
 
-from flint import Ordering, fmpq_mpoly_ctx
-
-from derive.algebra.rationals import Rational, of_flint, over, to_flint
-from derive.algebra.terms import Alphabet, Monomial, SortKey, Terms, divided, frozen, terminates
+from derive.algebra.factoring import common, content, divided_by, factors_of, is_irreducible
+from derive.algebra.plans import Flat, Plan, Split, Taken, cheapest
+from derive.algebra.rationals import Rational
+from derive.algebra.terms import Alphabet, Monomial, SortKey, Terms, frozen
 
 MOST_FACTORED = 40  # terms; above this no factorisation is tried
 MOST_SEARCHED = 10  # terms; above this the most frequent atom is taken out and no other tried
-BUDGET = 1500  # terms looked at in one search; what is left when it is spent is written flat
-LONG = 30  # terms; a longer sum is nested only coarsely, for nobody reads it
 PARENTHESES = {"trig": 0.25, "mass": 0.1, "other": 2.25}
 LARGEST_PART = 4  # a sum with smaller parts of one than a quarter is better over a common denominator
 OUT_OF_TURN = 0.4  # for taking out a later angle where an earlier one could be
 
 
-@dataclass(frozen=True, slots=True)
-class Flat:
-    """Terms as they stand."""
-
-    terms: Terms
-    price: float
-
-
-@dataclass(frozen=True, slots=True)
-class Split:
-    """The sum of two parts, each nested on its own."""
-
-    parts: tuple[tuple[Terms, Plan], ...]
-    price: float
-
-
-@dataclass(frozen=True, slots=True)
-class Taken:
-    """coefficient * monomial * (sum)^power * ..."""
-
-    coefficient: Rational
-    monomial: Monomial
-    sums: tuple[tuple[Plan, int], ...]
-    price: float
-
-
-Plan: TypeAlias = Flat | Split | Taken
-
-
-def nested(terms: Terms, alphabet: Alphabet) -> Plan:
-    """The cheapest way of writing the terms that a search of bounded length finds."""
-    return Nesting(alphabet, BUDGET if len(terms) <= LONG else 0).plan(terms)
-
-
 @dataclass(slots=True)
 class Nesting:
-    """One search; plans found are kept, for the same remainders come up again and again."""
+    """One search. `budget` is how many terms it may look at; what is left when it is spent is written
+    flat. Plans found are kept, for the same remainders come up again and again."""
 
     alphabet: Alphabet
     budget: int
@@ -72,7 +36,7 @@ class Nesting:
     def plan(self, terms: Terms) -> Plan:
         """The cheapest way found."""
         if len(terms) <= 1:
-            return self._flat(terms)
+            return self.flat(terms)
         if len(terms) > MOST_SEARCHED:
             return self._greedy(terms)
         if self.budget <= 0:
@@ -84,154 +48,119 @@ class Nesting:
         return self.known[key]
 
     def _search(self, terms: Terms) -> Plan:
-        content, common = _content(terms, self.alphabet), _common(terms)
-        if common:
-            return min(self._taken_out(terms, common, content), key=_price)
-        candidates: list[Plan] = [self._flat(terms), *self._splits(terms)]
-        if content != 1:
-            candidates += self._taken_out(terms, (), content)
-        elif 3 <= len(terms) <= MOST_FACTORED:
-            candidates += self._factored(terms)
-        return min(candidates, key=_price)
+        shared, number = common(terms), content(terms, self.alphabet)
+        if shared:
+            return cheapest(self._taken_out(terms, shared, number))
+        best: Plan = self.flat(terms)
+        for part, aside in self._parts(terms):
+            best = self._split(terms, part, aside, best.price) or best
+        others = self._taken_out(terms, (), number) if number != 1 else self._factored(terms)
+        return cheapest((best, *others))
 
     def _greedy(self, terms: Terms) -> Plan:
         """For long sums: what is common taken out, then the most frequent atom, and so on."""
-        common = _common(terms)
-        if common:
-            content = _content(terms, self.alphabet)
-            return self._product(common, content, ((self.plan(_divided(terms, common, content)), 1),))
+        shared = common(terms)
+        if shared:
+            return self._over_common(terms, shared, self.plan)
         factored = self._factored(terms) if self.budget > 0 and len(terms) <= MOST_FACTORED else []
-        return min([*factored, *self._splits(terms)], key=_price, default=self._flat(terms))
+        part, aside = next(self._parts(terms), (Terms(), 0.0))
+        split = self._split(terms, part, aside, inf)
+        return cheapest([*factored, split or self.flat(terms)])
 
     def _plain(self, terms: Terms) -> Plan:
         """What is common taken out, and no search."""
-        common = _common(terms)
-        if not common:
-            return self._flat(terms)
-        content = _content(terms, self.alphabet)
-        return self._product(common, content, ((self._flat(_divided(terms, common, content)), 1),))
+        shared = common(terms)
+        return self._over_common(terms, shared, self.flat) if shared else self.flat(terms)
 
     # -- the ways of writing a sum ----------------------------------------------------------------
 
-    def _flat(self, terms: Terms) -> Flat:
+    def flat(self, terms: Terms) -> Flat:
+        """As it stands."""
         awkward = sum(k.denominator > LARGEST_PART for k in terms.values()) if len(terms) > 1 else 0
-        price = sum(_operations(m, k) for m, k in terms.items()) + max(len(terms) - 1, 0)
+        price = sum(self._operations(m, k) for m, k in terms.items()) + max(len(terms) - 1, 0)
         return Flat(terms, price + awkward)
 
-    def _taken_out(self, terms: Terms, common: Monomial, content: Rational) -> list[Plan]:
-        """common * (...), with the greatest common number in front and with it left inside."""
-        numbers = {content, 1} if common else {content}
-        return [
-            self._product(common, n, ((self.plan(_divided(terms, common, n)), 1),)) for n in sorted(numbers)
-        ]
-
-    def _splits(self, terms: Terms) -> list[Plan]:
-        counts = Counter(atom for monomial in terms for atom, _ in monomial)
-        key, is_trig = self.alphabet.key, self.alphabet.is_trig
-        frequent = sorted(
-            (atom for atom, n in counts.items() if n > 1), key=lambda atom: (-counts[atom], key(atom))
-        )
-        most = 1 if len(terms) > MOST_SEARCHED else 6 if len(terms) > 8 else len(frequent)
-        turn = min((key(a)[1:] for a in frequent if is_trig(a)), default=())
-        shared = self._shared_numbers(terms) if len(terms) <= MOST_SEARCHED else []
-        return [*(self._split(terms, atom, turn) for atom in frequent[:most]), *shared]
-
-    def _shared_numbers(self, terms: Terms) -> list[Plan]:
-        """(x^2 + y^2)/2 - 1: terms with the same number, that number taken out."""
-        counts = Counter(abs(k) for k in terms.values())
-        plans: list[Plan] = []
-        for k, n in counts.items():
-            if k != 1 and 1 < n < len(terms):
-                taken = {m: value for m, value in terms.items() if abs(value) == k}
-                rest = {m: value for m, value in terms.items() if m not in taken}
-                inner, other = self.plan(taken), self.plan(rest)
-                plans.append(Split(((taken, inner), (rest, other)), inner.price + other.price + 1))
-        return plans
-
-    def _split(self, terms: Terms, atom: int, turn: SortKey) -> Plan:
-        """atom * (...) + the rest."""
-        taken = {m: k for m, k in terms.items() if any(a == atom for a, _ in m)}
-        rest = {m: k for m, k in terms.items() if m not in taken}
-        inner, other = self.plan(taken), self.plan(rest)
-        late = self.alphabet.is_trig(atom) and self.alphabet.key(atom)[1:] > turn
-        price = inner.price + other.price + 1 + self._parentheses(atom) + (OUT_OF_TURN if late else 0.0)
-        return Split(((taken, inner), (rest, other)), price)
-
-    def _factored(self, terms: Terms) -> list[Plan]:
-        if len(terms) in (5, 7):  # no product of two sums, and no square, has so many terms
-            return []
-        factors = factors_of(terms)
-        if len(factors) < 2 and all(power == 1 for _, power in factors):
-            return []
-        return [self._product((), 1, tuple((self.plan(f), power) for f, power in factors))]
-
-    @staticmethod
-    def _product(monomial: Monomial, coefficient: Rational, sums: tuple[tuple[Plan, int], ...]) -> Plan:
+    def product(self, monomial: Monomial, coefficient: Rational, sums: tuple[tuple[Plan, int], ...]) -> Plan:
+        """coefficient * monomial * the sums, each to its power."""
         factors = len(sums) if monomial or abs(coefficient.numerator) != 1 else len(sums) - 1
         inside = sum(plan.price + int(power > 1) + 0.25 for plan, power in sums)
-        return Taken(coefficient, monomial, sums, _operations(monomial, coefficient) + factors + inside)
+        return Taken(coefficient, monomial, sums, self._operations(monomial, coefficient) + factors + inside)
 
-    def _parentheses(self, atom: int) -> float:
-        kind = "trig" if self.alphabet.is_trig(atom) else "mass" if self.alphabet.is_mass(atom) else "other"
-        return PARENTHESES[kind]
+    def _over_common(self, terms: Terms, shared: Monomial, way: Callable[[Terms], Plan]) -> Plan:
+        number = content(terms, self.alphabet)
+        return self.product(shared, number, ((way(divided_by(terms, shared, number)), 1),))
 
+    def _taken_out(self, terms: Terms, shared: Monomial, number: Rational) -> list[Plan]:
+        """shared * (...), with the greatest common number in front and with it left inside."""
+        numbers = {number, 1} if shared else {number}
+        return [
+            self.product(shared, n, ((self.plan(divided_by(terms, shared, n)), 1),)) for n in sorted(numbers)
+        ]
 
-def _price(plan: Plan) -> float:
-    return plan.price
+    def _factored(self, terms: Terms) -> list[Plan]:
+        if len(terms) in (2, 5, 7) or is_irreducible(terms):
+            return []  # no product of two sums, and no square, has so many terms
+        scale, factors = factors_of(terms)
+        if len(factors) < 2 and all(power == 1 for _, power in factors):
+            return []
+        return [self.product((), scale, tuple((self.plan(f), power) for f, power in factors))]
 
+    def _split(self, terms: Terms, taken: Terms, aside: float, most: float) -> Plan | None:
+        """Some of the terms, nested, and the rest; None where that cannot cost less than `most`."""
+        rest = {m: k for m, k in terms.items() if m not in taken}
+        least = aside + len(rest)  # each further term is an addition at least
+        if not taken or len(taken) + least >= most:
+            return None
+        inner = self.plan(taken)
+        if inner.price + least >= most:
+            return None
+        other = self.plan(rest)
+        price = inner.price + other.price + 1 + aside
+        return Split(((taken, inner), (rest, other)), price) if price < most else None
 
-def factors_of(terms: Terms) -> list[tuple[Terms, int]]:
-    """The irreducible factors of terms without a common monomial or content, with their powers."""
-    atoms = sorted({atom for monomial in terms for atom, _ in monomial})
-    context = fmpq_mpoly_ctx.get(("x", len(atoms)), Ordering.lex)
-    polynomial = context.from_dict(
-        {
-            tuple(powers.get(atom, 0) for atom in atoms): to_flint(k)
-            for powers, k in ((dict(monomial), k) for monomial, k in terms.items())
-        }
-    )
-    content, factors = polynomial.factor()
-    found = [
-        (
-            {
-                tuple((a, int(e)) for a, e in zip(atoms, powers, strict=True) if e): of_flint(k)
-                for powers, k in factor.terms()
-            },
-            int(power),
-        )
-        for factor, power in factors
-    ]
-    scale = of_flint(content)
-    first, power = found[0]
-    if scale == 1:
-        return found
-    if power > 1 or abs(scale) != 1:
-        return [(terms, 1)]
-    return [({m: k * scale for m, k in first.items()}, 1), *found[1:]]
+    # -- which terms to take together -------------------------------------------------------------
 
+    def _parts(self, terms: Terms) -> Iterator[tuple[Terms, float]]:
+        """(terms, price of the parentheses): those with the same atom, most frequent first; those with the
+        same number."""
+        counts = Counter(atom for monomial in terms for atom, _ in monomial)
+        key, is_trig = self.alphabet.key, self.alphabet.is_trig
+        several = [atom for atom, n in counts.items() if n > 1]
+        frequent = sorted(several, key=lambda atom: (-counts[atom], key(atom)))
+        turn = min((key(a)[1:] for a in frequent if is_trig(a)), default=())
+        for atom in frequent[:6] if len(terms) > 8 else frequent:
+            taken = {m: k for m, k in terms.items() if any(a == atom for a, _ in m)}
+            yield taken, self._parentheses(atom, turn)
+        yield from self._same_numbers(terms)
 
-def _content(terms: Terms, alphabet: Alphabet) -> Rational:
-    """The greatest common factor of the coefficients; decimals keep theirs."""
-    values = list(terms.values())
-    if alphabet.style.decimals and any(map(terminates, values)):
-        return 1
-    top = reduce(gcd, (abs(v.numerator) for v in values))
-    bottom = reduce(lcm, (v.denominator for v in values))
-    return over(top, bottom)
+    def _same_numbers(self, terms: Terms) -> Iterator[tuple[Terms, float]]:
+        """(x^2 + y^2)/2 - 1: terms with the same number."""
+        alike: dict[Rational, Terms] = {}
+        for monomial, k in terms.items():
+            alike.setdefault(max(k, -k), {})[monomial] = k
+        for number, taken in alike.items():
+            if number != 1 and 1 < len(taken) < len(terms):
+                yield taken, self._aside(taken, number)
 
+    def _aside(self, taken: Terms, number: Rational) -> float:
+        """What it costs to take a number out of some terms only: more where a length goes with it, as in
+        a + 2 b (b + c), and where it is a whole number and the terms have masses."""
+        atoms = {atom for monomial in taken for atom, _ in monomial}
+        if number.denominator == 1 and any(map(self.alphabet.is_mass, atoms)):
+            return PARENTHESES["other"]
+        return max((self._parentheses(atom) for atom, _ in common(taken)), default=0.0)
 
-def _common(terms: Terms) -> Monomial:
-    """The greatest monomial that divides every term."""
-    monomials = [dict(m) for m in terms]
-    shared = set(monomials[0]).intersection(*monomials[1:])
-    return tuple((atom, min(m[atom] for m in monomials)) for atom in sorted(shared))
+    # -- prices -----------------------------------------------------------------------------------
 
+    def _operations(self, monomial: Monomial, coefficient: Rational) -> float:
+        """Multiplications, powers and a quotient; sums that stand for one letter, and their parentheses."""
+        factors = len(monomial) + (coefficient.numerator not in (1, -1)) - 1
+        powers = sum([power > 1 for _, power in monomial])
+        lumps = sum([self.alphabet.extra(atom) for atom, _ in monomial]) if self.alphabet.lumps else 0
+        return max(factors, 0) + powers + (coefficient.denominator > 1) + lumps
 
-def _divided(terms: Terms, by: Monomial, content: Rational) -> Terms:
-    powers = dict(by)
-    return {divided(monomial, powers): over(k, content) for monomial, k in terms.items()}
-
-
-def _operations(monomial: Monomial, coefficient: Rational) -> float:
-    factors = len(monomial) + (abs(coefficient.numerator) != 1) - 1
-    return max(factors, 0) + sum(power > 1 for _, power in monomial) + (coefficient.denominator > 1)
+    def _parentheses(self, atom: int, turn: SortKey = ()) -> float:
+        if self.alphabet.is_trig(atom):
+            late = bool(turn) and self.alphabet.key(atom)[1:] > turn
+            return PARENTHESES["trig"] + (OUT_OF_TURN if late else 0.0)
+        return PARENTHESES["mass" if self.alphabet.is_mass(atom) else "other"]

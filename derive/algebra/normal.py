@@ -260,8 +260,16 @@ class Walk:
         return False
 
 
+def derivative(value: Scalar, name: str) -> Scalar:
+    """The partial derivative by a name, through exp, log and the inverse functions too.
+
+    Raises NotDerivable where no rule is known.
+    """
+    return partial_derivative(value, name, normal)
+
+
 def _partial(value: Value, name: str) -> Value:
-    return value.diff(name) if isinstance(value, ScalarMatrix) else partial_derivative(value, name, normal)
+    return value.diff(name) if isinstance(value, ScalarMatrix) else derivative(value, name)
 
 
 def trig_of(angle: Scalar) -> tuple[Scalar, Scalar]:

@@ -32,6 +32,7 @@ from derive.errors import NotDerivable
 MOST_CASES = 60
 BASIS_LIMITS = (40, 120, 600)  # polynomials, terms, bits
 LARGEST = 400  # terms of an equation
+BESIDE = "a root that is only enclosed stands beside parameters: give them values"
 
 Equation: TypeAlias = tuple[Scalar, ...]  # irreducible factors, one of which vanishes
 Value: TypeAlias = Scalar | arb
@@ -234,13 +235,18 @@ class _Solver:
 
 
 def put_in(value: Scalar, values: Mapping[str, Value]) -> Value:
-    """With values for unknowns; a ball where one of those it holds is only enclosed."""
+    """With values for unknowns; a ball where one of those it holds is only enclosed. Raises NotDerivable
+    where parameters are left beside it."""
     used = {name: values[name] for name in value.generators() if name in values}
     exact = {name: each for name, each in used.items() if isinstance(each, Scalar)}
     if len(exact) == len(used):
         return value.substitute(exact)
     with ctx.workprec(BITS):
-        return ball(value, {n: each if isinstance(each, arb) else ball(each, {}) for n, each in used.items()})
+        try:
+            balls = {n: each if isinstance(each, arb) else ball(each, {}) for n, each in used.items()}
+            return ball(value, balls)
+        except KeyError as error:
+            raise NotDerivable(BESIDE) from error
 
 
 def groebner(equations: Sequence[Scalar], unknowns: tuple[str, ...]) -> list[Scalar] | None:

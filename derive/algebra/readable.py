@@ -17,8 +17,8 @@ from flint import fmpq_mpoly
 from derive.algebra.angles import Form, combination
 from derive.algebra.contraction import contracted
 from derive.algebra.grammar import parse
+from derive.algebra.masses import nested
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.nesting import nested
 from derive.algebra.normal import normal
 from derive.algebra.ring import Ring, ring
 from derive.algebra.scalar import Scalar

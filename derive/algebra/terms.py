@@ -63,6 +63,7 @@ class Alphabet:
     numbers: dict[Atom, int] = field(default_factory=dict)
     keys: dict[int, SortKey] = field(default_factory=dict)
     trees: dict[tuple[int, int], Expr] = field(default_factory=dict)
+    lumps: bool = False  # whether there are sums among the atoms
 
     def number(self, atom: Atom) -> int:
         if atom not in self.numbers:
@@ -80,8 +81,9 @@ class Alphabet:
     def is_trig(self, atom: int) -> bool:
         return self.atoms[atom].kind in ("cos", "sin")
 
-    def lump(self, x: int, y: int, sign: int) -> int:
+    def lump(self, x: int, y: int, sign: int = 1) -> int:
         """The atom x + sign * y of two letters."""
+        self.lumps = True
         return self.number(Atom("sum", self._linear(x) + self._linear(y).scaled(sign)))
 
     def _linear(self, atom: int) -> Form:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from math import prod
 
-from derive.algebra.nesting import Flat, Plan, Split, Taken
+from derive.algebra.plans import Flat, Plan, Split, Taken
 from derive.algebra.rationals import Rational
 from derive.algebra.terms import Alphabet, Monomial, SortKey, terminates
 from derive.expression import (
@@ -34,7 +34,7 @@ class Writing:
         match plan:
             case Flat(terms):
                 ordered = sorted(terms.items(), key=lambda item: self._term_key(item[0]))
-                return _sum([self._monomial(monomial, k) for monomial, k in ordered])
+                return _sum([term for monomial, k in ordered for term in _terms(self._monomial(monomial, k))])
             case Split(parts):
                 keyed = sorted(parts, key=lambda part: min(map(self._term_key, part[0])))
                 return _sum([term for _, inner in keyed for term in _terms(self.tree(inner))])
@@ -46,8 +46,10 @@ class Writing:
         factors: list[Expr] = []
         for plan, power in sums:
             expr = self.tree(plan)
-            if isinstance(expr, Sum) and all(map(is_negative, expr.terms)):
-                expr, coefficient = Sum(tuple(map(negate, expr.terms))), coefficient * (-1) ** power
+            if _all_negative(expr):
+                expr, coefficient = _opposite(expr), coefficient * (-1) ** power
+            if power == 1 and isinstance(expr, Product) and isinstance(expr.factors[0], Number):
+                coefficient, expr = coefficient * expr.factors[0].value, multiply(*expr.factors[1:])
             factors.append(Power(expr, number(power)) if power > 1 else expr)
         trig = tuple(part for part in monomial if self.alphabet.is_trig(part[0]))
         if any(self._holds_function(plan) for plan, _ in sums):
@@ -74,6 +76,8 @@ class Writing:
         factors = [alphabet.expression(*part) for part in ordered if alphabet.radicand(part[0]) == 1]
         decimal = alphabet.style.decimals and terminates(coefficient)
         roots = (sqrt(number(radicand)),) if radicand > 1 else ()  # sqrt(2) sqrt(3) is sqrt(6)
+        if coefficient == -1 and len(factors) == 1 and isinstance(factors[0], Sum) and not roots:
+            return _opposite(factors[0])
         return multiply(Number(Fraction(coefficient), decimal), *roots, *factors)
 
     def _term_key(self, monomial: Monomial) -> SortKey:
@@ -94,6 +98,15 @@ def _sum(terms: list[Expr]) -> Expr:
     first = next((i for i, term in enumerate(terms) if not is_negative(term)), 0)
     ordered = [terms[first], *terms[:first], *terms[first + 1 :]] if terms else []
     return Sum(tuple(ordered)) if len(ordered) > 1 else ordered[0] if ordered else number(0)
+
+
+def _all_negative(expr: Expr) -> bool:
+    return all(map(is_negative, _terms(expr)))
+
+
+def _opposite(expr: Expr) -> Expr:
+    """With the sign of every term changed, a positive term first."""
+    return _sum(list(map(negate, _terms(expr))))
 
 
 def _terms(expr: Expr) -> tuple[Expr, ...]:

@@ -86,8 +86,11 @@ class Layout:
             self.at[n][0] for n in (*self._targets(block.name), *self.diagram.into(block)) if n in self.at
         ]
         x = sum(ends) / len(ends) if ends else 0.0
-        side = 1 if block.shape == "source" else -1
-        half = self.size[block.name] + GAP / 2
+        below = any(self.at[n][1] < 0 for n in self._targets(block.name) if n in self.at)
+        driven = all(self.diagram.block(name).shape == "source" for name in self.diagram.into(block))
+        side = 1 if driven and not below else -1
+        spread = (max(ends) - min(ends)) / 2 if ends else 0.0  # its wires need room too
+        half = max(self.size[block.name], spread) + GAP / 2
         level = 1
         while any(row == level and abs(x - other) < half + width for other, width, row in rows[side]):
             level += 1
@@ -122,8 +125,8 @@ class Layout:
             source, target = self.diagram.block(line.source), self.diagram.block(line.target)
             sign = target.signs[line.port - 1] if target.shape == "sum" else 1
             way = self._way(source, target)
-            captions = [] if sign > 0 else [Caption(_before(way), "-", self._aside(way))]
-            if source.name not in named and self._is_signal(source.name):
+            captions = [] if sign > 0 else [Caption(_before(way), "-", self._aside(way), "sign")]
+            if source.name not in (*named, self.diagram.output) and self._is_signal(source.name):
                 named.add(source.name)
                 captions.append(self._name(source, way))
             yield [Stroke(way, "arrow")], captions
@@ -141,7 +144,7 @@ class Layout:
         """The signal that leaves a block, once."""
         (ax, ay), (bx, by) = way[0], way[1]
         if block.shape == "source" and ay != by:
-            return Caption((ax, ay), block.name, (0.0, 1.0))
+            return Caption((ax, ay), block.name, (0.0, 1.0 if ay > by else -1.0))
         middle = ((ax + bx) / 2, (ay + by) / 2) if block.shape != "source" else (ax + 0.1, ay)
         return Caption(middle, block.name, (1.0, 0.0) if ay != by else (0.0, 1.0 if ay >= 0 else -1.0))
 
@@ -152,16 +155,17 @@ class Layout:
         if ay == by and ax < bx:
             return (right, ay), (left, by)
         if source.shape == "source":
-            return (ax, ay), (bx, by + (SUM if target.shape == "sum" else HIGH / 2))
+            reach = SUM if target.shape == "sum" else HIGH / 2
+            return (ax, ay), (bx, by + (reach if ay > by else -reach))
         tap = right + GAP / 2
         if ay == 0:  # branches off the forward path into a block of another row, entered from the right
             return (tap, 0.0), (tap, by), (bx + self.size[target.name], by)
-        under = by - (SUM if target.shape == "sum" else HIGH / 2) if ay < by else by + HIGH / 2
-        return (ax - self.size[source.name], ay), (bx, ay), (bx, under)
+        reach = SUM if target.shape == "sum" else HIGH / 2
+        return (ax - self.size[source.name], ay), (bx, ay), (bx, by - reach if ay < by else by + reach)
 
     def _aside(self, way: tuple[Place, ...]) -> Place:
         (ax, _), (bx, _) = way[-2], way[-1]
-        return (1.0, -0.2) if ax == bx else (-0.2, -1.0)
+        return (-1.0, 0.2) if ax == bx else (-0.2, -1.0)
 
 
 def _half(block: Block) -> float:
@@ -184,7 +188,7 @@ def _letters(label: Expr) -> float:
 def _label(block: Block) -> Expr:
     """The transfer function of a block."""
     top, bottom = _polynomial(block.num), _polynomial(block.den)
-    return top if bottom == ONE else Quotient(top, bottom)
+    return ONE if top == bottom else top if bottom == ONE else Quotient(top, bottom)
 
 
 def _polynomial(coefficients: tuple[Expr, ...]) -> Expr:

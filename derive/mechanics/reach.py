@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import reduce
+from itertools import pairwise
 from operator import mul
 
 from derive.algebra.kernels import root
@@ -74,7 +75,7 @@ def _lengths(chain: Chain, rows: Sequence[int], point: ScalarMatrix) -> tuple[Sc
         return ()
     places = [*(chain.point(i) for i in rows), point]
     found = []
-    for here, there in zip(places, places[1:], strict=False):
+    for here, there in pairwise(places):
         seen = axis.cross(there - here)
         square = _dot(seen, seen)
         if not _fixed(chain, square):

@@ -57,7 +57,8 @@ class Zero:
 
 
 def zeros(equation: Scalar, variables: tuple[str, ...], write: Write) -> tuple[Zero, ...]:
-    """All zeros by one variable; none where no sub-problem fits, or only with values too long to read. `variables` in order of preference."""
+    """All zeros by one variable; none where no sub-problem fits, or only with values too long to read.
+    `variables` in order of preference."""
     held = [name for name in variables if equation.diff(name)]
     found = [zero for name in held if (zero := _by(equation, name, held, write))]
     best: tuple[Zero, ...] = min(found, key=_awkward, default=())
@@ -172,7 +173,8 @@ def _with_constant(name: str, a: Scalar, b: Scalar, d: Scalar, write: Write) -> 
     found = []
     for sign in (1, -1):
         c, s = (-a * d - sign * b * height) / square, (-b * d + sign * a * height) / square
-        value = add(middle, multiply(number(sign), spread)) if b else multiply(number(sign), _acos(-d / a, write))
+        turn = multiply(number(sign), spread if b else _acos(-d / a, write))
+        value = add(middle, turn) if b else turn
         found.append(Zero(name, value, (c, s), "triangle", write(inside)))
     return tuple(found)
 

@@ -140,7 +140,7 @@ def _clear(caption: Caption, scale: float) -> float:
     """How far from its place a caption begins, in points; beside a joint as far as the joint reaches."""
     if caption.role == "joint":
         return float(3.0 + scale * (caption.towards[0] ** 2 + caption.towards[1] ** 2) ** 0.5)
-    return 4.0 if caption.role in COLOURS else 7.0
+    return 1.0 if caption.role == "sign" else 4.0 if caption.role in COLOURS else 7.0
 
 
 def _crowded(frame: _Frame, placed: list[_Frame], taken: list[_Frame]) -> float:

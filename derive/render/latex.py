@@ -39,6 +39,7 @@ OPERATORS = {
 }  # fmt: skip
 BARE_ARGUMENT = ("cos", "sin", "tan", "det")  # a lone symbol after these needs no parentheses
 MARKS = {"transpose": "T", "inverse": "-1"}
+LONG_NUMERATOR = 3  # factors
 
 
 def latex(expr: Expr, notation: Notation) -> str:
@@ -47,14 +48,13 @@ def latex(expr: Expr, notation: Notation) -> str:
 
 
 def parenthesised(inner: str) -> str:
-    tall = any(mark in inner for mark in (r"\frac", r"\begin"))
+    tall = any(mark in inner for mark in ("frac{", r"\begin"))
     return rf"\left( {inner} \right)" if tall else f"({inner})"
 
 
 def is_approximate(expr: Expr) -> bool:
     """Whether it holds a rounded number, so that it follows an approximation sign."""
     return isinstance(expr, Approximate) or any(map(is_approximate, children(expr)))
-
 
 @dataclass(frozen=True, slots=True)
 class Printer:
@@ -221,8 +221,16 @@ class Printer:
         return rf"\mathrm{{{name}}}" + parenthesised(", ".join(map(self.write, order)))
 
     def matrix(self, rows: tuple[tuple[Expr, ...], ...]) -> str:
-        lines = (" & ".join(map(self.write, row)) for row in rows)
-        return r"\begin{bmatrix} " + r" \\ ".join(lines) + r" \end{bmatrix}"
+        lines = [" & ".join(map(self._entry, row)) for row in rows]
+        end = r" \\[0.8ex] " if any(r"\dfrac" in line for line in lines) else r" \\ "
+        return r"\begin{bmatrix} " + end.join(lines) + r" \end{bmatrix}"
+
+    def _entry(self, entry: Expr) -> str:
+        """A long fraction keeps its size in a matrix; a short one shrinks as in a line of text."""
+        written = self.write(entry)
+        top = _numerator(entry)
+        tall = isinstance(top, Sum) or (isinstance(top, Product) and len(top.factors) > LONG_NUMERATOR)
+        return written.replace(r"\frac", r"\dfrac", 1) if tall else written
 
     def indexed(self, base: str, lower: tuple[Expr, ...], upper: tuple[Expr, ...]) -> str:
         parts = name_parts(base)
@@ -251,6 +259,14 @@ class Printer:
 def _whole(number: str) -> str:
     """A fraction in parentheses, so that what is raised stands beside all of it."""
     return parenthesised(number) if "frac" in number else number
+
+
+def _numerator(entry: Expr) -> Expr | None:
+    """Of an entry that is a fraction or minus a fraction."""
+    match entry:
+        case Quotient(top, _) | Product((_, Quotient(top, _))):
+            return top
+    return None
 
 
 def _number(value: Fraction, decimal: bool) -> tuple[str, int]:

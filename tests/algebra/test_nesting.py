@@ -5,12 +5,13 @@ from math import prod
 
 import pytest
 
-from derive.algebra.nesting import factors_of
+from derive.algebra.factoring import factors_of, is_irreducible
 from derive.algebra.normal import normal
 from derive.algebra.operations import operations
 from derive.algebra.readable import readable
 from derive.algebra.scalar import Scalar
 from derive.algebra.terms import Alphabet, terms_of
+from derive.algebra.text import text
 from tests.algebra.test_contraction import expression
 from tests.trees import formula
 
@@ -38,8 +39,33 @@ def test_few_operations_are_found(typed: str, most: int) -> None:
 def test_the_factors_multiply_to_the_whole(typed: str) -> None:
     alphabet = Alphabet()
     terms = terms_of(normal(formula(typed)), alphabet)
-    parts = [normal(expression(factor, alphabet)) ** power for factor, power in factors_of(terms)]
-    assert prod(parts, start=Scalar.of(1)) == normal(formula(typed))
+    scale, factors = factors_of(terms)
+    parts = [normal(expression(factor, alphabet)) ** power for factor, power in factors]
+    assert prod(parts, start=Scalar.of(scale)) == normal(formula(typed))
+    assert not is_irreducible(terms) or len(factors) == 1
+
+
+PRINTED = [
+    # a length is not taken out of some terms only, nor a number out of terms of several masses
+    ("m (L^2 + 2 L_c^2 + 2 L L_c cos(x)) + 2 I_zz", "m*(L**2 + 2*L_c**2 + 2*L*L_c*cos(x)) + 2*I_zz"),
+    ("m (a cos(x) + b cos(x + y))^2", "m*(a*cos(x) + b*cos(x + y))**2"),
+    ("(x^2 + y^2)/2 - 1", "(x**2 + y**2)/2 - 1"),
+    # squares of sums, whatever stands in front
+    ("m (d^2 + 2 d z + z^2)", "m*(d + z)**2"),
+    ("-m (d^2 + 2 d z + z^2) - I", "-m*(d + z)**2 - I"),
+    ("m (d + z)^2 sin(x)^2 + n (d - y)^2", "n*(d - y)**2 + m*(d + z)**2*sin(x)**2"),
+    ("m (d + z) (d + z + a cos(x))", "m*(d + z)*(d + z + a*cos(x))"),
+    ("I - I cos(x)^2 + m", "m + I*sin(x)**2"),
+    # one sign, in front
+    ("-m (d + z) sin(y) (a sin(x) + b)", "-m*(d + z)*sin(y)*(b + a*sin(x))"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("typed", "printed"), PRINTED)
+def test_what_a_person_would_write(typed: str, printed: str) -> None:
+    found = readable(normal(formula(typed)))
+    assert normal(found) == normal(formula(typed))
+    assert text(found) == printed
 
 
 def test_a_long_sum_is_written_in_a_moment() -> None:

@@ -203,6 +203,11 @@ def test_the_energy_is_kept_along_the_integrated_motion() -> None:
     assert numpy.ptp(energies) < 1e-7 * max(1.0, abs(energies[0]))
 
 
+def test_energies_may_hold_other_functions() -> None:
+    found = ask(system("q", kinetic="1/2*m*exp(2*q)*q_dot^2", potential="k*log(1 + q^2)"))
+    assert are(found, "tau", "m*exp(2*q)*(q_ddot + q_dot^2) + 2*k*q/(1 + q^2)")
+
+
 def test_friction_takes_what_rayleigh_says() -> None:
     found = ask(
         system("x", kinetic="1/2*m*x_dot^2", potential="1/2*k*x^2", dissipation="1/2*b*x_dot^2", Q_x="F")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import Any
 
 import pytest
@@ -32,7 +33,7 @@ def test_it_comes_to_the_target(method: str, left: float) -> None:
 def test_newton_converges_quadratically() -> None:
     target, _ = pose((0.4, 0.9))
     errors = [row.error for row in iterate(pose, target, (0.1, 1.2), "newton", 20, None).rows]
-    assert all(after < 3 * before**2 for before, after in zip(errors[1:-1], errors[2:], strict=True))
+    assert all(after < 3 * before**2 for before, after in pairwise(errors[1:]))
 
 
 def test_newton_stops_at_a_singular_start() -> None:

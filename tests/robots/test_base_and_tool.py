@@ -21,9 +21,16 @@ ROWS = """
     - {theta: 30 deg, d: d2*, a: a2, alpha: -90 deg}
     - {theta: theta3* + 90 deg, d: 0, a: a3, alpha: beta}
 """
+REVERSED = """
+    - {theta: -theta1*, d: 0, a: a1, alpha: 90 deg}
+    - {theta: 0, d: 1 - d2*, a: a2, alpha: 0}
+    - {theta: 30 deg - theta3*, d: 0, a: a3, alpha: 0}
+"""
 ARMS = {
     "standard": f"\n    links:{ROWS}",
     "modified": f"\n    convention: modified\n    links:{ROWS}",
+    "reversed": f"\n    links:{REVERSED}",
+    "reversed modified": f"\n    convention: modified\n    links:{REVERSED}",
     "free": """
     links:
     - {theta: theta1*, d: d1, a: 0, alpha: 90 deg}
@@ -42,7 +49,7 @@ ARMS = {
     - {screw: {axis: [0, 3/5, 4/5], through: [a1, 0, 0]}, variable: theta1*}
     - {screw: {slide: x}, variable: d2*}
     - {screw: {axis: y, through: [0, 0, a3], pitch: h}, variable: theta3* + 30 deg}
-    home: [{translate: x, by: c}, {rotate: z, by: 90 deg}]
+    home: [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
 """,
 }
 QUESTIONS = (

@@ -11,10 +11,11 @@ from flint import arb, ctx
 from derive.algebra.function import Function
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, normal
-from derive.algebra.polynomial_systems import Case, Solution, Value, put_in, solve
+from derive.algebra.polynomial_systems import BESIDE, Case, Solution, Value, put_in, solve
 from derive.algebra.polynomials import ball, known_sign, require_rational
 from derive.algebra.real_roots import BITS
 from derive.algebra.scalar import Scalar
+from derive.errors import NotDerivable
 from derive.expression import Symbol
 
 
@@ -153,7 +154,15 @@ def _multipliers(gradients: Sequence[Sequence[Value]], columns: tuple[int, ...])
     """grad f = sum lambda_k grad g_k in those columns, by Cramer's rule."""
     f, *g = [[row[k] for k in columns] for row in gradients]
     whole = _det(g)
-    return tuple(_det([f if i == k else row for i, row in enumerate(g)]) / whole for k in range(len(g)))
+    found = [_det([f if i == k else row for i, row in enumerate(g)]) for k in range(len(g))]
+    return tuple(_quotient(top, whole) for top in found)
+
+
+def _quotient(top: Value, bottom: Value) -> Value:
+    if isinstance(top, Scalar) and isinstance(bottom, Scalar):
+        return top / bottom
+    with ctx.workprec(BITS):
+        return as_ball(top) / as_ball(bottom)
 
 
 def _det(rows: Sequence[Sequence[Value]]) -> Value:
@@ -172,8 +181,13 @@ def _det(rows: Sequence[Sequence[Value]]) -> Value:
 
 
 def as_ball(value: Value) -> arb:
-    """The value as a ball; of a number without parameters."""
-    return value if isinstance(value, arb) else ball(value, {})
+    """The value as a ball. Raises NotDerivable where it holds parameters."""
+    if isinstance(value, arb):
+        return value
+    try:
+        return ball(value, {})
+    except KeyError as error:
+        raise NotDerivable(BESIDE) from error
 
 
 def bordered_hessian(task: Task, order: Sequence[int] | None = None) -> ScalarMatrix:

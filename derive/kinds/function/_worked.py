@@ -222,7 +222,7 @@ def _search(function: Function, task: Task, problem: Problem, found: Sequence[Po
     known = completed(next(iter(random_points(sorted(parameters), 1))), problem.where)
     tree = _lagrange(function, tuple(map(Symbol, task.multipliers)), Symbol("f"))
 
-    ours = [_numbers(p, task, known) for p in found if p.multipliers is not None]
+    ours = [_numbers(p, task, known) for p in found]  # at a singular point any multiplier may do
     others = [each for each in stationary(tree, known, unknowns) if _allowed(each, task)]
     holds = all(any(_near(theirs, mine) for mine in ours) for theirs in others)
     claim = f"Newton's method from random starts finds {len(others)} points, all among these"
@@ -245,4 +245,4 @@ def _numbers(point: Point, task: Task, known: Mapping[str, float]) -> list[float
 
 def _near(theirs: Sequence[float], ours: Sequence[float]) -> bool:
     pairs = zip(theirs, ours, strict=False)
-    return len(theirs) == len(ours) and all(abs(a - b) < 100 * NEAR * (1 + abs(b)) for a, b in pairs)
+    return bool(ours) and all(abs(a - b) < 100 * NEAR * (1 + abs(b)) for a, b in pairs)

@@ -8,12 +8,11 @@ from fractions import Fraction
 
 from flint import arb
 
-from derive.algebra.angles import Form, combination
+from derive.algebra.angles import PI, Form, combination
 from derive.algebra.fixed import fixed_trig
 from derive.algebra.normal import normal
 from derive.algebra.polynomial_systems import solve
 from derive.algebra.polynomials import known_sign, numerator
-from derive.algebra.ring import PI
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Call, Expr, add, atan2, multiply, negate, number, walk

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from math import prod
+from math import lcm, prod
 
+from derive.algebra.normal import derivative
 from derive.algebra.polynomials import holds
 from derive.algebra.scalar import Scalar
 from derive.expression import (
@@ -17,12 +18,13 @@ from derive.expression import (
     Power,
     Product,
     Quotient,
+    Sum,
     Symbol,
     add,
+    is_negative,
     multiply,
     negate,
     number,
-    walk,
 )
 from derive.kinds.problem import Problem
 from derive.mechanics.lagrangian import LagrangianSystem, by_rates, without
@@ -33,7 +35,7 @@ def written_side(side: Scalar, system: LagrangianSystem, problem: Problem) -> Ex
     terms = [
         _times(problem.readable(factor), (Symbol(name),))
         for name in system.accelerations
-        if (factor := side.diff(name))
+        if (factor := derivative(side, name))
     ]
     rest = without(side, system.accelerations)
     if rest.denominator is not None and holds(Scalar(rest.ring, rest.denominator), system.rates):
@@ -69,20 +71,26 @@ def _factors(expr: Expr) -> tuple[Expr, ...]:
 
 
 def written_fraction(value: Scalar, problem: Problem) -> Expr:
-    """A quotient with as few minus signs as it can have, one in front of it rather than above."""
+    """A quotient with no minus sign below, and one in front of it rather than many above."""
     if value.denominator is None:
         return problem.readable(value)
-    opposite = Scalar(value.ring, -value.numerator), Scalar(value.ring, -value.denominator)
-    forms = [problem.readable(value), Quotient(*map(problem.readable, opposite))]
-    chosen = min(forms, key=_signs)
-    match chosen:
-        case Quotient(Product((Number(lead), *rest)), bottom) if lead == -1:
-            return Product((MINUS_ONE, Quotient(multiply(*rest), bottom)))
-    return chosen
+    whole = lcm(*(int(k.q) for k in value.numerator.coeffs()))
+    top = Scalar(value.ring, value.numerator * whole)
+    bottom = Scalar(value.ring, value.denominator * whole)
+    below = problem.readable(bottom)
+    if _leads_with_minus(below):
+        top, below = -top, problem.readable(-bottom)
+    above = problem.readable(top)
+    match above:
+        case Product((Number(lead), *rest)) if lead == -1:
+            return Product((MINUS_ONE, Quotient(multiply(*rest), below)))
+        case Sum(terms) if all(map(is_negative, terms)):
+            return Product((MINUS_ONE, Quotient(Sum(tuple(map(negate, terms))), below)))
+    return problem.readable(value) if isinstance(below, Number) else Quotient(above, below)
 
 
-def _signs(expr: Expr) -> int:
-    return sum(isinstance(node, Number) and node.value < 0 for node in walk(expr))
+def _leads_with_minus(expr: Expr) -> bool:
+    return is_negative(expr.terms[0]) if isinstance(expr, Sum) else is_negative(expr)
 
 
 def difference(left: Expr, right: Expr) -> Expr:

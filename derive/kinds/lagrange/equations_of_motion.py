@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from derive.algebra import numeric
+from derive.algebra.normal import derivative
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Result, Step
 from derive.expression import ZERO, Derivative, Expr, Symbol, column
@@ -81,12 +82,12 @@ def _partials(model: Model) -> Iterator[Step]:
     """For each coordinate dL/dqdot, its rate, and dL/dq."""
     system, problem, L = model.system, model.problem, Symbol(model.letters.lagrangian)
     for q, along in zip(system.coordinates, system.rates, strict=True):
-        momentum = model.lagrangian.diff(along)
+        momentum = derivative(model.lagrangian, along)
         outer = Derivative(L, Symbol(along))
         yield Step(f"momentum_{q}", (outer, written_side(momentum, system, problem)), "momentum", {"q": q})
         change = written_side(rate(momentum, system), system, problem)
         yield Step(f"rate_{q}", (Derivative(outer, Symbol(TIME)), change), "law", {"q": q})
-        force = written_side(model.lagrangian.diff(q), system, problem)
+        force = written_side(derivative(model.lagrangian, q), system, problem)
         yield Step(f"force_{q}", (Derivative(L, Symbol(q)), force), "force", {"q": q})
 
 
@@ -166,9 +167,9 @@ def _cyclic(model: Model) -> list[tuple[Expr, Expr]]:
     found: list[tuple[Expr, Expr]] = []
     lost = model.scalar(model.system.dissipation)
     for k, (q, along) in enumerate(zip(model.system.coordinates, model.system.rates, strict=True)):
-        free = not model.forces[q] and not model.reaction(k) and not lost.diff(along)
-        if free and not model.lagrangian.diff(q):
-            found.append((Symbol(q), model.problem.readable(model.lagrangian.diff(along))))
+        free = not model.forces[q] and not model.reaction(k) and not derivative(lost, along)
+        if free and not derivative(model.lagrangian, q):
+            found.append((Symbol(q), model.problem.readable(derivative(model.lagrangian, along))))
     return found
 
 
@@ -181,7 +182,7 @@ def _laws(model: Model, found: Solved | None) -> Iterator[Claim]:
     power = Scalar.of(0)
     for name, side in zip(system.rates, model.sides, strict=True):
         power = power + Scalar.symbol(name) * side
-    balance = rate(energy(model.lagrangian, system), system) == power - model.lagrangian.diff(TIME)
+    balance = rate(energy(model.lagrangian, system), system) == power - derivative(model.lagrangian, TIME)
     yield law("the energy changes by the power of the forces", balance)
     if found is not None:
         yield law("what was solved for satisfies every equation and constraint", satisfies(model, found))

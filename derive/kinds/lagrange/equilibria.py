@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import derivative
 from derive.algebra.polynomials import known_sign, odd_part
 from derive.algebra.scalar import Scalar
 from derive.algebra.text import text
@@ -52,7 +53,7 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     positive = {n for n, what in problem.assumptions.items() if what == "positive"} | surely_positive(model)
     left = _at_rest(model)
     found = solved([each for each in left if each], system.coordinates, positive, problem)
-    stiffness = ScalarMatrix.of([row.diff(q) for q in system.coordinates] for row in left)
+    stiffness = ScalarMatrix.of([derivative(row, q) for q in system.coordinates] for row in left)
     said = [_said(model, each, stiffness, positive) for each in found]
     equations = problem.ask("equations-of-motion")
     steps = (

@@ -7,12 +7,13 @@ from dataclasses import dataclass
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import derivative
 from derive.algebra.numeric import matrix_numbers
 from derive.algebra.polynomials import known_sign
 from derive.algebra.text import text
 from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Expr, Matrix, Symbol, column
+from derive.expression import ZERO, Expr, Matrix, Product, Symbol, column
 from derive.kinds.checks import SECOND_ROUTE, close, law, links, random_points
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import Name, OptionsModel
@@ -102,7 +103,7 @@ def _state(options: Options, system: LagrangianSystem, inputs: tuple[str, ...]) 
     if unknown := given.keys() - set(system.coordinates) - set(inputs):
         names = ", ".join((*system.coordinates, *inputs))
         raise NotDerivable(f"{min(unknown)} under at: is neither a coordinate nor an input ({names})")
-    rest = {Symbol(name): ZERO for name in (*inputs, *system.rates, *system.accelerations)}
+    rest: dict[Expr, Expr] = {Symbol(name): ZERO for name in (*inputs, *system.rates, *system.accelerations)}
     return {**rest, **{Symbol(name): value for name, value in given.items()}}
 
 
@@ -122,7 +123,9 @@ def _linear(model: Model, at: Mapping[Expr, Expr], inputs: tuple[str, ...]) -> L
     whole = [model.rest[k] - model.forces[q] for k, q in enumerate(system.coordinates)]
 
     def derivatives(names: tuple[str, ...], sign: int = 1) -> ScalarMatrix:
-        return ScalarMatrix.of([there(model, row.diff(name), at) * sign for name in names] for row in whole)
+        return ScalarMatrix.of(
+            [there(model, derivative(row, name), at) * sign for name in names] for row in whole
+        )
 
     return Linear(
         _mass(model, at),
@@ -174,9 +177,15 @@ def _facts(model: Model, options: Options, linear: Linear, at: Mapping[Expr, Exp
         "at": [(Symbol(q), at[Symbol(q)]) for q in system.coordinates if Symbol(q) in at],
         "held": [(Symbol(u), at[Symbol(u)]) for u in linear.inputs if at[Symbol(u)] != ZERO],
         "inputs": tuple(map(Symbol, linear.inputs)), "damped": bool(linear.C),
-        "state": column((*map(Symbol, system.coordinates), *map(Symbol, system.rates))),
+        "z": Symbol("z"), "state": _state_vector(system),
         "single": len(system.coordinates) == 1, "stability": _stability(model, linear),
     }  # fmt: skip
+
+
+def _state_vector(system: LagrangianSystem) -> Matrix:
+    """Displacements, then rates, as the page writes them."""
+    names = (*system.coordinates, *system.rates)
+    return column(Product((Symbol("delta"), Symbol(name))) for name in names)
 
 
 def _stability(model: Model, linear: Linear) -> str:

@@ -56,6 +56,7 @@ def fitted(pairs: PointPairs, problem: Problem) -> Derivation:
     )
     results: dict[str, Result] = {"R": scaled.R, "p": p, "rms": rounded(rms), "T": whole}
     facts: dict[str, Any] = {
+        "numbers": (),
         "method": "rows", "points": point_table(pairs), "count": len(pairs.source), "A": A, "size": size,
         "rotation": scaled.orthogonal and scaled.det == number(1),
         "unit": all(length == number(1) for length in scaled.lengths), "unknowns": size + 1,

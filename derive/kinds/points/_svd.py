@@ -62,6 +62,7 @@ def fitted(pairs: PointPairs, problem: Problem) -> Derivation:
     results: dict[str, Result] = {"R": rotation, "p": position, "rms": rounded(rms)}
     claims = (*links(steps, {**problem.names, **definitions}), *_claims(data, fit, exact, rms, exact_H))
     facts: dict[str, Any] = {
+        "numbers": (),
         "method": "svd", "points": point_table(pairs), "count": len(pairs.source), "exact": exact is not None,
         "flat": fit.is_flat, "reflected": fit.det < 0 and not fit.is_flat, "spatial": len(fit.S) == 3,
         "det": whole(fit.det), "a": A_MEAN, "b": B_MEAN, "diagonal": _diagonal(fit), "D": D,

@@ -16,8 +16,10 @@ from derive.errors import NotDerivable
 from derive.expression import (
     ZERO,
     Approximate,
+    Degrees,
     Expr,
     Matrix,
+    Number,
     Product,
     Symbol,
     column,
@@ -178,7 +180,7 @@ def _steps(knots: Knots, A: ScalarMatrix, b: ScalarMatrix, written: Sequence[Exp
     unknown = column(Symbol(f"v_{k}") for k in range(knots.spans + 1))
     right = column(knots.working.written(entry) for entry in b.entries)
     yield Step("system", (Product((_plain(A, knots), unknown)), right))
-    shown = column(map(_read, written))
+    shown = column(_read(each, knots.working.problem.style.decimals) for each in written)
     yield Step("velocities", (unknown, shown))
 
 
@@ -186,11 +188,13 @@ def _plain(A: ScalarMatrix, knots: Knots) -> Matrix:
     return Matrix(tuple(tuple(knots.working.problem.readable(entry) for entry in row) for row in A.rows))
 
 
-def _read(expr: Expr) -> Expr:
-    """A fraction that is too long to be read, rounded."""
-    if free_symbols(expr) or len(text(expr)) <= SHORT:
+def _read(expr: Expr, decimals: bool) -> Expr:
+    """A fraction that is too long to be read, rounded; where the author typed decimals, any that does not
+    end. Degrees stay as they are: a rounded number has no unit."""
+    if free_symbols(expr) or isinstance(expr, Degrees):
         return expr
-    return Approximate(value_of(expr, {}))
+    endless = isinstance(expr, Number) and not expr.decimal and expr.value.denominator > 1
+    return Approximate(value_of(expr, {})) if len(text(expr)) > SHORT or (decimals and endless) else expr
 
 
 def _facts(
@@ -203,7 +207,10 @@ def _facts(
 ) -> dict[str, Any]:
     c = symbols("c_0 c_1 c_2 c_3")
     tau = Symbol("tau")
-    rows = tuple((number(k), s.start, s.end, *map(_read, s.coefficients)) for k, s in enumerate(spans, 1))
+    rows = tuple(
+        (number(k), s.start, s.end, *(_read(c, problem.style.decimals) for c in s.coefficients))
+        for k, s in enumerate(spans, 1)
+    )
     points = tuple(
         (number(k), time, place)
         for k, (time, place) in enumerate(zip(knots.times, knots.places, strict=True))

@@ -6,6 +6,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 from derive.algebra import numeric
@@ -72,7 +73,8 @@ def at_point(task: Task, place: Place) -> Ellipsoids:
         "force_axes": tuple((_axis(value),) for value in forces) if INFINITE not in forces else INFINITE,
         "force_directions": tuple(tuple(map(Approximate, directions[k])) for k in order),
     }
-    return Ellipsoids(here, (shown,), results, evaluated, (_claim(task, here, values, directions),), plots, facts)
+    claims = (_claim(task, here, values, directions),)
+    return Ellipsoids(here, (shown,), results, evaluated, claims, plots, facts)
 
 
 def _axis(value: float | str) -> Expr:
@@ -140,7 +142,7 @@ def _pictures(
         return ()
     plane = ["xyz".index(row[1]) for row in task.rows]
     points = _arm(task, here, plane)
-    reach = sum(math.dist(a, b) for a, b in zip(points, points[1:], strict=False)) or 1.0
+    reach = sum(math.dist(a, b) for a, b in pairwise(points)) or 1.0
     tip = points[-1]
     sizes = {"velocity ellipse": values, "force ellipse": [1 / value for value in values]}
     series = {"arm": _coordinates(points)}
@@ -155,13 +157,14 @@ def _arm(task: Task, here: Mapping[str, float], plane: list[int]) -> list[tuple[
     """The origins of the frames, seen in the plane; the last is the point itself."""
     origins = [T[:3, 3] for T in oracle_of(task.problem).poses(here)]
     tip = [row[0] for row in numeric.matrix_numbers(task.point.position, here)]
-    points = [*origins[: task.point.last], tip]
+    points: list[Any] = [*origins[: task.point.last], tip]
     return [(float(p[plane[0]]), float(p[plane[1]])) for p in points]
 
 
 def _ellipse(center: tuple[float, float], axes: list[float], directions: list[list[float]]) -> list[Any]:
     turns = [2 * math.pi * k / (CORNERS - 1) for k in range(CORNERS)]
-    (a, b), (u, w) = axes, directions
+    a, b = axes
+    u, w = directions[0], directions[1]
     return [
         tuple(center[i] + a * math.cos(t) * u[i] + b * math.sin(t) * w[i] for i in range(2)) for t in turns
     ]

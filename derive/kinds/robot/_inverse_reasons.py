@@ -52,8 +52,9 @@ def loose(chain: Chain, goal: Goal, problem: Problem, points: Sequence[Mapping[s
         ranks.append(int(np.linalg.matrix_rank((ahead - behind) / (2 * STEP), tol=1e-5)))
     if max(ranks) < len(joints):
         raise NotDerivable(
-            f"no closed form found: the arm can move its {len(joints)} joints without changing what is given "
-            f"({_listed(goal)}), so there are infinitely many solutions; give more of the pose, or fix a joint"
+            f"no closed form found: the arm can move its {len(joints)} joints without changing what is "
+            f"given ({_listed(goal)}), so there are infinitely many solutions; give more of the pose, or fix a "
+            "joint"
         )
 
 

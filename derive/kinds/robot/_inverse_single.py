@@ -65,7 +65,7 @@ def solved(
         return _alone(draft, angle, trees, row, size, extra or {})
     q = draft.board.angle(angle)
     a, b, c = trees
-    x, y = (minus(b), a) if _sines(draft.board, row) else (a, b)
+    x, y = (minus(b), a) if zero or _sines(draft.board, row) else (a, b)
     values: tuple[Expr, Expr]
     if zero:
         values = (atan2(y, x), atan2(minus(y), minus(x)))

@@ -31,7 +31,7 @@ from derive.expression import (
 from derive.expression import replace as replaced
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import closing
-from derive.kinds.robot._singular_work import determinant, natural, opposite, product_tree
+from derive.kinds.robot._determinants import determinant, natural, opposite, product_tree
 from derive.kinds.robot._task import Task
 from derive.mechanics.singular import minors
 

@@ -14,8 +14,8 @@ from derive.expression import ZERO, Call, Expr, Matrix, Product, Symbol, column,
 from derive.expression import replace as replaced
 from derive.kinds.checks import law, links
 from derive.kinds.problem import Problem
+from derive.kinds.robot._determinants import determinant, natural, product_tree
 from derive.kinds.robot._rate_solving import quotient
-from derive.kinds.robot._singular_work import determinant, natural, product_tree
 from derive.kinds.robot._task import Task
 from derive.mechanics.jacobian import jacobian
 from derive.mechanics.poses import rotation_part

@@ -28,7 +28,8 @@ def checked(task: Task, sets: Iterable[Analysed]) -> Iterator[Claim]:
             name = ", ".join(zero.variable for zero in case.zeros)
             yield Claim(f"J loses rank at the value of {name}", SECOND_ROUTE, drops)
             if case.J is not None:
-                yield Claim(f"rank and null spaces at the value of {name}", SECOND_ROUTE, _spaces(task, each, case))
+                claim = f"rank and null spaces at the value of {name}"
+                yield Claim(claim, SECOND_ROUTE, _spaces(task, each, case))
 
 
 def _rank(J: Any) -> int:

@@ -7,8 +7,9 @@ from typing import Any
 from derive.algebra.matrix import ScalarMatrix
 from derive.expression import ZERO, Expr, Product, Symbol, transpose
 from derive.kinds.problem import Problem
+from derive.kinds.robot._determinants import mostly_negative, opposite
 from derive.kinds.robot._singular_sets import Analysed, Case, clauses, rooted, written
-from derive.kinds.robot._singular_work import Work, mostly_negative, opposite
+from derive.kinds.robot._singular_work import Work
 
 
 def facts_of(problem: Problem, work: Work, sets: tuple[Analysed, ...]) -> dict[str, Any]:

@@ -25,9 +25,10 @@ POINTS, TRIES = 3, 12
 @dataclass(frozen=True, slots=True)
 class Look:
     """What is seen at a singular configuration: `kind` is "axis" (the point lies on the axis of `joints`),
-    "coincide" (two axes are one line), "parallel" (two axes are), "stretched" or "folded" (at joint `joints[-1]`, seen from the axis
-    of `joints[0]`), "plane" (the point lies in the plane through the axis of `joints[0]` that is parallel to
-    that of `joints[1]`). `of` is the joint whose axis holds the point, 0 for the point itself."""
+    "coincide" (two axes are one line), "parallel" (two axes are), "stretched" or "folded" (at joint
+    `joints[-1]`, seen from the axis of `joints[0]`), "plane" (the point lies in the plane through the axis of
+    `joints[0]` that is parallel to that of `joints[1]`). `of` is the joint whose axis holds
+    the point, 0 for the point itself."""
 
     kind: str
     joints: tuple[int, ...]

@@ -146,11 +146,13 @@ def _vanishing(each: Analysed) -> str:
 def said(case: Case, block: Block, point: str) -> str:
     """How a case looks, in plain words."""
     rows = block.seeing.rows
-    return "; ".join(dict.fromkeys(_spoken(look, point, rows) for look in _telling(case.looks, len(case.zeros) > 1)))
+    return "; ".join(dict.fromkeys(_spoken(look, point, rows) for look in _telling(case)))
 
 
-def _telling(looks: tuple[Look, ...], several: bool) -> tuple[Look, ...]:
-    """`several` joint variables are fixed. What says most: axes in line before anything; then a point on an axis; the plane only by itself."""
+def _telling(case: Case) -> tuple[Look, ...]:
+    """What says most: axes in line before anything; the plane only by itself. Where several joint variables
+    are fixed, everything of that sort."""
+    looks, several = case.looks, len(case.zeros) > 1
     for kinds in (("coincide",), ("stretched", "folded"), ("axis",), ("parallel",), ("plane",)):
         if found := tuple(look for look in looks if look.kind in kinds):
             return found if several or kinds == ("stretched", "folded") else found[-1:]
@@ -160,7 +162,7 @@ def _telling(looks: tuple[Look, ...], several: bool) -> tuple[Look, ...]:
 def clauses(case: Case, block: Block, point: str) -> tuple[str, ...]:
     """The same as sentences to go on with."""
     rows = block.seeing.rows
-    return tuple(dict.fromkeys(_clause(look, point, rows) for look in _telling(case.looks, len(case.zeros) > 1)))
+    return tuple(dict.fromkeys(_clause(look, point, rows) for look in _telling(case)))
 
 
 def _clause(look: Look, point: str, rows: tuple[int, ...]) -> str:

@@ -6,34 +6,24 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from derive.algebra.elimination import rank
-from derive.algebra.factors import Factored, factored
+from derive.algebra.factors import Factored
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.operations import operations
-from derive.algebra.scalar import Scalar, as_fraction
 from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import (
-    MINUS_ONE,
-    Call,
     Expr,
     Indexed,
     Matrix,
-    Number,
-    Power,
     Product,
-    Sum,
     Symbol,
     add,
-    is_negative,
-    multiply,
-    negate,
-    number,
     squared,
     subtract,
     transpose,
 )
 from derive.kinds.checks import law
 from derive.kinds.problem import Problem
+from derive.kinds.robot._determinants import determinant, gram_determinant, natural, product_tree
 from derive.kinds.robot._singular_geometry import Seeing
 from derive.kinds.robot._singular_sets import Block
 from derive.kinds.robot._task import Task
@@ -43,8 +33,6 @@ from derive.mechanics.singular import MOST_MINORS, Minor, SingularSet, minors, o
 from derive.mechanics.wrist import Wrist
 
 SIX = 6
-LARGE = 100  # a coefficient that decimals were multiplied up to
-MOST_EXPANDED = 12  # terms of all minors
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,10 +59,6 @@ class Work:
     laws: tuple[Claim, ...] = ()
 
 
-def determinant(name: Expr) -> Expr:
-    return Call("det", (name,))
-
-
 def by_determinant(task: Task) -> Work:
     """det J of a square Jacobian, in the axes of a middle frame where it has six rows."""
     problem, variables = task.problem, task.found.variables
@@ -87,7 +71,8 @@ def by_determinant(task: Task) -> Work:
     tree = product_tree(problem, det)
     shown = problem.readable_matrix(J)
     chain = (determinant(name), *_two_by_two(shown), tree)
-    steps = (Step("J", (name, shown), "frame" if six else "rows", {"frame": frame}), _closed(problem, "det", chain))
+    whole = Step("J", (name, shown), "frame" if six else "rows", {"frame": frame})
+    steps = (whole, _closed(problem, "det", chain))
     block = Block(name.name, J, variables, task.rows, frame, _seeing(task))
     uses = (problem.ask("forward-kinematics"),) if six else (task.base,)
     sets = of_determinant(det, variables, problem.readable)
@@ -161,82 +146,6 @@ def by_minors(task: Task) -> Work:
     return Work("minors", _moved(task), steps, tree, (Part(block, sets, complete),), definitions, uses)
 
 
-def natural(problem: Problem, value: Scalar, variables: tuple[str, ...]) -> Factored:
-    """The factors of a determinant. Where the author gave decimals, each is scaled by a power of ten so that
-    lengths read as lengths again: 0.4318 c_2 + 0.0203 c_23, not 4318 c_2 + 203 c_23."""
-    found = factored(value, variables)
-    if not problem.style.decimals:
-        return found
-    constant, factors = found.constant, []
-    for factor, power in found.factors:
-        scale = _scale(factor)
-        constant = constant * scale**power
-        factors.append((factor / scale, power))
-    return Factored(constant, tuple(factors))
-
-
-def _scale(factor: Scalar) -> int:
-    largest = max(abs(as_fraction(k)) for k in factor.numerator.coeffs())
-    return 1 if largest < LARGE else int(10 ** len(str(int(largest))))
-
-
-def product_tree(problem: Problem, det: Factored) -> Expr:
-    """Constants and single sines and cosines first, then sums in parentheses; one sign in front."""
-    front: list[Expr] = []
-    sums: list[Expr] = []
-    sign = 1
-    for factor, power in sorted(det.factors, key=lambda pair: len(pair[0].numerator)):
-        tree = problem.readable(factor)
-        if mostly_negative(tree):
-            tree, sign = opposite(tree), sign * (-1) ** power
-        (sums if isinstance(tree, Sum) else front).append(Power(tree, number(power)) if power > 1 else tree)
-    constant = problem.readable(det.constant)
-    if is_negative(constant):
-        constant, sign = negate(constant), -sign
-    tree = multiply(*_factors(constant), *(f for each in front for f in _factors(each)), *sums)
-    return negate(tree) if sign < 0 else tree
-
-
-def mostly_negative(tree: Expr) -> bool:
-    terms = tree.terms if isinstance(tree, Sum) else (tree,)
-    return sum(map(is_negative, terms)) * 2 > len(terms)
-
-
-def opposite(tree: Expr) -> Expr:
-    if not isinstance(tree, Sum):
-        return negate(tree)
-    terms = tuple(map(negate, tree.terms))
-    first = next((k for k, term in enumerate(terms) if not is_negative(term)), 0)
-    return Sum((terms[first], *terms[:first], *terms[first + 1 :]))
-
-
-def _factors(tree: Expr) -> tuple[Expr, ...]:
-    return tree.factors if isinstance(tree, Product) else (tree,)
-
-
-def gram_determinant(problem: Problem, J: ScalarMatrix, variables: tuple[str, ...]) -> Expr:
-    """det(J J^T) or det(J^T J), whichever is smaller: the squares of the minors of full size (Cauchy and
-    Binet), or their sum multiplied out where it is much shorter."""
-    found = [minor.value for minor in minors(J) if minor.value]
-    squares = add(*(_square(product_tree(problem, natural(problem, value, variables))) for value in found))
-    if sum(len(value.numerator) for value in found) > MOST_EXPANDED:
-        return squares
-    expanded = problem.readable(sum((value * value for value in found), Scalar.of(0)))
-    return expanded if 2 * operations(expanded) < operations(squares) else squares
-
-
-def _square(tree: Expr) -> Expr:
-    """The square of a product, the sign dropped."""
-    factors = [f for f in _factors(tree) if f != MINUS_ONE]
-    return multiply(*(_squared(f) for f in factors))
-
-
-def _squared(factor: Expr) -> Expr:
-    if isinstance(factor, Number):
-        return number(factor.value**2)
-    return Power(factor.base, number(4)) if isinstance(factor, Power) else squared(factor)
-
-
 def _two_by_two(J: Matrix) -> tuple[Expr, ...]:
     """The products of a determinant of two rows, as they are subtracted."""
     if J.shape != (2, 2):
@@ -305,5 +214,3 @@ def _minor_name(task: Task, minor: Minor) -> Expr:
 
 def _gram(task: Task, J: Symbol) -> Expr:
     return Product((J, transpose(J)) if task.redundant else (transpose(J), J))
-
-

@@ -15,7 +15,6 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.naming import with_named_entries
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL, chain_of, end_frame, oracle_of, pose_name
-from derive.kinds.robot._exponentials import Exponentials
 from derive.mechanics.chain import Chain
 from derive.mechanics.dh import CONVENTIONS
 from derive.mechanics.motion import Move
@@ -86,6 +85,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 
 def _by_screws(robot: Robot, problem: Problem, last: int, whole: bool) -> Derivation:
     """T = e^{[S_1] q_1} ... e^{[S_n] q_n} M (Lynch and Park, eq. 4.14)."""
+    from derive.kinds.robot._exponentials import Exponentials  # few sheets need it
+
     work = Exponentials(problem, robot, last, whole)
     steps, definitions, T = work.steps(), work.definitions(), work.pose
     results: dict[str, Expr] = {

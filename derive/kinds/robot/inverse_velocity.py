@@ -72,9 +72,10 @@ def _by_halves(task: Task, split: Split) -> Derivation:
         "offset": split.offset,
         "zero": split.zero,
     }
+    claims = (*split.claims, _second_route(task, split.qdot))
     return Derivation(
-        "inverse-velocity", split.steps, {"qdot": split.qdot}, (*split.claims, _second_route(task, split.qdot)),
-        split.definitions, uses=split.uses, facts=facts,
+        "inverse-velocity", split.steps, {"qdot": split.qdot}, claims, split.definitions,
+        uses=split.uses, facts=facts,
     )  # fmt: skip
 
 

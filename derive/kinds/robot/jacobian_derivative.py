@@ -15,6 +15,7 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import closing, oracle_of
 from derive.kinds.robot._point import PointOn
+from derive.kinds.robot._rates import rate_column
 from derive.kinds.robot._task import RowName, Task, task_of
 from derive.mechanics.oracle import STEP
 from derive.mechanics.robot import Robot
@@ -51,7 +52,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     rate = _rate(task)
     written = problem.readable_matrix(rate)
     rates = column(task.rates)
-    bias = problem.readable_matrix(rate @ ScalarMatrix.column([Scalar.symbol(f"{n}_dot") for n in _names(task)]))
+    bias = problem.readable_matrix(rate @ rate_column(_names(task)))
     total = add(*(Product((Derivative(J, Symbol(n)), Symbol(f"{n}_dot"))) for n in _names(task)))
     steps = (
         task.step,

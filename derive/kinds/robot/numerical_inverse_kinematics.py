@@ -18,7 +18,7 @@ from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._task import Task, task_of
-from derive.mechanics.iteration import Iteration, Pose, iterate
+from derive.mechanics.iteration import Iteration, Pose, Row, iterate
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import ROWS, moving_rows
 
@@ -87,16 +87,13 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         "solution": list(map(float, run.rows[-1].q)),
     }
     results: dict[str, Result] = {
-        "iterations": tuple(
-            (number(k), *map(Approximate, row.q), Approximate(row.error), Approximate(row.H))
-            for k, row in enumerate(run.rows)
-        ),
+        "iterations": tuple(_row(k, row) for k, row in enumerate(run.rows)),
         "solution": column(map(Approximate, run.rows[-1].q)),
     }
     claims = (*links(steps, {**problem.names, **definitions}), *_claims(task, here, target, run))
     return Derivation(
         "numerical-inverse-kinematics", steps, results, claims, definitions, evaluated,
-        uses=(task.base,), plots=(_plot(run),), facts=_facts(task, options, run, target, here),
+        uses=(task.base,), plots=(_plot(run),), facts=_facts(task, options, run),
     )  # fmt: skip
 
 
@@ -175,12 +172,8 @@ def _turning(task: Task) -> list[str]:
 def _forward(task: Task) -> Expr:
     position = task.problem.readable_matrix(task.point.position)
     rows = [position.rows[ROWS.index(row)][0] for row in task.rows if row[0] == "v"]
-    turn = [_sum(task)] if "wz" in task.rows else []
+    turn = [add(*map(Symbol, _turning(task)))] if "wz" in task.rows else []
     return column((*rows, *turn))
-
-
-def _sum(task: Task) -> Expr:
-    return add(*map(Symbol, _turning(task)))
 
 
 def _steps(task: Task, options: Options) -> tuple[Step, ...]:
@@ -189,15 +182,11 @@ def _steps(task: Task, options: Options) -> tuple[Step, ...]:
     return (target, f, task.step)
 
 
-def _facts(
-    task: Task, options: Options, run: Iteration, target: list[float], here: dict[str, float]
-) -> dict[str, Any]:
+def _facts(task: Task, options: Options, run: Iteration) -> dict[str, Any]:
     variables = [Symbol(name) for name in task.found.variables]
-    rows = [
-        (number(k), *map(Approximate, row.q), Approximate(row.error), Approximate(row.H))
-        for k, row in enumerate(run.rows)
-    ]
-    kept = rows if len(rows) <= MOST_ROWS else [*rows[: MOST_ROWS - 2], ("...",) * len(rows[0]), rows[-1]]
+    rows = [_row(k, row) for k, row in enumerate(run.rows)]
+    kept: list[tuple[Expr | str, ...]]
+    kept = [*rows] if len(rows) <= MOST_ROWS else [*rows[: MOST_ROWS - 2], ("...",) * len(rows[0]), rows[-1]]
     last = run.rows[-1]
     return {
         "method": options.method,
@@ -210,14 +199,15 @@ def _facts(
         "best": options.step is None,
         "alpha": options.step,
         "solution": tuple((name, Approximate(value)) for name, value in zip(variables, last.q, strict=True)),
-        "degrees": tuple(
-            Approximate(value * 57.29577951308232) if name.name in _turning(task) else None
-            for name, value in zip(variables, last.q, strict=True)
-        ),
         "plots": ("error",),
         "numbers": (),
         "seen": _seen(task.problem, options),
     }
+
+
+def _row(k: int, row: Row) -> tuple[Expr, ...]:
+    """One line of the table."""
+    return (number(k), *map(Approximate, row.q), Approximate(row.error), Approximate(row.H))
 
 
 def _seen(problem: Problem, options: Options) -> frozenset[str]:

@@ -73,10 +73,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         lambda at: _by_work(task, force, at),
         DIFFERENCES,
     )
+    claims = (*links(steps, {**problem.names, **definitions}), claim)
     return Derivation(
-        "statics", steps, {"tau": final}, (*links(steps, {**problem.names, **definitions}), claim), definitions,
-        uses=(task.base,), facts=_facts(task),
-    )  # fmt: skip
+        "statics", steps, {"tau": final}, claims, definitions, uses=(task.base,), facts=_facts(task)
+    )
 
 
 def _rows(options: Options, problem: Problem) -> tuple[str, ...]:

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any
 
 from derive.algebra import numeric
-from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, Plot, Result, Step
+from derive.derivation import Derivation, Plot, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     ZERO,
@@ -23,12 +20,13 @@ from derive.expression import (
     squared,
     subtract,
 )
-from derive.kinds.checks import SECOND_ROUTE, links, random_points
+from derive.kinds.checks import links
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, closing, oracle_of
 from derive.kinds.robot._point import PointOn, Tracked, tracked
+from derive.kinds.robot._reach_checks import Region, second_route
 from derive.kinds.robot._reach_pictures import cross_section, from_above
 from derive.mechanics.chain import Chain
 from derive.mechanics.reach import PlanarArm, SwungArm, planar_arm, swung_arm
@@ -48,9 +46,6 @@ problems:
     - {theta: theta2*, d: 0, a: l2, alpha: 0}
   find: workspace
 """
-SMALL = 1e-6
-NEAR = 1e-2  # a search creeps where links of 2, 2 and 4 are folded
-SWEEPS = 40  # of a search joint by joint
 R_MIN, R_MAX = Symbol("r_min"), Symbol("r_max")
 
 
@@ -59,20 +54,6 @@ class Options(OptionsModel):
 
     point: PointOn | None = None
     evaluate: Evaluation = None
-
-
-@dataclass(frozen=True, slots=True)
-class Region:
-    """`kind` is "planar" or "swung"; `lengths` of the links, as trees; r_min and r_max with the chains that
-    lead to them, and the distances they count: from `center` (3 by 1)."""
-
-    kind: str
-    lengths: tuple[Expr, ...]
-    smallest: tuple[Expr, ...]
-    largest: tuple[Expr, ...]
-    center: ScalarMatrix
-    offset: Expr = ZERO
-    side: Expr = ZERO
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -84,11 +65,11 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     found = chain_of(problem)
     point = tracked(problem, found, options.point)
     region = _region(problem, found, point)
-    steps = (
+    found_steps = (
         Step("r_max", (R_MAX, *region.largest), "stretched"),
         Step("r_min", (R_MIN, *region.smallest), "folded"),
     )
-    steps = tuple(closing(step, _final(problem, step.result)) for step in steps)
+    steps = tuple(closing(step, _final(problem, step.result)) for step in found_steps)
     facts = _facts(problem, region, point)
     results: dict[str, Result] = {
         "r_min": steps[1].result,
@@ -100,7 +81,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     facts["numbers"] = ("r_min", "r_max")
     return Derivation(
         "workspace", steps, results,
-        (*links(steps[:1], problem.names), *_second_route(problem, found, point, region, steps)),
+        (*links(steps[:1], problem.names), *second_route(problem, found, point, region, steps)),
         {}, uses=(problem.ask("forward-kinematics"),), plots=plots, facts=facts,
     )  # fmt: skip
 
@@ -139,14 +120,18 @@ def _shell(problem: Problem, arm: SwungArm) -> Region:
     lengths = tuple(map(problem.readable, arm.lengths))
     offset, side = problem.readable(arm.offset), problem.readable(arm.side)
     if offset != ZERO:
-        whole = _sum(problem, (arm.offset, *arm.lengths))[-1]
-        far = (whole,) if side == ZERO else (sqrt(add(squared(whole), squared(side))),)
-        return Region("torus", lengths, _difference(problem, arm.lengths), far, arm.center, offset, side)
-    near, far = _difference(problem, arm.lengths), _sum(problem, arm.lengths)
-    if side != ZERO:
-        near = (sqrt(add(squared(_bare(near[-1])), squared(side))),) if near[-1] != ZERO else (side,)
-        far = (sqrt(add(squared(far[-1]), squared(side))),)
+        whole = _aside(_sum(problem, (arm.offset, *arm.lengths)), side)
+        return Region("torus", lengths, _difference(problem, arm.lengths), whole, arm.center, offset, side)
+    near = _aside(_difference(problem, arm.lengths), side)
+    far = _aside(_sum(problem, arm.lengths), side)
     return Region("swung", lengths, near, far, arm.center, offset, side)
+
+
+def _aside(distance: tuple[Expr, ...], side: Expr) -> tuple[Expr, ...]:
+    """The same distance to a point that lies to the side of it."""
+    if side == ZERO:
+        return distance
+    return (side,) if distance[-1] == ZERO else (sqrt(add(squared(_bare(distance[-1])), squared(side))),)
 
 
 def _bare(tree: Expr) -> Expr:
@@ -218,7 +203,8 @@ def _description(region: Region, closed: bool) -> str:
         case "torus", _:
             return "the annulus of the two links, at the offset from the first axis, swung about that axis"
     hole = "a ball" if closed else "a hollow ball"
-    return f"{hole} about the shoulder" + (", bored through along the first axis" if region.side != ZERO else "")
+    bored = ", bored through along the first axis" if region.side != ZERO else ""
+    return f"{hole} about the shoulder{bored}"
 
 
 def _secondary(problem: Problem, region: Region) -> dict[str, Expr]:
@@ -252,89 +238,3 @@ def _pictures(problem: Problem, region: Region, options: Options) -> tuple[Plot,
     except KeyError:
         return ()
     return (from_above(lengths),) if region.kind == "planar" else (cross_section(lengths, offset, side),)
-
-
-# -- what it is held to -------------------------------------------------------------------------------
-
-
-def _second_route(
-    problem: Problem, found: Chain, point: Tracked, region: Region, steps: tuple[Step, ...]
-) -> tuple[Claim, ...]:
-    """The largest and smallest distance by a search over the joints, one after the other."""
-    if region.kind == "torus":
-        return (_reached(problem, found, point, region, steps[0].result, 1),)
-    return (
-        _reached(problem, found, point, region, steps[0].result, 1),
-        _reached(problem, found, point, region, steps[1].result, -1),
-    )
-
-
-def _reached(problem: Problem, found: Chain, point: Tracked, region: Region, bound: Expr, sign: int) -> Claim:
-    import numpy as np
-
-    names = [joint.variable for i, joint in found.moving if i <= point.last]
-    holds = True
-    for at in random_points(sorted(problem.symbols), 2):
-        known = dict(oracle_of(problem).at(at))
-        axis = np.array(numeric.matrix_numbers(found.axis(next(found.moving)[0]), known)).ravel()
-
-        def distance(here: dict[str, float], axis: Any = axis) -> float:
-            return _distance(problem, point, region, here, axis)
-
-        search = _scan if region.kind == "torus" else _search
-        best = search(distance, known, names, sign)
-        beyond = sign * (best - numeric.number(bound, known))  # the search comes near, and never further
-        size = numeric.number(region.largest[-1], known)
-        holds &= -NEAR * size < beyond < SMALL * size
-    word = "largest" if sign > 0 else "smallest"
-    return Claim(f"the {word} distance agrees with a search over the joints", SECOND_ROUTE, holds)
-
-
-def _distance(problem: Problem, point: Tracked, region: Region, here: dict[str, float], axis: Any) -> float:
-    """From the center; in the plane of a planar arm, from the first axis where that is what counts."""
-    import numpy as np
-
-    oracle = oracle_of(problem)
-    T = oracle.tool(here) if point.frame > len(problem.subject.links) else oracle.poses(here)[point.frame]
-    p = T[:3, :3] @ np.array([numeric.number(x, here) for x in point.offset]) + T[:3, 3]
-    d = p - np.array(numeric.matrix_numbers(region.center, here)).ravel()
-    if region.kind in ("planar", "torus"):
-        d = d - axis * (axis @ d)
-    return float(np.linalg.norm(d))
-
-
-def _search(
-    distance: Callable[[dict[str, float]], float], at: dict[str, float], names: list[str], sign: int
-) -> float:
-    """The square of the distance is a + b cos q + c sin q in each joint: its extreme in closed form."""
-    import math
-
-    here = dict(at)
-    for _ in range(SWEEPS):
-        before = dict(here)
-        for name in names:
-            zero, half, quarter = (distance({**here, name: q}) ** 2 for q in (0.0, math.pi, math.pi / 2))
-            a, b = (zero + half) / 2, (zero - half) / 2
-            c = quarter - a
-            if math.hypot(b, c) > 1e-12:
-                here[name] = math.atan2(sign * c, sign * b)
-        if all(abs(here[name] - before[name]) < 1e-10 for name in names):
-            break
-    return distance(here)
-
-
-def _scan(
-    distance: Callable[[dict[str, float]], float], at: dict[str, float], names: list[str], sign: int
-) -> float:
-    """The extreme by ever finer steps around the best so far; the first joint swings everything about the
-    axis and is left where it is."""
-    import math
-    from itertools import product
-
-    here, step = dict(at), math.pi / 4
-    while step > 1e-5:
-        tried = product(range(-4, 5), repeat=len(names) - 1)
-        places = ({**here, **{n: here[n] + k * step for n, k in zip(names[1:], ks, strict=True)}} for ks in tried)
-        here = max(places, key=lambda each: sign * distance(each))
-        step /= 3
-    return distance(here)

@@ -219,4 +219,4 @@ def joint_size(posed: Posed) -> float:
     """Of a joint on paper: a share of the whole arm."""
     places = posed.places
     spans = [max(p[k] for p in places) - min(p[k] for p in places) for k in range(3)]
-    return max(max(spans), SMALL) * 0.1 or 0.1
+    return max(spans) * 0.1 if max(spans) > SMALL else 0.1

@@ -37,14 +37,14 @@ def drawn(robot: Robot, where: Mapping[str, Expr]) -> Drawing:
 # -- what is drawn ------------------------------------------------------------------------------------
 
 
-def _apart(posed: Posed, size: float) -> tuple[tuple[Joint, ...], tuple[Part, ...]]:
+def _apart(posed: Posed, size: float, view: View) -> tuple[tuple[Joint, ...], tuple[Part, ...]]:
     """Joints whose axes meet in a point, drawn one behind the other on their axes; and what joins them."""
     groups: dict[tuple[float, ...], list[int]] = {}
     for k, joint in enumerate(posed.joints):
         groups.setdefault(tuple(round(c / size, 3) for c in joint.at), []).append(k)
     moved, stubs = list(posed.joints), []
     for members in groups.values():
-        for k, side in _moved(posed, members):
+        for k, side in _moved(posed, members, view):
             joint = posed.joints[k]
             at = along(joint.at, (side * (_ahead(posed, joint, side) or 1) * 1.45 * size, joint.axis))
             moved[k] = replace(joint, at=at)
@@ -52,10 +52,12 @@ def _apart(posed: Posed, size: float) -> tuple[tuple[Joint, ...], tuple[Part, ..
     return tuple(moved), tuple(stubs)
 
 
-def _moved(posed: Posed, members: Sequence[int]) -> list[tuple[int, int]]:
+def _moved(posed: Posed, members: Sequence[int], view: View) -> list[tuple[int, int]]:
     """Which joints of one point are drawn before it (-1) and behind it (1) along the arm."""
     if len(members) == 1:
         return []
+    if view.flat:  # a slide makes way for the disc of a revolute joint
+        return [(k, 1) for k in members if posed.joints[k].slides]
     first, last = members[0], members[-1]
     if len(members) > 2:
         return [(first, -1), (last, 1)]
@@ -88,7 +90,7 @@ def _sketch(
     base = posed.parts[0].start if posed.parts else place_of(posed.poses[0])
     if robot.by_screws:
         base = place_of(posed.poses[0])
-    joints, stubs = (posed.joints, ()) if view.flat or robot.by_screws else _apart(posed, size)
+    joints, stubs = _apart(posed, size, view)
     foot = base if view.flat or robot.by_screws else _foot(posed, joints, base, size)
     things = [solids.ground(view, foot, size), *_links(view, posed.parts), *_links(view, stubs, size)]
     things += [_joint(view, joint, size) for joint in joints]
@@ -151,6 +153,8 @@ def _angles(view: View, posed: Posed, size: float) -> Iterator[tuple[list[Stroke
     """The angle of each revolute joint in a plane, from where it counts to the link it turns."""
     for joint in posed.joints:
         after = next((p for p in posed.parts if length_between(p.start, joint.at) < 1e-6), None)
+        if after is None and not joint.slides:
+            yield [], Caption(view.place(joint.at), joint.name, (-0.5 * size, 0.5 * size), "joint")
         if joint.slides or after is None:
             continue
         x, y = view.place(joint.at)

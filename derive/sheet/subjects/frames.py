@@ -6,19 +6,16 @@ from typing import Annotated, Any, TypeAlias
 
 from pydantic import Discriminator, Field, Tag
 
-from derive.algebra.quantities import rational
 from derive.errors import SheetError, SheetErrors
-from derive.expression import ZERO, Expr, Matrix
+from derive.expression import ZERO
 from derive.kinds.fields import Formula, OptionsModel, Point, Quantity
-from derive.mechanics.frames import ByMatrix, Frame, Frames, FrameSource, Observed
+from derive.mechanics.frames import Frame, Frames, FrameSource, Observed
 from derive.mechanics.motion import Motion
-from derive.sheet.orthonormal import failed_product
 from derive.sheet.source import At
 from derive.sheet.subjects.moves import MoveField, move
 from derive.sheet.subjects.registry import Known
 from derive.sheet.weights import WeightsError, weights
-
-SIZES = "give 4 rows of 4 (a homogeneous transform) or 3 of 3 (a rotation)"
+from derive.sheet.written_pose import by_matrix, require_orthonormal
 
 
 class _Parent(OptionsModel):
@@ -121,34 +118,5 @@ def _observed(given: ObservedFrame, number: int, parent: int, at: At, known: Kno
             faults.append(at.fault(f"{name}: {error}", (name,), hint + ", or say which frame with 'in:'"))
     if faults:
         raise SheetErrors(faults)
-    _require_orthonormal(read, "axes", f"frame {number}", at, known)
+    require_orthonormal(read, "axes", f"frame {number}", at, known)
     return Observed(read[0], read[1], read[2], given.origin)
-
-
-def by_matrix(matrix: list[list[Expr]], whose: str, at: At, known: Known) -> ByMatrix:
-    """A transform (4 rows) or a rotation (3) written out. Raises SheetErrors where it is neither."""
-    size = len(matrix)
-    if size not in (3, 4):
-        raise SheetErrors([at.fault(f"a matrix of {size} rows", (), SIZES)])
-    for index, row in enumerate(matrix):
-        if len(row) != size:
-            raise SheetErrors([at.fault(f"a row of {len(row)} in a matrix of {size} rows", (index,), SIZES)])
-    rows = tuple(tuple(row) for row in matrix)
-    _require_last_row(rows, at)
-    columns = [(rows[0][j], rows[1][j], rows[2][j]) for j in range(3)]
-    _require_orthonormal(columns, "columns", whose, at, known)
-    return ByMatrix(Matrix(rows))
-
-
-def _require_last_row(rows: tuple[tuple[Expr, ...], ...], at: At) -> None:
-    if len(rows) == 4 and [rational(entry) for entry in rows[3]] != [0, 0, 0, 1]:
-        message = "the last row of a homogeneous transform is 0, 0, 0, 1"
-        raise SheetErrors([at.fault(message, (3,), "write [0, 0, 0, 1]")])
-
-
-def _require_orthonormal(
-    axes: list[tuple[Expr, Expr, Expr]], what: str, whose: str, at: At, known: Known
-) -> None:
-    if product := failed_product(axes, known.where):
-        message = f"the {what} of {whose} are not right-handed and orthonormal: {product}"
-        raise SheetErrors([at.fault(message, (), "check the signs and that every axis has length 1")])

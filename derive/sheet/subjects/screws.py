@@ -15,9 +15,9 @@ from derive.mechanics.motion import Axis, Motion
 from derive.mechanics.robot import JointType, ScrewRow
 from derive.sheet.faults import NO_FORM
 from derive.sheet.source import At
-from derive.sheet.subjects.frames import by_matrix
 from derive.sheet.subjects.moves import AxisField, MoveField, move
 from derive.sheet.subjects.registry import Known
+from derive.sheet.written_pose import by_matrix
 
 ORIGIN = (ZERO, ZERO, ZERO)
 UNITS: dict[tuple[Fraction | int | None, ...], str] = {(1, 0, 0): "x", (0, 1, 0): "y", (0, 0, 1): "z"}

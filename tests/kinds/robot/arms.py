@@ -181,6 +181,27 @@ ARMS = {
          ("theta4*", "d4", "0", "-90 deg"), ("theta5*", "0", "0", "90 deg"), ("theta6*", "d6", "0", "0")),
         "pose", 8,
     ),
+    "arm of four joints": Arm(
+        (("theta1* + 90 deg", "0", "0", "alpha"), ("theta2*", "0", "0.5", "90 deg"),
+         ("theta3*", "0", "0.5", "180 deg"), ("theta4*", "l4", "0.5", "-90 deg")),
+        "pose", 2, convention="modified",
+    ),
+    "arm of five joints": Arm(
+        (("theta1*", "d1", "0", "90 deg"), ("theta2*", "0", "a2", "0"), ("theta3*", "0", "a3", "0"),
+         ("theta4*", "0", "0", "90 deg"), ("theta5*", "d5", "0", "0")),
+        "pose", 4,
+    ),
+    "offset shoulder, spherical wrist": Arm(
+        (("theta1*", "d1", "a1", "-90 deg"), ("theta2* - 90 deg", "0", "a2", "0"),
+         ("theta3*", "0", "a3", "-90 deg"), ("theta4*", "d4", "0", "90 deg"), ("theta5*", "0", "0", "-90 deg"),
+         ("theta6* + 180 deg", "d6", "0", "0")),
+        "pose", 8,
+    ),
+    "gantry with a wrist": Arm(
+        (("0", "d1*", "0", "-90 deg"), ("90 deg", "d2*", "0", "-90 deg"), ("0", "d3*", "0", "0"),
+         ("theta4*", "0", "0", "-90 deg"), ("theta5*", "0", "0", "90 deg"), ("theta6*", "d6", "0", "0")),
+        "pose", 2,
+    ),
     "UR5": Arm(
         (("theta1*", "0.089159", "0", "90 deg"), ("theta2*", "0", "-0.425", "0"),
          ("theta3*", "0", "-0.39225", "0"), ("theta4*", "0.10915", "0", "90 deg"),

@@ -287,7 +287,8 @@ ODD = {
     gravity: [0, -g, 0]
     links:
     - {screw: {axis: z}, variable: q1*, com: [L/2, 0, 0], mass: m, inertia: [I_x, I_y, I_z]}
-    - {screw: {axis: z, through: [L, 0, 0]}, variable: q2*, com: [3*L/2, 0, 0], mass: m, inertia: [I_x, I_y, I_z]}
+    - {screw: {axis: z, through: [L, 0, 0]}, variable: q2*, com: [3*L/2, 0, 0], mass: m,
+       inertia: [I_x, I_y, I_z]}
     home: [{translate: x, by: 2*L}]
 """,
     "a slanting base, a tool, a slide": """

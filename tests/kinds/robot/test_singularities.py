@@ -22,6 +22,7 @@ from derive.mechanics.oracle import Oracle
 from derive.mechanics.robot import Robot
 from tests.mechanics.robots import problem, robot, row
 
+NAMES = [*(f"{letter}{k}" for letter in "qlad" for k in range(1, 7))]
 TWO_R = (("q1*", "0", "l1", "0"), ("q2*", "0", "l2", "0"))
 THREE_R = (*TWO_R, ("q3*", "0", "l3", "0"))
 SCARA = (
@@ -126,10 +127,7 @@ def test_the_determinant_is_that_of_the_textbook(name: str) -> None:
 def test_the_sets_are_those_of_the_textbook(name: str) -> None:
     rows, which, _, sets = TEXTBOOK[name]
     found = [dict(branch.values) for branch in asked(rows, which).results["solutions"]]
-    at = {
-        symbol: 0.3 + 0.1 * place
-        for place, symbol in enumerate("q1 q2 q3 q4 q5 q6 l1 l2 l3 a1 a2 a3 d2 d3 d4 d5".split())
-    }
+    at = {symbol: 0.3 + 0.1 * place for place, symbol in enumerate(NAMES)}
     wanted = [{key: number(parse(value), at) for key, value in each.items()} for each in sets]
     got = [{key: number(value, at) for key, value in each.items()} for each in found]
     assert len(got) == len(wanted)
@@ -176,7 +174,7 @@ def test_an_arm_of_seven_joints() -> None:
 def test_numpy_sees_the_rank_drop(name: str) -> None:
     rows = TEXTBOOK[name][0]
     oracle = Oracle(arm(rows), {})
-    at = {s: 0.4 + 0.07 * k for k, s in enumerate("q1 q2 q3 q4 q5 q6 l1 l2 a2 a3 d1 d3 d4 d5 d6".split())}
+    at = {s: 0.4 + 0.07 * k for k, s in enumerate(NAMES)}
     found = asked(rows)
     lines = {"2R": [0, 1], "anthropomorphic": [0, 1, 2]}.get(name, range(6))
     for branch in found.results["solutions"]:

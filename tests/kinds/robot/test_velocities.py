@@ -17,12 +17,20 @@ from derive.errors import NotDerivable
 from derive.expression import Symbol, number
 from derive.kinds.problem import Problem
 from derive.mechanics.oracle import Oracle
-from tests.kinds.robot.test_singularities import ELBOW, PUMA, SCARA, STANFORD, THREE_R, TWO_R, WRIST, arm
+from tests.kinds.robot.test_singularities import (
+    ELBOW,
+    NAMES,
+    PUMA,
+    SCARA,
+    STANFORD,
+    THREE_R,
+    TWO_R,
+    WRIST,
+    arm,
+)
 from tests.mechanics.robots import problem
 
-VALUES = {
-    s: 0.4 + 0.07 * k for k, s in enumerate("q1 q2 q3 q4 q5 q6 l1 l2 l3 a1 a2 a3 d1 d2 d3 d4 d6".split())
-}
+VALUES = {s: 0.4 + 0.07 * k for k, s in enumerate(NAMES)}
 ROWS = ("vx", "vy", "vz", "wx", "wy", "wz")
 PUMA_560 = (
     ("q1*", "0.67183", "0", "90 deg"), ("q2*", "0", "0.4318", "0"), ("q3*", "0.15005", "0.0203", "-90 deg"),
@@ -40,8 +48,9 @@ def jacobian(rows: Any, names: tuple[str, ...], at: dict[str, float]) -> Any:
 
 
 CASES = [
-    (TWO_R, ("vx", "vy")), (THREE_R, ("vx", "vy", "wz")), (THREE_R, ("vx", "vy")), (ELBOW, ("vx", "vy", "vz")),
-    (SCARA, ("vx", "vy", "vz", "wz")), (WRIST, ("wx", "wy", "wz")), (PUMA, ROWS), (STANFORD, ROWS),
+    (TWO_R, ("vx", "vy")), (THREE_R, ("vx", "vy", "wz")), (THREE_R, ("vx", "vy")),
+    (ELBOW, ("vx", "vy", "vz")), (SCARA, ("vx", "vy", "vz", "wz")), (WRIST, ("wx", "wy", "wz")),
+    (PUMA, ROWS), (STANFORD, ROWS),
 ]  # fmt: skip
 
 

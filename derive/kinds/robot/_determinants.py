@@ -1,0 +1,108 @@
+"""Determinants as they are written: factored, one sign in front, lengths as the author gave them."""
+
+from __future__ import annotations
+
+from derive.algebra.factors import Factored, factored
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.operations import operations
+from derive.algebra.scalar import Scalar, as_fraction
+from derive.expression import (
+    MINUS_ONE,
+    Call,
+    Expr,
+    Number,
+    Power,
+    Product,
+    Sum,
+    add,
+    is_negative,
+    multiply,
+    negate,
+    number,
+    squared,
+)
+from derive.kinds.problem import Problem
+from derive.mechanics.singular import minors
+
+LARGE = 100  # a coefficient that decimals were multiplied up to
+MOST_EXPANDED = 12  # terms of all minors
+
+
+def determinant(name: Expr) -> Expr:
+    return Call("det", (name,))
+
+
+def natural(problem: Problem, value: Scalar, variables: tuple[str, ...]) -> Factored:
+    """The factors of a determinant. Where the author gave decimals, each is scaled by a power of ten so that
+    lengths read as lengths again: 0.4318 c_2 + 0.0203 c_23, not 4318 c_2 + 203 c_23."""
+    found = factored(value, variables)
+    if not problem.style.decimals:
+        return found
+    constant, factors = found.constant, []
+    for factor, power in found.factors:
+        scale = _scale(factor)
+        constant = constant * scale**power
+        factors.append((factor / scale, power))
+    return Factored(constant, tuple(factors))
+
+
+def _scale(factor: Scalar) -> int:
+    largest = max(abs(as_fraction(k)) for k in factor.numerator.coeffs())
+    return 1 if largest < LARGE else int(10 ** len(str(int(largest))))
+
+
+def product_tree(problem: Problem, det: Factored) -> Expr:
+    """Constants and single sines and cosines first, then sums in parentheses; one sign in front."""
+    front: list[Expr] = []
+    sums: list[Expr] = []
+    sign = 1
+    for factor, power in sorted(det.factors, key=lambda pair: len(pair[0].numerator)):
+        tree = problem.readable(factor)
+        if mostly_negative(tree):
+            tree, sign = opposite(tree), sign * (-1) ** power
+        (sums if isinstance(tree, Sum) else front).append(Power(tree, number(power)) if power > 1 else tree)
+    constant = problem.readable(det.constant)
+    if is_negative(constant):
+        constant, sign = negate(constant), -sign
+    tree = multiply(*_factors(constant), *(f for each in front for f in _factors(each)), *sums)
+    return negate(tree) if sign < 0 else tree
+
+
+def mostly_negative(tree: Expr) -> bool:
+    terms = tree.terms if isinstance(tree, Sum) else (tree,)
+    return sum(map(is_negative, terms)) * 2 > len(terms)
+
+
+def opposite(tree: Expr) -> Expr:
+    if not isinstance(tree, Sum):
+        return negate(tree)
+    terms = tuple(map(negate, tree.terms))
+    first = next((k for k, term in enumerate(terms) if not is_negative(term)), 0)
+    return Sum((terms[first], *terms[:first], *terms[first + 1 :]))
+
+
+def _factors(tree: Expr) -> tuple[Expr, ...]:
+    return tree.factors if isinstance(tree, Product) else (tree,)
+
+
+def gram_determinant(problem: Problem, J: ScalarMatrix, variables: tuple[str, ...]) -> Expr:
+    """det(J J^T) or det(J^T J), whichever is smaller: the squares of the minors of full size (Cauchy and
+    Binet), or their sum multiplied out where it is much shorter."""
+    found = [minor.value for minor in minors(J) if minor.value]
+    squares = add(*(_square(product_tree(problem, natural(problem, value, variables))) for value in found))
+    if sum(len(value.numerator) for value in found) > MOST_EXPANDED:
+        return squares
+    expanded = problem.readable(sum((value * value for value in found), Scalar.of(0)))
+    return expanded if 2 * operations(expanded) < operations(squares) else squares
+
+
+def _square(tree: Expr) -> Expr:
+    """The square of a product, the sign dropped."""
+    factors = [f for f in _factors(tree) if f != MINUS_ONE]
+    return multiply(*(_squared(f) for f in factors))
+
+
+def _squared(factor: Expr) -> Expr:
+    if isinstance(factor, Number):
+        return number(factor.value**2)
+    return Power(factor.base, number(4)) if isinstance(factor, Power) else squared(factor)

@@ -1,0 +1,43 @@
+"""Poses and rotations written out as matrices: their shape, and that they are rigid."""
+
+from __future__ import annotations
+
+from derive.algebra.quantities import rational
+from derive.errors import SheetErrors
+from derive.expression import Expr, Matrix
+from derive.mechanics.frames import ByMatrix
+from derive.sheet.orthonormal import failed_product
+from derive.sheet.source import At
+from derive.sheet.subjects.registry import Known
+
+SIZES = "give 4 rows of 4 (a homogeneous transform) or 3 of 3 (a rotation)"
+
+
+def by_matrix(matrix: list[list[Expr]], whose: str, at: At, known: Known) -> ByMatrix:
+    """A transform (4 rows) or a rotation (3) written out. Raises SheetErrors where it is neither."""
+    size = len(matrix)
+    if size not in (3, 4):
+        raise SheetErrors([at.fault(f"a matrix of {size} rows", (), SIZES)])
+    for index, row in enumerate(matrix):
+        if len(row) != size:
+            raise SheetErrors([at.fault(f"a row of {len(row)} in a matrix of {size} rows", (index,), SIZES)])
+    rows = tuple(tuple(row) for row in matrix)
+    _require_last_row(rows, at)
+    columns = [(rows[0][j], rows[1][j], rows[2][j]) for j in range(3)]
+    require_orthonormal(columns, "columns", whose, at, known)
+    return ByMatrix(Matrix(rows))
+
+
+def _require_last_row(rows: tuple[tuple[Expr, ...], ...], at: At) -> None:
+    if len(rows) == 4 and [rational(entry) for entry in rows[3]] != [0, 0, 0, 1]:
+        message = "the last row of a homogeneous transform is 0, 0, 0, 1"
+        raise SheetErrors([at.fault(message, (3,), "write [0, 0, 0, 1]")])
+
+
+def require_orthonormal(
+    axes: list[tuple[Expr, Expr, Expr]], what: str, whose: str, at: At, known: Known
+) -> None:
+    """Raises SheetErrors with the product that fails."""
+    if product := failed_product(axes, known.where):
+        message = f"the {what} of {whose} are not right-handed and orthonormal: {product}"
+        raise SheetErrors([at.fault(message, (), "check the signs and that every axis has length 1")])
