@@ -321,6 +321,16 @@ def test_a_buckled_spring() -> None:
     assert [when for _, when in states(found)] == ["unstable", "stable", "stable"]
 
 
+def test_a_turning_frame_may_hold_a_mass_on_a_hill() -> None:
+    """A mass on springs, seen from a frame that turns faster than it swings: K is negative, and yet it only
+    swings."""
+    turning = system(
+        "x y", kinetic="1/2*((x_dot - 2*y)^2 + (y_dot + 2*x)^2)", potential="1/2*(x^2 + y^2)"
+    )  # fmt: skip
+    ((*_, said),) = states(ask(turning, "equilibria"))
+    assert said == "stability not decided by the terms of second order"
+
+
 @pytest.mark.parametrize(
     ("subject", "reason"),
     [

@@ -8,8 +8,9 @@ from typing import Any
 from flint import arb
 
 from derive.algebra.polynomial_systems import Case, Move, Solution
+from derive.algebra.polynomials import coefficients
 from derive.algebra.scalar import Scalar
-from derive.expression import Expr, Power, Symbol, number
+from derive.expression import Expr, Power, Symbol, multiply, number
 from derive.kinds.function._writing import vanishing, written
 from derive.kinds.problem import Problem
 
@@ -48,6 +49,8 @@ def _move(move: Move, problem: Problem) -> dict[str, Any]:
     left = Power(symbol, number(2)) if move.rule == "square" else symbol
     value = None if move.value is None else written(move.value, problem)
     equation = None if move.equation is None else vanishing(move.equation, problem)
+    if move.rule == "last" and move.equation is not None:
+        equation = _pure(move.equation, move.variable, problem) or equation
     return {
         "rule": move.rule,
         "equation": equation,
@@ -58,6 +61,15 @@ def _move(move: Move, problem: Problem) -> dict[str, Any]:
         "own": (left, value) in (equation, equation[::-1]) if equation else False,  # nothing to say
         "given": False,
     }
+
+
+def _pure(equation: Scalar, name: str, problem: Problem) -> tuple[Expr, Expr] | None:
+    """(a^2 + b^2) x^2 = a^2 r^2: an equation in one power of its unknown alone."""
+    k = coefficients(equation, name)
+    if any(k[1:-1]) or k[-1].constant is not None:
+        return None
+    power = Symbol(name) if len(k) == 2 else Power(Symbol(name), number(len(k) - 1))
+    return multiply(problem.readable(k[-1]), power), problem.readable(-k[0])
 
 
 def _point(solution: Solution, problem: Problem, order: Sequence[str]) -> list[tuple[Expr, Expr]]:

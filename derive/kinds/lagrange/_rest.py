@@ -6,9 +6,10 @@ from collections.abc import Mapping
 
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
+from derive.derivation import Derivation
 from derive.expression import Expr, Symbol, free_symbols
 from derive.kinds.lagrange._model import Model
-from derive.kinds.problem import expressions
+from derive.kinds.problem import Problem, expressions
 from derive.mechanics.lagrangian import LagrangianSystem
 
 
@@ -31,3 +32,10 @@ def surely_positive(model: Model) -> set[str]:
     trees = [part for body in model.system.bodies for part in (body.mass, body.inertia)]
     names = {tree.name for tree in trees if isinstance(tree, Symbol)}
     return names | ({"g"} if model.system.gravity else set())
+
+
+def equations(problem: Problem) -> Derivation:
+    """The equations of motion, as they were asked for if they were."""
+    kind = "equations-of-motion"
+    asked = next((options for name, options in problem.questions if name == kind), None)
+    return problem.ask(kind) if asked is None else problem.answer(kind, asked)

@@ -18,7 +18,7 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.lagrange._angles_found import Found, solved
 from derive.kinds.lagrange._model import Model
 from derive.kinds.lagrange._oracle import Differences
-from derive.kinds.lagrange._rest import inputs_of, surely_positive, there
+from derive.kinds.lagrange._rest import equations, inputs_of, surely_positive, there
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
 from derive.mechanics.lagrangian import TIME, LagrangianSystem, without
@@ -55,7 +55,6 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     found = solved([each for each in left if each], system.coordinates, positive, problem)
     stiffness = ScalarMatrix.of([derivative(row, q) for q in system.coordinates] for row in left)
     said = [_said(model, each, stiffness, positive) for each in found]
-    equations = problem.ask("equations-of-motion")
     steps = (
         *(Step(f"rest_{k}", (problem.readable(each), ZERO), "law") for k, each in enumerate(left, 1) if each),
         Step("K", (Symbol("K"), problem.readable_matrix(stiffness)), "stiffness"),
@@ -74,7 +73,9 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
         "angles": any(isinstance(node, Symbol) and node.name == "pi" for b in branches
                       for tree in b.values.values() for node in walk(tree)),
     }  # fmt: skip
-    return Derivation("equilibria", steps, {"solutions": branches}, claims, uses=(equations,), facts=facts)
+    return Derivation(
+        "equilibria", steps, {"solutions": branches}, claims, uses=(equations(problem),), facts=facts
+    )
 
 
 def _at_rest(model: Model) -> list[Scalar]:
@@ -125,7 +126,18 @@ def _stability(model: Model, found: Found, stiffness: ScalarMatrix, positive: se
         part = _written(model, minors[0], positive)
         return f"stable if {part} > 0, unstable if {part} < 0{neutral}"
     diagonal = [_sign(K[k, k], found, positive) for k in range(len(K.rows))]
-    return UNSTABLE if -1 in diagonal or signs[-1] == -1 else OPEN
+    falls = -1 in diagonal or signs[-1] == -1
+    return UNSTABLE if falls and not _gyroscopic(model) else OPEN
+
+
+def _gyroscopic(model: Model) -> bool:
+    """Whether forces linear in the rates do no work, as in a turning frame: they may hold a system on a
+    hill (Kelvin, Tait and Chetaev)."""
+    system = model.system
+    G = ScalarMatrix.of(
+        [without(derivative(left, along), system.rates) for along in system.rates] for left in model.rest
+    )
+    return bool(G - G.T)
 
 
 def _sign(value: Scalar, found: Found, positive: set[str]) -> int | None:

@@ -20,7 +20,7 @@ from derive.kinds.fields import Name, OptionsModel
 from derive.kinds.lagrange._equations import written_fraction
 from derive.kinds.lagrange._model import Model
 from derive.kinds.lagrange._oracle import Differences
-from derive.kinds.lagrange._rest import inputs_of, surely_positive, there
+from derive.kinds.lagrange._rest import equations, inputs_of, surely_positive, there
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
 from derive.mechanics.lagrangian import TIME, LagrangianSystem
@@ -84,7 +84,6 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     linear = _linear(model, at, inputs)
     if not linear.M.det():
         raise NotDerivable("the mass matrix is singular at this state: a coordinate has no inertia there")
-    equations = problem.ask("equations-of-motion")
     steps = (*_matrix_steps(model, linear), *_state_steps(model, linear))
     definitions: dict[Expr, Expr] = {Symbol(step.name): step.result for step in steps if step.rule != "law"}
     results = {step.name: problem.final(step.result) for step in steps if step.rule != "law"}
@@ -94,7 +93,9 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
         _second_route(model, linear, at),
     )
     facts = _facts(model, options, linear, at)
-    return Derivation("linearisation", steps, results, claims, definitions, uses=(equations,), facts=facts)
+    return Derivation(
+        "linearisation", steps, results, claims, definitions, uses=(equations(problem),), facts=facts
+    )
 
 
 def _state(options: Options, system: LagrangianSystem, inputs: tuple[str, ...]) -> dict[Expr, Expr]:

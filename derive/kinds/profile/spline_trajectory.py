@@ -208,7 +208,7 @@ def _facts(
     c = symbols("c_0 c_1 c_2 c_3")
     tau = Symbol("tau")
     rows = tuple(
-        (number(k), s.start, s.end, *(_read(c, problem.style.decimals) for c in s.coefficients))
+        (number(k), s.start, s.end, *(_read(each, problem.style.decimals) for each in s.coefficients))
         for k, s in enumerate(spans, 1)
     )
     points = tuple(

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from derive.algebra.numeric import number
-from derive.derivation import Branch
-from derive.errors import NotDerivable
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._inverse_branches import Solutions
 from derive.kinds.robot._inverse_checks import reaches
-from derive.kinds.values_at import completed
+from derive.kinds.robot._inverse_told import point_of, told, unknown
 from derive.mechanics.inverse.goal import Goal
 
 REACHED = 1e-6  # relative
@@ -62,21 +59,3 @@ def _rounding(goal: Goal, point: Mapping[str, float]) -> float:
     R = [[point[f"r{i}{j}"] for j in (1, 2, 3)] for i in (1, 2, 3)]
     products = [(sum(row[i] * row[j] for row in R), i == j) for i in range(3) for j in range(3)]
     return max(abs(value - same) for value, same in products)
-
-
-def point_of(place: Place, problem: Problem) -> dict[str, float]:
-    """Every name that has a value."""
-    return dict(completed({name: number(value, {}) for name, value in place}, problem.where))
-
-
-def told(branches: Sequence[Branch], found: Sequence[dict[str, float] | None]) -> list[dict[str, Any]]:
-    """As the JSON says it: `real` is false where a branch does not reach."""
-    return [
-        {**values, "when": branch.when} if values else {"when": branch.when, "real": False}
-        for branch, values in zip(branches, found, strict=True)
-    ]
-
-
-def unknown(error: KeyError) -> NotDerivable:
-    name = error.args[0]
-    return NotDerivable(f"no value is known for {name}; give it one under evaluate: or where:")

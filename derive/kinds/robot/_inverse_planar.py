@@ -31,7 +31,7 @@ from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
-from derive.kinds.robot._inverse_evaluated import point_of, told, unknown
+from derive.kinds.robot._inverse_told import point_of, told, unknown
 from derive.mechanics.two_link import TwoLink
 
 ELBOWS = (("down", number(1), ">"), ("up", number(-1), "<"))

@@ -53,8 +53,8 @@ def loose(chain: Chain, goal: Goal, problem: Problem, points: Sequence[Mapping[s
     if max(ranks) < len(joints):
         raise NotDerivable(
             f"no closed form found: the arm can move its {len(joints)} joints without changing what is "
-            f"given ({_listed(goal)}), so there are infinitely many solutions; give more of the pose, or fix a "
-            "joint"
+            f"given ({_listed(goal)}), so there are infinitely many solutions; give more of the pose, "
+            "or fix a joint"
         )
 
 

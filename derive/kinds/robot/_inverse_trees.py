@@ -27,6 +27,9 @@ from derive.expression import (
 )
 
 
+LONG_DECIMAL = 6  # digits and point
+
+
 def leaves(tree: Expr) -> int:
     """How many names and numbers stand in a tree."""
     parts = children(tree)
@@ -84,8 +87,8 @@ def over(top: Expr, bottom: Expr) -> Expr:
 
 
 def square(tree: Expr) -> Expr:
-    """The square; of a number the number."""
-    if isinstance(tree, Number):
+    """The square; of a short number the number."""
+    if isinstance(tree, Number) and not (tree.decimal and len(str(float(tree.value**2))) > LONG_DECIMAL):
         return Number(tree.value**2, tree.decimal)
     return squared(unsigned(tree))
 

@@ -8,6 +8,7 @@ from derive.algebra import numeric
 from derive.algebra.normal import normal_matrix
 from derive.algebra.operations import operations
 from derive.algebra.scalar import Scalar
+from derive.algebra.text import text
 from derive.derivation import Claim, Derivation, Step, Table
 from derive.expression import (
     Approximate,
@@ -20,6 +21,8 @@ from derive.expression import (
     children,
     column,
     multiply,
+    replace,
+    walk,
 )
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
@@ -34,6 +37,8 @@ RESULTS = {
     "parameters": "their values (p): of each link ZZ, XX, XY, XZ, YZ, MX, MY, YY, MZ, M, IA; then FV, FS",
     "Y_b": "the regressor of the smallest set (n by b): tau = Y_b base_parameters",
     "base_parameters": "the values of the smallest set (b)",
+    "names": "the names of `parameters`, as ZZ_1 (p)",
+    "groups": "what each of the smallest set gathers, as ZZ_1 + a1^2*M_2 (b)",
 }
 NEEDS = ("bodies",)
 EXAMPLE = """\
@@ -75,6 +80,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         "base_parameters": column(theta.values()),
     }
     results = {name: problem.final(value) for name, value in results.items()}
+    results |= {
+        "names": column(map(_plain, values)),
+        "groups": column(_plain(step.chain[1]) for step in gathered),
+    }
     definitions = {**values, **theta}
     definitions |= {_y(part.name): problem.readable_matrix(part.column) for part in parameters}
     claims = (
@@ -90,6 +99,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         definitions,
         facts={
             "table": _table(values),
+            "numbers": ("Y", "parameters", "Y_b", "base_parameters"),
             "all": len(parameters),
             "smallest": len(base),
             "rotors": any(part.name.base == "IA" for part in parameters),
@@ -115,6 +125,14 @@ def _gathered(problem: Problem, each: Base, value: Expr) -> Step:
     long = constant is not None and constant.denominator > LONGEST_NUMBER
     shown = Approximate(float(constant)) if long and constant is not None else value
     return Step(each.name.name, (each.name, sum_of, shown), "base-parameter")
+
+
+def _plain(expr: Expr) -> Expr:
+    """With names that can be typed, ZZ_1, in place of those with an index."""
+    names: dict[Expr, Expr] = {
+        node: Symbol(f"{node.base}_{text(node.lower[0])}") for node in walk(expr) if isinstance(node, Indexed)
+    }
+    return replace(expr, names)
 
 
 def _lost(problem: Problem, parameters: Sequence[Standard], j: int, weights: Mapping[int, Scalar]) -> Step:

@@ -153,7 +153,8 @@ class Search:
     def _decoupling(self, wrist: Wrist) -> Decoupling:
         centre: dict[str, Scalar] = {}
         R = self.goal.R
-        if R is not None and self.goal.whole_position and wrist.centre:
+        alone = len(self.chain.variables) == 3  # a wrist by itself: its centre stays where it is
+        if R is not None and self.goal.whole_position and wrist.centre and not alone:
             arm = (R @ wrist.centre).entries
             parts = [part for part in self.goal.p if part is not None]
             names = [self.free_name(f"{axis}_w") for axis in "xyz"]

