@@ -8,9 +8,10 @@ from typing import Any, TypeAlias
 
 from flint import fmpq, fmpq_mpoly
 
+from derive.algebra.grammar import parse
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
-from derive.errors import NotDerivable
+from derive.errors import FormulaError, NotDerivable
 from derive.expression import (
     Approximate,
     Call,
@@ -104,7 +105,7 @@ def generator_numbers(value: Scalar, point: Point) -> list[float]:
     table: dict[str, float] = {}
     for name in home.symbols:
         if name in used:
-            table[name] = math.pi if name == "pi" else point[name]
+            table[name] = math.pi if name == "pi" else _symbol(name, point)
     for form in home.angles:
         c, s = f"cos({form})", f"sin({form})"
         if c in used or s in used:
@@ -115,6 +116,16 @@ def generator_numbers(value: Scalar, point: Point) -> list[float]:
             square = Scalar(home, home.polynomial(root.radicand))
             table[root.name] = math.sqrt(scalar_number(square, point))
     return [table.get(name, 0.0) for name in home.names]
+
+
+def _symbol(name: str, point: Point) -> float:
+    """A letter; or a function that the normal form keeps as it is, `exp(x)`. Raises KeyError."""
+    if "(" not in name or name in point:
+        return point[name]
+    try:
+        return number(parse(name), point)
+    except FormulaError:
+        raise KeyError(name) from None
 
 
 def _atom(atom: str, point: Point) -> float:

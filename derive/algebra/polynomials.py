@@ -89,7 +89,7 @@ def known_sign(value: Scalar, positive: Collection[str] = ()) -> int | None:
         return 1 if scalar_number(value, {}) > 0 else -1
     except KeyError:  # a parameter has no value
         pass
-    if (direct := sign_of(value, positive)) is not None:
+    if (direct := sign_of(value, _positive(value, positive))) is not None:
         return direct
     below = None if value.denominator is None else Scalar(value.ring, value.denominator)
     above = _by_factors(numerator(value), positive)
@@ -99,12 +99,17 @@ def known_sign(value: Scalar, positive: Collection[str] = ()) -> int | None:
     return None if bottom is None else above * bottom
 
 
+def _positive(value: Scalar, positive: Collection[str]) -> set[str]:
+    """With every exponential, which is positive whatever it holds."""
+    return {*positive, *(name for name in value.ring.opaque if name.startswith("exp("))}
+
+
 def _by_factors(polynomial: Scalar, positive: Collection[str]) -> int | None:
     content, found = polynomial.numerator.factor()
     sign = 1 if as_fraction(content) > 0 else -1
     for factor, power in found:
         if power % 2:
-            own = sign_of(Scalar(polynomial.ring, factor), positive)
+            own = sign_of(Scalar(polynomial.ring, factor), _positive(polynomial, positive))
             if own is None:
                 return None
             sign *= own
@@ -120,7 +125,7 @@ def odd_part(value: Scalar, positive: Collection[str] = ()) -> Scalar:
     total = Scalar.of(1 if as_fraction(content) > 0 else -1)
     for factor, power in found:
         part = Scalar(value.ring, factor)
-        known = sign_of(part, positive) if power % 2 else 1
+        known = sign_of(part, _positive(value, positive)) if power % 2 else 1
         total = total * (part if known is None else known)
     return total
 

@@ -22,10 +22,11 @@ from derive.mechanics.chain import Chain
 @dataclass(frozen=True, slots=True)
 class PlanarArm:
     """The lengths of the links between parallel axes, the last one to the point; `center` is a point of the
-    first axis (3 by 1)."""
+    first axis (3 by 1). `slides` says that a joint moves the point along the axes as well."""
 
     lengths: tuple[Scalar, ...]
     center: ScalarMatrix
+    slides: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,17 +42,26 @@ class SwungArm:
 
 
 def planar_arm(chain: Chain, point: ScalarMatrix, last: int) -> PlanarArm | None:
-    """None where some joint slides, or where the axes are not parallel."""
-    rows = [i for i, _ in chain.moving if i <= last]
-    if not rows or any(chain.joint(i).type != "revolute" for i in rows):
+    """None where the axes are not parallel, or a joint slides in another direction."""
+    rows = moving_joints(chain, point, last)
+    turning = [i for i in rows if chain.joint(i).type == "revolute"]
+    if not turning or any(chain.joint(i).type == "helical" for i in rows):
         return None
-    lengths = _lengths(chain, rows, point)
-    return PlanarArm(lengths, chain.point(rows[0])) if lengths else None
+    axis, zero = chain.axis(turning[0]), ScalarMatrix.zeros(3, 1)
+    if any(chain.axis(i).cross(axis) != zero for i in rows):
+        return None
+    lengths = _lengths(chain, turning, point)
+    return PlanarArm(lengths, chain.point(turning[0]), len(rows) > len(turning)) if lengths else None
+
+
+def moving_joints(chain: Chain, point: ScalarMatrix, last: int) -> list[int]:
+    """The rows whose joints move the point; a wrist does not move its center."""
+    return [i for i, joint in chain.moving if i <= last and point.diff(joint.variable)]
 
 
 def swung_arm(chain: Chain, point: ScalarMatrix, last: int) -> SwungArm | None:
-    """None unless the arm has three revolute joints, the last two parallel and square to the first."""
-    rows = [i for i, _ in chain.moving if i <= last]
+    """None unless three revolute joints move the point, the last two parallel and square to the first."""
+    rows = moving_joints(chain, point, last)
     if len(rows) != 3 or any(chain.joint(i).type != "revolute" for i in rows):
         return None
     first, second = chain.axis(rows[0]), chain.axis(rows[1])
@@ -66,6 +76,15 @@ def swung_arm(chain: Chain, point: ScalarMatrix, last: int) -> SwungArm | None:
         return None
     center = start + first.scaled(height)
     return SwungArm((lengths[0], lengths[1]), _size(offset * offset), _size(side * side), center)
+
+
+def turns_freely(chain: Chain, moving: Sequence[int], spare: Sequence[int], planar: bool) -> bool:
+    """Whether the joints that do not move the point give the end-effector every orientation about it: in a
+    plane one whose axis is that of the plane, in space three, each square to the next."""
+    axes = [chain.axis(i) for i in spare if chain.joint(i).type == "revolute"]
+    if planar:
+        return any(axis.cross(chain.axis(moving[0])) == ScalarMatrix.zeros(3, 1) for axis in axes)
+    return any(not _dot(a, b) and not _dot(b, c) for a, b, c in zip(axes, axes[1:], axes[2:], strict=False))
 
 
 def _lengths(chain: Chain, rows: Sequence[int], point: ScalarMatrix) -> tuple[Scalar, ...]:

@@ -125,6 +125,7 @@ def test_nested_roots_are_taken_apart() -> None:
     [
         ("sqrt(2) - 3/2", "", -1), ("a^2 + b^2", "", 1), ("a*b", "a b", 1), ("a - b", "a b", None),
         ("a^2 + 2*a*b + b^2", "", 1), ("-(a - b)^2*c", "c", -1), ("a/(b^2 + 1)", "a", 1), ("0*a", "", 0),
+        ("2*exp(a - b)", "", 1),
     ],
 )  # fmt: skip
 def test_signs(text: str, positive: str, sign: int | None) -> None:

@@ -121,6 +121,15 @@ def test_the_bead_on_a_turning_hoop() -> None:
     assert are(found, "accelerations", "sin(theta)*(Omega^2*cos(theta) - g/R)")
 
 
+def test_what_is_conserved_of_the_hoop_is_not_its_energy() -> None:
+    """Goldstein et al., section 2.7: Jacobi's integral is T_2 - T_0 + V."""
+    hoop = system("theta", body("m", "R*sin(theta)*cos(Omega*t); R*sin(theta)*sin(Omega*t); -R*cos(theta)"))
+    conserved = ask(hoop).results["E"]
+    expected = "m/2*R^2*(theta_dot^2 - Omega^2*sin(theta)^2) - m*g*R*cos(theta)"
+    assert normal(conserved) == normal(parse(expected))  # type: ignore[arg-type]
+    assert "E" not in ask(CART_POLE).results
+
+
 def test_a_spherical_pendulum_keeps_its_angular_momentum() -> None:
     position = "l*sin(theta)*cos(phi); l*sin(theta)*sin(phi); -l*cos(theta)"
     found = ask(system("theta phi", body("m", position)))

@@ -1,4 +1,4 @@
-"""Wrong subjects of the kinds of functions, points and Lagrange: `faults/x.yaml` is reported as `x.txt` says."""
+"""Wrong functions, points and systems of Lagrange: `faults/x.yaml` is reported as `x.txt` says."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ def test_a_link_with_an_offset_is_as_long_as_its_diagonal() -> None:
 
 
 def test_sliding_joints_have_no_fixed_lengths() -> None:
-    assert reach(robot(row("q1*", "0", "l1", "0"), row("0", "d2*", "0", "0")), planar_arm) is None
+    assert reach(robot(row("q1*", "0", "l1", "90 deg"), row("0", "d2*", "0", "0")), planar_arm) is None
 
 
 def test_the_anthropomorphic_arm_with_offsets() -> None:

@@ -7,7 +7,8 @@ from typing import Any
 
 from flint import arb
 
-from derive.algebra.polynomial_systems import Case, Move, Solution
+from derive.algebra.polynomial_moves import Move
+from derive.algebra.polynomial_systems import Case, Solution
 from derive.algebra.polynomials import coefficients
 from derive.algebra.scalar import Scalar
 from derive.expression import Expr, Power, Symbol, multiply, number

@@ -12,7 +12,7 @@ from derive.algebra.function import Function
 from derive.algebra.normal import normal
 from derive.algebra.polynomial_systems import Value, put_in
 from derive.algebra.polynomials import known_sign, odd_part
-from derive.algebra.scalar import Scalar
+from derive.algebra.scalar import Scalar, as_fraction
 from derive.algebra.text import text
 from derive.derivation import Branch, Claim, Derivation, Step, Table
 from derive.errors import NotDerivable
@@ -165,6 +165,8 @@ def _need(minor: Value, sign: int, problem: Problem, task: Task) -> str | None:
     if known is not None:
         return "" if known == sign else None
     value = odd_part(minor, task.positive)
+    if as_fraction(value.numerator.leading_coefficient()) < 0:
+        value, sign = -value, -sign
     return f"{text(problem.readable(value))} {'>' if sign > 0 else '<'} 0"
 
 

@@ -21,6 +21,7 @@ class Letters:
     lagrangian: str
     dissipation: str
     multiplier: str
+    energy: str
     indexed: bool
 
     @staticmethod
@@ -29,11 +30,11 @@ class Letters:
         taken = problem.symbols | set(problem.where) | set(system.coordinates)
         choices = (
             ("r", "p", "calR"), ("v", "u", "calV"), ("omega", "Omega", "w"), ("T", "K", "calT"),
-            ("P", "V", "calP"), ("L", "calL"), ("D", "R", "calD"), ("lambda", "mu", "nu"),
+            ("P", "V", "calP"), ("L", "calL"), ("D", "R", "calD"), ("lambda", "mu", "nu"), ("E", "H", "calE"),
         )  # fmt: skip
         count = max(len(system.bodies), len(system.constraints), 1)
-        r, v, omega, T, P, L, D, multiplier = (_free(letters, taken, count) for letters in choices)
-        return Letters(r, v, omega, T, P, L, D, multiplier, len(system.bodies) > 1)
+        r, v, omega, T, P, L, D, multiplier, E = (_free(letters, taken, count) for letters in choices)
+        return Letters(r, v, omega, T, P, L, D, multiplier, E, len(system.bodies) > 1)
 
     def of_body(self, letter: str, number: int) -> Symbol:
         """r_1, r_2, ...; r alone for the only body."""

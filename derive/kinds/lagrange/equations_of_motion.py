@@ -19,7 +19,15 @@ from derive.kinds.lagrange._oracle import Differences
 from derive.kinds.lagrange._solved import Solved, satisfies, solved
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
-from derive.mechanics.lagrangian import TIME, LagrangianSystem, energy, on_accelerations, rate
+from derive.mechanics.lagrangian import (
+    TIME,
+    Condition,
+    LagrangianSystem,
+    energy,
+    on_accelerations,
+    rate,
+    without,
+)
 
 RESULTS = {
     "T": "the kinetic energy",
@@ -28,6 +36,7 @@ RESULTS = {
     "M": "what multiplies the accelerations (n by n)",
     "tau": "d/dt dL/dqdot - dL/dq, with friction, for each coordinate: the forces the motion needs (n)",
     "equations": "the same less the given forces and those of the constraints; it vanishes (n)",
+    "E": "the energy (Jacobi's integral), where it is conserved",
     "accelerations": "with `solve`, or constraints: x_ddot, ... (n)",
     "multipliers": "with constraints: the multipliers, in the order of the constraints",
 }
@@ -62,6 +71,7 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
         *energy_steps(model),
         *_partials(model),
         *_equations(model, lefts, rights),
+        *_conserved(model),
         *_solution_steps(model, solution),
     )
     definitions = _definitions(model, steps)
@@ -96,6 +106,29 @@ def _equations(model: Model, lefts: list[Expr], rights: list[Expr]) -> Iterator[
         yield Step(f"equation_{k}", (left, right), "law", {"k": k})
 
 
+def _conserved(model: Model) -> Iterator[Step]:
+    """The energy (Jacobi's integral), where nothing drives the system and nothing brakes it."""
+    system = model.system
+    driven = any(model.forces.values()) or bool(derivative(model.lagrangian, TIME))
+    braked = system.dissipation != ZERO
+    if not (driven or braked) and all(map(_does_no_work, model.conditions)):
+        total = energy(model.lagrangian, system)
+        whole = sum((*model.kinetic, *model.potential), Scalar.of(0))
+        name = Symbol(model.letters.energy)
+        facts = {"total": total == whole}
+        yield Step(name.name, (name, written_side(total, system, model.problem)), "energy", facts)
+
+
+def _does_no_work(condition: Condition) -> bool:
+    """Whether a constraint stays where it is: none that holds the time, none that drives the rates."""
+    if derivative(condition.vanishing, TIME):
+        return False
+    if condition.sort == "holonomic":
+        return True
+    rates = [name for name in condition.vanishing.ring.symbols if name.endswith("_dot")]
+    return not without(condition.vanishing, rates)
+
+
 def _solution_steps(model: Model, found: Solved | None) -> Iterator[Step]:
     """The constraints on the accelerations, then what comes out."""
     if found is None:
@@ -127,6 +160,8 @@ def _results(
     results["M"] = problem.final(problem.readable_matrix(model.mass))
     results["tau"] = _columns(problem, lefts)
     results["equations"] = _columns(problem, [difference(a, b) for a, b in zip(lefts, rights, strict=True)])
+    for step in _conserved(model):
+        results["E"] = problem.final(step.result)
     if found is not None:
         results["accelerations"] = _solution(problem, found.accelerations)
         if found.multipliers:
@@ -158,7 +193,8 @@ def _facts(model: Model, options: Options, lefts: list[Expr], rights: list[Expr]
         "multipliers": model.multipliers,
         "equations": [f"equation_{k}" for k in range(1, len(lefts) + 1)],
         "across": [f"constraint_{k}" for k in range(1, len(model.conditions) + 1)],
-        "cyclic": _cyclic(model), "solve": options.solve, "still": not sum(model.potential, Scalar.of(0)),
+        "cyclic": _cyclic(model), "solve": options.solve, "energy": letters.energy,
+        "still": not sum(model.potential, Scalar.of(0)),
     }  # fmt: skip
 
 

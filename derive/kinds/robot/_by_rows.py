@@ -21,10 +21,10 @@ from derive.mechanics.robot import Link, Robot
 ALONG: tuple[Literal["x", "y", "z"], ...] = ("x", "y", "z")
 
 
-def by_rows(kind: str, options: Any, problem: Problem) -> Derivation:
+def by_rows(kind: str, problem: Problem, **options: Any) -> Derivation:
     """The answer for the same arm by link parameters, which it rests on. Raises NotDerivable."""
     other = replace(problem, subject=arm_of_rows(problem.subject, problem), derived={}, written={})
-    found = other.answer(kind, options)
+    found = other.ask(kind, **options)
     return replace(found, uses=(problem.ask("dh-table"), *found.uses))
 
 

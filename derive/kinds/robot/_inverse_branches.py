@@ -13,7 +13,6 @@ from derive.derivation import Branch
 from derive.expression import Call, Expr, Sum, Symbol, add, children, is_negative, rebuild, replace
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse_moves import Definition, Item, Move, Option, choices, shares, weighted
-from derive.kinds.robot._inverse_singular import Case
 from derive.kinds.robot._inverse_trees import minus
 
 LARGEST = 1200  # names, numbers and operations in a value; above that it stays in terms of earlier joints
@@ -27,7 +26,6 @@ class Solutions:
     joints: tuple[str, ...]
     slides: frozenset[str]
     problem: Problem
-    singular: tuple[Case, ...] = ()
 
     @cached_property
     def chosen(self) -> tuple[dict[int, Option], ...]:
@@ -88,16 +86,14 @@ class Solutions:
                 elif isinstance(item.of, Form):
                     forms.append(item.of)
                     values.append(value)
-                    known |= self._angles(forms, values)
+                    known |= self.angles(forms, values)
                 else:
                     known[item.of] = value
         except (ValueError, ZeroDivisionError):
             return None
-        for case in self.singular:
-            known |= case.chosen(known)
         return {name: known[name] for name in self.joints}
 
-    def _angles(self, forms: Sequence[Form], values: Sequence[float]) -> dict[str, float]:
+    def angles(self, forms: Sequence[Form], values: Sequence[float]) -> dict[str, float]:
         """Joint angles with these sums; those nobody knows yet are taken as zero, their sums being right."""
         found = {}
         for joint in self.turning:

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from derive.algebra.numeric import Point
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._inverse_branches import Solutions
 from derive.kinds.robot._inverse_checks import reaches
+from derive.kinds.robot._inverse_freedom import Singularity
 from derive.kinds.robot._inverse_told import point_of, told, unknown
 from derive.mechanics.inverse.goal import Goal
 
@@ -25,14 +27,18 @@ class Evaluated:
     values: Mapping[str, Any]
     out_of_reach: bool = False
     missed: bool = False
+    free: bool = False
 
     @property
     def facts(self) -> dict[str, bool]:
-        return {"out_of_reach": self.out_of_reach, "missed": self.missed}
+        return {"out_of_reach": self.out_of_reach, "missed": self.missed, "free": self.free}
 
 
-def evaluated(solutions: Solutions, goal: Goal, problem: Problem, place: Place | None) -> Evaluated:
+def evaluated(
+    solutions: Solutions, singularity: Singularity, goal: Goal, problem: Problem, place: Place | None
+) -> Evaluated:
     """`solutions` with floats; a branch that does not reach the pose is not real. Empty without a point.
+    In a singular configuration an angle that can be chosen at will is zero.
 
     Raises NotDerivable where a name has no value.
     """
@@ -43,12 +49,25 @@ def evaluated(solutions: Solutions, goal: Goal, problem: Problem, place: Place |
     try:
         branches = solutions.at(point)
         wanted = {**dict.fromkeys(problem.symbols, 1.0), **point}  # what no value rests on may be anything
-        found = [v if v and reaches(oracle, goal, wanted, v, tolerance) else None for v in branches]
+        tries = [list(each) for each in _tries(branches, solutions, singularity, point)]
     except KeyError as error:
         raise unknown(error) from error
+    found, free = [], False
+    for each in tries:
+        arrived = [reaches(oracle, goal, wanted, values, tolerance) for values in each]
+        found.append(each[arrived.index(True)] if any(arrived) else None)
+        free |= any(arrived) and not arrived[0]
     out_of_reach = not any(branches)
     missed = not out_of_reach and not any(found)
-    return Evaluated({"solutions": told(solutions.branches, found)}, out_of_reach, missed)
+    return Evaluated({"solutions": told(solutions.branches, found)}, out_of_reach, missed, free)
+
+
+def _tries(
+    branches: Sequence[dict[str, float] | None], solutions: Solutions, singularity: Singularity, point: Point
+) -> Iterator[Iterator[dict[str, float]]]:
+    """For each branch its values, and those with free angles chosen, if the first are none."""
+    for values, taken in zip(branches, solutions.chosen, strict=True):
+        yield singularity.tries(values, taken, point)
 
 
 def _rounding(goal: Goal, point: Mapping[str, float]) -> float:

@@ -7,12 +7,13 @@ from typing import Any
 
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
-from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
+from derive.kinds.robot._by_rows import by_rows
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._inverse_branches import Solutions
 from derive.kinds.robot._inverse_checks import tried
 from derive.kinds.robot._inverse_evaluated import evaluated
+from derive.kinds.robot._inverse_freedom import Singularity
 from derive.kinds.robot._inverse_opening import Opening
 from derive.kinds.robot._inverse_page import Page
 from derive.kinds.robot._inverse_reasons import loose, no_closed_form, refuse
@@ -24,26 +25,27 @@ from derive.mechanics.inverse.sample import configurations
 POINTS = 5
 
 
-def derive(chain: Chain, given: tuple[str, ...] | str, place: Place | None, problem: Problem) -> Derivation:
-    """The plan, written and tried. Raises NotDerivable where there is none, with what is left to solve."""
-    goal = goal_of(given, chain, problem)
+def derive(chain: Chain, options: Any, problem: Problem) -> Derivation:
+    """The plan, written and tried; for screws without one, that of the rows found for them. Raises
+    NotDerivable where there is none, with what is left to solve."""
+    goal = goal_of(options.given, chain, problem)
     refuse(chain, goal)
     points = sample_points(chain, goal, problem, POINTS)
     loose(chain, goal, problem, points)
     free = partial(free_name, problem=problem, goal=goal)
     plan = Search(chain, goal, points[:2], free, Clock()).plan()
-    if not plan.complete and robot.by_screws:
-        return by_rows("inverse-kinematics", options, problem)
+    if not plan.complete and problem.subject.by_screws:
+        return by_rows("inverse-kinematics", problem, given=options.given, evaluate=options.evaluate)
     if not plan.complete:
         raise NotDerivable(no_closed_form(plan, goal, problem))
     page = Page(problem, chain, goal, plan, Opening(problem, chain, goal, plan, free).written())
     slides = frozenset(plan.knowledge.slides)
-    solutions = Solutions(page.items, chain.variables, slides, problem, page.singular)
+    solutions = Solutions(page.items, chain.variables, slides, problem)
     results: dict[str, Any] = {"solutions": solutions.branches}
     if solutions.nested:
         results["order"] = ", ".join(solutions.order)
     trial = tried(solutions, goal, problem, points)
-    values = evaluated(solutions, goal, problem, place)
+    values = evaluated(solutions, Singularity(solutions, chain, plan), goal, problem, options.evaluate)
     return Derivation(
         "inverse-kinematics",
         page.steps,

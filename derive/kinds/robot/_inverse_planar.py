@@ -51,7 +51,7 @@ def derive(arm: TwoLink, given: tuple[str, ...], place: Place | None, problem: P
     )
     values = _evaluated(branches, problem, place)
     facts = writing.facts()
-    facts["missed"] = False
+    facts["missed"] = facts["free"] = False
     facts["out_of_reach"] = bool(values) and all(b.get("real") is False for b in values["solutions"])
     return Derivation(
         "inverse-kinematics",

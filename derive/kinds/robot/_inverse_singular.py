@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import product
 
-from derive.algebra.compiled import compiled
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix, trig_of
 from derive.algebra.scalar import Scalar
 from derive.expression import Degrees, Expr, Matrix, Symbol, add, atan2, negate, number
-
-NEAR = 1e-6  # radians: closer than this the outer axes coincide
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,14 +25,6 @@ class Case:
     def determined(self) -> Expr:
         first, _, last = map(Symbol, self.joints)
         return add(first, last if self.sign > 0 else negate(last))
-
-    def chosen(self, known: Mapping[str, float]) -> dict[str, float]:
-        """The outer angles where it happens, the first taken as zero; nothing elsewhere."""
-        first, middle, last = self.joints
-        gap = math.remainder(known[middle] - math.radians(float(self.middle.value)), 2 * math.pi)
-        if abs(gap) > NEAR:
-            return {}
-        return {first: 0.0, last: self.sign * compiled(self.value)(known)}
 
 
 def cases(made: Matrix, known: Matrix, joints: tuple[str, str, str], even: bool) -> Iterator[Case]:

@@ -26,7 +26,6 @@ from derive.expression import (
     squared,
 )
 
-
 LONG_DECIMAL = 6  # digits and point
 
 

@@ -17,6 +17,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._point import Tracked
 from derive.mechanics.chain import Chain
+from derive.mechanics.reach import moving_joints
 
 SMALL = 1e-6
 NEAR = 1e-2  # a search creeps where links of 2, 2 and 4 are folded
@@ -35,6 +36,7 @@ class Region:
     center: ScalarMatrix
     offset: Expr = ZERO
     side: Expr = ZERO
+    slides: bool = False
 
 
 def second_route(
@@ -52,11 +54,14 @@ def second_route(
 def _reached(problem: Problem, found: Chain, point: Tracked, region: Region, bound: Expr, sign: int) -> Claim:
     import numpy as np
 
-    names = [joint.variable for i, joint in found.moving if i <= point.last]
+    turning = [
+        i for i in moving_joints(found, point.position, point.last) if found.joint(i).type == "revolute"
+    ]
+    names = [found.joint(i).variable for i in turning]
     holds = True
     for at in random_points(sorted(problem.symbols), 2):
         known = dict(oracle_of(problem).at(at))
-        axis = np.array(numeric.matrix_numbers(found.axis(next(found.moving)[0]), known)).ravel()
+        axis = np.array(numeric.matrix_numbers(found.axis(turning[0]), known)).ravel()
 
         def distance(here: dict[str, float], axis: Any = axis) -> float:
             return _distance(problem, point, region, here, axis)

@@ -47,4 +47,4 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         return _inverse_planar.derive(arm, given, options.evaluate, problem)
     from derive.kinds.robot import _inverse_general
 
-    return _inverse_general.derive(chain, given, options.evaluate, problem)
+    return _inverse_general.derive(chain, options, problem)

@@ -27,7 +27,7 @@ from derive.expression import (
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import axis_names, axis_steps, chain_of, closing, oracle_of
+from derive.kinds.robot._chain import axis_names, chain_of, closing, oracle_of
 from derive.mechanics.chain import Chain
 from derive.mechanics.poses import inverse_pose, position_part, rotation_part, skew
 from derive.mechanics.robot import Robot
@@ -66,13 +66,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     found = chain_of(problem)
     J = ScalarMatrix.beside([twist(found, i) for i, _ in found.moving])
     if options.frame == "space":
-        uses = problem.ask("forward-kinematics")
-        steps = (
-            *axis_steps(problem, found, len(robot.links)),
-            Step(
-                "J_s", (Symbol("J_s"), _blocks(problem, found, robot), problem.readable_matrix(J)), "twists"
-            ),
-        )
+        uses = problem.ask("joint-axes")
+        written = problem.readable_matrix(J)
+        chain = (Symbol("J_s"), _blocks(problem, found, robot), written)
+        steps: tuple[Step, ...] = (Step("J_s", chain, "twists"),)
     else:
         uses = problem.ask("space-jacobian")
         J, steps = _body(problem, found, J)
@@ -86,7 +83,16 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         _second_route(problem, J, options),
     )
     facts = {**_facts(found), "body": options.frame == "body"}
-    return Derivation("space-jacobian", steps, {name: result}, claims, definitions, uses=(uses,), facts=facts)
+    return Derivation(
+        "space-jacobian",
+        steps,
+        {name: result},
+        claims,
+        definitions,
+        uses=(uses,),
+        facts=facts,
+        matrices=frozenset({name}),
+    )
 
 
 def twist(found: Chain, i: int) -> ScalarMatrix:

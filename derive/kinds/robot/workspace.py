@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from derive.algebra import numeric
@@ -29,7 +30,7 @@ from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.kinds.robot._reach_checks import Region, second_route
 from derive.kinds.robot._reach_pictures import cross_section, from_above
 from derive.mechanics.chain import Chain
-from derive.mechanics.reach import PlanarArm, SwungArm, planar_arm, swung_arm
+from derive.mechanics.reach import PlanarArm, SwungArm, moving_joints, planar_arm, swung_arm, turns_freely
 from derive.mechanics.robot import Robot
 
 RESULTS = {
@@ -96,13 +97,13 @@ def _final(problem: Problem, tree: Expr) -> Expr:
 def _region(problem: Problem, found: Chain, point: Tracked) -> Region:
     planar = planar_arm(found, point.position, point.last)
     if planar:
-        return _annulus(problem, planar)
+        return replace(_annulus(problem, planar), slides=planar.slides)
     swung = swung_arm(found, point.position, point.last)
     if swung:
         return _shell(problem, swung)
     raise NotDerivable(
-        "the workspace is found for arms whose revolute joints are all parallel, and for three revolute "
-        "joints of which the last two are parallel and square to the first; this arm is neither"
+        "the workspace is found where all joints that move the point are parallel, and where they are three "
+        "revolute ones of which the last two are parallel and square to the first; this arm is neither"
     )
 
 
@@ -178,6 +179,9 @@ def _largest(problem: Problem, holes: tuple[Expr, ...]) -> Expr:
 
 def _facts(problem: Problem, region: Region, point: Tracked) -> dict[str, Any]:
     n = len(region.lengths)
+    found = chain_of(problem)
+    moving = moving_joints(found, point.position, point.last)
+    spare = [i for i, _ in found.moving if i not in moving and i <= point.last]
     closed = region.smallest[-1] == ZERO
     return {
         "kind": region.kind,
@@ -186,6 +190,10 @@ def _facts(problem: Problem, region: Region, point: Tracked) -> dict[str, Any]:
         "offset": None if region.offset == ZERO else region.offset,
         "side": None if region.side == ZERO else region.side,
         "closed": closed,
+        "slides": region.slides,
+        "pair": tuple(map(number, moving[-2:])),
+        "spare": tuple(map(number, spare)),
+        "free": turns_freely(found, moving, spare, region.kind == "planar"),
         "same": n == 2 and closed,
         "description": _description(region, closed),
         "secondary": _secondary(problem, region) if region.kind == "planar" and n > 2 else None,
@@ -196,8 +204,12 @@ def _facts(problem: Problem, region: Region, point: Tracked) -> dict[str, Any]:
 
 def _description(region: Region, closed: bool) -> str:
     match region.kind, len(region.lengths):
+        case "planar", 1 if region.slides:
+            return "the side of a cylinder about the axis of the joint"
         case "planar", 1:
             return "a circle about the axis of the joint"
+        case "planar", _ if region.slides:
+            return "a cylinder about the first axis" if closed else "a hollow cylinder about the first axis"
         case "planar", _:
             return "a disc about the first axis" if closed else "an annulus about the first axis"
         case "torus", _:

@@ -40,11 +40,13 @@ class Stage:
 
     equations: tuple[Considered, ...]
     samples: Samples
+    joints: tuple[str, ...]
     base: int = 0
 
     @staticmethod
     def of(equations: Iterable[Equation], joints: Iterable[str], samples: Samples, base: int = 0) -> Stage:
         """Those that hold any of the joints."""
+        joints = tuple(joints)
         names = {f"{f}({joint})": joint for joint in joints for f in ("cos", "sin")}
         names |= {joint: joint for joint in joints}
         found = []
@@ -53,7 +55,7 @@ class Stage:
             held = frozenset(names[name] for name in value.generators() if name in names)
             if held:
                 found.append(Considered(equation, value, held))
-        return Stage(tuple(found), samples, base)
+        return Stage(tuple(found), samples, joints, base)
 
     def next(
         self, known: Knowledge, in_time: Callable[[], None], used: Collection[Place] = ()
@@ -71,6 +73,10 @@ class Stage:
             if found is not None:
                 return found
         return None
+
+    def rows(self, known: Knowledge, form: Form) -> list[Row]:
+        """Every equation that holds this angle alone."""
+        return dict(_Looking(self, known, ()).rows).get(form, [])
 
     def left(self, known: Knowledge, most: int = 6) -> list[Equation]:
         """The shortest equations that still hold unknown joints."""

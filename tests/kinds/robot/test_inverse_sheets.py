@@ -135,6 +135,18 @@ def test_a_wrist_whose_axes_coincide(tmp_path) -> None:
         assert np.allclose(arm.pose(branch), arm.pose(joints), atol=1e-6)
 
 
+def test_the_home_of_the_ur5(tmp_path) -> None:
+    """All joints at zero: the axes of joints 4 and 6 are parallel there, and one angle can be chosen."""
+    arm = ARMS["UR5"]
+    for degrees in ((0,) * 6, (10, -50, 70, 20, 0, 30), (10, -50, 70, 20, 180, 30)):
+        joints = angles(degrees)
+        found = asked(tmp_path, "UR5", "pose", place(pose(arm, joints)))["evaluated"]["solutions"]
+        real = [branch for branch in found if branch.get("real", True)]
+        assert real
+        for branch in real:
+            assert np.allclose(arm.pose(branch), arm.pose(joints), atol=1e-6)
+
+
 def test_a_pose_typed_with_three_digits(tmp_path) -> None:
     arm = ARMS["Stanford, d3 > 0"]
     joints = {**angles((20, 40, 0, 30, 50, -15)), "d3": 0.5}

@@ -14,7 +14,7 @@ from derive.algebra.text import text
 from derive.build import derive_all, render
 from derive.errors import NotDerivable, SheetErrors
 from derive.sheet.load import load_sheet
-from tests.kinds.robot.test_singularities import ELBOW, STANFORD, THREE_R, TWO_R, arm
+from tests.kinds.robot.test_singularities import ELBOW, PUMA, SCARA, STANFORD, THREE_R, TWO_R, arm
 from tests.mechanics.robots import problem
 
 ONE_BY_ONE = "    links:\n" + "".join(
@@ -104,3 +104,23 @@ def test_a_target_with_an_angle(tmp_path) -> None:
     assert sum(q) == pytest.approx(1.5)
     sums = [q[0], q[0] + q[1], sum(q)]
     assert (sum(map(math.cos, sums)), sum(map(math.sin, sums))) == pytest.approx((1.5, 1))
+
+
+@pytest.mark.parametrize(
+    ("rows", "r_min", "r_max", "description"),
+    [
+        (SCARA, "Abs(a1 - a2)", "a1 + a2", "a hollow cylinder about the first axis"),
+        (
+            PUMA,
+            "sqrt((a2 - sqrt(a3**2 + d4**2))**2 + d3**2)",
+            "sqrt((sqrt(a3**2 + d4**2) + a2)**2 + d3**2)",
+            "a hollow ball about the shoulder, bored through along the first axis",
+        ),
+    ],
+)
+def test_joints_that_do_not_move_the_point_are_left_out(rows, r_min, r_max, description) -> None:
+    found = problem(arm(rows)).ask("workspace")
+    assert (text(found.results["r_min"]), text(found.results["r_max"])) == (r_min, r_max)
+    assert found.results["description"] == description
+    assert found.facts["free"]
+    assert all(claim.holds for claim in found.claims)
