@@ -2,37 +2,62 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
+from functools import reduce
+from math import gcd, lcm
+from operator import mul
 
+from flint import fmpq_mpoly
+
+from derive.algebra.angles import Form
 from derive.algebra.fixed import square_root
-from derive.algebra.ring import Root
+from derive.algebra.nested_roots import is_number, value_of
+from derive.algebra.rationals import Rational, to_flint
+from derive.algebra.ring import Ring, Root, ring
 from derive.algebra.scalar import Scalar, as_fraction
+
+SMALL = 1e-9  # a number smaller than this may be zero
 
 
 def root(of: Scalar) -> Scalar:
-    """The square root. Squares come out as absolute values; sqrt(p/q) is sqrt(p q)/|q|."""
+    """The square root. Squares come out as absolute values, 1 - cos^2 as that of a sine; sqrt(p/q) is
+    sqrt(p q)/|q|."""
     if of.constant is not None:
         return square_root(of.constant)
     if of.denominator is not None:
         bottom = Scalar(of.ring, of.denominator)
         return root(Scalar(of.ring, of.ring.reduce(of.numerator * of.denominator))) / absolute(bottom)
     content, factors = of.numerator.factor_squarefree()
-    outside, inside = Scalar.of(1), Scalar(of.ring, of.ring.constant(as_fraction(content)))
+    outside, inside = Scalar.of(1), of.ring.constant(as_fraction(content))
     for factor, power in factors:
-        part = Scalar(of.ring, of.ring.reduce(factor))
-        outside = outside * absolute(part) ** (power // 2)
-        inside = inside * part if power % 2 else inside
-    number = as_fraction(content)
-    square = number if number > 0 else -number
-    return outside * square_root(square) * _root_of_rest(inside / square)
+        outside = outside * absolute(Scalar(of.ring, of.ring.reduce(factor))) ** (power // 2)
+        inside = inside * factor if power % 2 else inside
+    number = abs(as_fraction(content))
+    sines, left = _sines(of.ring, inside / to_flint(number))
+    return outside * sines * square_root(number) * _root_of_rest(Scalar(of.ring, of.ring.reduce(left)))
 
 
 def absolute(of: Scalar) -> Scalar:
-    """|of|, as the root of its square; positive numbers come out."""
-    if of.constant is not None:
-        return Scalar.of(abs(of.constant))
-    monic = of / _lead(of)
-    return _generator(f"abs({canonical(monic)})", monic * monic) * abs(_lead(of))
+    """|of|, each factor's as the root of its square; numbers come out, and sums of squares are their own."""
+    if of.denominator is not None:
+        return absolute(Scalar(of.ring, of.numerator)) / absolute(Scalar(of.ring, of.denominator))
+    sign = _sign(of)
+    if sign is not None:
+        return of * sign
+    content, factors = of.numerator.factor()
+    parts = [_irreducible(Scalar(of.ring, of.ring.reduce(factor))) ** power for factor, power in factors]
+    return reduce(mul, parts, Scalar.of(abs(as_fraction(content))))
+
+
+def _irreducible(of: Scalar) -> Scalar:
+    """|of| of what is no product."""
+    sign = _sign(of)
+    if sign is not None:
+        return of * sign
+    lead = _lead(_in_single_angles(of))
+    monic = of / lead
+    return _generator(f"abs({canonical(monic)})", monic * monic) * abs(lead)
 
 
 def opaque(function: str, arguments: tuple[Scalar, ...]) -> Scalar:
@@ -41,19 +66,51 @@ def opaque(function: str, arguments: tuple[Scalar, ...]) -> Scalar:
 
 
 def canonical(value: Scalar) -> str:
-    """A text that is the same for equal polynomials, whatever their rings."""
-    bottom = "" if value.denominator is None else f"/({_terms(value, of_bottom=True)})"
-    return f"({_terms(value)}){bottom}"
+    """A text that is the same for equal polynomials, whatever their rings: over single angles, or over
+    such parts of them as the polynomial needs."""
+    value = _in_single_angles(value)
+    bottom = "" if value.denominator is None else f"/({_terms(value.ring, value.denominator)})"
+    return f"({_terms(value.ring, value.numerator)}){bottom}"
 
 
-def _terms(value: Scalar, of_bottom: bool = False) -> str:
-    polynomial = value.denominator if of_bottom and value.denominator is not None else value.numerator
-    names = value.ring.names
+def _in_single_angles(value: Scalar) -> Scalar:
+    used = set(value.generators())
+    forms = [form for form in value.ring.angles if {f"cos({form})", f"sin({form})"} & used]
+    coefficients: dict[str, list[Rational]] = {}
+    for form in forms:
+        for atom, n in form.parts:
+            coefficients.setdefault(atom, []).append(n)
+    if all(len(form.parts) == 1 for form in forms):
+        return value
+    singles = tuple(Form.of({atom: _measure(ns)}) for atom, ns in sorted(coefficients.items()))
+    return value.into(ring((), singles, value.ring.symbols).union(value.ring))
+
+
+def _measure(numbers: Iterable[Rational]) -> Fraction:
+    """The greatest number of which all are multiples."""
+    numbers = list(numbers)
+    return Fraction(
+        reduce(gcd, (abs(n.numerator) for n in numbers)), reduce(lcm, (n.denominator for n in numbers))
+    )
+
+
+def _terms(home: Ring, polynomial: fmpq_mpoly) -> str:
     texts = []
     for exponents, coefficient in polynomial.terms():
-        powers = sorted((n, e) for n, e in zip(names, exponents, strict=True) if e)
+        powers = sorted((n, e) for n, e in zip(home.names, exponents, strict=True) if e)
         texts.append("*".join([str(coefficient), *(f"{n}^{e}" for n, e in powers)]))
-    return "+".join(sorted(texts)) or "0"
+    return "+".join(sorted(texts))
+
+
+def _sines(home: Ring, inside: fmpq_mpoly) -> tuple[Scalar, fmpq_mpoly]:
+    """(|sines|, what is left): each factor 1 - cos^2 is the square of a sine."""
+    outside = Scalar.of(1)
+    for k in range(len(home.angles)):
+        c, s = home.pair(k)
+        left, rest = divmod(inside, 1 - c * c)
+        if rest == 0 and left != -1:  # -sin^2 has no root
+            outside, inside = outside * absolute(Scalar(home, s)), left
+    return outside, inside
 
 
 def _root_of_rest(inside: Scalar) -> Scalar:
@@ -68,5 +125,23 @@ def _generator(name: str, square: Scalar) -> Scalar:
     return Scalar(home, home.gen(name))
 
 
+def _sign(of: Scalar) -> int | None:
+    """1 or -1 for a number, and 1 for a sum of squares: even powers with positive numbers before them."""
+    terms = [(as_fraction(k), powers) for powers, k in of.numerator.terms()]
+    if all(k > 0 and not any(int(e) % 2 for e in powers) for k, powers in terms):
+        return 1
+    if all(is_number(name, of.ring) for name in of.generators()):
+        value = value_of(of.numerator, of.ring)
+        return None if abs(value) < SMALL else 1 if value > 0 else -1
+    return None
+
+
 def _lead(of: Scalar) -> Fraction:
-    return as_fraction(of.numerator.leading_coefficient())
+    """The number before the term that comes first by its letters, which is the same in any ring."""
+    names = of.ring.names
+
+    def letters(powers: tuple[int, ...]) -> list[tuple[str, int]]:
+        return sorted((name, int(e)) for name, e in zip(names, powers, strict=True) if e)
+
+    terms = [(letters(powers), as_fraction(number)) for powers, number in of.numerator.terms()]
+    return min(terms, key=lambda term: (not term[0], term[0]))[1]

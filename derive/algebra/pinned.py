@@ -101,3 +101,18 @@ def in_single_angles(value: Scalar) -> Scalar:
     if any(singles.trig(form) is None for form in home.angles):
         return value
     return value.into(singles.union(home))
+
+
+def rationalised(value: Scalar) -> Scalar:
+    """The same without square roots below the fraction, as far as their conjugates remove them:
+    (r a + r^2)/r is a + r."""
+    for root in value.ring.roots:
+        bottom = value.denominator
+        if bottom is None:
+            break
+        along = bottom.derivative(value.ring.index[root.name])
+        if along != 0:
+            other = Scalar(value.ring, bottom - 2 * along * value.ring.gen(root.name))
+            whole = Scalar(value.ring, bottom) * other
+            value = Scalar(value.ring, value.numerator) * other / whole
+    return value

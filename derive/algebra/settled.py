@@ -23,6 +23,7 @@ from functools import cached_property, lru_cache
 from flint import fmpq_mpoly, fmpz_poly
 
 from derive.algebra.angles import PI, Form
+from derive.algebra.nested_roots import cancels
 from derive.algebra.ring import Pair, Ring, Root, ring
 
 # Beyond this n of pi k/n the field is too large; equality is then that of the polynomials alone.
@@ -34,7 +35,7 @@ def vanishes(polynomial: fmpq_mpoly, home: Ring) -> bool:
     if polynomial == 0:
         return True
     if home.fixed is None or home.fixed.of_atom(PI).denominator > MOST_PARTS:
-        return False
+        return cancels(polynomial, home, home.reduce)
     field, images = _settling(home, home.fixed)
     total = field.ring.zero
     for powers, rest in _by_powers(polynomial, home, home.fixed).items():
@@ -42,7 +43,7 @@ def vanishes(polynomial: fmpq_mpoly, home: Ring) -> bool:
         for place, power in powers:
             part = field.reduce(part * field.power(images[place], power))
         total = total + part
-    return bool(field.reduce(total) == 0)
+    return cancels(field.reduce(total), field.ring, field.reduce)
 
 
 def _by_powers(

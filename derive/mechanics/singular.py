@@ -14,6 +14,7 @@ from derive.algebra.factors import Factored, common_factor, depends, factored
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.pinned import pinned
 from derive.algebra.scalar import Scalar
+from derive.errors import NotDerivable
 from derive.expression import Expr
 from derive.mechanics.zeros import Write, Zero, zeros
 
@@ -103,11 +104,18 @@ class _Search:
         choices = [factored(equation, self.variables) for equation in live]
         best = min(choices, key=lambda each: max(len(f.numerator) for f, _ in each.factors))
         for factor, _ in best.factors:
-            solved = [zero for zero in zeros(factor, self.variables, self.write) if zero.rule != "triangle"]
-            self.open |= not solved
-            for zero in (zero for zero in solved if (zero.variable, zero.value) not in self.known):
-                later = tuple(pinned(equation, zero.variable, zero.at) for equation in live)
-                self.run(tuple(map(_whole, later)), (*known, zero))
+            self._along(factor, live, known)
+
+    def _along(self, factor: Scalar, live: list[Scalar], known: tuple[Zero, ...]) -> None:
+        """What is left of the equations where a factor vanishes."""
+        solved = [zero for zero in zeros(factor, self.variables, self.write) if zero.rule != "triangle"]
+        self.open |= not solved
+        for zero in (zero for zero in solved if (zero.variable, zero.value) not in self.known):
+            try:
+                later = tuple(_whole(pinned(equation, zero.variable, zero.at)) for equation in live)
+                self.run(later, (*known, zero))
+            except NotDerivable:  # the next variable stands inside a root that this one brought
+                self.open = True
 
     def kept(self) -> Iterator[tuple[Zero, ...]]:
         """Each solution once, and none that is part of another."""

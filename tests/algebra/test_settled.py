@@ -64,6 +64,33 @@ def test_division_by_what_is_zero() -> None:
         normal(formula("1/(cos(36 deg) - (1 + sqrt(5))/4)"))
 
 
-@pytest.mark.xfail(strict=True, reason="a limit: roots of sums are not sought among the fixed angles")
-def test_a_root_of_a_sum() -> None:
-    assert normal(formula("sin(36 deg)")) == normal(formula("sqrt(10 - 2 sqrt(5))/4"))
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        ("sin(36 deg)", "sqrt(10 - 2 sqrt(5))/4"),
+        ("sin(72 deg)", "sqrt(10 + 2 sqrt(5))/4"),
+        ("cos(22.5 deg)", "sqrt(2 + sqrt(2))/2"),
+        ("sqrt(3 + 2 sqrt(2))", "1 + sqrt(2)"),
+        ("sqrt(3 - 2 sqrt(2))", "sqrt(2) - 1"),
+        ("sqrt(5 + 2 sqrt(6))", "sqrt(2) + sqrt(3)"),
+        ("sqrt(2 + sqrt(3))", "(sqrt(6) + sqrt(2))/2"),
+        ("x sqrt(7 + 4 sqrt(3)) - y", "x (2 + sqrt(3)) - y"),
+        ("sqrt(16 - 2 sqrt(29) + 2 sqrt(55 - 10 sqrt(29)))", "sqrt(5) + sqrt(11 - 2 sqrt(29))"),
+    ],
+)
+def test_a_root_of_a_sum(left: str, right: str) -> None:
+    assert normal(formula(left)) == normal(formula(right))
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        ("sin(36 deg)", "-sqrt(10 - 2 sqrt(5))/4"),
+        ("sqrt(3 - 2 sqrt(2))", "1 - sqrt(2)"),
+        ("sqrt(3 + sqrt(2))", "1 + sqrt(2)"),
+        ("abs(x) sqrt(3 + 2 sqrt(2))", "x (1 + sqrt(2))"),
+        ("sqrt(1 + sqrt(2))", "sqrt(2 + sqrt(2))"),
+    ],
+)
+def test_a_root_of_a_sum_that_differs(left: str, right: str) -> None:
+    assert normal(formula(left)) != normal(formula(right))

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from derive.algebra.numeric import Point
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
@@ -21,8 +20,8 @@ REACHED = 1e-6  # relative
 
 @dataclass(frozen=True, slots=True)
 class Evaluated:
-    """What the JSON says under `evaluated`, and why no branch is real where none is: `out_of_reach`, or
-    `missed` where the formulas have values that do not bring the end-effector there."""
+    """What the JSON says under `evaluated`, and about it: `out_of_reach` where no branch is real, `missed`
+    where some are but do not bring the end-effector there, `free` where an angle was chosen at will."""
 
     values: Mapping[str, Any]
     out_of_reach: bool = False
@@ -46,28 +45,19 @@ def evaluated(
         return Evaluated({})
     point = point_of(place, problem)
     oracle, tolerance = oracle_of(problem), REACHED + 10 * _rounding(goal, point)
+    wanted = {**dict.fromkeys(problem.symbols, 1.0), **point}  # what no value rests on may be anything
     try:
-        branches = solutions.at(point)
-        wanted = {**dict.fromkeys(problem.symbols, 1.0), **point}  # what no value rests on may be anything
-        tries = [list(each) for each in _tries(branches, solutions, singularity, point)]
+        pairs = zip(solutions.at(point), solutions.chosen, strict=True)
+        tries = [list(singularity.tries(values, taken, point)) for values, taken in pairs]
     except KeyError as error:
         raise unknown(error) from error
-    found, free = [], False
-    for each in tries:
-        arrived = [reaches(oracle, goal, wanted, values, tolerance) for values in each]
-        found.append(each[arrived.index(True)] if any(arrived) else None)
-        free |= any(arrived) and not arrived[0]
-    out_of_reach = not any(branches)
-    missed = not out_of_reach and not any(found)
-    return Evaluated({"solutions": told(solutions.branches, found)}, out_of_reach, missed, free)
-
-
-def _tries(
-    branches: Sequence[dict[str, float] | None], solutions: Solutions, singularity: Singularity, point: Point
-) -> Iterator[Iterator[dict[str, float]]]:
-    """For each branch its values, and those with free angles chosen, if the first are none."""
-    for values, taken in zip(branches, solutions.chosen, strict=True):
-        yield singularity.tries(values, taken, point)
+    arrived = [[reaches(oracle, goal, wanted, v, tolerance) for v in each] for each in tries]
+    found = [
+        each[there.index(True)] if any(there) else None for each, there in zip(tries, arrived, strict=True)
+    ]
+    free = any(any(there) and not there[0] for there in arrived)
+    missed = any(tries) and not any(found)
+    return Evaluated({"solutions": told(solutions.branches, found)}, not any(tries), missed, free)
 
 
 def _rounding(goal: Goal, point: Mapping[str, float]) -> float:

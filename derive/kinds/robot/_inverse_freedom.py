@@ -37,11 +37,9 @@ class Singularity:
 
     def tries(self, values: Found | None, taken: Mapping[int, Option], point: Point) -> Iterator[Found]:
         """The values of a branch, and those with free angles chosen."""
-        if values is not None:
-            yield values
-            again = self._again(taken, dict(point))
-            if again is not None:
-                yield again
+        for found in (values, self._again(taken, dict(point))):
+            if found is not None:
+                yield found
 
     def _again(self, taken: Mapping[int, Option], known: Found) -> Found | None:
         """The branch with free angles zero; None where none is free, or a value is not real."""

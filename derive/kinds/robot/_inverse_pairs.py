@@ -51,11 +51,17 @@ def write(board: Board, found: TwoEquations) -> Move:
 def plainest(board: Board, found: TwoEquations) -> TwoEquations:
     """With as few minus signs in the known sides and coefficients as can be."""
     one, two = found.first, found.second
-    if found.kind == "difference":
+    alike = found.kind == "difference"
+    if alike:
         pairs = [(one, two), (one.negated(), two.negated()), (two, one.negated()), (two.negated(), one)]
     else:
         pairs = [(a, b) for a in (one, one.negated()) for b in (two, two.negated())]
-    first, second = min(pairs, key=lambda pair: board.minuses(pair[0].c, pair[1].c, pair[0].a, pair[1].b))
+
+    def minuses(pair: tuple[Row, Row]) -> int:
+        (a, c1), (b, c2) = (pair[0].a, pair[0].c), (pair[1].a if alike else pair[1].b, pair[1].c)
+        return board.minuses(c1, c2, a, b)
+
+    first, second = min(pairs, key=minuses)
     return replace(found, first=first, second=second)
 
 
@@ -121,7 +127,7 @@ def _difference(first: Sides, second: Sides) -> Answer:
     (k1, _, c1), (k2, _, c2) = first, second
     value = subtract(atan2(c2, c1), atan2(k2, k1))
     fixed = isinstance(k1, Number) or isinstance(k2, Number)
-    return (Option(value),), {"unless": [] if fixed else [k1, k2]}
+    return (Option(value),), {"unless": [] if fixed else [unsigned(k1), unsigned(k2)]}
 
 
 def _cramer(draft: Draft, found: TwoEquations, first: Sides, second: Sides) -> Answer:

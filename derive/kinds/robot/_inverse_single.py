@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from derive.algebra.angles import Form
@@ -23,12 +25,22 @@ Trees = tuple[Expr, Expr, Expr]  # of a, b, c
 
 def write(board: Board, angle: Form, row: Row, stage: Stage) -> Move:
     """The equation as it is seen, and its two solutions."""
-    draft = Draft(board)
-    row = min((row, row.negated()), key=lambda r: min(_by_sines(board, r), _by_cosines(board, r)))
+    draft, seen = Draft(board), row
+    row = min(
+        (_scaled(row), _scaled(row).negated()), key=lambda r: min(_by_sines(board, r), _by_cosines(board, r))
+    )
     a, b, c = (draft.short(value) if value else ZERO for value in (row.a, row.b, row.c))
     draft.equation(*_as_seen(board, row.equation, angle, (a, b, c)))
-    size = _size(draft, row, stage)
+    size = _size(draft, seen, stage)
     return solved(draft, angle, (a, b, c), row, size=size, zero=not row.c)
+
+
+def _scaled(row: Row) -> Row:
+    """With the coefficient one, where cosine or sine stands alone and has a number before it."""
+    alone = row.a or row.b
+    if (row.a and row.b) or any(not name.startswith("sqrt(") for name in alone.generators()):
+        return row
+    return replace(row, a=row.a / alone, b=row.b / alone, c=row.c / alone)
 
 
 def _as_seen(board: Board, equation: Equation, angle: Form, trees: Trees) -> tuple[Expr, Expr]:
@@ -49,7 +61,9 @@ def _size(draft: Draft, row: Row, stage: Stage) -> Expr | None:
     entries = {one.equation.place: one.equation for one in stage.equations}
     view, i, j = row.equation.place
     lines = ([(view, i, k) for k in range(3) if k != j], [(view, k, j) for k in range(3) if k != i])
-    known = [[entries[place].left for place in line] for line in lines if all(p in entries for p in line)]
+    sides = [[entries[place].left for place in line] for line in lines if all(p in entries for p in line)]
+    open_ones = [name for name in draft.board.turning if name not in draft.board.determined()]
+    known = [line for line in sides if not any(value.diff(name) for value in line for name in open_ones)]
     if not known:
         return None
     line = min(known, key=lambda values: sum(len(v.numerator) for v in values))
@@ -136,9 +150,10 @@ def _by_cosines(board: Board, row: Row) -> int:
 
 
 def _side(board: Board, q: Expr, row: Row, sign: int) -> str:
-    """Which of two angles: the sign of a sin q - b cos q."""
+    """Which of two angles: the sign of a sin q - b cos q, where that is short."""
     c, s = trig_of(normal(q))
-    condition = text(board.problem.readable(row.a * s - row.b * c))
-    if len(condition) <= LONG_CONDITION:
+    names = {symbol.name: value for symbol, value in board.named}
+    condition = text(board.problem.readable((row.a * s - row.b * c).substitute(names)))
+    if len(condition) <= LONG_CONDITION and not re.search(r"\d{5}", condition):
         return f"{condition} {'>' if sign > 0 else '<'} 0"
-    return f"{'plus' if sign > 0 else 'minus'} sign in {text(q)}"
+    return f"{'first' if sign > 0 else 'second'} value of {text(q)}"

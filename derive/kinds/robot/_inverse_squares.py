@@ -84,7 +84,7 @@ def reach(board: Board, found: Reach) -> Move:
         rest = add(squared(Q), multiply(number(4), P, rest))
         top = (add(minus(Q), sqrt(rest)), subtract(minus(Q), sqrt(rest)))
         values = (over(top[0], multiply(number(2), P)), over(top[1], multiply(number(2), P)))
-        names = [f"{sign} sign in {d.name}" for sign in ("plus", "minus")]
+        names = [f"{which} value of {d.name}" for which in ("first", "second")]
     options = [Option(v, s, when) for v, s, when in zip(values, SIGNS, names, strict=True)]
     positive = symmetric and board.problem.assumptions.get(d.name) in ("positive", "nonnegative")
     facts = {"method": "reach", "symmetric": symmetric, "positive": positive, "exists": _doubtful(rest)}

@@ -8,7 +8,7 @@ from typing import Any
 
 from derive.algebra.angles import Form
 from derive.derivation import Step
-from derive.expression import Number, Symbol, add, is_negative, negate
+from derive.expression import ONE, Number, Symbol, add, is_negative, negate
 from derive.kinds.robot import _inverse_pairs, _inverse_single, _inverse_squares
 from derive.kinds.robot._inverse_board import Board, Draft
 from derive.kinds.robot._inverse_moves import Move, Option, shares
@@ -38,9 +38,11 @@ def write(board: Board, stage: Stage, found: Found, facts: Mapping[str, Any]) ->
 def slide(board: Board, found: Slide) -> Move:
     """slope d = value."""
     draft, d = Draft(board), Symbol(found.slide)
-    slope = draft.short(found.slope)
+    fixed = not any(not name.startswith("sqrt(") for name in found.slope.generators())
+    amount = found.value / found.slope if fixed else found.value
+    slope = ONE if fixed else draft.short(found.slope)
     shown = board.tree(found.equation.left), board.tree(found.equation.right)
-    result = over(board.tree(found.value), slope)
+    result = over(board.tree(amount), slope)
     if d not in shown or result not in shown:
         draft.equation(*shown)
     facts = {"method": "slide", "unless": [] if isinstance(slope, Number) else [slope]}

@@ -59,8 +59,8 @@ def by_inverse(task: Task) -> Solved:
     problem, variables = task.problem, task.found.variables
     if len(variables) > MOST_JOINTS:
         raise NotDerivable(
-            f"the inverse of a Jacobian of {len(variables)} joints fills pages; "
-            "ask for it with the rows and the joints of a part of the arm, the position or the wrist"
+            f"the inverse of a Jacobian of {len(variables)} joints fills pages where no spherical wrist "
+            "splits it in two; put numbers into the Jacobian, or ask for fewer rows"
         )
     det = task.J.det()
     if not det:

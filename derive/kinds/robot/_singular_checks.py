@@ -24,7 +24,9 @@ def checked(task: Task, sets: Iterable[Analysed]) -> Iterator[Claim]:
     for each in sets:
         for case in each.cases:
             places = each.block.seeing.places(case.zeros)
-            drops = all(_rank(task.numbers(here)) < full for here in places)
+            left = full - min(each.block.J.shape) + case.rank if case.J is not None else None
+            ranks = [_rank(task.numbers(here)) for here in places]
+            drops = all(rank < full and left in (None, rank) for rank in ranks)
             name = ", ".join(zero.variable for zero in case.zeros)
             yield Claim(f"J loses rank at the value of {name}", SECOND_ROUTE, drops)
             if case.J is not None:
@@ -69,7 +71,7 @@ def _block_numbers(task: Task, each: Analysed, here: dict[str, float]) -> Any:
     if block.frame == 0:
         return task.numbers(here)[:, columns]
     poses = oracle.poses(known)
-    if block.name.startswith("J^"):
+    if block.name.startswith("J^") and len(block.rows) == len(ROWS):
         J = oracle.jacobian(known, len(poses) - 1, (0.0, 0.0, 0.0))
     else:
         p = np.array([row[0] for row in numeric.matrix_numbers(block.seeing.point, known)])

@@ -11,6 +11,8 @@ from derive.kinds.robot._determinants import mostly_negative, opposite
 from derive.kinds.robot._singular_sets import Analysed, Case, clauses, rooted, written
 from derive.kinds.robot._singular_work import Work
 
+WRIST = 3  # the rank of the other block, which is regular there
+
 
 def facts_of(problem: Problem, work: Work, sets: tuple[Analysed, ...]) -> dict[str, Any]:
     """The way, and each set with its cases as plain values."""
@@ -35,15 +37,16 @@ def _rates(variables: tuple[str, ...]) -> tuple[Symbol, ...]:
 
 
 def _set(problem: Problem, work: Work, each: Analysed) -> dict[str, Any]:
-    together = len(each.cases) == 1
+    cases = tuple(_case(problem, work, each, case) for case in each.cases)
+    alike = len(cases) == 2 and not cases[1]["known"] and cases[0]["looks"] == cases[1]["looks"]
     return {
         "equations": tuple((_positive(equation), ZERO) for equation in each.equations),
-        "cases": tuple(_case(problem, work, each, case) for case in each.cases),
+        "cases": cases[:1] if alike else cases,
+        "alike": alike,
         "angular": each.block.name == "J_22" or each.block.rows[0][0] == "w",
         "frame": each.block.frame,
         "places": tuple(value for case in each.cases for value in case.values),
         "conditions": each.cases[0].conditions if each.cases else (),
-        "together": together,
     }
 
 
@@ -54,6 +57,8 @@ def _case(problem: Problem, work: Work, each: Analysed, case: Case) -> dict[str,
         "places": case.values,
         "looks": clauses(case, each.block, work.point),
         "known": case.J is not None,
+        "block": J if each.block.name in ("J_11", "J_22") else None,
+        "whole": case.rank + WRIST,
         "rank": case.rank,
         "J": ((J, written(problem, case.J)),) if shown and case.J is not None else (),
         "null": _basis(problem, "N", case.null),

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from derive.algebra.elimination import column_space, eliminated, null_space
 from derive.algebra.factors import TooLong
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.pinned import in_single_angles, pinned_matrix
+from derive.algebra.pinned import in_single_angles, pinned_matrix, rationalised
+from derive.algebra.ring import Root
 from derive.algebra.text import text
 from derive.derivation import Branch
 from derive.errors import NotDerivable
@@ -106,8 +107,8 @@ def _with_spaces(block: Block, case: Case) -> Case:
 def at_zeros(J: ScalarMatrix, zeros: Iterable[Zero]) -> ScalarMatrix:
     """The matrix where these hold, one after the other."""
     for zero in zeros:
-        J = pinned_matrix(J, zero.variable, zero.at)
-    return J
+        J = pinned_matrix(J, zero.variable, zero.at).map(rationalised)
+    return ScalarMatrix.of(J.rows)
 
 
 def _short(column: ScalarMatrix) -> bool:
@@ -115,9 +116,13 @@ def _short(column: ScalarMatrix) -> bool:
 
 
 def rooted(matrix: ScalarMatrix) -> bool:
-    """Whether it holds roots of more than numbers, or fractions."""
-    roots = {root.name for root in matrix.ring.roots if any(powers for powers, _ in root.radicand)}
+    """Whether it holds fractions, or roots that depend on the joint angles."""
+    roots = {root.name for root in matrix.ring.roots if _turns(root)}
     return any(entry.denominator is not None or roots & set(entry.generators()) for entry in matrix.entries)
+
+
+def _turns(root: Root) -> bool:
+    return any(name.startswith(("cos(", "sin(")) for powers, _ in root.radicand for name, _ in powers)
 
 
 def written(problem: Problem, matrix: ScalarMatrix) -> Matrix:

@@ -31,7 +31,9 @@ from derive.mechanics.poses import position_part, rotation_part
 from derive.mechanics.singular import MOST_MINORS, Minor, SingularSet, minors, of_determinant, of_minors
 from derive.mechanics.wrist import Wrist
 
-SIX = 6
+SIX, SHORT = 6, 4
+LINEAR, ANGULAR = {"vx", "vy", "vz"}, {"wx", "wy", "wz"}
+WHOLE = (LINEAR, ANGULAR, LINEAR | ANGULAR)
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,8 +120,8 @@ def by_wrist(task: Task, wrist: Wrist) -> Work:
 def by_minors(task: Task) -> Work:
     """All minors of full size, which vanish together: det(J J^T) is the sum of their squares."""
     problem, variables = task.problem, task.found.variables
-    frame = _middle(task) if len(task.rows) == SIX else 0
-    J = _seen_from(task, frame) if frame else task.J
+    frame = _middle(task) if _turns(task) else 0
+    J = task.J if not frame else seen_from_middle(task) if len(task.rows) == SIX else _turned(task, frame)
     name = Symbol(f"J^{frame}" if frame else "J")
     if _count(J) > MOST_MINORS:
         raise NotDerivable("the Jacobian has too many minors to be solved together; ask for some rows only")
@@ -137,7 +139,7 @@ def by_minors(task: Task) -> Work:
     tree = gram_determinant(problem, J, variables)
     det = _closed(problem, "det", (determinant(gram), squares, tree))
     steps = (Step("J", (name, shown), "frame" if frame else "rows", {"frame": frame}), *minor_steps, det)
-    block = Block(name.name, J, variables, task.rows, frame, _seeing(task))
+    block = Block(name.name, J, variables, _in_order(task, frame), frame, _seeing(task))
     sets, complete = of_minors([minor.value for minor in found], variables, problem.readable)
     definitions: dict[Expr, Expr] = {name: shown}
     definitions |= {each: step.result for each, step in zip(names, minor_steps, strict=True)}
@@ -178,6 +180,22 @@ def seen_from_middle(task: Task) -> ScalarMatrix:
     """The whole Jacobian where it is shortest: in the axes of the middle frame. No determinant of six rows
     and no minor of that size changes."""
     return _seen_from(task, _middle(task))
+
+
+def _turns(task: Task) -> bool:
+    """Whether the rows stay the same velocities when the axes are turned; of few joints the base will do."""
+    return len(task.found.variables) > SHORT and set(task.rows) in WHOLE
+
+
+def _in_order(task: Task, frame: int) -> tuple[str, ...]:
+    """The rows as they stand in J."""
+    return tuple(sorted(task.rows)) if frame and len(task.rows) < SIX else task.rows
+
+
+def _turned(task: Task, frame: int) -> ScalarMatrix:
+    """Three linear or three angular rows in the axes of a frame."""
+    J = ScalarMatrix(tuple(task.J.rows[task.rows.index(row)] for row in sorted(task.rows)))
+    return rotation_part(task.found.T[frame]).T @ J
 
 
 def _seen_from(task: Task, frame: int) -> ScalarMatrix:

@@ -192,6 +192,12 @@ ARMS = {
          ("theta4*", "0", "0", "90 deg"), ("theta5*", "d5", "0", "0")),
         "pose", 4,
     ),
+    "arm of mixed joints": Arm(
+        (("theta1* + 90 deg", "l1", "a1", "alpha"), ("theta2*", "l2", "0", "-90 deg"),
+         ("90 deg", "d3*", "0.5", "alpha"), ("theta4* + 90 deg", "0", "0.5", "-90 deg"),
+         ("90 deg", "d5*", "0.5", "45 deg")),
+        "pose", 2, convention="modified", partial=True,
+    ),
     "offset shoulder, spherical wrist": Arm(
         (("theta1*", "d1", "a1", "-90 deg"), ("theta2* - 90 deg", "0", "a2", "0"),
          ("theta3*", "0", "a3", "-90 deg"), ("theta4*", "d4", "0", "90 deg"),
