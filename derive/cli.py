@@ -107,8 +107,11 @@ def build(
 def _build(
     sheets: tuple[Path, ...], formats: tuple[str, ...], target: Path | None, problems: bool, pdf_engine: str
 ) -> None:
+    import gc
+
     from derive.build import build as build_sheets
 
+    gc.set_threshold(100_000, 50, 50)  # trees are many and hold no cycles
     with progress() as step:
         made = build_sheets(sheets, formats, target, problems, pdf_engine, step, warn)
     for page in made:

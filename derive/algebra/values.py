@@ -87,4 +87,5 @@ MATRIX_FUNCTIONS: dict[str, Callable[..., Value]] = {
     "inverse": lambda a: a.inverse(),
     "cross": lambda a, b: a.cross(b),
     "det": lambda a: a.det(),
+    "adj": lambda a: a.adjugate(),
 }

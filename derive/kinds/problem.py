@@ -34,6 +34,7 @@ class Problem:
     assumptions: Mapping[str, str] = field(default_factory=dict)
     derived: dict[tuple[str, Any], Derivation] = field(default_factory=dict)
     written: dict[Hashable, Expr] = field(default_factory=dict)
+    values: dict[int, tuple[Expr, ScalarMatrix]] = field(default_factory=dict)
     terms: Counter[Hashable] = field(default_factory=Counter)  # written out so far
     questions: tuple[tuple[str, Any], ...] = ()  # kind and options of all that is asked about the subject
 
@@ -104,7 +105,14 @@ class Problem:
         return self.written[key]
 
     def readable_matrix(self, value: ScalarMatrix) -> Matrix:
-        return Matrix(tuple(tuple(map(self.readable, row)) for row in value.rows))
+        found = Matrix(tuple(tuple(map(self.readable, row)) for row in value.rows))
+        self.values[id(found)] = found, value
+        return found
+
+    def normal_matrix(self, expr: Expr) -> ScalarMatrix:
+        """The normal form of a tree; of one that was made readable here, that which it was made of."""
+        _, value = self.values.get(id(expr), (None, None))
+        return normal_matrix(expr) if value is None else value
 
     def final(self, expr: Expr, names: Names | None = None) -> Expr:
         """A scalar or a matrix with `where` (and `names`) replaced by their values; the same tree

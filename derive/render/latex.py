@@ -35,9 +35,9 @@ SUM, PRODUCT, RAISED, ATOM = 1, 2, 3, 4
 
 OPERATORS = {
     "cos": r"\cos", "sin": r"\sin", "tan": r"\tan", "acos": r"\arccos", "asin": r"\arcsin",
-    "atan": r"\arctan", "log": r"\ln", "det": r"\det", "sign": r"\mathrm{sgn}",
+    "atan": r"\arctan", "log": r"\ln", "det": r"\det", "adj": r"\mathrm{adj}\,","sign": r"\mathrm{sgn}",
 }  # fmt: skip
-BARE_ARGUMENT = ("cos", "sin", "tan", "det")  # a lone symbol after these needs no parentheses
+BARE_ARGUMENT = ("cos", "sin", "tan", "det", "adj")  # a lone symbol after these needs no parentheses
 MARKS = {"transpose": "T", "inverse": "-1"}
 LONG_NUMERATOR = 3  # factors
 
@@ -55,6 +55,7 @@ def parenthesised(inner: str) -> str:
 def is_approximate(expr: Expr) -> bool:
     """Whether it holds a rounded number, so that it follows an approximation sign."""
     return isinstance(expr, Approximate) or any(map(is_approximate, children(expr)))
+
 
 @dataclass(frozen=True, slots=True)
 class Printer:
@@ -247,7 +248,6 @@ class Printer:
         if isinstance(of, Symbol | Indexed):
             return rf"\frac{{{d}{space}{self.write(of)}}}{{{below}}}"
         return rf"\frac{{{d}}}{{{below}}} {self.held(of, ATOM)}"
-
 
     def _second_derivative(self, of: Expr, outer: Symbol, inner: Symbol) -> str:
         """\\partial^2 f over \\partial x \\partial y, or \\partial x^2."""

@@ -85,7 +85,7 @@ def _direction(board: Board, found: TwoEquations, first: Sides, second: Sides) -
         return (Option(plain),), {"unless": [], "by_name": True}
     sine = c2 if abs(ratio) == 1 else Quotient(c2, number(abs(ratio)))
     options = _turned(sine if ratio > 0 else minus(sine), c1, sign, earlier)
-    if found.first.a.constant is not None:
+    if not earlier:  # a factor of known sign does not vanish
         return options, {"unless": []}
     return options, {"unless": [unsigned(a)], "factor": unsigned(a)}
 

@@ -31,12 +31,13 @@ from derive.expression import (
 from derive.expression import replace as replaced
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import closing
-from derive.kinds.robot._determinants import determinant, natural, opposite, product_tree
+from derive.kinds.robot._determinants import determinant, natural, product_tree
 from derive.kinds.robot._task import Task
 from derive.mechanics.singular import minors
 
 MOST_JOINTS = 4  # of an adjugate that is written out
-J, V, RATES, ADJ = Symbol("J"), Symbol("v"), Symbol("q_dot"), Symbol("adj_J")
+J, V, RATES = Symbol("J"), Symbol("v"), Symbol("q_dot")
+ADJ = Call("adj", (J,))
 PLUS = Symbol("J^+")
 
 
@@ -78,7 +79,7 @@ def by_inverse(task: Task) -> Solved:
         Step("adj", (inverse, Quotient(ADJ, determinant(J)), _over(tree, shown)), "adjugate"),
         closing(Step("qdot", (RATES, Product((inverse, V)), qdot), "solve"), problem.final(qdot)),
     )
-    definitions: dict[Expr, Expr] = {J: task.written, ADJ: shown, V: velocity, RATES: qdot}
+    definitions: dict[Expr, Expr] = {J: task.written, V: velocity, RATES: qdot}
     return Solved("adjugate", steps, qdot, exact, det, definitions, (_unsigned(tree), ZERO))
 
 
@@ -186,10 +187,9 @@ def quotient(problem: Problem, top: Scalar, bottom: Scalar, variables: tuple[str
     if bottom.constant is not None:
         return problem.readable(top / bottom)
     below = product_tree(problem, natural(problem, bottom, variables))
-    above = problem.readable(top)
     if is_negative(below):
-        above, below = opposite(above), negate(below)
-    return Quotient(above, below)
+        top, below = -top, negate(below)
+    return Quotient(problem.readable(top), below)
 
 
 def _shared_number(problem: Problem, value: Scalar, variables: tuple[str, ...]) -> Scalar:

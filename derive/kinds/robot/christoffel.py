@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from fractions import Fraction
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import normal_matrix
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Step
 from derive.expression import (
@@ -52,7 +51,7 @@ class Options(OptionsModel):
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """c_ijk = (d_kj,i + d_ki,j - d_ij,k) / 2 (Spong et al., eq. 6.38)."""
     base = problem.ask("inertia-matrix")
-    D = normal_matrix(base.definitions[Symbol("D")])
+    D = problem.normal_matrix(base.definitions[Symbol("D")])
     symbols = christoffel(D, robot.variables)
     big = base.facts["big"]
     named = moment_names(base)

@@ -166,7 +166,7 @@ def _results(
 def _second_routes(problem: Problem, results: Mapping[str, Expr]) -> tuple[Claim, ...]:
     """D against the torques of unit accelerations by Newton and Euler."""
     oracle, names = oracle_of(problem), problem.subject.variables
-    D = normal_matrix(results["D"])
+    D = problem.normal_matrix(results["D"])
 
     def columns(at: Mapping[str, float]) -> list[list[float]]:
         still = {f"{name}_dot": 0.0 for name in names} | {f"{name}_ddot": 0.0 for name in names}

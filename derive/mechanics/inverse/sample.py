@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from derive.algebra.numeric import Point, scalar_number
@@ -41,6 +41,3 @@ def configurations(
         for name, positive in slides.items():
             point[name] = draw.uniform(0.2, 1.9) * (1 if positive else draw.choice((1, -1)))
         yield point
-
-
-Measured = Callable[[Point], Point]
