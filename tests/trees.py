@@ -214,6 +214,16 @@ def _sines(a: Expr) -> tuple[Expr, ...]:
     return (*found, *_by_addition(a, sin))
 
 
+def with_tangents(expr: Expr) -> Expr:
+    """Every cosine and sine by the tangent of half its angle."""
+    match expr:
+        case Call("cos" | "sin" as function, (angle,)):
+            t = Call("tan", (Product((HALF, angle)),))
+            top = Sum((number(1), negate(squared(t)))) if function == "cos" else Product((number(2), t))
+            return Quotient(top, Sum((number(1), squared(t))))
+    return rebuild(expr, with_tangents)
+
+
 def _by_addition(angle: Expr, function: Any) -> tuple[Expr, ...]:
     if not (isinstance(angle, Sum) and len(angle.terms) == 2):
         return ()

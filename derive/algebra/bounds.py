@@ -6,7 +6,7 @@ from flint import fmpq_mpoly
 
 from derive.errors import NotDerivable
 
-MOST_PRODUCTS = 1_000_000  # of terms, in one multiplication; arms of seven joints need some two thousand
+MOST_PRODUCTS = 4_000_000  # of terms, in one multiplication; arms of seven joints need some two thousand
 MOST_TERMS = 100_000  # written out in the answers to one problem
 MOST_IN_ONE = 10_000  # in one expression
 

@@ -1,4 +1,4 @@
-"""How long a formula is: its operations, counted as SymPy counts them."""
+"""How long a formula is: its operations, counted as SymPy counts them but for signs and roots."""
 
 from __future__ import annotations
 
@@ -8,8 +8,10 @@ from derive.expression import Call, Expr, Number, Power, Product, Quotient, Sum,
 def operations(expr: Expr) -> int:
     """Additions, products, quotients, powers, signs and function calls.
 
-    A rational number p/q counts as a quotient; a sine or cosine counts one, as in SymPy's
-    `count_ops`, whatever its argument, for it prints as one letter (c_12).
+    SymPy's `count_ops` of the tree as it stands, every sine and cosine taken for one letter, for so it is
+    printed (c_12). Two things count one less here: a square root is one call, where `count_ops` sees a
+    power and a quotient, and a lone minus sign is nothing: -a b is one product. Before the first term of
+    a sum it is an operation, -a - b has two, and between terms it is the subtraction.
     """
     inner = sum(map(operations, children(expr)))
     match expr:

@@ -54,7 +54,8 @@ class Problem:
                 derivation = load(self.name, kind).derive(self.subject, options, self)
             except RecursionError as error:  # a name that is defined by itself
                 raise NotDerivable(
-                    "a name of the sheet, such as D or C, is also a name of this answer; choose another for it"
+                    "a name of the sheet, such as D or C, is also a name of this answer; "
+                    "choose another for it"
                 ) from error
             self.derived[key] = self._distinct(derivation)
         return self.derived[key]

@@ -188,7 +188,9 @@ def _sums(rows: Sequence[_Row]) -> tuple[Form, ...]:
         here = carried @ before @ joint.axis
         angle = Form.of({joint.variable: 1})
         sign = 1 if axis == here else -1 if axis == -here else 0
-        forms.append(forms[-1] + angle.scaled(sign * _side(forms[-1])) if axis is not None and sign else angle)
+        forms.append(
+            forms[-1] + angle.scaled(sign * _side(forms[-1])) if axis is not None and sign else angle
+        )
         carried, axis = after, joint.axis
     return tuple(forms)
 

@@ -49,8 +49,8 @@ def require_closed(frames: Frames, names: Names | None = None) -> None:
     for frame in frames.again:
         if mismatch(frames, frame, names) != ScalarMatrix.identity(4):
             raise NotDerivable(
-                f"frame {frame.number} is given twice, and the second time (in frame {frame.parent}) it stands "
-                "elsewhere; find: loop shows the difference"
+                f"frame {frame.number} is given twice, and the second time (in frame {frame.parent}) it "
+                "stands elsewhere; find: loop shows the difference"
             )
 
 

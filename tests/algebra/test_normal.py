@@ -40,6 +40,7 @@ from tests.trees import (
     same_value,
     sympy_of,
     value,
+    with_tangents,
 )
 
 IDENTITIES = [
@@ -118,6 +119,14 @@ def test_any_rewriting_is_equal(data: st.DataObject) -> None:
     other = data.draw(rewritten(expr))
     assert same_value(expr, other)
     assert normal(expr) == normal(other)
+
+
+@given(polynomials(4))
+def test_tangents_of_half_angles_are_equal(expr: Expr) -> None:
+    other = with_tangents(expr)
+    assert same_value(expr, other)
+    assert normal(expr) == normal(other)
+    assert normal(Sum((expr, number("1/1000000")))) != normal(other)
 
 
 @given(polynomials(), polynomials())

@@ -9,7 +9,7 @@ from derive.algebra.readable import readable, readable_matrix
 from derive.algebra.text import text
 from derive.expression import ZERO, Expr, add, multiply, squared
 from derive.kinds.problem import Problem
-from derive.kinds.robot._bodies import Weighted, weighted
+from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.mechanics.bodies import Body
 from derive.mechanics.chain import chain
 from derive.mechanics.dynamics import inertia_matrix

@@ -88,9 +88,12 @@ def test_in_the_plane_the_angle_is_that_of_the_sums() -> None:
     ca, cb = a - a.mean(axis=0), b - b.mean(axis=0)
     angle = numpy.arctan2((ca[:, 0] * cb[:, 1] - ca[:, 1] * cb[:, 0]).sum(), (ca * cb).sum())
     R = value(found, "R")
-    assert pytest.approx(
-        numpy.array([[numpy.cos(angle), -numpy.sin(angle)], [numpy.sin(angle), numpy.cos(angle)]])
-    ) == R
+    assert (
+        pytest.approx(
+            numpy.array([[numpy.cos(angle), -numpy.sin(angle)], [numpy.sin(angle), numpy.cos(angle)]])
+        )
+        == R
+    )
 
 
 SQUARE = [(0, 0, 0), (1, 0, 0), (0, 2, 0), (0, 0, 3)]

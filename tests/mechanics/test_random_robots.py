@@ -3,14 +3,17 @@ either convention and free ones, twists and offsets of all kinds, with a base an
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from derive.algebra import bounds
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
 from derive.expression import ZERO, Degrees, Expr, Symbol, add, number
@@ -25,8 +28,18 @@ from derive.mechanics.robot import DHRow, FreeRow, Link, Robot
 from tests.mechanics.robots import array, symbols
 from tests.mechanics.two_derivations import Arm, torques
 
+
+@pytest.fixture(scope="module", autouse=True)
+def _no_bounds() -> Iterator[None]:
+    """Some random arms are longer than any page could hold."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(bounds, "MOST_PRODUCTS", 10**12)
+        yield
+
+
 MOST = 7
 MOST_IN_MOTION = 4
+LONG_ARM_MOMENTS = (number("1/10"), number("1/7"), number("1/6"), ZERO, ZERO, number("1/30"))
 AXES: tuple[Axis, ...] = ("x", "y", "z", (number(2), number(1), number(2)))
 
 
@@ -113,6 +126,23 @@ def robots(draw: st.DrawFn, most: int, weighs: bool = False) -> Robot:
     return Robot("", convention, tuple(rows), base, tool)
 
 
+@st.composite
+def long_arms(draw: st.DrawFn) -> Robot:
+    """Five to seven joints of both types, standard or modified, with numbers for all but the joints."""
+    twists = st.sampled_from([Degrees(Fraction(n)) for n in (0, 90, -90, 90, -90, 180, 45, -30)])
+    length = st.sampled_from((ZERO, number("1/2"), number("3/4")))
+    rows = []
+    for i in range(1, draw(st.integers(5, MOST)) + 1):
+        body = Body(number(i), (number("1/5"), ZERO, number(f"1/{i + 2}")), Moments(LONG_ARM_MOMENTS))
+        q, a, alpha = Symbol(f"q{i}"), draw(length), draw(twists)
+        if draw(st.sampled_from((True, True, False))):
+            row = DHRow(add(q, draw(twists)), draw(length), a, alpha)
+            rows.append(Link(row, "revolute", q.name, body))
+        else:
+            rows.append(Link(DHRow(draw(twists), q, a, alpha), "prismatic", q.name, body))
+    return Robot("", draw(st.sampled_from(("standard", "modified"))), tuple(rows))
+
+
 @settings(max_examples=25)
 @given(robots(MOST))
 def test_poses(arm: Robot) -> None:
@@ -147,6 +177,16 @@ def test_jacobians(arm: Robot) -> None:
 @settings(max_examples=14)
 @given(robots(MOST_IN_MOTION, weighs=True))
 def test_dynamics(arm_in_rows: Robot) -> None:
+    assert_dynamics(arm_in_rows)
+
+
+@settings(max_examples=8)
+@given(long_arms())
+def test_dynamics_of_long_arms(arm_in_rows: Robot) -> None:
+    assert_dynamics(arm_in_rows)
+
+
+def assert_dynamics(arm_in_rows: Robot) -> None:
     """Both derivations are equal, D is symmetric, dD/dt - 2 C skew, and the numbers are the oracle's."""
     arm, names = Arm(arm_in_rows), arm_in_rows.variables
     D, c, g = found = arm.by_jacobians()

@@ -17,7 +17,7 @@ from derive.algebra.scalar import Scalar
 from derive.algebra.text import text
 from derive.kinds.checks import random_points
 from derive.kinds.problem import Problem
-from derive.kinds.robot._bodies import Weighted, weighted
+from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.mechanics.chain import Chain, chain
 from derive.mechanics.dynamics import christoffel, inertia_matrix, potential_energy
 from derive.mechanics.newton_euler import LinkBody, NewtonEuler

@@ -9,8 +9,8 @@ import pytest
 from derive.algebra.text import text
 from derive.expression import Expr, Symbol, negate, number
 from derive.kinds.problem import Problem
-from derive.kinds.robot._dh_found import found_rows
-from derive.kinds.robot._dh_rows import values
+from derive.kinds.robot._rows.dh_found import found_rows
+from derive.kinds.robot._rows.dh_rows import values
 from derive.mechanics.frames import ByMatrix
 from derive.mechanics.robot import Link, Robot, ScrewRow
 from tests.kinds.published import matrix
@@ -42,7 +42,7 @@ def test_craigs_table_comes_back() -> None:
 
 
 def test_restated_twice_is_the_same_table() -> None:
-    from derive.kinds.robot._dh_rows import Rows
+    from derive.kinds.robot._rows.dh_rows import Rows
     from derive.kinds.robot.dh_table import restated
 
     robot = arm("puma560-modified")

@@ -62,7 +62,7 @@ def test_rows_of_both_conventions_make_the_same_arm(name: str, convention: str) 
 @pytest.mark.parametrize("name", [arm for arm in ARMS if arm != "two-link-bars"])
 @pytest.mark.parametrize("convention", ["standard", "modified"])
 def test_rows_found_from_the_axes_alone(name: str, convention: str) -> None:
-    from derive.kinds.robot._dh_found import found_rows
+    from derive.kinds.robot._rows.dh_found import found_rows
     from derive.mechanics.chain import chain
 
     arm = problem(name)

@@ -10,7 +10,7 @@ from derive.kinds.checks import law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import moment_names
-from derive.kinds.robot._khatib import (
+from derive.kinds.robot._dynamics.khatib import (
     Velocity,
     definitions_of,
     entry_steps,
@@ -18,7 +18,7 @@ from derive.kinds.robot._khatib import (
     symbol_steps,
     velocity_of,
 )
-from derive.kinds.robot._rates import is_long, pairs, squares, velocity_agreement
+from derive.kinds.robot._dynamics.rates import is_long, pairs, squares, velocity_agreement
 from derive.kinds.robot._reserved import reserve
 from derive.mechanics.robot import Robot
 

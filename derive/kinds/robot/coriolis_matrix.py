@@ -13,7 +13,7 @@ from derive.kinds.checks import law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import moment_names, scalar_of
-from derive.kinds.robot._rates import (
+from derive.kinds.robot._dynamics.rates import (
     Christoffel,
     is_long,
     rate_column,

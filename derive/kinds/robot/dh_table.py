@@ -9,8 +9,8 @@ from derive.expression import ZERO
 from derive.kinds.checks import links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._dh_found import FrameSteps, found_rows
-from derive.kinds.robot._dh_rows import Rows
+from derive.kinds.robot._rows.dh_found import FrameSteps, found_rows
+from derive.kinds.robot._rows.dh_rows import Rows
 from derive.mechanics.motion import Move
 from derive.mechanics.poses import composed
 from derive.mechanics.robot import Convention, DHRow, Robot

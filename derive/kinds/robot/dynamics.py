@@ -14,8 +14,8 @@ from derive.kinds.checks import agreement, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import moment_names, oracle_of
-from derive.kinds.robot._drives import friction_column, friction_facts
-from derive.kinds.robot._terms import Term, terms_of
+from derive.kinds.robot._dynamics.drives import friction_column, friction_facts
+from derive.kinds.robot._dynamics.terms import Term, terms_of
 from derive.mechanics.robot import Robot
 
 RESULTS = {
@@ -49,7 +49,7 @@ class Options(OptionsModel):
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """tau_k = sum d_kj qddot_j + sum c_ijk qdot_i qdot_j + g_k (Spong et al., eq. 6.39)."""
     if options.notation == "khatib":
-        from derive.kinds.robot._khatib_dynamics import khatib_dynamics  # seldom asked for
+        from derive.kinds.robot._dynamics.khatib_dynamics import khatib_dynamics  # seldom asked for
 
         return khatib_dynamics(problem)
     inertia, speed, weight = (problem.ask(kind) for kind in ("inertia-matrix", "christoffel", "gravity"))

@@ -26,10 +26,10 @@ from derive.expression import (
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import TREES, Problem
-from derive.kinds.robot._bodies import Weighted, weighted
 from derive.kinds.robot._chain import chain_of, moment_names
-from derive.kinds.robot._drives import ROTORS, rotors
-from derive.kinds.robot._rates import is_long, oracle, rate_column, rated, rates
+from derive.kinds.robot._dynamics.bodies import Weighted, weighted
+from derive.kinds.robot._dynamics.drives import ROTORS, rotors
+from derive.kinds.robot._dynamics.rates import is_long, oracle, rate_column, rated, rates
 from derive.mechanics.dynamics import link_inertia
 from derive.mechanics.robot import Robot
 

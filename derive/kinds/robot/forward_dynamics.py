@@ -14,9 +14,9 @@ from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
-from derive.kinds.robot._inverse_inertia import DET, Turned, turned
-from derive.kinds.robot._rates import rated
-from derive.kinds.robot._terms import terms_of
+from derive.kinds.robot._dynamics.inverse_inertia import DET, Turned, turned
+from derive.kinds.robot._dynamics.rates import rated
+from derive.kinds.robot._dynamics.terms import terms_of
 from derive.mechanics.oracle import Oracle
 from derive.mechanics.robot import Robot
 

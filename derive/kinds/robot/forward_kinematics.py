@@ -85,7 +85,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 
 def _by_screws(robot: Robot, problem: Problem, last: int, whole: bool) -> Derivation:
     """T = e^{[S_1] q_1} ... e^{[S_n] q_n} M (Lynch and Park, eq. 4.14)."""
-    from derive.kinds.robot._exponentials import Exponentials  # few sheets need it
+    from derive.kinds.robot._rows.exponentials import Exponentials  # few sheets need it
 
     work = Exponentials(problem, robot, last, whole)
     steps, definitions, T = work.steps(), work.definitions(), work.pose

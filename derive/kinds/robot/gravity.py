@@ -10,8 +10,8 @@ from derive.expression import ZERO, Derivative, Expr, Matrix, Product, Sum, Symb
 from derive.kinds.checks import agreement, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._bodies import Weighted, weighted
 from derive.kinds.robot._chain import chain_of, closing, oracle_of
+from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.mechanics.robot import Robot, gravity_of
 
 RESULTS = {"P": "potential energy", "g": "its partial derivatives (n)"}

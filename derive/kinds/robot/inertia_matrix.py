@@ -14,11 +14,16 @@ from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.naming import fits
 from derive.kinds.problem import Problem
-from derive.kinds.robot._bodies import Weighted, weighted
-from derive.kinds.robot._body_steps import body_definitions, com_jacobian_steps, com_steps, inertia_steps
 from derive.kinds.robot._chain import chain_of, oracle_of
-from derive.kinds.robot._drives import rotor_steps, with_rotors
-from derive.kinds.robot._local_jacobians import local_definitions, local_parts, local_steps
+from derive.kinds.robot._dynamics.bodies import Weighted, weighted
+from derive.kinds.robot._dynamics.body_steps import (
+    body_definitions,
+    com_jacobian_steps,
+    com_steps,
+    inertia_steps,
+)
+from derive.kinds.robot._dynamics.drives import rotor_steps, with_rotors
+from derive.kinds.robot._dynamics.local_jacobians import local_definitions, local_parts, local_steps
 from derive.kinds.robot._reserved import reserve
 from derive.mechanics.chain import Chain
 from derive.mechanics.dynamics import inertia_matrix, link_inertia

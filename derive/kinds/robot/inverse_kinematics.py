@@ -7,7 +7,7 @@ from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of
-from derive.kinds.robot._inverse_given import Given
+from derive.kinds.robot._inverse.given import Given
 from derive.mechanics.robot import Robot
 from derive.mechanics.two_link import two_link
 
@@ -42,9 +42,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     chain, given = chain_of(problem), options.given
     arm = two_link(chain)
     if arm is not None and isinstance(given, tuple) and len(given) == 2:
-        from derive.kinds.robot import _inverse_planar
+        from derive.kinds.robot._inverse import planar
 
-        return _inverse_planar.derive(arm, given, options.evaluate, problem)
-    from derive.kinds.robot import _inverse_general
+        return planar.derive(arm, given, options.evaluate, problem)
+    from derive.kinds.robot._inverse import general
 
-    return _inverse_general.derive(chain, options, problem)
+    return general.derive(chain, options, problem)

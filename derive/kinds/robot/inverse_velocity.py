@@ -14,9 +14,9 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._point import PointOn
-from derive.kinds.robot._rate_solving import Solved, by_inverse, by_pseudo_inverse
-from derive.kinds.robot._rate_splitting import Split, by_wrist
-from derive.kinds.robot._task import RowName, Task, task_of
+from derive.kinds.robot._velocity.solving import Solved, by_inverse, by_pseudo_inverse
+from derive.kinds.robot._velocity.splitting import Split, by_wrist
+from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.robot import Robot
 from derive.mechanics.wrist import wrist_of
 

@@ -17,10 +17,10 @@ from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import Name, OptionsModel
 from derive.kinds.pose.euler_angles import known_convention
 from derive.kinds.problem import Problem
-from derive.kinds.robot._analytic import analytic
 from derive.kinds.robot._chain import TOOL, chain_of, closing, oracle_of
 from derive.kinds.robot._columns import jacobian_steps
 from derive.kinds.robot._point import PointOn, Tracked, tracked
+from derive.kinds.robot._velocity.analytic import analytic
 from derive.mechanics.chain import Chain
 from derive.mechanics.jacobian import jacobian
 from derive.mechanics.poses import rotation_part, skew

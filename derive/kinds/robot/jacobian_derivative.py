@@ -14,9 +14,9 @@ from derive.kinds.checks import agreement, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import closing, oracle_of
+from derive.kinds.robot._dynamics.rates import rate_column
 from derive.kinds.robot._point import PointOn
-from derive.kinds.robot._rates import rate_column
-from derive.kinds.robot._task import RowName, Task, task_of
+from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.oracle import STEP
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import ROWS, moving_rows

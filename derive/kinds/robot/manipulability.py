@@ -29,11 +29,11 @@ from derive.kinds.evaluation import Evaluation, Place
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import closing, oracle_of, scalar_of
-from derive.kinds.robot._determinants import determinant, gram_determinant, natural, product_tree
-from derive.kinds.robot._ellipsoids import at_point
 from derive.kinds.robot._point import PointOn
-from derive.kinds.robot._singular_work import seen_from_middle
-from derive.kinds.robot._task import RowName, Task, task_of
+from derive.kinds.robot._singular.determinants import determinant, gram_determinant, natural, product_tree
+from derive.kinds.robot._singular.work import seen_from_middle
+from derive.kinds.robot._velocity.ellipsoids import at_point
+from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.robot import Robot
 from derive.mechanics.singular import minors
 from derive.mechanics.zeros import zeros

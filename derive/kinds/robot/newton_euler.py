@@ -11,12 +11,12 @@ from derive.expression import Expr, Symbol, column
 from derive.kinds.checks import law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._bodies import Weighted, weighted
-from derive.kinds.robot._body_steps import inertia_steps
 from derive.kinds.robot._chain import chain_of, matrix_of, moment_names
-from derive.kinds.robot._drives import with_rotors
-from derive.kinds.robot._rates import is_long, symbols_of
-from derive.kinds.robot._recursion import Line, Recursion, step_of, written
+from derive.kinds.robot._dynamics.bodies import Weighted, weighted
+from derive.kinds.robot._dynamics.body_steps import inertia_steps
+from derive.kinds.robot._dynamics.drives import with_rotors
+from derive.kinds.robot._dynamics.rates import is_long, symbols_of
+from derive.kinds.robot._dynamics.recursion import Line, Recursion, step_of, written
 from derive.mechanics.newton_euler import LinkBody, NewtonEuler
 from derive.mechanics.robot import Robot, gravity_of
 

@@ -17,7 +17,7 @@ from derive.kinds.evaluation import Place, read
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
-from derive.kinds.robot._task import Task, task_of
+from derive.kinds.robot._velocity.task import Task, task_of
 from derive.mechanics.iteration import Iteration, Pose, Row, iterate
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import ROWS, moving_rows

@@ -27,9 +27,9 @@ from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of, moment_names
+from derive.kinds.robot._dynamics.rates import is_long, oracle
 from derive.kinds.robot._point import PointOn
-from derive.kinds.robot._rates import is_long, oracle
-from derive.kinds.robot._task import RowName, Task, task_of
+from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.oracle import Oracle
 from derive.mechanics.robot import Robot
 

@@ -9,7 +9,7 @@ from derive.kinds.checks import agreement, is_rotation, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, end_frame, oracle_of
-from derive.kinds.robot._exponentials import Exponentials
+from derive.kinds.robot._rows.exponentials import Exponentials
 from derive.mechanics.poses import rotation_part
 from derive.mechanics.robot import Robot
 from derive.mechanics.screws import screw_form

@@ -25,7 +25,7 @@ from derive.kinds.checks import SECOND_ROUTE, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of, moment_names
-from derive.kinds.robot._rates import is_long, oracle, rate_column
+from derive.kinds.robot._dynamics.rates import is_long, oracle, rate_column
 from derive.kinds.robot._reserved import reserve
 from derive.mechanics.robot import Robot
 from derive.mechanics.sampled import physical_points

@@ -28,8 +28,14 @@ from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of, moment_names, oracle_of
-from derive.kinds.robot._rates import is_long, rated
-from derive.kinds.robot._regressor import Base, Standard, base_parameters, dependent, standard_parameters
+from derive.kinds.robot._dynamics.rates import is_long, rated
+from derive.kinds.robot._dynamics.regressor import (
+    Base,
+    Standard,
+    base_parameters,
+    dependent,
+    standard_parameters,
+)
 from derive.mechanics.robot import Robot
 
 RESULTS = {

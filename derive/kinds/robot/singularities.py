@@ -7,11 +7,11 @@ from derive.kinds.checks import links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._point import PointOn
-from derive.kinds.robot._singular_checks import checked
-from derive.kinds.robot._singular_facts import facts_of
-from derive.kinds.robot._singular_sets import analysed, branches
-from derive.kinds.robot._singular_work import Work, by_determinant, by_minors, by_wrist
-from derive.kinds.robot._task import RowName, Task, task_of
+from derive.kinds.robot._singular.checks import checked
+from derive.kinds.robot._singular.facts import facts_of
+from derive.kinds.robot._singular.sets import analysed, branches
+from derive.kinds.robot._singular.work import Work, by_determinant, by_minors, by_wrist
+from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.robot import Robot
 from derive.mechanics.wrist import wrist_of
 

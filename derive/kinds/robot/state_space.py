@@ -8,8 +8,8 @@ from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of
-from derive.kinds.robot._drives import moving
-from derive.kinds.robot._linearisation import linearised
+from derive.kinds.robot._dynamics.drives import moving
+from derive.kinds.robot._dynamics.linearisation import linearised
 from derive.mechanics.robot import Robot
 
 RESULTS = {

@@ -17,7 +17,7 @@ from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, closing, oracle_of
 from derive.kinds.robot._point import PointOn, tracked
-from derive.kinds.robot._task import RowName, Task, task_of
+from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.jacobian import jacobian
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import moving_rows

@@ -44,7 +44,11 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     name = Matrix(((Symbol("v"),), (Symbol("omega"),)))
     v, omega = Matrix(written.rows[:3]), Matrix(written.rows[3:])
     product = Product((Symbol("J"), Symbol("q_dot")))
-    chain = (name, product, Product((J, rate)), written) if isinstance(J, Matrix) and fits(J) else (name, product, written)
+    chain = (
+        (name, product, Product((J, rate)), written)
+        if isinstance(J, Matrix) and fits(J)
+        else (name, product, written)
+    )
     step = Step("twist", chain, "velocity")
     definitions: dict[Expr, Expr] = {
         Symbol("q_dot"): rate,

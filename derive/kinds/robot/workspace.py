@@ -27,8 +27,8 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, closing, oracle_of
 from derive.kinds.robot._point import PointOn, Tracked, tracked
-from derive.kinds.robot._reach_checks import Region, second_route
-from derive.kinds.robot._reach_pictures import cross_section, from_above
+from derive.kinds.robot._reach.checks import Region, second_route
+from derive.kinds.robot._reach.pictures import cross_section, from_above
 from derive.mechanics.chain import Chain
 from derive.mechanics.reach import PlanarArm, SwungArm, moving_joints, planar_arm, swung_arm, turns_freely
 from derive.mechanics.robot import Robot

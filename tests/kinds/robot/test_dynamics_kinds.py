@@ -14,7 +14,7 @@ from derive.build import assemble, render
 from derive.derivation import Table
 from derive.errors import NotDerivable, SheetErrors
 from derive.kinds.problem import Problem
-from derive.kinds.robot._regressor import dependent, standard_parameters
+from derive.kinds.robot._dynamics.regressor import dependent, standard_parameters
 from derive.sheet.load import load_sheet
 from tests.kinds.published import matrix, same, same_scalar
 from tests.kinds.robot.test_published_dynamics import derived

@@ -1,0 +1,100 @@
+"""From the pose of each centre of mass to its Jacobian and its inertia, as steps."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal
+from derive.derivation import Step
+from derive.expression import Expr, Indexed, Matrix, Product, Sum, Symbol, negate
+from derive.kinds.naming import fits
+from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import pose_name
+from derive.kinds.robot._columns import jacobian_steps
+from derive.kinds.robot._dynamics.bodies import Weighted
+from derive.mechanics.bodies import given_moments, steiner
+from derive.mechanics.chain import Chain
+from derive.mechanics.poses import homogeneous
+
+
+def com_steps(problem: Problem, found: Chain, body: Weighted) -> tuple[Step, ...]:
+    """T_c1, where it fits on a line, and o_c1."""
+    name, origin = Symbol(f"T_c{body.i}"), Symbol(f"o_c{body.i}")
+    pose = homogeneous(body.motion.R, body.motion.com.entries)
+    written = problem.readable_matrix(pose)
+    o = Step(origin.name, (origin, problem.readable_matrix(body.motion.com)), "extract", {"from": name.name})
+    if not fits(written):
+        return (o,)
+    shift = _shift(problem, body.com)
+    route = (pose_name(body.i),) if shift is None else (Product((pose_name(body.i), shift)),)
+    return Step(name.name, (name, *route, written), "com-pose", {"i": body.i}), o
+
+
+def com_jacobian_steps(problem: Problem, found: Chain, body: Weighted) -> tuple[Step, ...]:
+    """J_c1 (6 by n) in the names of its vectors and written out."""
+    i = body.i
+    return jacobian_steps(problem, found, body.J, Symbol(f"J_c{i}"), Symbol(f"o_c{i}"), i)
+
+
+def inertia_steps(problem: Problem, bodies: tuple[Weighted, ...]) -> tuple[Step, ...]:
+    """I_1 = I_2 about the com in the link's frame, equal ones once; then what the names of a shape's
+    moments stand for."""
+    alike: dict[Matrix, list[Symbol]] = {}
+    for body in bodies:
+        if body.turns and body.body.about == "com":
+            alike.setdefault(body.matrix, []).append(body.I)
+    matrices = [Step(names[0].name, (*names, matrix), "inertia") for matrix, names in alike.items()]
+    values = {name: value for body in bodies for name, value in body.named.items()}
+    named = [_moment(problem, name, value) for name, value in values.items() if isinstance(name, Symbol)]
+    return (*matrices, *_moved(problem, bodies), *named)
+
+
+def _moved(problem: Problem, bodies: tuple[Weighted, ...]) -> Iterator[Step]:
+    """I_1 from the inertia about the origin of the frame, by the theorem of parallel axes."""
+    for body in bodies:
+        if body.body.about == "origin" and body.turns:
+            shift = tuple(problem.readable(normal(part)) for part in steiner(body.body))
+            route = Sum((_square(given_moments(body.body)), negate(_square(shift))))
+            yield Step(body.I.name, (body.I, route, body.matrix), "parallel-axes")
+
+
+def _square(six: tuple[Expr, ...]) -> Matrix:
+    xx, yy, zz, xy, yz, xz = six
+    return Matrix(((xx, xy, xz), (xy, yy, yz), (xz, yz, zz)))
+
+
+def _moment(problem: Problem, name: Symbol, value: Expr) -> Step:
+    """I_zz = m/12 (L^2 + (L/10)^2) = 101 m L^2/1200: as the tables have it, then multiplied out."""
+    short = problem.readable(normal(value))
+    return Step(name.name, (name, value) if short == value else (name, value, short), "moment")
+
+
+def body_definitions(problem: Problem, found: Chain, body: Weighted) -> dict[Expr, Expr]:
+    """What the names of those steps and of D_i stand for."""
+    i, motion = body.i, body.motion
+    J_v, J_w = map(problem.readable_matrix, (motion.J_v, motion.J_w))
+    names: dict[Expr, Expr] = {
+        Symbol(f"T_{i}^0"): problem.readable_matrix(found.T[i]),
+        Symbol(f"R_{i}^0"): problem.readable_matrix(motion.R),
+        Symbol(f"J_v{i}"): J_v,
+        Symbol(f"J_w{i}"): J_w,
+        Symbol(f"J_c{i}"): Matrix((*J_v.rows, *J_w.rows)),
+        body.I: body.matrix,
+        Symbol(f"o_c{i}"): problem.readable_matrix(motion.com),
+    }
+    shift = _shift(problem, body.com)
+    if shift is not None:
+        pose = homogeneous(ScalarMatrix.identity(3), body.com.entries)
+        names[shift] = problem.readable_matrix(pose)
+    return names
+
+
+def _shift(problem: Problem, com: ScalarMatrix) -> Indexed | None:
+    """Trans_{x, L/2}: the translation to the com; by all coordinates where it is along no axis."""
+    along = [(axis, entry) for axis, entry in zip("xyz", com.entries, strict=True) if entry]
+    if not along:
+        return None
+    if len(along) == 1:
+        return Indexed("Trans", (Symbol(along[0][0]), problem.readable(along[0][1])))
+    return Indexed("Trans", tuple(problem.readable(entry) for entry in com.entries))

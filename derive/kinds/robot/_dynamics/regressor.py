@@ -1,0 +1,123 @@
+"""The regressor of an arm in normal form: its columns, its parameters, and which of them are enough."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from derive.algebra.dependence import dependencies
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal, normal_matrix
+from derive.algebra.scalar import Scalar
+from derive.expression import ZERO, Call, Expr, Indexed, Symbol, column, number
+from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import chain_of
+from derive.kinds.robot._dynamics.bodies import Weighted, weighted
+from derive.kinds.robot._dynamics.drives import moving
+from derive.mechanics.chain import Chain
+from derive.mechanics.drives import Friction, reflected
+from derive.mechanics.poses import rotation_part
+from derive.mechanics.regressor import NAMES, columns, parameters_of, reference
+from derive.mechanics.robot import Link, gravity_of
+
+
+@dataclass(frozen=True, slots=True)
+class Standard:
+    """A parameter that acts on the torques: its name, its value and its column in Y (n by 1)."""
+
+    name: Indexed
+    value: Scalar
+    column: ScalarMatrix
+
+
+@dataclass(frozen=True, slots=True)
+class Base:
+    """A parameter of the smallest set: what it gathers (names with their weights, its own first), its
+    value, and its column."""
+
+    name: Symbol
+    parts: tuple[tuple[Indexed, Scalar], ...]
+    value: Scalar
+    column: ScalarMatrix
+
+
+def standard_parameters(problem: Problem) -> tuple[Standard, ...]:
+    """Of bodies, rotors and frictions, those that are not zero and act, in the order of the links."""
+    found = chain_of(problem)
+    gravity = normal_matrix(column(gravity_of(problem.subject)))
+    bodies = {body.i: body for body in weighted(problem, found)}
+    parameters: list[Standard] = []
+    for i, link in enumerate(problem.subject.links, 1):
+        if i in bodies:
+            parameters += _of_body(found, bodies[i], gravity)
+        parameters += _of_rotor(problem, link)
+    return (*parameters, *_of_friction(problem))
+
+
+def _of_body(found: Chain, body: Weighted, gravity: ScalarMatrix) -> list[Standard]:
+    motion, i = body.motion, body.i
+    com = rotation_part(found.T[i]).T @ (motion.com - reference(found, i))
+    values = parameters_of(motion.mass, com, motion.inertia)
+    wanted = [name for name in NAMES if values[name]]
+    return [
+        Standard(_name(part.name, i), values[part.name], ScalarMatrix.column(part.column))
+        for part in columns(found, i, gravity, wanted)
+    ]
+
+
+def _of_rotor(problem: Problem, link: Link) -> list[Standard]:
+    if reflected(link.motor) == ZERO or link.variable is None:
+        return []
+    return [_alone(problem, "IA", link, reflected(link.motor), Symbol(f"{link.variable}_ddot"))]
+
+
+def _of_friction(problem: Problem) -> list[Standard]:
+    """Viscous and Coulomb friction of every joint."""
+    found = []
+    for link in moving(problem.subject):
+        friction, rate = link.friction or Friction(), Symbol(f"{link.variable}_dot")
+        if friction.viscous != ZERO:
+            found.append(_alone(problem, "FV", link, friction.viscous, rate))
+        if friction.coulomb != ZERO:
+            found.append(_alone(problem, "FS", link, friction.coulomb, Call("sign", (rate,))))
+    return found
+
+
+def _alone(problem: Problem, name: str, link: Link, value: Expr, factor: Expr) -> Standard:
+    """A parameter of one joint: its column holds one factor."""
+    k = problem.subject.variables.index(link.variable or "")
+    entries = [normal(factor) if j == k else Scalar.of(0) for j in range(len(problem.subject.variables))]
+    return Standard(
+        _name(name, problem.subject.links.index(link) + 1), normal(value), ScalarMatrix.column(entries)
+    )
+
+
+def _name(letters: str, i: int) -> Indexed:
+    return Indexed(letters, (number(i),))
+
+
+def dependent(problem: Problem, parameters: Sequence[Standard]) -> dict[int, dict[int, Scalar]]:
+    """Which columns are combinations of columns before them, with what weights; friction stands alone."""
+    variables = problem.subject.variables
+    varying = {f"{name}{dots}" for name in variables for dots in ("", "_dot", "_ddot")}
+    rigid = [part.column.entries for part in parameters if part.name.base not in ("FV", "FS")]
+    return dependencies(rigid, varying)
+
+
+def base_parameters(
+    parameters: Sequence[Standard], made_of: Mapping[int, Mapping[int, Scalar]]
+) -> tuple[Base, ...]:
+    """The independent columns, each with its own parameter and the shares of those it stands for."""
+    found: list[Base] = []
+    for i, own in enumerate(parameters):
+        if i in made_of:
+            continue
+        shares = [(parameters[j].name, weights[i]) for j, weights in made_of.items() if i in weights]
+        value = own.value
+        for j, weights in made_of.items():
+            if i in weights:
+                value = value + weights[i] * parameters[j].value
+        if value:
+            name = Symbol(f"Theta_{len(found) + 1}")
+            found.append(Base(name, ((own.name, Scalar.of(1)), *shares), value, own.column))
+    return tuple(found)

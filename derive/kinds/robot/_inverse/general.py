@@ -1,0 +1,100 @@
+"""The inverse of any open chain, by the sub-problems that a search finds in its equations."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+from derive.derivation import Derivation
+from derive.errors import NotDerivable
+from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import oracle_of
+from derive.kinds.robot._inverse.branches import Solutions
+from derive.kinds.robot._inverse.checks import tried
+from derive.kinds.robot._inverse.evaluated import evaluated
+from derive.kinds.robot._inverse.freedom import Singularity
+from derive.kinds.robot._inverse.opening import Opening
+from derive.kinds.robot._inverse.page import Page
+from derive.kinds.robot._inverse.reasons import loose, no_closed_form, refuse
+from derive.kinds.robot._rows.by_rows import by_rows
+from derive.mechanics.chain import Chain
+from derive.mechanics.inverse.goal import Goal, of_coordinates, of_orientation, of_pose
+from derive.mechanics.inverse.plan import Clock, Search
+from derive.mechanics.inverse.sample import configurations
+
+POINTS = 5
+
+
+def derive(chain: Chain, options: Any, problem: Problem) -> Derivation:
+    """The plan, written and tried; for screws without one, that of the rows found for them. Raises
+    NotDerivable where there is none, with what is left to solve."""
+    goal = goal_of(options.given, chain, problem)
+    refuse(chain, goal)
+    points = sample_points(chain, goal, problem, POINTS)
+    loose(chain, goal, problem, points)
+    free = partial(free_name, problem=problem, goal=goal)
+    plan = Search(chain, goal, points[:2], free, Clock()).plan()
+    if not plan.complete and problem.subject.by_screws:
+        return by_rows("inverse-kinematics", problem, given=options.given, evaluate=options.evaluate)
+    if not plan.complete:
+        raise NotDerivable(no_closed_form(plan, goal, problem))
+    page = Page(problem, chain, goal, plan, Opening(problem, chain, goal, plan, free).written())
+    slides = frozenset(plan.knowledge.slides)
+    solutions = Solutions(page.items, chain.variables, slides, problem)
+    results: dict[str, Any] = {"solutions": solutions.branches}
+    if solutions.nested:
+        results["order"] = ", ".join(solutions.order)
+    trial = tried(solutions, goal, problem, points)
+    values = evaluated(solutions, Singularity(solutions, chain, plan), goal, problem, options.evaluate)
+    return Derivation(
+        "inverse-kinematics",
+        page.steps,
+        results,
+        (*page.claims(), *trial.claims(points[0])),
+        page.definitions,
+        values.values,
+        uses=(problem.ask("forward-kinematics"),),
+        facts={**page.facts(solutions), **values.facts, "partial": trial.partial},
+    )
+
+
+def goal_of(given: tuple[str, ...] | str, chain: Chain, problem: Problem) -> Goal:
+    """The known pose. Raises NotDerivable where a name stands for something else already."""
+    if given == "pose":
+        goal = of_pose()
+    elif given == "orientation":
+        goal = of_orientation()
+    else:
+        goal = of_coordinates(chain.T_tool, given, chain.variables)
+    taken = set(goal.names) & (problem.symbols | set(problem.where))
+    if taken:
+        raise NotDerivable(
+            f"'{min(taken)}' names a known coordinate of the end-effector and something else on this sheet; "
+            "choose another name for one of them"
+        )
+    return goal
+
+
+def sample_points(chain: Chain, goal: Goal, problem: Problem, count: int) -> tuple[dict[str, float], ...]:
+    """Configurations of the arm, and what is given of its end-effector there."""
+    turning = [joint.variable for _, joint in chain.moving if joint.type != "prismatic"]
+    slides = {
+        joint.variable: problem.assumptions.get(joint.variable) in ("positive", "nonnegative")
+        for _, joint in chain.moving
+        if joint.type == "prismatic"
+    }
+    oracle = oracle_of(problem)
+    points = []
+    for point in configurations(problem.symbols, turning, slides, count):
+        at = dict(oracle.at(point))
+        points.append({**at, **goal.numbers(oracle.tool(at))})
+    return tuple(points)
+
+
+def free_name(name: str, problem: Problem, goal: Goal) -> str:
+    """The name, or one like it that stands for nothing else."""
+    taken = problem.symbols | set(problem.where) | set(goal.names)
+    while name in taken:
+        stem, _, index = name.partition("_")
+        name = f"{stem}{stem[-1]}_{index}"
+    return name

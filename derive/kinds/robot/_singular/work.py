@@ -1,0 +1,232 @@
+"""Three ways to the singular configurations: the determinant, its split at a wrist, or the minors."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from derive.algebra.factors import Factored
+from derive.algebra.matrix import ScalarMatrix
+from derive.derivation import Claim, Derivation, Step
+from derive.errors import NotDerivable
+from derive.expression import (
+    Expr,
+    Indexed,
+    Matrix,
+    Product,
+    Symbol,
+    add,
+    squared,
+    subtract,
+    transpose,
+)
+from derive.kinds.checks import law
+from derive.kinds.problem import Problem
+from derive.kinds.robot._singular.determinants import determinant, gram_determinant, natural, product_tree
+from derive.kinds.robot._singular.geometry import Seeing
+from derive.kinds.robot._singular.sets import Block
+from derive.kinds.robot._velocity.task import Task
+from derive.mechanics.jacobian import jacobian
+from derive.mechanics.poses import position_part, rotation_part
+from derive.mechanics.singular import MOST_MINORS, Minor, SingularSet, minors, of_determinant, of_minors
+from derive.mechanics.wrist import Wrist
+
+SIX, SHORT = 6, 4
+LINEAR, ANGULAR = {"vx", "vy", "vz"}, {"wx", "wy", "wz"}
+WHOLE = (LINEAR, ANGULAR, LINEAR | ANGULAR)
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A block and where it loses rank."""
+
+    block: Block
+    sets: tuple[SingularSet, ...]
+    complete: bool = True  # False where there may be more of them
+
+
+@dataclass(frozen=True, slots=True)
+class Work:
+    """What the determinant came from: `way` is "determinant", "wrist" or "minors"; `point` says in words
+    whose velocity it is."""
+
+    way: str
+    point: str
+    steps: tuple[Step, ...]
+    det: Expr
+    parts: tuple[Part, ...]
+    definitions: dict[Expr, Expr]
+    uses: tuple[Derivation, ...]
+    laws: tuple[Claim, ...] = ()
+
+
+def by_determinant(task: Task) -> Work:
+    """det J of a square Jacobian, in the axes of a middle frame where it has six rows."""
+    problem, variables = task.problem, task.found.variables
+    six = len(task.rows) == SIX
+    frame = _middle(task) if six else 0
+    J = _seen_from(task, frame) if six else task.J
+    name = Symbol(f"J^{frame}" if six else "J")
+    det = natural(problem, J.det(), variables)
+    _refuse_dependent(task, det.constant if not det.factors else None)
+    tree = product_tree(problem, det)
+    shown = problem.readable_matrix(J)
+    chain = (determinant(name), *_two_by_two(shown), tree)
+    whole = Step("J", (name, shown), "frame" if six else "rows", {"frame": frame})
+    steps = (whole, _closed(problem, "det", chain))
+    block = Block(name.name, J, variables, task.rows, frame, _seeing(task))
+    uses = (problem.ask("forward-kinematics"),) if six else (task.base,)
+    sets = of_determinant(det, variables, problem.readable)
+    laws = (law("the product of the factors is det J", det.value == J.det()),)
+    return Work("determinant", _moved(task), steps, tree, (Part(block, sets),), {name: shown}, uses, laws)
+
+
+def by_wrist(task: Task, wrist: Wrist) -> Work:
+    """det J = det J_11 det J_22 at the center of the wrist."""
+    problem, found = task.problem, task.found
+    center = Symbol(f"o_{wrist.frame}")
+    arm = Seeing(problem, found, wrist.center, wrist.arm_rows)
+    hand = Seeing(problem, found, wrist.center, wrist.hand_rows)
+    blocks = (
+        Block("J_11", wrist.J_11, found.variables[:3], task.rows[:3], wrist.arm, arm),
+        Block("J_22", wrist.J_22, found.variables[3:], task.rows[3:], wrist.hand, hand),
+    )
+    parts, trees, steps = [], [], [Step("center", (center, problem.readable_matrix(wrist.center)), "center")]
+    dets = []
+    for block in blocks:
+        det = natural(problem, block.J.det(), block.variables)
+        dets.append(det)
+        _refuse_dependent(task, det.constant if not det.factors else None)
+        tree = product_tree(problem, det)
+        name = Symbol(block.name)
+        steps.append(Step(block.name, (name, problem.readable_matrix(block.J)), "block"))
+        steps.append(_closed(problem, f"det_{block.name}", (determinant(name), tree)))
+        parts.append(Part(block, of_determinant(det, block.variables, problem.readable)))
+        trees.append(tree)
+    whole = Factored(dets[0].constant * dets[1].constant, (*dets[0].factors, *dets[1].factors))
+    tree = product_tree(problem, whole)
+    split = Product(tuple(determinant(Symbol(block.name)) for block in blocks))
+    steps.append(Step("det", (determinant(Symbol("J")), split, problem.final(tree)), "law"))
+    J = seen_from_middle(task)
+    laws = (law("det J = det J_11 det J_22", J.det() == whole.value),)
+    definitions: dict[Expr, Expr] = {center: steps[0].result}
+    definitions |= {Symbol(block.name): problem.readable_matrix(block.J) for block in blocks}
+    return Work(
+        "wrist", "the center of the wrist", tuple(steps), tree, tuple(parts), definitions,
+        (problem.ask("forward-kinematics"),), laws,
+    )  # fmt: skip
+
+
+def by_minors(task: Task) -> Work:
+    """All minors of full size, which vanish together: det(J J^T) is the sum of their squares."""
+    problem, variables = task.problem, task.found.variables
+    frame = _middle(task) if _turns(task) else 0
+    J = task.J if not frame else seen_from_middle(task) if len(task.rows) == SIX else _turned(task, frame)
+    name = Symbol(f"J^{frame}" if frame else "J")
+    if _count(J) > MOST_MINORS:
+        raise NotDerivable("the Jacobian has too many minors to be solved together; ask for some rows only")
+    found = [minor for minor in minors(J) if minor.value]
+    _refuse_dependent(task, None if found else J[0, 0])
+    shown = problem.readable_matrix(J)
+    names = [_minor_name(task, minor) for minor in found]
+    products = [natural(problem, minor.value, variables) for minor in found]
+    minor_steps = tuple(
+        Step(f"minor_{place}", (each, product_tree(problem, product)), "minor", {"lines": minor.lines})
+        for place, (each, product, minor) in enumerate(zip(names, products, found, strict=True), 1)
+    )
+    squares = add(*(squared(each) for each in names))
+    gram = _gram(task, name)
+    tree = gram_determinant(problem, J, variables)
+    det = _closed(problem, "det", (determinant(gram), squares, tree))
+    steps = (Step("J", (name, shown), "frame" if frame else "rows", {"frame": frame}), *minor_steps, det)
+    block = Block(name.name, J, variables, _in_order(task, frame), frame, _seeing(task))
+    sets, complete = of_minors([minor.value for minor in found], variables, problem.readable)
+    definitions: dict[Expr, Expr] = {name: shown}
+    definitions |= {each: step.result for each, step in zip(names, minor_steps, strict=True)}
+    uses = (problem.ask("forward-kinematics"),) if frame else (task.base,)
+    return Work("minors", _moved(task), steps, tree, (Part(block, sets, complete),), definitions, uses)
+
+
+def _two_by_two(J: Matrix) -> tuple[Expr, ...]:
+    """The products of a determinant of two rows, as they are subtracted."""
+    if J.shape != (2, 2):
+        return ()
+    (a, b), (c, d) = J.rows
+    return (subtract(Product((a, d)), Product((b, c))),)
+
+
+def _closed(problem: Problem, name: str, chain: Iterable[Expr]) -> Step:
+    links = tuple(chain)
+    final = problem.final(links[-1])
+    return Step(name, links if final == links[-1] else (*links, final), "determinant")
+
+
+def _seeing(task: Task) -> Seeing:
+    rows = tuple(i for i, _ in task.found.moving if i <= task.point.last)
+    return Seeing(task.problem, task.found, task.point.position, rows)
+
+
+def _moved(task: Task) -> str:
+    return "the end-effector" if task.point.step.rule == "extract" else "the point"
+
+
+def _middle(task: Task) -> int:
+    """The frame of the joint in the middle: seen from there a Jacobian is shortest."""
+    moving = [i for i, _ in task.found.moving]
+    return moving[(len(moving) - 1) // 2]
+
+
+def seen_from_middle(task: Task) -> ScalarMatrix:
+    """The whole Jacobian where it is shortest: in the axes of the middle frame. No determinant of six rows
+    and no minor of that size changes."""
+    return _seen_from(task, _middle(task))
+
+
+def _turns(task: Task) -> bool:
+    """Whether the rows stay the same velocities when the axes are turned; of few joints the base will do."""
+    return len(task.found.variables) > SHORT and set(task.rows) in WHOLE
+
+
+def _in_order(task: Task, frame: int) -> tuple[str, ...]:
+    """The rows as they stand in J."""
+    return tuple(sorted(task.rows)) if frame and len(task.rows) < SIX else task.rows
+
+
+def _turned(task: Task, frame: int) -> ScalarMatrix:
+    """Three linear or three angular rows in the axes of a frame."""
+    J = ScalarMatrix(tuple(task.J.rows[task.rows.index(row)] for row in sorted(task.rows)))
+    return rotation_part(task.found.T[frame]).T @ J
+
+
+def _seen_from(task: Task, frame: int) -> ScalarMatrix:
+    """The whole Jacobian of the origin of the last frame, in the axes of a frame."""
+    found = task.found
+    R_T = rotation_part(found.T[frame]).T
+    J = jacobian(found, position_part(found.T[-1]), len(found.T_local))
+    return ScalarMatrix.stacked([R_T @ J.block(rows, slice(None)) for rows in (slice(0, 3), slice(3, 6))])
+
+
+def _refuse_dependent(task: Task, constant: object) -> None:
+    """Raises NotDerivable where the determinant vanishes in every configuration."""
+    if constant is not None and not constant:
+        which = ", ".join(task.rows)
+        raise NotDerivable(
+            f"the rows {which} of the Jacobian are dependent in every configuration; ask for fewer rows"
+        )
+
+
+def _count(J: ScalarMatrix) -> int:
+    from math import comb
+
+    return comb(max(J.shape), min(J.shape))
+
+
+def _minor_name(task: Task, minor: Minor) -> Expr:
+    """Delta with the columns, or the rows, that it is made of."""
+    if task.redundant:
+        return Symbol("Delta_" + "".join(str(k + 1) for k in minor.lines))
+    return Indexed("Delta", tuple(Symbol(task.rows[k]) for k in minor.lines))
+
+
+def _gram(task: Task, J: Symbol) -> Expr:
+    return Product((J, transpose(J)) if task.redundant else (transpose(J), J))

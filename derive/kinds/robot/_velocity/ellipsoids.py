@@ -1,0 +1,175 @@
+"""The velocity and force ellipsoids at a configuration: semi-axes, directions, and the picture of an arm
+that moves in a plane."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
+
+from derive.algebra import numeric
+from derive.algebra.numeric import number
+from derive.derivation import Claim, Plot, Result, Step, Table
+from derive.errors import NotDerivable
+from derive.expression import Approximate, Expr, Matrix, Symbol, column
+from derive.kinds.checks import SECOND_ROUTE, close
+from derive.kinds.evaluation import Place
+from derive.kinds.robot._chain import oracle_of
+from derive.kinds.robot._velocity.task import Task
+
+NONE = 1e-9  # a semi-axis that is none, relative to the largest
+CORNERS = 181  # of a drawn ellipse
+SHARE = 0.35  # of the arm's reach: how large an ellipse is drawn
+INFINITE = "infinite"
+PLANE = (("vx", "vy"), ("vx", "vz"), ("vy", "vz"))
+
+
+@dataclass(frozen=True, slots=True)
+class Ellipsoids:
+    """What a configuration adds to a derivation."""
+
+    place: dict[str, float]
+    steps: tuple[Step, ...]
+    results: dict[str, Result]
+    evaluated: dict[str, Any]
+    claims: tuple[Claim, ...]
+    plots: tuple[Plot, ...]
+    facts: dict[str, Any]
+
+
+def at_point(task: Task, place: Place) -> Ellipsoids:
+    """By the singular values of J (m by n) at the place. Raises NotDerivable for a name without a value."""
+    import numpy as np
+
+    here = _numbers(task, place)
+    J = np.array(numeric.matrix_numbers(task.J, here))
+    U, values, _ = np.linalg.svd(J)
+    values = np.append(values, np.zeros(len(task.rows) - len(values)))
+    values[values < NONE * max(values[0], 1.0)] = 0.0
+    directions = [_turned(U[:, k]) for k in range(len(values))]
+    order = sorted(range(len(values)), key=lambda k: values[k])
+    forces: list[float | str] = [1 / values[k] if values[k] else INFINITE for k in order]
+    shown = Step("J_here", (Symbol("J"), _tree(J)), "numbers")
+    evaluated = {
+        "axes": [float(value) for value in values],
+        "directions": directions,
+        "force_axes": forces,
+        "force_directions": [directions[k] for k in order],
+    }
+    plots = _pictures(task, here, values, directions)
+    facts = {
+        "point": tuple((Symbol(name), value) for name, value in place),
+        "table": _table(task, values, directions),
+        "singular": bool(values[-1] == 0 and len(values) <= J.shape[1]),
+        "even": bool(values[-1] > 0 and values[0] / values[-1] < 1 + 1e-9),
+        "ratio": Approximate(float(values[0] / values[-1])) if values[-1] else None,
+        "plots": tuple(plot.name for plot in plots),
+    }
+    results: dict[str, Result] = {
+        "axes": column(Approximate(float(value)) for value in values),
+        "directions": tuple(tuple(map(Approximate, vector)) for vector in directions),
+        "force_axes": tuple((_axis(value),) for value in forces) if INFINITE not in forces else INFINITE,
+        "force_directions": tuple(tuple(map(Approximate, directions[k])) for k in order),
+    }
+    claims = (_claim(task, here, values, directions),)
+    return Ellipsoids(here, (shown,), results, evaluated, claims, plots, facts)
+
+
+def _axis(value: float | str) -> Expr:
+    return Approximate(float(value))
+
+
+def _numbers(task: Task, place: Place) -> dict[str, float]:
+    known = {name: number(value, {}) for name, value in place}
+    known = dict(oracle_of(task.problem).at(known))
+    missing = sorted(_used(task) - set(known))
+    if missing:
+        raise NotDerivable(f"no value is known for {missing[0]}: give it under evaluate: or where:")
+    return known
+
+
+def _used(task: Task) -> set[str]:
+    """The names that stand in J."""
+    found: set[str] = set()
+    for entry in task.J.entries:
+        names = set(entry.generators())
+        found |= {name for name in entry.ring.symbols if name in names and name != "pi"}
+        for form in entry.ring.angles:
+            if {f"cos({form})", f"sin({form})"} & names:
+                found |= {atom for atom, _ in form.parts if atom not in ("pi", "1")}
+    return found
+
+
+def _turned(vector: Any) -> list[float]:
+    """Of the two opposite directions the one whose largest entry is positive; tiny entries are zero."""
+    largest = max(vector, key=abs)
+    return [0.0 if abs(x) < 1e-12 else float(x if largest > 0 else -x) for x in vector]
+
+
+def _tree(J: Any) -> Expr:
+    return Matrix(tuple(tuple(Approximate(float(x)) for x in row) for row in J))
+
+
+def _table(task: Task, values: Any, directions: list[list[float]]) -> Table:
+    """Each direction by its components, with how fast and how hard the arm is along it."""
+    rows = tuple(
+        (*map(Approximate, vector), Approximate(float(s)), Approximate(1 / float(s)) if s else INFINITE)
+        for s, vector in zip(values, directions, strict=True)
+    )
+    axes = tuple(f"along {row[1]}" if row[0] == "v" else f"about {row[1]}" for row in task.rows)
+    return Table((*axes, "velocity", "force"), rows)
+
+
+def _claim(task: Task, here: Mapping[str, float], values: Any, directions: list[list[float]]) -> Claim:
+    """The axes are those of J J^T with J by differences."""
+    import numpy as np
+
+    J = task.numbers(here)
+    holds = all(
+        close(J @ J.T @ np.array(vector), s**2 * np.array(vector), 1e-6)
+        for s, vector in zip(values, directions, strict=True)
+    )
+    return Claim("the axes are eigenvectors of J J^T, with J by differences", SECOND_ROUTE, holds)
+
+
+def _pictures(
+    task: Task, here: Mapping[str, float], values: Any, directions: list[list[float]]
+) -> tuple[Plot, ...]:
+    """The arm with both ellipses at its tip, where two components in a plane are asked for."""
+    if tuple(sorted(task.rows)) not in PLANE or not values[-1]:
+        return ()
+    plane = ["xyz".index(row[1]) for row in task.rows]
+    points = _arm(task, here, plane)
+    reach = sum(math.dist(a, b) for a, b in pairwise(points)) or 1.0
+    tip = points[-1]
+    sizes = {"velocity ellipse": values, "force ellipse": [1 / value for value in values]}
+    series = {"arm": _coordinates(points)}
+    for name, axes in sizes.items():
+        scale = SHARE * reach / max(axes)
+        series[name] = _coordinates(_ellipse(tip, [scale * float(a) for a in axes], directions))
+    labels = [f"{row[1]}" for row in task.rows]
+    return (Plot("ellipsoids", labels[0], labels[1], series, equal=True),)
+
+
+def _arm(task: Task, here: Mapping[str, float], plane: list[int]) -> list[tuple[float, float]]:
+    """The origins of the frames, seen in the plane; the last is the point itself."""
+    origins = [T[:3, 3] for T in oracle_of(task.problem).poses(here)]
+    tip = [row[0] for row in numeric.matrix_numbers(task.point.position, here)]
+    points: list[Any] = [*origins[: task.point.last], tip]
+    return [(float(p[plane[0]]), float(p[plane[1]])) for p in points]
+
+
+def _ellipse(center: tuple[float, float], axes: list[float], directions: list[list[float]]) -> list[Any]:
+    turns = [2 * math.pi * k / (CORNERS - 1) for k in range(CORNERS)]
+    a, b = axes
+    u, w = directions[0], directions[1]
+    return [
+        tuple(center[i] + a * math.cos(t) * u[i] + b * math.sin(t) * w[i] for i in range(2)) for t in turns
+    ]
+
+
+def _coordinates(points: list[Any]) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    xs, ys = zip(*points, strict=True)
+    return xs, ys
