@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from functools import reduce
 from math import gcd, lcm
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
@@ -24,9 +23,7 @@ def content(terms: Terms, alphabet: Alphabet) -> Rational:
     values = list(terms.values())
     if alphabet.style.decimals and any(map(terminates, values)):
         return 1
-    top = reduce(gcd, (abs(v.numerator) for v in values))
-    bottom = reduce(lcm, (v.denominator for v in values))
-    return over(top, bottom)
+    return over(gcd(*[v.numerator for v in values]), lcm(*[v.denominator for v in values]))
 
 
 def divided_by(terms: Terms, monomial: Monomial, number: Rational) -> Terms:

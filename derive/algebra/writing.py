@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property
 from math import prod
 
 from derive.algebra.plans import Flat, Plan, Split, Taken
@@ -23,9 +24,9 @@ from derive.expression import (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Writing:
-    """Writes plans over one alphabet."""
+    """Writes plans over one alphabet, which has all its atoms by then."""
 
     alphabet: Alphabet
     places: dict[Monomial, SortKey] = field(default_factory=dict)
@@ -87,10 +88,20 @@ class Writing:
         return self.places[monomial]
 
     def _place(self, monomial: Monomial) -> SortKey:
-        key, is_trig = self.alphabet.key, self.alphabet.is_trig
-        trig = sorted(key(atom)[1:] + key(atom)[:1] for atom, _ in monomial if is_trig(atom))
-        others = sorted((key(atom), -power) for atom, power in monomial if not is_trig(atom))
+        ranks = self.ranks
+        trig = sorted([ranks[atom][1] for atom, _ in monomial if ranks[atom][0]])
+        others = sorted([(ranks[atom][1], -power) for atom, power in monomial if not ranks[atom][0]])
         return (bool(trig), not monomial, trig, others)
+
+    @cached_property
+    def ranks(self) -> tuple[tuple[bool, int], ...]:
+        """Of each atom: whether it is a sine or cosine, and which it is in their order, by angles, or in that
+        of the others."""
+        key, is_trig = self.alphabet.key, self.alphabet.is_trig
+        atoms = range(len(self.alphabet.atoms))
+        order = sorted(atoms, key=lambda a: (is_trig(a), key(a)[1:] + key(a)[:1] if is_trig(a) else key(a)))
+        rank = {atom: place for place, atom in enumerate(order)}
+        return tuple((is_trig(atom), rank[atom]) for atom in atoms)
 
 
 def _sum(terms: list[Expr]) -> Expr:

@@ -21,6 +21,7 @@ from derive.expression import Degrees, Expr, Indexed, Matrix, Number, Symbol, fr
 from derive.kinds.registry import load
 
 TREES = get_args(Expr)
+NAMES = (Symbol, Indexed)
 
 
 @dataclass(frozen=True)
@@ -119,7 +120,7 @@ class Problem:
         """A scalar or a matrix with `where` (and `names`) replaced by their values; the same tree
         where nothing is to be replaced."""
         known = {**self.names, **(names or {})}
-        if not any(isinstance(node, Symbol | Indexed) and node in known for node in walk(expr)):
+        if not known or not any(isinstance(node, NAMES) and node in known for node in walk(expr)):
             return expr
         if isinstance(expr, Matrix):
             return readable_matrix(normal_matrix(expr, known), self.style)

@@ -87,7 +87,7 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     half = R.matrix == R.matrix.T
     steps = _half_turn(R, names, problem) if half else _general(R, names, problem)
     told = half or R.short
-    angle, axis = (steps[-2].result, _column(steps[-1])) if told else _value(R, problem)[1:]
+    angle, axis = (steps[-2].result, _column(steps[-1])) if told else _long(R, problem)
     results: dict[str, Expr] = {"angle": angle, "axis": axis}
     facts = {
         "rotation": given.rotation,
@@ -156,6 +156,15 @@ def _value(R: Rotation, problem: Problem) -> _Value:
     cosine = sum((R.matrix[i, i] for i in range(3)), Scalar.of(-1))
     angle = atan2(length_of(square, problem), problem.readable(cosine))
     return _Value(turn, angle, column(over(part, square, problem) for part in turn.entries))
+
+
+def _long(R: Rotation, problem: Problem) -> tuple[Expr, Matrix]:
+    """The angle and the axis of a rotation with long entries: w component by component, its length left
+    as a root of squares."""
+    w = [problem.readable(R.value(plus) - R.value(minus)) for plus, minus in DIFFERENCES]
+    size = sqrt(add(*map(squared, w)))
+    cosine = sum((R.matrix[i, i] for i in range(3)), Scalar.of(-1))
+    return atan2(size, problem.readable(cosine)), column(Quotient(part, size) for part in w)
 
 
 def _half_turn(R: Rotation, names: _Names, problem: Problem) -> tuple[Step, ...]:
