@@ -4,21 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from fractions import Fraction
 from functools import reduce
 from operator import add
 from typing import TypeAlias
 
 from flint import fmpq_mpoly
 
-from derive.algebra.angles import PI, RADIAN, Form
+from derive.algebra.angles import PI, Form
 from derive.algebra.bounds import multiplied
 from derive.algebra.fixed import fixed_trig
 from derive.algebra.kernels import absolute, opaque, root
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.opaque_rates import partial as partial_derivative
 from derive.algebra.ring import Ring, ring
-from derive.algebra.scalar import Scalar, as_fraction, common_ring, trig
+from derive.algebra.scalar import Scalar, common_ring, trig
+from derive.algebra.trigonometry import added, multiple, of_direction
+from derive.algebra.trigonometry import trig_of as trig_of
 from derive.algebra.values import (
     MATRIX_FUNCTIONS,
     Combine,
@@ -231,17 +232,17 @@ class Walk:
         """(cosine, sine) of an angle; inverse functions inside it are resolved."""
         match angle:
             case Sum(terms) if any(map(self._has_inverse, terms)):
-                return reduce(_added, map(self.trig, terms))
+                return reduce(added, map(self.trig, terms))
             case Product((Number(n), rest)) if self._has_inverse(rest) and n.denominator == 1:
-                return _multiple(self.trig(rest), int(n))
+                return multiple(self.trig(rest), int(n))
             case Degrees(degrees):
                 return fixed_trig(degrees / 180)
             case Symbol(name) if name != PI:
                 return self.trig(self.names[angle]) if angle in self.names else trig(Form.of({name: 1}))
             case Call("atan2", (y, x)):
-                return _of_direction(self.scalar(y), self.scalar(x))
+                return of_direction(self.scalar(y), self.scalar(x))
             case Call("atan", (slope,)):
-                return _of_direction(self.scalar(slope), Scalar.of(1))
+                return of_direction(self.scalar(slope), Scalar.of(1))
             case Call("acos", (cosine,)):
                 c = self.scalar(cosine)
                 return c, root(1 - c * c)
@@ -270,41 +271,3 @@ def derivative(value: Scalar, name: str) -> Scalar:
 
 def _partial(value: Value, name: str) -> Value:
     return value.diff(name) if isinstance(value, ScalarMatrix) else derivative(value, name)
-
-
-def trig_of(angle: Scalar) -> tuple[Scalar, Scalar]:
-    """(cosine, sine) of an angle that is a polynomial: fixed parts apart, the rest a linear form."""
-    turns, form = linear_form(angle)
-    pair = trig(form) if form.parts else (Scalar.of(1), Scalar.of(0))
-    return _added(pair, fixed_trig(turns)) if turns else pair
-
-
-def linear_form(angle: Scalar) -> tuple[Fraction, Form]:
-    """(multiple of pi, the rest) of an angle; each monomial is an atom of the form."""
-    if angle.denominator is not None:
-        raise NotDerivable("an angle that is a fraction of symbols")
-    turns, parts = Fraction(0), {}
-    for exponents, coefficient in angle.numerator.terms():
-        powers = [(n, e) for n, e in zip(angle.ring.names, exponents, strict=True) if e]
-        if powers == [(PI, 1)]:
-            turns = as_fraction(coefficient)
-        else:
-            atom = "*".join(n if e == 1 else f"{n}^{e}" for n, e in powers) or RADIAN
-            parts[atom] = as_fraction(coefficient)
-    return turns, Form.of(parts)
-
-
-def _added(a: tuple[Scalar, Scalar], b: tuple[Scalar, Scalar]) -> tuple[Scalar, Scalar]:
-    """The addition theorem on (cosine, sine) pairs."""
-    return a[0] * b[0] - a[1] * b[1], a[1] * b[0] + a[0] * b[1]
-
-
-def _multiple(pair: tuple[Scalar, Scalar], n: int) -> tuple[Scalar, Scalar]:
-    base = pair if n >= 0 else (pair[0], -pair[1])
-    return reduce(_added, [base] * abs(n), (Scalar.of(1), Scalar.of(0)))
-
-
-def _of_direction(y: Scalar, x: Scalar) -> tuple[Scalar, Scalar]:
-    """(cosine, sine) of atan2(y, x)."""
-    length = root(x * x + y * y)
-    return x / length, y / length
