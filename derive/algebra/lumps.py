@@ -12,6 +12,8 @@ from collections.abc import Mapping
 from derive.algebra.rationals import Rational
 from derive.algebra.terms import Alphabet, Monomial, Terms, divided, put, times
 
+MODULUS = 1_000_003
+
 
 def lumped(terms: Terms, alphabet: Alphabet) -> Terms:
     """Equal terms in which such sums are atoms; a sum that stands alone in one term is left as it is."""
@@ -34,18 +36,20 @@ def _pair(terms: Terms, alphabet: Alphabet) -> tuple[int, int, int] | None:
 
 
 def _alike(terms: Terms, alphabet: Alphabet) -> Mapping[tuple[int, Rational], list[int]]:
-    """Atoms by how often they occur and by the sum of their squared coefficients: only such as agree in
-    this can have the same derivative."""
+    """Atoms by how often they occur, and by a checksum of their derivatives but for the sign: only such as
+    agree in this can have the same derivative."""
     counts: dict[int, int] = defaultdict(int)
-    totals: dict[int, Rational] = defaultdict(int)
+    sums: dict[int, Rational] = defaultdict(int)
+    marks = [pow(atom + 2, 5, MODULUS) for atom in range(len(alphabet.atoms))]
     for monomial, k in terms.items():
+        mark = sum([marks[atom] * power for atom, power in monomial])
         for atom, power in monomial:
             counts[atom] += 1
-            totals[atom] += (k * power) ** 2
+            sums[atom] += k * power * ((mark - marks[atom]) ** 2 % MODULUS)
     alike: dict[tuple[int, Rational], list[int]] = defaultdict(list)
     for atom in sorted(counts, key=alphabet.key):
         if counts[atom] > 1 and alphabet.is_letter(atom):
-            alike[counts[atom], totals[atom]].append(atom)
+            alike[counts[atom], max(sums[atom], -sums[atom])].append(atom)
     return alike
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from itertools import chain
 from math import inf
 
 from derive.algebra.factoring import common, content, divided_by, factors_of, is_irreducible
@@ -32,6 +33,7 @@ class Nesting:
     alphabet: Alphabet
     budget: int
     known: dict[frozenset[tuple[Monomial, Rational]], Plan] = field(default_factory=dict)
+    costs: dict[Monomial, tuple[int, float]] = field(default_factory=dict)
 
     def plan(self, terms: Terms) -> Plan:
         """The cheapest way found."""
@@ -123,13 +125,14 @@ class Nesting:
     def _parts(self, terms: Terms) -> Iterator[tuple[Terms, float]]:
         """(terms, price of the parentheses): those with the same atom, most frequent first; those with the
         same number."""
-        counts = Counter(atom for monomial in terms for atom, _ in monomial)
+        atoms = {monomial: [atom for atom, _ in monomial] for monomial in terms}
+        counts = Counter(chain.from_iterable(atoms.values()))
         key, is_trig = self.alphabet.key, self.alphabet.is_trig
         several = [atom for atom, n in counts.items() if n > 1]
         frequent = sorted(several, key=lambda atom: (-counts[atom], key(atom)))
         turn = min((key(a)[1:] for a in frequent if is_trig(a)), default=())
         for atom in frequent[:6] if len(terms) > 8 else frequent:
-            taken = {m: k for m, k in terms.items() if any(a == atom for a, _ in m)}
+            taken = {m: k for m, k in terms.items() if atom in atoms[m]}
             yield taken, self._parentheses(atom, turn)
         yield from self._same_numbers(terms)
 
@@ -154,10 +157,15 @@ class Nesting:
 
     def _operations(self, monomial: Monomial, coefficient: Rational) -> float:
         """Multiplications, powers and a quotient; sums that stand for one letter, and their parentheses."""
-        factors = len(monomial) + (coefficient.numerator not in (1, -1)) - 1
-        powers = sum([power > 1 for _, power in monomial])
-        lumps = sum([self.alphabet.extra(atom) for atom, _ in monomial]) if self.alphabet.lumps else 0
-        return max(factors, 0) + powers + (coefficient.denominator > 1) + lumps
+        if monomial not in self.costs:
+            powers = sum([power > 1 for _, power in monomial])
+            lumps = sum([self.alphabet.extra(atom) for atom, _ in monomial])
+            self.costs[monomial] = len(monomial), powers + lumps
+        letters, more = self.costs[monomial]
+        if coefficient in (1, -1):
+            return max(letters - 1, 0) + more
+        factors = letters - (coefficient.numerator in (1, -1))
+        return max(factors, 0) + more + (coefficient.denominator > 1)
 
     def _parentheses(self, atom: int, turn: SortKey = ()) -> float:
         if self.alphabet.is_trig(atom):

@@ -205,7 +205,7 @@ def times(left: Monomial, right: Monomial) -> Monomial:
 
 def divided(monomial: Monomial, by: Mapping[int, int]) -> Monomial:
     """The quotient by a monomial that divides it, given as atom -> power."""
-    return tuple((atom, left) for atom, power in monomial if (left := power - by.get(atom, 0)))
+    return tuple([(atom, left) for atom, power in monomial if (left := power - by.get(atom, 0))])
 
 
 def put(terms: Terms, monomial: Monomial, coefficient: Rational) -> None:

@@ -48,7 +48,7 @@ class Writing:
         for plan, power in sums:
             expr = self.tree(plan)
             if _all_negative(expr):
-                expr, coefficient = _opposite(expr), coefficient * (-1) ** power
+                expr, coefficient = opposite(expr), coefficient * (-1) ** power
             if power == 1 and isinstance(expr, Product) and isinstance(expr.factors[0], Number):
                 coefficient, expr = coefficient * expr.factors[0].value, multiply(*expr.factors[1:])
             factors.append(Power(expr, number(power)) if power > 1 else expr)
@@ -78,7 +78,7 @@ class Writing:
         decimal = alphabet.style.decimals and terminates(coefficient)
         roots = (sqrt(number(radicand)),) if radicand > 1 else ()  # sqrt(2) sqrt(3) is sqrt(6)
         if coefficient == -1 and len(factors) == 1 and isinstance(factors[0], Sum) and not roots:
-            return _opposite(factors[0])
+            return opposite(factors[0])
         return multiply(Number(Fraction(coefficient), decimal), *roots, *factors)
 
     def _term_key(self, monomial: Monomial) -> SortKey:
@@ -115,9 +115,15 @@ def _all_negative(expr: Expr) -> bool:
     return all(map(is_negative, _terms(expr)))
 
 
-def _opposite(expr: Expr) -> Expr:
-    """With the sign of every term changed, a positive term first."""
-    return _sum(list(map(negate, _terms(expr))))
+def opposite(expr: Expr) -> Expr:
+    """-expr without a minus sign in front where there is another way: b - a, c (b - a)."""
+    if isinstance(expr, Sum):
+        return _sum(list(map(negate, expr.terms)))
+    if isinstance(expr, Product) and not is_negative(expr):
+        for place, factor in enumerate(expr.factors):
+            if isinstance(factor, Sum) and any(map(is_negative, factor.terms)):
+                return multiply(*expr.factors[:place], opposite(factor), *expr.factors[place + 1 :])
+    return negate(expr)
 
 
 def _terms(expr: Expr) -> tuple[Expr, ...]:

@@ -14,6 +14,7 @@ from derive.algebra.normal import Names, normal, normal_matrix
 from derive.algebra.readable import readable, readable_matrix
 from derive.algebra.scalar import Scalar
 from derive.algebra.terms import Style
+from derive.algebra.writing import opposite
 from derive.control.system import System
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
@@ -22,6 +23,7 @@ from derive.kinds.registry import load
 
 TREES = get_args(Expr)
 NAMES = (Symbol, Indexed)
+LONG = 10  # terms
 
 
 @dataclass(frozen=True)
@@ -103,8 +105,16 @@ class Problem:
         if key not in self.written:
             self.terms[value.ring] += len(value.numerator)
             count(len(value.numerator), self.terms.total())
-            self.written[key] = readable(value, self.style)
+            self.written[key] = self._read(value)
         return self.written[key]
+
+    def _read(self, value: Scalar) -> Expr:
+        """A long one whose opposite is written already is not searched for again."""
+        if len(value.numerator) > LONG:
+            known = self.written.get((-value).key())
+            if known is not None:
+                return opposite(known)
+        return readable(value, self.style)
 
     def readable_matrix(self, value: ScalarMatrix) -> Matrix:
         found = Matrix(tuple(tuple(map(self.readable, row)) for row in value.rows))

@@ -1,0 +1,107 @@
+"""The names an answer may use: the problem's own, however written, and c_1, s_{12} for its angles."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from functools import cached_property
+
+from derive.errors import FormulaError
+from derive.expression import Call, Expr, Sum, Symbol
+
+TRIG = {"c": "cos", "s": "sin", "C": "cos", "S": "sin"}
+_GREEK = (
+    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi rho sigma tau upsilon phi chi"
+    " psi omega Gamma Delta Theta Lambda Xi Sigma Upsilon Phi Psi Omega"
+)
+GREEK_NAMES = frozenset(_GREEK.split(" "))
+VARIANTS = {
+    "vartheta": "theta",
+    "varphi": "phi",
+    "varepsilon": "epsilon",
+    "varrho": "rho",
+    "varsigma": "sigma",
+}
+_INDEXED = re.compile(r"([A-Za-z]+)_?(\d+)")
+_STEMS = ("theta", "q")  # which an index alone stands for, before other Greek letters
+
+
+@dataclass(frozen=True)
+class Letters:
+    """The names of a problem and of what is derived in it; `xy` says that Atan2 has x first in its LaTeX."""
+
+    known: frozenset[str]
+    xy: bool = False
+
+    @cached_property
+    def squeezed(self) -> Mapping[str, str]:
+        """Names by their letters and digits alone; one that could be either of two stands for neither."""
+        found: dict[str, str] = {}
+        for name in sorted(self.known):
+            key = squeeze(name)
+            found[key] = "" if key in found else name
+        return found
+
+    @cached_property
+    def joints(self) -> Mapping[str, str]:
+        """The angle an index stands for: theta1 or q1, else the only Greek letter of that index."""
+        found: dict[str, list[str]] = {}
+        for name in self.known:
+            match = _INDEXED.fullmatch(name)
+            if match and (match[1] in _STEMS or match[1] in GREEK_NAMES):
+                found.setdefault(match[2], []).append(name)
+        chosen = {index: _angle(names) for index, names in found.items()}
+        return {index: name for index, name in chosen.items() if name}
+
+    def find(self, name: str) -> str:
+        """The name of the problem that is meant, or an empty text."""
+        if name in self.known:
+            return name
+        key = squeeze(name)
+        return self.squeezed.get(key) or self.squeezed.get(key.replace("omega", "w")) or ""
+
+    def summed(self, indices: Iterable[str]) -> Expr | None:
+        """theta1 + theta2 for 1 and 2; None where there is no such angle."""
+        names = [self.joints.get(index, "") for index in indices]
+        if not names or not all(names):
+            return None
+        angles = tuple(Symbol(name) for name in names)
+        return angles[0] if len(angles) == 1 else Sum(angles)
+
+    def abbreviated(self, name: str) -> Expr | None:
+        """cos(theta1) for c1 and c_1, sin(theta1 + theta2) for s12, cos(phi) for c_phi; None for others."""
+        function, index = TRIG.get(name[:1]), name[1:].lstrip("_")
+        if function is None or not index:
+            return None
+        angle = self.angle(index)
+        return None if angle is None else Call(function, (angle,))
+
+    def angle(self, index: str) -> Expr | None:
+        """What an index stands for: 12 and 1,2 for a sum of joint angles, theta1 for itself."""
+        parts = index.replace("_", ",").split(",")
+        if all(part.isdigit() for part in parts):
+            return self.summed(parts if len(parts) > 1 else index)
+        name = self.find(index)
+        return Symbol(name) if name else None
+
+    def unknown(self, name: str, offset: int) -> FormulaError:
+        """The error for a name that the problem does not have."""
+        close = get_close_matches(name, sorted(self.known), n=1, cutoff=0.5)
+        close = close or [each for each in sorted(self.known) if each.lower() == name.lower()]
+        hint = f"did you mean {close[0]}?" if close else "say what it stands for under where:"
+        return FormulaError(f"the problem has no symbol '{name}'", offset, hint)
+
+
+def squeeze(name: str) -> str:
+    """Letters, digits and ^ only: theta_1 and theta1 are one name."""
+    return re.sub(r"[_,\s]", "", name)
+
+
+def _angle(names: list[str]) -> str:
+    for stem in _STEMS:
+        for name in sorted(names):
+            if name.startswith(stem):
+                return name
+    return names[0] if len(names) == 1 else ""

@@ -1,0 +1,199 @@
+"""The array of Routh entry by entry, as a person fills it in."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from derive.algebra.operations import operations
+from derive.algebra.readable import readable
+from derive.algebra.scalar import Scalar
+from derive.algebra.terms import Style
+from derive.control.rational import Polynomial, written
+from derive.control.routh import Row, leading
+from derive.derivation import Step, Table
+from derive.expression import (
+    ONE,
+    ZERO,
+    Derivative,
+    Expr,
+    Indexed,
+    Matrix,
+    Power,
+    Product,
+    Quotient,
+    Symbol,
+    is_negative,
+    multiply,
+    number,
+    squared,
+    subtract,
+)
+
+S = Symbol("s")
+IN_TABLE = 6  # operations an entry of the table has at most; a longer one is named
+PUT_IN = 30  # operations of a formula with its values put in
+LONG = 60  # operations of a value that is worth printing
+
+
+@dataclass(frozen=True, slots=True)
+class Array:
+    """A polynomial (highest power first) with its rows. `letter` names the entries, `epsilon` the small
+    number, `auxiliary` the polynomials of rows of zeros."""
+
+    polynomial: Polynomial
+    rows: tuple[Row, ...]
+    style: Style
+    letter: str
+    epsilon: str
+    auxiliary: str
+
+    @property
+    def column(self) -> tuple[Scalar, ...]:
+        """The first column where epsilon goes to zero, up to positive factors."""
+        return tuple(leading(row.entries[0], self.epsilon) for row in self.rows)
+
+    @property
+    def mended(self) -> tuple[str, ...]:
+        """Where the rows are from that had to be mended: "derivative", "epsilon"."""
+        return tuple(row.origin for row in self.rows if row.origin in ("derivative", "epsilon"))
+
+    def name(self, i: int, j: int) -> Symbol | Indexed:
+        """r_ij, counted from 1."""
+        if max(i, j) < 10:
+            return Symbol(f"{self.letter}_{i}{j}")
+        return Indexed(self.letter, (number(i), number(j)))
+
+    def polynomial_name(self, i: int) -> Symbol:
+        """The polynomial of the row above the i-th, which is zero."""
+        return Symbol(f"{self.auxiliary}_{i - 1}")
+
+    def value(self, i: int, j: int) -> Expr:
+        """An entry as it is shortest: by its formula with the values put in, or multiplied out."""
+        found = _tree(self.rows[i - 1].entries[j - 1], self.style)
+        if i < 3 or operations(found) <= IN_TABLE or self.rows[i - 1].origin != "formula":
+            return found
+        filled = _filled(self, i, j)
+        return found if filled is None or operations(found) <= operations(filled) else filled
+
+    @property
+    def matrix(self) -> Matrix:
+        """Every entry, zeros where a row has ended."""
+        width = range(1, len(self.rows[0].entries) + 1)
+        return Matrix(tuple(tuple(self.value(i, j) for j in width) for i in range(1, len(self.rows) + 1)))
+
+    @property
+    def definitions(self) -> dict[Expr, Expr]:
+        """What the names of entries and of auxiliary polynomials stand for."""
+        places = [(i, j) for i, row in enumerate(self.rows, 1) for j in range(1, len(row.entries) + 1)]
+        found: dict[Expr, Expr] = {self.name(i, j): self.value(i, j) for i, j in places}
+        for i, row in enumerate(self.rows, 1):
+            if row.origin == "derivative":
+                found[self.polynomial_name(i)] = written(self.rows[i - 2].polynomial, self.style)
+        return found
+
+    @property
+    def table(self) -> Table:
+        """As it is written down: short entries as they are, long ones by name."""
+        width = len(self.rows[0].entries)
+        heads = [Indexed(self.letter, (Symbol("i"), number(j))) for j in range(1, width + 1)]
+        rows = tuple((str(i), _power(row.power), *self._cells(i, row)) for i, row in enumerate(self.rows, 1))
+        return Table((Symbol("i"), "", *heads), rows)
+
+    def _cells(self, i: int, row: Row) -> Iterator[Expr | str]:
+        for j in range(1, len(row.entries) + 1):
+            value = self.value(i, j)
+            if j > row.power // 2 + 1:
+                yield ""
+            else:
+                yield value if operations(value) <= IN_TABLE else self.name(i, j)
+
+
+def entry_steps(array: Array) -> Iterator[Step]:
+    """A step for each entry that is computed, and those of the rows that are zero."""
+    for i, row in enumerate(array.rows, 1):
+        if i > 2 and row.origin != "derivative":
+            yield from _computed(array, i, row)
+        if row.origin == "derivative":
+            yield from _auxiliary(array, i, row)
+
+
+def _computed(array: Array, i: int, row: Row) -> Iterator[Step]:
+    for j in range(1, row.power // 2 + 2):
+        name, formula, value = array.name(i, j), _formula(array, i, j), array.value(i, j)
+        if j == 1 and row.origin == "epsilon":
+            yield Step(f"zero_{i}", (*_worked(array, i, j, formula), ZERO), "epsilon", {"row": i})
+            continue
+        chain = (name, *_worked(array, i, j, formula))
+        if operations(value) <= LONG and value != chain[-1]:
+            chain = (*chain, value)
+        yield Step(f"entry_{i}_{j}", chain, "entry", {"row": i})
+
+
+def _worked(array: Array, i: int, j: int, formula: Expr) -> tuple[Expr, ...]:
+    """The formula in names, then with values where that can be read."""
+    filled = _filled(array, i, j)
+    return (formula,) if filled is None or operations(filled) > PUT_IN else (formula, filled)
+
+
+def _filled(array: Array, i: int, j: int) -> Expr | None:
+    """The formula with values; None where it is another entry as it stands."""
+    above, below = array.rows[i - 3].entries, array.rows[i - 2].entries
+    if j >= len(below) or not below[j]:
+        return None
+    pivot, beside = array.value(i - 1, 1), array.value(i - 1, j + 1)
+    last, other = array.value(i - 2, 1), array.value(i - 2, j + 1) if above[j] else ZERO
+    inside = subtract(_times(pivot, other), _times(last, beside))
+    return inside if pivot == ONE else Quotient(inside, pivot)
+
+
+def _formula(array: Array, i: int, j: int) -> Expr:
+    """The law of the array in names of entries; where the last term is zero, what is left."""
+    width = len(array.rows[0].entries)
+    below = array.rows[i - 2].entries
+    if j >= width:
+        return ZERO
+    if not below[j]:
+        return array.name(i - 2, j + 1)
+    pivot = array.name(i - 1, 1)
+    return Quotient(
+        subtract(
+            Product((pivot, array.name(i - 2, j + 1))),
+            Product((array.name(i - 2, 1), array.name(i - 1, j + 1))),
+        ),
+        pivot,
+    )
+
+
+def _auxiliary(array: Array, i: int, row: Row) -> Iterator[Step]:
+    """The polynomial of the row above a row of zeros, and its derivative, which fills it."""
+    name = array.polynomial_name(i)
+    above = written(array.rows[i - 2].polynomial, array.style)
+    facts = {"row": i, "above": i - 1, "name": name, "at_origin": len(_powers(array.rows[i - 2])) == 1}
+    yield Step(f"auxiliary_{i}", (name, above), "auxiliary", facts)
+    slope = written(row.polynomial, array.style)
+    yield Step(f"derivative_{i}", (Derivative(name, S), slope), "derivative", {"row": i})
+
+
+def _powers(row: Row) -> list[int]:
+    """Of the terms its polynomial has."""
+    return [place for place, entry in enumerate(row.polynomial) if entry]
+
+
+def _times(left: Expr, right: Expr) -> Expr:
+    """A product of values, factors of the one before those of the other."""
+    if left == right and left != ONE:
+        return squared(left)
+    parts = (
+        each.factors if isinstance(each, Product) and not is_negative(each) else (each,)
+        for each in (left, right)
+    )
+    return multiply(*(factor for part in parts for factor in part))
+
+
+def _tree(value: Scalar | int, style: Style) -> Expr:
+    return readable(Scalar.of(value), style) if value else ZERO
+
+
+def _power(power: int) -> Expr:
+    return ONE if power == 0 else multiply(S) if power == 1 else Power(S, number(power))
