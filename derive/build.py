@@ -50,19 +50,20 @@ def build(
 
 def load_all(paths: Sequence[Path], progress: Progress) -> list[Sheet]:
     """Every sheet. Raises SheetErrors with the faults of all of them."""
-    return _each(paths, load_sheet, lambda path: progress(f"reading {path.name}"))
+    return each(paths, load_sheet, lambda path: progress(f"reading {path.name}"))
 
 
 def derive_all(sheets: Sequence[Sheet], solutions: bool, progress: Progress) -> list[Document]:
     """A document for every sheet, each answer derived and verified. Raises SheetErrors."""
-    return _each(
+    return each(
         sheets,
         lambda sheet: assemble(sheet, solutions),
         lambda sheet: progress(f"deriving {sheet.path.stem}"),
     )
 
 
-def _each(items: Sequence[Any], work: Callable[[Any], Any], say: Callable[[Any], None]) -> list[Any]:
+def each(items: Sequence[Any], work: Callable[[Any], Any], say: Callable[[Any], None]) -> list[Any]:
+    """Work done on every item. Raises SheetErrors with the faults of all of them."""
     done: list[Any] = []
     faults: list[SheetError] = []
     for item in items:
@@ -79,7 +80,7 @@ def _each(items: Sequence[Any], work: Callable[[Any], Any], say: Callable[[Any],
 def assemble(sheet: Sheet, solutions: bool = True) -> Document:
     """The sheet with its answers, ready to be printed. Raises SheetErrors where there is no answer."""
     folder = _name(sheet, solutions)
-    pages = _each(sheet.problems, lambda problem: _page(sheet, problem, folder, solutions), lambda _: None)
+    pages = each(sheet.problems, lambda problem: _page(sheet, problem, folder, solutions), lambda _: None)
     return Document(
         title=sheet.title,
         problems=tuple(pages),
@@ -93,12 +94,15 @@ def assemble(sheet: Sheet, solutions: bool = True) -> Document:
     )
 
 
-def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool) -> ProblemPage:
+def working_on(problem: Problem) -> Working:
+    """The problem as its kinds see it, with all that is asked about it."""
     here = tuple((question.find, question.options) for question in problem.questions)
-    working = Working(
-        problem.subject_name, problem.subject, problem.where, problem.assumptions, questions=here
-    )
-    answers = _each(problem.questions, lambda question: _answer(question, working), lambda _: None)
+    return Working(problem.subject_name, problem.subject, problem.where, problem.assumptions, questions=here)
+
+
+def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool) -> ProblemPage:
+    working = working_on(problem)
+    answers = each(problem.questions, lambda question: answered(question, working), lambda _: None)
     asked = [answer for answer in answers if solutions]
     printed: list[Derivation] = []
     questions = []
@@ -139,7 +143,8 @@ def _notation(sheet: Sheet) -> Notation:
     return Notation(sheet.notation.atan2, sheet.notation.trig, sheet.notation.digits)
 
 
-def _answer(question: Question, working: Working) -> Derivation:
+def answered(question: Question, working: Working) -> Derivation:
+    """The answer to a question, verified. Raises SheetErrors where there is none, or a claim fails."""
     try:
         derivation = working.answer(question.find, question.options)
     except NotDerivable as error:

@@ -121,6 +121,27 @@ def _build(
             say(str(page))
 
 
+@main.command()
+@click.argument(
+    "sheets", nargs=-1, required=True, callback=_sheets, type=click.Path(exists=True, path_type=Path)
+)
+@click.option("--format", "style", type=click.Choice(["text", "json"]), default="text", show_default=True)
+def check(sheets: tuple[Path, ...], style: str) -> None:
+    """Compare published answers (answer: in a sheet) with derived ones. A directory stands for its sheets.
+
+    The exit status is 1 where an answer differs or cannot be decided.
+    """
+    from derive.check import check as check_sheets
+
+    with guarded(), progress() as step:
+        checks = check_sheets(sheets, step, warn)
+    from derive.answers.telling import as_json, as_text
+
+    click.echo(as_json(checks) if style == "json" else as_text(checks))
+    if any(each.verdict != "equal" for each in checks):
+        raise click.exceptions.Exit(1)
+
+
 @main.command(short_help="Say what can be asked, or all about one kind.")
 @click.argument("kind", required=False)
 @click.option("--format", "style", type=click.Choice(["text", "markdown"]), default="text", show_default=True)

@@ -93,8 +93,8 @@ class Nesting:
         return self.product(shared, number, ((way(divided_by(terms, shared, number)), 1),))
 
     def _taken_out(self, terms: Terms, shared: Monomial, number: Rational) -> list[Plan]:
-        """shared * (...), with the greatest common number in front and with it left inside."""
-        numbers = {number, 1} if shared else {number}
+        """shared * (...), with the greatest common number in front; a fraction may stay inside as well."""
+        numbers = {number, 1} if shared and number.denominator > 1 else {number}
         return [
             self.product(shared, n, ((self.plan(divided_by(terms, shared, n)), 1),)) for n in sorted(numbers)
         ]

@@ -1,4 +1,4 @@
-"""Solutions compared as sets: each published one proved equal to a derived one, or not among them anywhere."""
+"""Solutions compared as sets: a published one is proved equal to a derived one, or none of them."""
 
 from __future__ import annotations
 
@@ -90,12 +90,12 @@ class Sets:
                 continue
             compared += 1
             for k in left:
-                if theirs[k] is None or not any(self._same(theirs[k], other) for other in ours):
+                if theirs[k] and not any(self._same(theirs[k], other) for other in ours):
                     found.setdefault(k, Finding("differs", point, _first(theirs[k], ours)))
             for j in spare:
-                if ours[j] and not _is_special(self.derived[j]):
-                    if not any(self._same(other, ours[j]) for other in theirs):
-                        found.setdefault(-1 - j, Finding("differs", point))
+                known = ours[j] and not _is_special(self.derived[j])
+                if known and not any(self._same(other, ours[j]) for other in theirs):
+                    found.setdefault(-1 - j, Finding("differs", point))
             if compared == ENOUGH:
                 break
         return found
@@ -144,14 +144,13 @@ class Sets:
         return ""
 
     def _missing(self, spare: Sequence[int], judged: Mapping[int, Finding]) -> list[Paired]:
-        if len(self.published) >= len([s for s in self.derived if not _is_special(s)]):
-            return []
         absent = [j for j in spare if -1 - j in judged]
-        return [Paired(None, self.derived[j], judged[-1 - j], ABSENT) for j in absent]
+        wrong = sum(k >= 0 and finding.verdict == "differs" for k, finding in judged.items())
+        return [Paired(None, self.derived[j], judged[-1 - j], ABSENT) for j in absent[wrong:]]
 
 
 def angles_among(solutions: Iterable[Solution], known: frozenset[str]) -> frozenset[str]:
-    """The unknowns that are angles: `known` ones, and those with an inverse function or pi in their values."""
+    """The unknowns that are angles: `known` ones, and those with pi or an inverse function in a value."""
     found = set(known)
     for solution in solutions:
         found |= {name for name, value in solution.items() if any(map(_is_angular, walk(value)))}
@@ -169,7 +168,7 @@ def _is_angular(node: Expr) -> bool:
 
 def _is_special(solution: Solution) -> bool:
     """Whether it leaves an unknown free, as at a singularity; nobody has to publish that."""
-    return any(Symbol(name) in walk(value) for value in solution.values() for name in solution)
+    return any(Symbol(name) in walk(value) for name, value in solution.items())
 
 
 def _definitions(solution: Solution) -> dict[Expr, Expr]:

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import partial
 from itertools import islice
 
 from flint import arb
@@ -197,13 +198,13 @@ def _renamed(published: Expr, names: frozenset[str]) -> Iterator[Expr]:
         for other in sorted(names):
             if other != name and _kind(other) == _kind(name):
                 yield _renamed_everywhere(published, name, other)
-                yield from _each(published, lambda node, a=name, b=other: _one_renamed(node, a, b))
+                yield from _each(published, partial(_one_renamed, name=name, other=other))
     angles = sorted({node for node in walk(published) if isinstance(node, Call)}, key=repr)
     arguments = {angle for call in angles if call.function in SWAPPED for angle in call.arguments}
     choices = [*arguments, *(Symbol(name) for name in sorted(names) if name[-1:].isdigit())]
     choices += [Sum((*_parts(a), Symbol(b))) for a in arguments for b in sorted(names) if b[-1:].isdigit()]
     for choice in sorted(choices, key=repr):
-        yield from _each(published, lambda node, angle=choice: _other_angle(node, angle))
+        yield from _each(published, partial(_other_angle, angle=choice))
 
 
 def _parts(angle: Expr) -> tuple[Expr, ...]:

@@ -32,7 +32,8 @@ class Reader:
         if not isinstance(typed, list):
             return self.formula(typed, route)
         if not typed:
-            return self.fault("this list is empty", route)
+            self.fault("this list is empty", route)
+            return None
         if isinstance(typed[0], list):
             return self.rows(typed, route)
         entries = [self.scalar(entry, (*route, k)) for k, entry in enumerate(typed[:MAX_ENTRIES])]
@@ -41,9 +42,11 @@ class Reader:
     def rows(self, typed: list[Any], route: Route) -> Expr | None:
         for k, row in enumerate(typed):
             if not isinstance(row, list) or len(row) != len(typed[0]) or not row:
-                return self.fault("the rows of this matrix are not equally long", (*route, k))
+                self.fault("the rows of this matrix are not equally long", (*route, k))
+                return None
         if len(typed) * len(typed[0]) > MAX_ENTRIES:
-            return self.fault(f"an answer has at most {MAX_ENTRIES} entries", route)
+            self.fault(f"an answer has at most {MAX_ENTRIES} entries", route)
+            return None
         found = [[self.scalar(e, (*route, i, j)) for j, e in enumerate(row)] for i, row in enumerate(typed)]
         rows = tuple(tuple(entry for entry in row if entry is not None) for row in found)
         return Matrix(rows) if all(len(row) == len(typed[0]) for row in rows) else None
@@ -52,19 +55,23 @@ class Reader:
         """One entry of a list."""
         found = self.formula(typed, route)
         if isinstance(found, Matrix):
-            return self.fault("a matrix cannot be an entry of a list", route)
+            self.fault("a matrix cannot be an entry of a list", route)
+            return None
         return found
 
     def formula(self, typed: Any, route: Route) -> Expr | None:
         """What one text stands for."""
         if typed is None:
-            return self.fault("an answer is missing", route)
+            self.fault("an answer is missing", route)
+            return None
         if not isinstance(typed, str):
-            return self.fault("a formula is wanted here", route)
+            self.fault("a formula is wanted here", route)
+            return None
         try:
             return read_text(typed, self.letters)
         except FormulaError as error:
-            return self.fault(error.message, route, error.hint, error.offset)
+            self.fault(error.message, route, error.hint, error.offset)
+            return None
 
     def fault(self, message: str, route: Route, hint: str = "", offset: int = 0) -> None:
         self.faults.append(SheetError(message, self.locate(route, offset), hint))

@@ -48,7 +48,7 @@ def conditions(column: Sequence[Scalar], positive: Collection[str]) -> tuple[Sca
         left = known.reduced(simplest)
         found.append(simplest if left.constant is not None else left)
         known.learn(left)
-    return tuple(_strongest(found))
+    return tuple(_strongest(found, _assumed(found, positive)))
 
 
 def _plain(value: Scalar, known: _Known) -> Scalar:
@@ -117,9 +117,24 @@ def _size(value: Scalar) -> tuple[int, int]:
 # -- conditions on one symbol -------------------------------------------------------------------------
 
 
-def _strongest(found: list[Scalar]) -> Iterator[Scalar]:
+def is_impossible(found: Sequence[Scalar], positive: Collection[str]) -> bool:
+    """Whether a condition cannot hold: as a number, or beside the others on the same symbol."""
+    bounds = [*_bounds(found), *_assumed(found, positive)]
+    return any(is_never(each) or _follows(-each, bounds) for each in found)
+
+
+def _assumed(found: Sequence[Scalar], positive: Collection[str]) -> list[Bound]:
+    names = {name for each in found for name in each.generators()}
+    return [(name, 1, Fraction(0)) for name in sorted(names & set(positive))]
+
+
+def _bounds(found: Sequence[Scalar]) -> list[Bound]:
+    return [bound for each in found if (bound := _bound(each)) is not None]
+
+
+def _strongest(found: list[Scalar], assumed: list[Bound]) -> Iterator[Scalar]:
     """Without what the bounds of a symbol imply: wider bounds, and polynomials in it."""
-    bounds = [bound for each in found if (bound := _bound(each)) is not None]
+    bounds = [*_bounds(found), *assumed]
     for each in found:
         bound = _bound(each)
         implied = _follows(each, bounds) if bound is None else any(_implies(other, bound) for other in bounds)
@@ -148,9 +163,9 @@ def _numbers(condition: Scalar) -> list[Fraction] | None:
 def _follows(condition: Scalar, bounds: Sequence[Bound]) -> bool:
     """Whether a polynomial in one symbol is positive all between the bounds of this symbol."""
     numbers = _numbers(condition)
-    own = [bound for bound in bounds if bound[0] in condition.generators()]
-    if numbers is None or not own:
+    if numbers is None:
         return False
+    own = [bound for bound in bounds if bound[0] in condition.generators()]
     low = max((number for _, sign, number in own if sign > 0), default=None)
     high = min((number for _, sign, number in own if sign < 0), default=None)
     inside = _between(low, high)

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal, TypeAlias
 
 from derive.algebra.polynomials import coefficients, numerator
@@ -57,7 +58,7 @@ def leading(entry: Scalar, epsilon: str) -> Scalar:
 
 def sign_changes(signs: Sequence[float]) -> int:
     """How often a first column changes its sign."""
-    return sum(a * b < 0 for a, b in zip(signs, signs[1:], strict=False))
+    return sum(a * b < 0 for a, b in pairwise(signs))
 
 
 def _padded(entries: Sequence[Scalar], width: int) -> tuple[Scalar, ...]:

@@ -36,9 +36,13 @@ def _question(question: QuestionPage) -> dict[str, Any]:
 
 
 def _derivation(derivation: Derivation) -> dict[str, Any]:
-    results = {
-        name: plain(result, name in derivation.matrices) for name, result in derivation.results.items()
-    }
+    results: dict[str, Plain] = {}
+    written: dict[tuple[int, bool], Plain] = {}  # c_121 and c_211 are one tree
+    for name, result in derivation.results.items():
+        key = id(result), name in derivation.matrices
+        if key not in written:
+            written[key] = plain(result, name in derivation.matrices)
+        results[name] = written[key]
     evaluated = {"evaluated": dict(derivation.evaluated)} if derivation.evaluated else {}
     return {"results": results, **evaluated}
 

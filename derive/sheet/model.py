@@ -10,6 +10,7 @@ from typing import Any, Literal
 
 from derive.errors import Place, SheetError
 from derive.expression import Expr
+from derive.sheet.source import At
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +27,7 @@ class Question:
     """What is asked. `kind` is the module that answers, `options` its own frozen model.
 
     `evaluate` is the point to evaluate at, empty where nothing is left to give, None where no numbers
-    are asked. `answer` is the published answer as typed. `place` is where `find` stands.
+    are asked. `answer` is the published answer as typed, `answer_at` where. `place` is where `find` stands.
     """
 
     number: int
@@ -39,6 +40,7 @@ class Question:
     hint: str = ""
     evaluate: Mapping[str, Expr] | None = None
     answer: Mapping[str, Any] | None = None
+    answer_at: At | None = None
 
 
 @dataclass(frozen=True, slots=True)

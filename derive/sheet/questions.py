@@ -75,8 +75,9 @@ def _read(
     text = given.text if isinstance(given, GivenQuestion) else ""
     place = at.place(("find",))
     return Question(
-        number, given.find, kind, options, place, text, given.marks, given.hint, evaluate, given.answer
-    )
+        number, given.find, kind, options, place, text, given.marks, given.hint, evaluate, given.answer,
+        at / "answer",
+    )  # fmt: skip
 
 
 def _kind(at: At, data: dict[str, Any], subject: str) -> ModuleType | None:

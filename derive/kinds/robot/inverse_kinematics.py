@@ -48,3 +48,11 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     from derive.kinds.robot._inverse import general
 
     return general.derive(chain, options, problem)
+
+
+def reached(options: Options, problem: Problem, count: int) -> tuple[dict[str, float], ...]:
+    """Points at which what is given is the place of the end-effector: joint variables, lengths, and that."""
+    from derive.kinds.robot._inverse.general import goal_of, sample_points
+
+    chain = chain_of(problem)
+    return sample_points(chain, goal_of(options.given, chain, problem), problem, count)

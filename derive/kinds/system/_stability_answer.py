@@ -1,0 +1,137 @@
+"""The characteristic polynomial of a system or its loop, its array, and what must hold for stability."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from derive.algebra.numeric import scalar_number
+from derive.algebra.scalar import Scalar
+from derive.control.controllers import Controller
+from derive.control.hidden import hidden
+from derive.control.hurwitz import Condition, conditions, written
+from derive.control.rational import Polynomial, Rational, shared, times
+from derive.control.rational import written as collected
+from derive.control.roots import roots
+from derive.control.routh import routh, sign_changes
+from derive.derivation import Derivation
+from derive.errors import NotDerivable
+from derive.expression import (
+    Expr,
+    Product,
+    Sum,
+    add,
+    free_symbols,
+    multiply,
+)
+from derive.kinds.evaluation import Place
+from derive.kinds.problem import Problem
+from derive.kinds.system._plant import (
+    Plant,
+    asked,
+    plant,
+)
+from derive.kinds.system._routh_steps import Array
+from derive.kinds.system.closed_loop import closed
+
+MOST_SYMBOLIC, MOST = 8, 24  # degrees that are looked at, with symbols and without
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """`whole` is the characteristic polynomial as it is found, `final` with `where` replaced; the array is
+    that of `final` without `factor`, which has no s in it."""
+
+    plant: Plant
+    base: Derivation
+    found: tuple[Expr, ...]  # how the characteristic polynomial comes about
+    hidden: Polynomial  # its factor that the transfer function does not show
+    whole: Polynomial
+    final: Polynomial
+    factor: Scalar
+    array: Array
+    conditions: tuple[Scalar, ...]
+    positive: frozenset[str]
+
+    @property
+    def symbols(self) -> list[str]:
+        return sorted({name for k in self.array.polynomial if k for name in k.generators()} - {"pi"})
+
+    @property
+    def written(self) -> tuple[Condition, ...]:
+        return tuple(written(each, self.plant.style) for each in self.conditions)
+
+    @property
+    def changes(self) -> int:
+        """Sign changes of a first column in numbers."""
+        return sign_changes([scalar_number(entry, {}) for entry in self.array.column])
+
+
+def answered(problem: Problem, controller: Controller | None, point: Place | None) -> Answer:
+    """Raises NotDerivable where there are no poles, or too many."""
+    base, solved, found, shown, beside = _characteristic(problem, controller, point)
+    whole = times(beside, shown)
+    if len(beside) > 1:
+        found = (Product((collected(beside, solved.style), collected(shown, solved.style))),)
+    final = Rational((), whole).at(problem.names).den
+    if len(final) < 2:
+        raise NotDerivable("there are no poles, for the denominator has no s in it: nothing can be unstable")
+    factor = shared(final) if any(k.constant is None for k in final if k) else Scalar.of(1)
+    polynomial = tuple(k / factor for k in final)
+    names = {name for k in polynomial if k for name in k.generators()}
+    most = MOST_SYMBOLIC if names else MOST
+    if len(polynomial) - 1 > most:
+        raise NotDerivable(f"the array is filled in up to degree {most}; this one has {len(polynomial) - 1}")
+    positive = frozenset(name for name, what in problem.assumptions.items() if what == "positive")
+    array = _array(polynomial, solved, controller)
+    column = [*array.column, *([Scalar.of(0)] if array.mended else [])]
+    needed = conditions(column, positive)
+    answer = Answer(solved, base, found, beside, whole, final, factor, array, needed, positive)
+    if not names and "epsilon" in array.mended and answer.changes != right_of_axis(roots(polynomial)):
+        raise NotDerivable(
+            "a zero in the first column hides roots that lie symmetric to the origin; divide them out first, "
+            "for the method of the small number does not count these"
+        )
+    return answer
+
+
+def _characteristic(
+    problem: Problem, controller: Controller | None, point: Place | None
+) -> tuple[Derivation, Plant, tuple[Expr, ...], Polynomial, Polynomial]:
+    """The derivation this rests on, the plant, how the polynomial comes about, the denominator of the
+    transfer function with everything in it, and what the equations have besides."""
+    if controller is None:
+        solved = plant(problem, None, point)
+        beside = hidden(solved.system, solved.rational.den, solved.decimals)
+        return asked(problem, "transfer-function", source=None), solved, (), solved.rational.den, beside
+    loop = closed(problem, controller, point)
+    solved = loop.plant
+    C, G = loop.loop.controller, loop.loop.plant
+    parts = [(C.den, G.den), (C.num, G.num)]
+    products = [multiply(*(collected(side, solved.style) for side in pair)) for pair in parts]
+    terms = (term for each in products for term in (each.terms if isinstance(each, Sum) else (each,)))
+    base = asked(problem, "closed-loop", controller=controller)
+    beside = hidden(solved.system, G.den, solved.decimals)
+    return base, solved, (add(*terms),), loop.transfer.den, beside
+
+
+def _array(polynomial: Polynomial, solved: Plant, controller: Controller | None) -> Array:
+    sides = [side for equation in solved.system.equations for side in (equation.left, equation.right)]
+    sides += [*solved.problem.where.values(), *(controller.gains if controller else ())]
+    taken = frozenset[str]().union(*map(free_symbols, sides)) | set(solved.problem.where)
+    epsilon = free_name(("epsilon", "delta", "eta"), taken)
+    letter = _free_letter(("r", "q", "w"), taken)
+    auxiliary = _free_letter(("A", "P", "Q"), taken)
+    return Array(polynomial, routh(polynomial, epsilon), solved.style, letter, epsilon, auxiliary)
+
+
+def free_name(names: tuple[str, ...], taken: frozenset[str]) -> str:
+    return next((name for name in names if name not in taken), names[0] + "_0")
+
+
+def _free_letter(letters: tuple[str, ...], taken: frozenset[str]) -> str:
+    """One that no name with an index begins with."""
+    return free_name(letters, frozenset(name[0] for name in taken if name[1:].strip("_").isdigit()))
+
+
+def right_of_axis(found: tuple[complex, ...]) -> int:
+    return sum(each.real > 0 for each in found)

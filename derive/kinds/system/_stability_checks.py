@@ -1,0 +1,99 @@
+"""What an answer about stability is held to: the roots themselves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from derive.algebra.numeric import number as value_of
+from derive.algebra.numeric import scalar_number
+from derive.algebra.polynomials import numerator
+from derive.algebra.scalar import Scalar
+from derive.control.axis import points, roots_at
+from derive.control.hurwitz import Condition
+from derive.control.roots import roots
+from derive.control.routh import remainder, sign_changes
+from derive.derivation import Claim
+from derive.kinds.checks import SECOND_ROUTE, law
+from derive.kinds.system._plant import (
+    verdict,
+)
+from derive.kinds.system._stability_answer import Answer, right_of_axis
+from derive.kinds.system._stability_limit import (
+    frequency_squared,
+    is_marginal,
+    possible,
+)
+
+POINTS = 40
+
+
+def claims_of(answer: Answer) -> Iterator[Claim]:
+    array = answer.array
+    if "epsilon" not in array.mended:
+        for i, row in enumerate(array.rows, 1):
+            if row.origin == "derivative":
+                left = remainder(array.polynomial, array.rows[i - 2].polynomial)
+                yield law(
+                    f"the polynomial of row {i - 1} divides the characteristic polynomial", not any(left)
+                )
+    if frequency_squared(answer) is not None:
+        yield law("where the row of s vanishes, that of s^2 divides the polynomial", _divides(answer))
+    if not answer.symbols:
+        right = right_of_axis(roots(array.polynomial))
+        yield Claim(
+            "sign changes of the first column: roots on the right", SECOND_ROUTE, answer.changes == right
+        )
+    yield from _at_random(answer)
+
+
+def _divides(answer: Answer) -> bool:
+    """The remainder after the row of s^2 holds the entry of the row of s as a factor."""
+    array = answer.array
+    entry = numerator(array.rows[-2].entries[0])
+    return all(
+        not left or _is_free(left / entry, entry)
+        for left in remainder(array.polynomial, array.rows[-3].polynomial)
+    )
+
+
+def _is_free(value: Scalar, entry: Scalar) -> bool:
+    """Whether nothing of the entry is left in the denominator."""
+    if value.denominator is None:
+        return True
+    below = Scalar(value.ring, value.denominator)
+    both = below + entry
+    common = below.into(both.ring).numerator.gcd(entry.into(both.ring).numerator)
+    return bool(common.is_constant())
+
+
+def _at_random(answer: Answer) -> Iterator[Claim]:
+    """Conditions and sign changes against the roots themselves."""
+    array, stable, right, marginal = answer.array, True, True, True
+    for point in points(answer.symbols, answer.positive, POINTS if answer.symbols else 1):
+        found = roots_at(array.polynomial, point)
+        if not found:
+            continue
+        lies_left = all(each.real < 0 for each in found)
+        stable = stable and lies_left == all(holds(each, point) for each in answer.written)
+        on_axis = verdict(found) in ("integrator", "oscillator")
+        marginal = marginal and on_axis == all(holds(each, point) for each in possible(answer))
+        signs = _signs_at(answer, point)
+        right = right and (signs is None or sign_changes(signs) == right_of_axis(found))
+    yield Claim("the conditions hold exactly where all roots lie left", SECOND_ROUTE, stable)
+    if answer.symbols and is_marginal(answer):
+        yield Claim("the others hold exactly where it is marginally stable", SECOND_ROUTE, marginal)
+    if answer.symbols and "epsilon" not in array.mended:
+        yield Claim("sign changes at random values: roots on the right", SECOND_ROUTE, right)
+
+
+def _signs_at(answer: Answer, point: Mapping[str, float]) -> list[float] | None:
+    """The first column; None where it vanishes there."""
+    try:
+        signs = [scalar_number(entry, point) if entry else 0.0 for entry in answer.array.column]
+    except ZeroDivisionError:
+        return None
+    return signs if all(signs) else None
+
+
+def holds(condition: Condition, point: Mapping[str, float]) -> bool:
+    return condition.holds(value_of(condition.left, point), value_of(condition.right, point))

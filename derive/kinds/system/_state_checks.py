@@ -1,0 +1,86 @@
+"""What matrices of a state space are held to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal
+from derive.algebra.numeric import matrix_numbers, scalar_number
+from derive.algebra.scalar import Scalar
+from derive.control.drawing import parameters
+from derive.control.laplace import Numeric, is_close
+from derive.control.rational import scalar
+from derive.control.routh import remainder
+from derive.control.signals import signals
+from derive.control.system import System
+from derive.derivation import Claim
+from derive.expression import (
+    Symbol,
+)
+from derive.kinds.checks import SECOND_ROUTE, law, random_points
+from derive.kinds.system._states import MATRICES, Answer
+
+POINTS = 3
+
+
+def claims_of(answer: Answer) -> Iterator[Claim]:
+    space, n = answer.space, len(answer.state)
+    s, x = Scalar.symbol("s"), ScalarMatrix.column(_responses(answer))
+    moving = ScalarMatrix.identity(n).scaled(s) - space.A
+    yield law("(s 1 - A) x = B u, with x by the equations in s", moving @ x == space.B)
+    G = answer.transfer.value
+    yield law("C (s 1 - A)^-1 B + D = G", (space.C @ x)[0, 0] + space.D[0, 0] == G)
+    characteristic = characteristic_of(space.A)
+    left = remainder(characteristic, answer.transfer.den)
+    yield law("the denominator of G divides det(s 1 - A): its poles are eigenvalues", not any(left))
+    points = tuple(random_points(_parameters(answer.plant.system), POINTS))
+    holds = all(_has_eigenvalues(space.A, characteristic, point) for point in points)
+    yield Claim("det(s 1 - A) by its eigenvalues in numbers", SECOND_ROUTE, holds)
+    holds = all(_gains_agree(answer, point, complex(0.3 + k, 1.1)) for k, point in enumerate(points))
+    yield Claim("the matrices make up the equations solved in complex numbers", SECOND_ROUTE, holds)
+
+
+def _parameters(system: System) -> list[str]:
+    """The names in the equations that are no signals."""
+    return sorted(parameters(system) - {signal.name for signal in signals(system)} - {"s", "pi"})
+
+
+def _has_eigenvalues(A: ScalarMatrix, characteristic: Sequence[Scalar], point: Mapping[str, float]) -> bool:
+    import numpy
+
+    other = numpy.poly(numpy.array(matrix_numbers(A, point)))
+    ours = [scalar_number(k, point) if k else 0.0 for k in characteristic]
+    return bool(numpy.allclose(other, ours, rtol=1e-8, atol=1e-8 * max(map(abs, ours))))
+
+
+def _gains_agree(answer: Answer, point: Mapping[str, float], s: complex) -> bool:
+    """C (s 1 - A)^-1 B + D in numbers against the equations as typed."""
+    import numpy
+
+    A, B, C, D = (numpy.array(matrix_numbers(answer.matrix(name), point)) for name in MATRICES)
+    ours = complex((C @ numpy.linalg.solve(s * numpy.eye(len(A)) - A, B) + D)[0, 0])
+    system = answer.plant.system
+    return is_close(ours, Numeric.of(system, system.input, point).gain(s))
+
+
+def _responses(answer: Answer) -> list[Scalar]:
+    """Every state over the input, as functions of s: by the elimination, not by the matrices."""
+    s = Scalar.symbol("s")
+    if not answer.is_physical:
+        below = scalar(answer.transfer.den) / answer.transfer.den[0]
+        return [s**k / below for k in range(len(answer.state))]
+    values, drive = answer.plant.solution.values, Scalar.symbol(answer.plant.system.input.name)
+    return [normal(Symbol(name), values) / drive * s**order for name, order in answer.space.states]
+
+
+def characteristic_of(A: ScalarMatrix) -> tuple[Scalar, ...]:
+    """det(s 1 - A) by Faddeev and Le Verrier, highest power first."""
+    n = A.shape[0]
+    found, power = [Scalar.of(1)], ScalarMatrix.identity(n)
+    for k in range(1, n + 1):
+        product = A @ power
+        trace = sum((product[i, i] for i in range(n)), Scalar.of(0))
+        found.append(-trace / k)
+        power = product + ScalarMatrix.identity(n).scaled(found[-1])
+    return tuple(found)

@@ -1,0 +1,205 @@
+"""The equations of a system as dx/dt = A x + B u, y = C x + D u."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal_matrix
+from derive.algebra.numeric import matrix_numbers
+from derive.algebra.readable import readable, readable_matrix
+from derive.control.elimination import without
+from derive.control.hidden import hidden
+from derive.control.rational import Rational
+from derive.control.rational import written as collected
+from derive.control.roots import as_json, roots
+from derive.control.states import ORDERS, Law
+from derive.control.states import written as written_form
+from derive.control.system import System
+from derive.derivation import Derivation, Step
+from derive.errors import NotDerivable
+from derive.expression import (
+    Expr,
+    Product,
+    Quotient,
+    Symbol,
+    add,
+    column,
+    multiply,
+)
+from derive.kinds.checks import links
+from derive.kinds.evaluation import Evaluation
+from derive.kinds.fields import OptionsModel
+from derive.kinds.problem import Problem
+from derive.kinds.system._plant import Plant, asked, point_chains, root_tree, verdict
+from derive.kinds.system._state_checks import characteristic_of, claims_of
+from derive.kinds.system._states import MATRICES, Answer, answered, readable_form
+
+RESULTS = {
+    "A": "what multiplies the state, n by n",
+    "B": "what multiplies the input, n by 1",
+    "C": "the output by the state, 1 by n",
+    "D": "the output by the input, 1 by 1",
+    "poles": "the eigenvalues of A (evaluated only)",
+}
+EXAMPLE = """\
+title: The state of a motor
+problems:
+- motor: {control: armature, output: speed}
+  find: state-space
+  evaluate: {J: 2, K_m: 10, R_a: 1, L_a: 1, b: 0.5, K_b: 0.1}
+"""
+S = Symbol("s")
+
+
+class Options(OptionsModel):
+    """Numbers where `evaluate` asks for them."""
+
+    evaluate: Evaluation = None
+
+
+def derive(system: System, options: Options, problem: Problem) -> Derivation:
+    """Ogata, Modern Control Engineering, sections 2.5 and 9.2.
+
+    Raises NotDerivable for a system that differentiates its input, and for one without states.
+    """
+    answer = answered(problem, options.evaluate)
+    base = () if answer.is_physical else (asked(problem, "transfer-function", source=None),)
+    steps = tuple(_steps(answer))
+    definitions = _definitions(answer)
+    results = {name: problem.final(readable_form(answer, name)) for name in MATRICES}
+    claims = (*links(steps, {**problem.names, **definitions}), *claims_of(answer))
+    evaluated, numbers = _evaluated(answer, options)
+    return Derivation(
+        "state-space", steps, results, claims, definitions, evaluated, uses=base,
+        facts={**_facts(answer), **numbers, "numbers": ()}, matrices=frozenset(MATRICES),
+    )  # fmt: skip
+
+
+# -- the page -----------------------------------------------------------------------------------------
+
+
+def _steps(answer: Answer) -> Iterator[Step]:
+    if answer.is_physical:
+        if not any(kind == "transfer-function" for kind, _ in answer.plant.problem.questions):
+            yield from _given(answer.plant)
+        for rule, laws in (("algebraic", answer.space.algebraic), ("rate", answer.space.rates)):
+            yield from (_law(answer, each, rule) for each in laws)
+    else:
+        yield from _canonical_steps(answer)
+    yield Step("x", (answer.letter, column(answer.state)), "state")
+    for name in MATRICES:
+        yield Step(name, (answer.plant.named(name), readable_form(answer, name)), "matrix")
+
+
+def _given(solved: Plant) -> Iterator[Step]:
+    """The equations, unless another question about the system writes them down."""
+    zero = solved.solution.zero
+    for place, equation in enumerate(solved.system.equations, 1):
+        yield Step(
+            f"equation_{place}", (without(equation.left, zero), without(equation.right, zero)), "given"
+        )
+
+
+def _law(answer: Answer, each: Law, rule: str) -> Step:
+    style = answer.plant.style
+    own, final = written_form(each.own, style), written_form(each.final, style)
+    chain = (Symbol(each.name), own) if own == final else (Symbol(each.name), own, final)
+    return Step(f"{each.name}_law", chain, rule)
+
+
+def _canonical_steps(answer: Answer) -> Iterator[Step]:
+    """G with the leading coefficient of its denominator 1, and what passes straight through apart."""
+    style, transfer = answer.plant.style, answer.transfer
+    lead = transfer.den[0]
+    through = answer.space.D[0, 0]
+    den = tuple(k / lead for k in transfer.den)
+    num = answer.space.C.rows[0][::-1]
+    apart = collected(num, style)
+    fraction = Quotient(apart, collected(den, style)) if any(num) else None
+    parts = [readable(through, style)] if through else []
+    yield Step("G", (answer.plant.named("G"), add(*parts, *([fraction] if fraction else []))), "canonical")
+
+
+def _definitions(answer: Answer) -> dict[Expr, Expr]:
+    """Every signal by the input, as the elimination gives it; its derivatives times s."""
+    found: dict[Expr, Expr] = {answer.plant.named(name): readable_form(answer, name) for name in MATRICES}
+    found[answer.letter] = column(answer.state)
+    if not answer.is_physical:
+        return found | {answer.plant.named("G"): answer.transfer.expr(answer.plant.style)}
+    values = answer.plant.solution.values
+    for name, order in answer.space.states:
+        for k in (1, 2)[: order + 1]:
+            found[Symbol(name + ORDERS[k])] = multiply(*[S] * k, values[Symbol(name)])
+    return {**found, **values}
+
+
+def _facts(answer: Answer) -> dict[str, Any]:
+    solved, steps = answer.plant, tuple(_steps(answer))
+    order = len(answer.transfer.den) - 1
+    beside = hidden(solved.system, answer.transfer.den, solved.decimals)
+    return {
+        "physical": answer.is_physical,
+        "motor": solved.system.motor,
+        "input": solved.system.input,
+        "output": solved.system.output,
+        "disturbance": solved.system.disturbance,
+        "x": answer.letter,
+        "states": answer.state,
+        "law": _equation(answer, Symbol(f"{answer.letter.name}_dot"), "A", "B"),
+        "output_law": _equation(answer, solved.system.output, "C", "D"),
+        "equations": tuple(step.name for step in steps if step.rule == "given"),
+        "algebraic": tuple(step.name for step in steps if step.rule == "algebraic"),
+        "rates": tuple(step.name for step in steps if step.rule == "rate"),
+        "matrices": tuple(solved.named(name) for name in MATRICES),
+        "through": bool(answer.space.D[0, 0]),
+        "hidden": len(answer.state) - order,
+        "cancelled": () if answer.is_physical or len(beside) == 1 else (collected(beside, solved.style),),
+        "final": _final(answer),
+    }
+
+
+def _equation(answer: Answer, left: Symbol, state: str, drive: str) -> tuple[Expr, ...]:
+    """dx/dt = A x + B u."""
+    named = answer.plant.named
+    terms = (Product((named(state), answer.letter)), Product((named(drive), answer.plant.system.input)))
+    return left, add(*terms)
+
+
+def _final(answer: Answer) -> tuple[tuple[Expr, ...], ...]:
+    """The matrices with `where` replaced, those that it changes."""
+    pairs = [(answer.plant.named(name), readable_form(answer, name)) for name in MATRICES]
+    done = [(name, tree, answer.plant.problem.final(tree)) for name, tree in pairs]
+    return tuple((name, after) for name, before, after in done if after != before)
+
+
+# -- in numbers ---------------------------------------------------------------------------------------
+
+
+def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], dict[str, Any]]:
+    """What goes to the JSON, and what the words print."""
+    if options.evaluate is None:
+        return {}, {"numeric": ()}
+    solved = answer.plant
+    solved.numeric(Rational(answer.transfer.num, answer.transfer.den))  # says which names have no value
+    names = {**solved.problem.names, **solved.point}
+    numeric = {name: _at(answer, name, names) for name in MATRICES}
+    poles = roots(characteristic_of(numeric["A"]))
+    values = {name: matrix_numbers(matrix, {}) for name, matrix in numeric.items()}
+    return {**values, "poles": [as_json(pole) for pole in poles]}, {
+        "numeric": tuple(
+            (solved.named(name), readable_matrix(numeric[name], solved.style)) for name in MATRICES
+        ),
+        "point": point_chains(options.evaluate, solved.problem.where),
+        "poles": tuple(map(root_tree, poles)),
+        "verdict": verdict(poles),
+    }
+
+
+def _at(answer: Answer, name: str, names: Mapping[Expr, Expr]) -> ScalarMatrix:
+    """A matrix at the point. Raises NotDerivable where a name has no value."""
+    found = normal_matrix(readable_form(answer, name), names)
+    if missing := sorted({each for k in found.entries for each in k.generators()} - {"pi"}):
+        raise NotDerivable(f"no value is known for {', '.join(missing)}: give it under evaluate")
+    return found
