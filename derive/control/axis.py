@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from derive.algebra.numeric import scalar_number
@@ -25,7 +25,7 @@ def points(names: Sequence[str], positive: Collection[str], count: int) -> Itera
         }
 
 
-def roots_at(polynomial: Sequence[Scalar], point: dict[str, float]) -> tuple[complex, ...]:
+def roots_at(polynomial: Sequence[Scalar], point: Mapping[str, float]) -> tuple[complex, ...]:
     """Every root there; () where the leading coefficient is zero."""
     values = [Fraction(scalar_number(k, point)) if k else Fraction(0) for k in polynomial]
     return roots([Scalar.of(value) for value in values]) if values[0] else ()

@@ -120,7 +120,8 @@ def _size(value: Scalar) -> tuple[int, int]:
 def is_impossible(found: Sequence[Scalar], positive: Collection[str]) -> bool:
     """Whether a condition cannot hold: as a number, or beside the others on the same symbol."""
     bounds = [*_bounds(found), *_assumed(found, positive)]
-    return any(is_never(each) or _follows(-each, bounds) for each in found)
+    empty = any(a[0] == b[0] and a[1] > b[1] and a[2] >= b[2] for a in bounds for b in bounds)
+    return empty or any(is_never(each) or _follows(-each, bounds) for each in found)
 
 
 def _assumed(found: Sequence[Scalar], positive: Collection[str]) -> list[Bound]:

@@ -27,7 +27,7 @@ LATEX_ENGINES = {
 CONTINUED = re.compile(r"(&\s*quad)\s+([+\-])")
 
 # The paragraph that leads to a display stays on its page; the template says how.
-LEAD_IN = re.compile(r"(?<=\n\n)(?![#=+\-$\s])((?:(?!`{3}).+\n)+)(?=\n\$ )")
+LEAD_IN = re.compile(r"(?<=\n\n)(?![#=+\-\s]|\$\s)((?:(?!`{3}).+\n)+)(?=\n\$ )")
 
 
 class PdfFailed(Exception):

@@ -54,7 +54,7 @@ class Answer:
 
     @property
     def symbols(self) -> list[str]:
-        return sorted({name for k in self.array.polynomial if k for name in k.generators()} - {"pi"})
+        return sorted(free_symbols(collected(self.array.polynomial, self.plant.style)) - {"s"})
 
     @property
     def written(self) -> tuple[Condition, ...]:
@@ -134,4 +134,5 @@ def _free_letter(letters: tuple[str, ...], taken: frozenset[str]) -> str:
 
 
 def right_of_axis(found: tuple[complex, ...]) -> int:
+    """How many roots have a positive real part."""
     return sum(each.real > 0 for each in found)

@@ -28,6 +28,7 @@ POINTS = 40
 
 
 def claims_of(answer: Answer) -> Iterator[Claim]:
+    """Auxiliary polynomials divide, sign changes count roots, conditions hold where all roots lie left."""
     array = answer.array
     if "epsilon" not in array.mended:
         for i, row in enumerate(array.rows, 1):
@@ -68,22 +69,33 @@ def _is_free(value: Scalar, entry: Scalar) -> bool:
 
 def _at_random(answer: Answer) -> Iterator[Claim]:
     """Conditions and sign changes against the roots themselves."""
-    array, stable, right, marginal = answer.array, True, True, True
-    for point in points(answer.symbols, answer.positive, POINTS if answer.symbols else 1):
-        found = roots_at(array.polynomial, point)
-        if not found:
-            continue
-        lies_left = all(each.real < 0 for each in found)
-        stable = stable and lies_left == all(holds(each, point) for each in answer.written)
-        on_axis = verdict(found) in ("integrator", "oscillator")
-        marginal = marginal and on_axis == all(holds(each, point) for each in possible(answer))
-        signs = _signs_at(answer, point)
-        right = right and (signs is None or sign_changes(signs) == right_of_axis(found))
+    tried = points(answer.symbols, answer.positive, POINTS if answer.symbols else 1)
+    found = [each for point in tried if (each := _compared(answer, point)) is not None]
+    stable, marginal, right = (all(each[k] for each in found) for k in range(3))
     yield Claim("the conditions hold exactly where all roots lie left", SECOND_ROUTE, stable)
     if answer.symbols and is_marginal(answer):
         yield Claim("the others hold exactly where it is marginally stable", SECOND_ROUTE, marginal)
-    if answer.symbols and "epsilon" not in array.mended:
+    if answer.symbols and "epsilon" not in answer.array.mended:
         yield Claim("sign changes at random values: roots on the right", SECOND_ROUTE, right)
+
+
+def _compared(answer: Answer, point: Mapping[str, float]) -> tuple[bool, bool, bool] | None:
+    """Whether conditions, those of marginal stability and sign changes are right at a point; None where
+    the polynomial is not real or of lower degree there."""
+    try:
+        found = roots_at(answer.array.polynomial, point)
+        met = all(holds(each, point) for each in answer.written)
+        others = all(holds(each, point) for each in possible(answer))
+    except (ValueError, ZeroDivisionError):
+        return None
+    if not found:
+        return None
+    signs = _signs_at(answer, point)
+    return (
+        met == all(each.real < 0 for each in found),
+        others == (verdict(found) in ("integrator", "oscillator")),
+        signs is None or sign_changes(signs) == right_of_axis(found),
+    )
 
 
 def _signs_at(answer: Answer, point: Mapping[str, float]) -> list[float] | None:
@@ -96,4 +108,5 @@ def _signs_at(answer: Answer, point: Mapping[str, float]) -> list[float] | None:
 
 
 def holds(condition: Condition, point: Mapping[str, float]) -> bool:
+    """Whether a condition is met at a point."""
     return condition.holds(value_of(condition.left, point), value_of(condition.right, point))

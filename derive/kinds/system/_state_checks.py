@@ -25,6 +25,7 @@ POINTS = 3
 
 
 def claims_of(answer: Answer) -> Iterator[Claim]:
+    """The matrices make up the transfer function, and have its poles as eigenvalues."""
     space, n = answer.space, len(answer.state)
     s, x = Scalar.symbol("s"), ScalarMatrix.column(_responses(answer))
     moving = ScalarMatrix.identity(n).scaled(s) - space.A

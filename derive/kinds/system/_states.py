@@ -41,6 +41,7 @@ class Answer:
 
 
 def answered(problem: Problem, point: Place | None) -> Answer:
+    """By the equations, or else by the transfer function. Raises NotDerivable."""
     solved = plant(problem, None, point)
     transfer = solved.rational.reduced()
     if not transfer.proper:
@@ -68,4 +69,5 @@ def _begins(solved: Plant, letter: str) -> bool:
 
 
 def readable_form(answer: Answer, name: str) -> Matrix:
+    """A matrix as it is written."""
     return readable_matrix(answer.matrix(name), answer.plant.style)
