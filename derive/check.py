@@ -9,11 +9,12 @@ from pathlib import Path
 from derive.answers.checking import Asked
 from derive.answers.findings import Check
 from derive.answers.points import Point
-from derive.build import Progress, Warn, answered, each, load_all, working_on
+from derive.build import Warn, answered, each, load_all, working_on
 from derive.derivation import Derivation
 from derive.errors import SheetError, SheetErrors
 from derive.kinds.problem import Problem as Working
 from derive.sheet.model import Problem, Question, Sheet
+from derive.writing import Progress
 
 POINTS = 6  # that the subject of an inverse problem reaches
 

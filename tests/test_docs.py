@@ -7,8 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from derive.build import derive_all, render
+from derive.build import derive_all
 from derive.sheet.load import load_sheet
+from derive.writing import render
 from tests.sheets import ROOT
 
 PAGE = (ROOT / "docs" / "language.md").read_text(encoding="utf-8")

@@ -8,9 +8,10 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from derive.build import derive_all, render
+from derive.build import derive_all
 from derive.cli import main
 from derive.sheet.load import load_sheet
+from derive.writing import render
 from tests.sheets import ROOT
 
 README = ROOT / "README.md"

@@ -8,11 +8,12 @@ from pathlib import Path
 
 import pytest
 
-from derive.build import derive_all, render
+from derive.build import derive_all
 from derive.derivation import Branch
 from derive.kinds import registry
 from derive.sheet.load import load_sheet
 from derive.sheet.subjects.registry import subjects
+from derive.writing import render
 
 KINDS = [(subject, kind) for subject in subjects() for kind in registry.kinds_of(subject)]
 MODULES = sorted({registry.module_name(subject, kind) for subject, kind in KINDS})

@@ -6,11 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from derive.build import assemble, render
+from derive.build import assemble
 from derive.derivation import Derivation
 from derive.errors import SheetErrors
 from derive.render.document import Document
 from derive.sheet.load import load_sheet
+from derive.writing import render
 
 
 def built(tmp_path: Path, mechanism: str) -> Document:

@@ -12,9 +12,10 @@ import pytest
 import sympy
 
 from derive.algebra.text import text
-from derive.build import derive_all, render
+from derive.build import derive_all
 from derive.errors import NotDerivable, SheetErrors
 from derive.sheet.load import load_sheet
+from derive.writing import render
 from tests.mechanics.robots import body, problem, robot, row
 
 TWO_LINKS = """\

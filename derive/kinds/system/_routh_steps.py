@@ -19,6 +19,7 @@ from derive.expression import (
     Expr,
     Indexed,
     Matrix,
+    Number,
     Power,
     Product,
     Quotient,
@@ -181,14 +182,15 @@ def _powers(row: Row) -> list[int]:
 
 
 def _times(left: Expr, right: Expr) -> Expr:
-    """A product of values, factors of the one before those of the other."""
+    """A product of values, numbers first."""
     if left == right and left != ONE:
         return squared(left)
     parts = (
         each.factors if isinstance(each, Product) and not is_negative(each) else (each,)
         for each in (left, right)
     )
-    return multiply(*(factor for part in parts for factor in part))
+    factors = [factor for part in parts for factor in part]
+    return multiply(*sorted(factors, key=lambda factor: not isinstance(factor, Number)))
 
 
 def _tree(value: Scalar | int, style: Style) -> Expr:

@@ -21,6 +21,7 @@ from derive.derivation import Derivation, Result, Step
 from derive.expression import (
     Expr,
     Quotient,
+    Sum,
     Symbol,
     number,
     squared,
@@ -107,12 +108,17 @@ def _delta(answer: Answer) -> Symbol:
 def _steps(answer: Answer) -> Iterator[Step]:
     style = answer.plant.style
     whole = collected(answer.whole, style)
-    found = tuple(each for each in answer.found if each != whole)
+    found = tuple(each for each in answer.found if _terms(each) != _terms(whole))
     yield Step("characteristic", (_delta(answer), *found, whole), "denominator")
     if any(node in answer.plant.problem.names for node in walk(whole)):
         yield Step("values", (_delta(answer), collected(answer.final, style)), "substitute")
     yield from entry_steps(answer.array)
     yield from _limit_steps(answer)
+
+
+def _terms(expr: Expr) -> int:
+    """A sum with as many terms as the polynomial has says the same."""
+    return len(expr.terms) if isinstance(expr, Sum) else 1
 
 
 def _definitions(answer: Answer) -> dict[Expr, Expr]:

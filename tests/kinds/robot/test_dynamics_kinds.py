@@ -10,12 +10,13 @@ import pytest
 from derive.algebra.grammar import parse
 from derive.algebra.normal import normal
 from derive.algebra.numeric import number_rows, numbers
-from derive.build import assemble, render
+from derive.build import assemble
 from derive.derivation import Table
 from derive.errors import NotDerivable, SheetErrors
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.regressor import dependent, standard_parameters
 from derive.sheet.load import load_sheet
+from derive.writing import render
 from tests.kinds.published import matrix, same, same_scalar
 from tests.kinds.robot.test_published_dynamics import derived
 from tests.mechanics.test_two_derivations import ARMS

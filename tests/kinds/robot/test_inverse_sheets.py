@@ -13,9 +13,10 @@ import numpy as np
 import pytest
 import sympy
 
-from derive.build import derive_all, render
+from derive.build import derive_all
 from derive.errors import NotDerivable, SheetErrors
 from derive.sheet.load import load_sheet
+from derive.writing import render
 from tests.kinds.robot.arms import ARMS, Arm
 from tests.mechanics.robots import problem, robot, row
 

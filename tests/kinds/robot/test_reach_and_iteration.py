@@ -11,9 +11,10 @@ import pytest
 
 from derive.algebra.numeric import number
 from derive.algebra.text import text
-from derive.build import derive_all, render
+from derive.build import derive_all
 from derive.errors import NotDerivable, SheetErrors
 from derive.sheet.load import load_sheet
+from derive.writing import render
 from tests.kinds.robot.test_singularities import ELBOW, PUMA, SCARA, STANFORD, THREE_R, TWO_R, arm
 from tests.mechanics.robots import problem
 
