@@ -25,6 +25,7 @@ from derive.expression import (
     Symbol,
     children,
 )
+from derive.render.juxtaposition import is_letter, meet_as_numbers, sign_of
 from derive.render.names import Name, name_latex, name_parts, script
 from derive.render.notation import Notation
 from derive.render.numbers import fraction_latex, rounded_latex
@@ -117,13 +118,13 @@ class Printer:
         return parenthesised(written) if isinstance(term, Sum) else written
 
     def product(self, factors: tuple[Expr, ...]) -> tuple[str, int]:
-        sign, rest = _sign(factors)
+        sign, rest = sign_of(factors)
         pieces = self._over_number(rest)
         if not pieces:
             pieces = [self._factor(rest, place, bool(sign)) for place in range(len(rest))]
         written = pieces[0]
         for piece in pieces[1:]:
-            written += (r" \cdot " if _meet_as_numbers(written, piece) else " ") + piece
+            written += (r" \cdot " if meet_as_numbers(written, piece) else " ") + piece
         return sign + written, SUM if sign or written.startswith("-") else PRODUCT
 
     def _over_number(self, factors: tuple[Expr, ...]) -> list[str]:
@@ -131,7 +132,7 @@ class Printer:
         first = factors[0]
         if not isinstance(first, Number) or first.value.denominator == 1 or first.decimal:
             return []
-        count = next((place for place, f in enumerate(factors[1:]) if not _is_letter(f)), len(factors) - 1)
+        count = next((place for place, f in enumerate(factors[1:]) if not is_letter(f)), len(factors) - 1)
         if count == 0 or any(isinstance(f, Call) and f.function in MARKS for f in factors):
             return []
         top = (Number(Fraction(first.value.numerator)), *factors[1 : count + 1])
@@ -272,38 +273,6 @@ def _numerator(entry: Expr) -> Expr | None:
 def _number(value: Fraction, decimal: bool) -> tuple[str, int]:
     written = fraction_latex(value, decimal)
     return written, SUM if value < 0 else PRODUCT if "frac" in written else ATOM
-
-
-def _sign(factors: tuple[Expr, ...]) -> tuple[str, tuple[Expr, ...]]:
-    """The minus sign of a leading number, and the factors without it; a one is not written."""
-    first, *rest = factors
-    if not isinstance(first, Number):
-        return "", factors
-    size = Number(abs(first.value), first.decimal)
-    kept = tuple(rest) if rest and size.value == 1 else (size, *rest)
-    return ("-" if first.value < 0 else ""), kept
-
-
-def _is_letter(factor: Expr) -> bool:
-    """Whether it may stand over a number; a rate is what its coefficient multiplies and stays outside."""
-    match factor:
-        case Symbol(name):
-            return not name.endswith("dot")
-        case Power(Symbol() as base, Number(value)):
-            return _is_letter(base) and value > 0 and value.denominator == 1
-        case Call("sqrt", _):
-            return True
-        case _:
-            return False
-
-
-def _meet_as_numbers(before: str, after: str) -> bool:
-    """Whether juxtaposition would read as one number: `2 3`, `2 \\frac{1}{2}`, `x 2`."""
-    return after[0].isdigit() or (before[-1].isdigit() and _is_plain(before) and after[:6] == r"\frac{")
-
-
-def _is_plain(written: str) -> bool:
-    return written.rsplit(" ", 1)[-1].replace(".", "").lstrip("-").isdigit()
 
 
 def _function_name(function: str) -> str:

@@ -137,7 +137,7 @@ def _definitions(answer: Answer) -> dict[Expr, Expr]:
 
 def _facts(answer: Answer) -> dict[str, Any]:
     solved, steps = answer.plant, tuple(_steps(answer))
-    order = len(answer.transfer.den) - 1
+    order, whole = len(answer.transfer.den) - 1, answer.transfer.expr(solved.style)
     beside = hidden(solved.system, answer.transfer.den, solved.decimals)
     return {
         "physical": answer.is_physical,

@@ -1,0 +1,37 @@
+"""Factors side by side: where the sign goes, what may stand over a number, and where a dot is needed."""
+
+from __future__ import annotations
+
+from derive.expression import Call, Expr, Number, Power, Symbol
+
+
+def sign_of(factors: tuple[Expr, ...]) -> tuple[str, tuple[Expr, ...]]:
+    """The minus sign of a leading number, and the factors without it; a one is not written."""
+    first, *rest = factors
+    if not isinstance(first, Number):
+        return "", factors
+    size = Number(abs(first.value), first.decimal)
+    kept = tuple(rest) if rest and size.value == 1 else (size, *rest)
+    return ("-" if first.value < 0 else ""), kept
+
+
+def is_letter(factor: Expr) -> bool:
+    """Whether it may stand over a number; a rate is what its coefficient multiplies and stays outside."""
+    match factor:
+        case Symbol(name):
+            return not name.endswith("dot")
+        case Power(Symbol() as base, Number(value)):
+            return is_letter(base) and value > 0 and value.denominator == 1
+        case Call("sqrt", _):
+            return True
+        case _:
+            return False
+
+
+def meet_as_numbers(before: str, after: str) -> bool:
+    """Whether juxtaposition would read as one number: `2 3`, `2 \\frac{1}{2}`, `x 2`."""
+    return after[0].isdigit() or (before[-1].isdigit() and _is_plain(before) and after[:6] == r"\frac{")
+
+
+def _is_plain(written: str) -> bool:
+    return written.rsplit(" ", 1)[-1].replace(".", "").lstrip("-").isdigit()
