@@ -45,9 +45,10 @@ def test_the_page_is_the_one_that_is_kept(
 ) -> None:
     folder = page(built, sheet, ".md").parent
     if update_golden:
+        shutil.rmtree(OUTPUT / sheet.stem, ignore_errors=True)
         _keep(built[sheet], folder)
-    pictures = {path.name for path in built[sheet] if path.suffix in PICTURES}
-    assert {path.name for path in (OUTPUT / sheet.stem).glob("*")} <= pictures
+    beside = {path.name for path in built[sheet] if path.parent.name == sheet.stem}
+    assert {path.name for path in (OUTPUT / sheet.stem).glob("*")} <= beside
     for path in built[sheet]:
         kept = OUTPUT / path.relative_to(folder)
         assert kept.is_file(), f"{kept.name} is not kept: run pytest tests/test_golden.py --update-golden"

@@ -13,9 +13,11 @@ from typing import Literal, TypeAlias
 from derive.algebra.polynomials import coefficients, numerator
 from derive.algebra.scalar import Scalar
 from derive.control.rational import Polynomial
+from derive.errors import NotDerivable
 
 Origin: TypeAlias = Literal["coefficients", "formula", "derivative", "epsilon"]
 ZERO = Scalar.of(0)
+MOST_TERMS = 50  # of an entry
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,13 +39,17 @@ class Row:
 
 
 def routh(polynomial: Sequence[Scalar], epsilon: str) -> tuple[Row, ...]:
-    """The rows of s^n to s^0 of coefficients, highest power first; `epsilon` is the small number's name."""
+    """The rows of s^n to s^0 of coefficients, highest power first; `epsilon` is the small number's name.
+
+    Raises NotDerivable where the entries grow too long.
+    """
     degree = len(polynomial) - 1
     width = degree // 2 + 1
     rows = [Row(degree, _padded(polynomial[0::2], width), "coefficients")]
     for power in range(degree - 1, -1, -1):
         first = power == degree - 1
         entries = _padded(polynomial[1::2], width) if first else _next(rows[-2], rows[-1])
+        _require_short(entries)
         rows.append(_settled(entries, power, rows[-1], "coefficients" if first else "formula", epsilon))
     return tuple(rows)
 
@@ -59,6 +65,15 @@ def leading(entry: Scalar, epsilon: str) -> Scalar:
 def sign_changes(signs: Sequence[float]) -> int:
     """How often a first column changes its sign."""
     return sum(a * b < 0 for a, b in pairwise(signs))
+
+
+def _require_short(entries: Sequence[Scalar]) -> None:
+    terms = max(len(entry.numerator) for entry in entries)
+    if terms > MOST_TERMS:
+        raise NotDerivable(
+            f"an entry of the array has {terms} terms, and at most {MOST_TERMS} are written out; "
+            "give some of the symbols values under where:"
+        )
 
 
 def _padded(entries: Sequence[Scalar], width: int) -> tuple[Scalar, ...]:

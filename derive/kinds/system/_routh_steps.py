@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from derive.algebra.operations import operations
@@ -29,6 +29,7 @@ from derive.expression import (
     number,
     squared,
     subtract,
+    walk,
 )
 
 S = Symbol("s")
@@ -44,6 +45,7 @@ class Array:
 
     polynomial: Polynomial
     rows: tuple[Row, ...]
+    trees: tuple[tuple[Expr, ...], ...]  # the entries as they are written
     style: Style
     letter: str
     epsilon: str
@@ -71,17 +73,12 @@ class Array:
 
     def value(self, i: int, j: int) -> Expr:
         """An entry as it is shortest: by its formula with the values put in, or multiplied out."""
-        found = _tree(self.rows[i - 1].entries[j - 1], self.style)
-        if i < 3 or operations(found) <= IN_TABLE or self.rows[i - 1].origin != "formula":
-            return found
-        filled = _filled(self, i, j)
-        return found if filled is None or operations(found) <= operations(filled) else filled
+        return self.trees[i - 1][j - 1]
 
     @property
     def matrix(self) -> Matrix:
         """Every entry, zeros where a row has ended."""
-        width = range(1, len(self.rows[0].entries) + 1)
-        return Matrix(tuple(tuple(self.value(i, j) for j in width) for i in range(1, len(self.rows) + 1)))
+        return Matrix(self.trees)
 
     @property
     def definitions(self) -> dict[Expr, Expr]:
@@ -138,14 +135,37 @@ def _worked(array: Array, i: int, j: int, formula: Expr) -> tuple[Expr, ...]:
 
 
 def _filled(array: Array, i: int, j: int) -> Expr | None:
-    """The formula with values; None where it is another entry as it stands."""
-    above, below = array.rows[i - 3].entries, array.rows[i - 2].entries
-    if j >= len(below) or not below[j]:
+    """The formula with values; None where that says no more."""
+    return put_in(array.trees, i - 1, j - 1)
+
+
+def trees_of(rows: Sequence[Row], style: Style) -> tuple[tuple[Expr, ...], ...]:
+    """Every entry as it is written."""
+    done: list[tuple[Expr, ...]] = []
+    for i, row in enumerate(rows):
+        found = [_tree(entry, style) for entry in row.entries]
+        if i > 1 and row.origin != "derivative":
+            found = [_shorter(tree, put_in(done, i, j)) for j, tree in enumerate(found)]
+        done.append(tuple(found))
+    return tuple(done)
+
+
+def _shorter(tree: Expr, filled: Expr | None) -> Expr:
+    long = operations(tree) > IN_TABLE
+    return filled if long and filled is not None and operations(filled) < operations(tree) else tree
+
+
+def put_in(trees: Sequence[Sequence[Expr]], i: int, j: int) -> Expr | None:
+    """The formula of an entry, counted from 0, with values; None where it is another entry as it stands, or
+    would have fractions in fractions."""
+    above, below = trees[i - 2], trees[i - 1]
+    if j + 1 >= len(below) or below[j + 1] == ZERO:
         return None
-    pivot, beside = array.value(i - 1, 1), array.value(i - 1, j + 1)
-    last, other = array.value(i - 2, 1), array.value(i - 2, j + 1) if above[j] else ZERO
-    inside = subtract(_times(pivot, other), _times(last, beside))
-    return inside if pivot == ONE else Quotient(inside, pivot)
+    parts = (below[0], above[j + 1], above[0], below[j + 1])
+    if any(isinstance(node, Quotient) for part in parts for node in walk(part)):
+        return None
+    inside = subtract(_times(parts[0], parts[1]), _times(parts[2], parts[3]))
+    return inside if parts[0] == ONE else Quotient(inside, parts[0])
 
 
 def _formula(array: Array, i: int, j: int) -> Expr:

@@ -30,7 +30,7 @@ from derive.kinds.system._plant import (
     asked,
     plant,
 )
-from derive.kinds.system._routh_steps import Array
+from derive.kinds.system._routh_steps import Array, trees_of
 from derive.kinds.system.closed_loop import closed
 
 MOST_SYMBOLIC, MOST = 8, 24  # degrees that are looked at, with symbols and without
@@ -50,15 +50,12 @@ class Answer:
     factor: Scalar
     array: Array
     conditions: tuple[Scalar, ...]
+    written: tuple[Condition, ...]  # the same as inequalities
     positive: frozenset[str]
 
     @property
     def symbols(self) -> list[str]:
         return sorted(free_symbols(collected(self.array.polynomial, self.plant.style)) - {"s"})
-
-    @property
-    def written(self) -> tuple[Condition, ...]:
-        return tuple(written(each, self.plant.style) for each in self.conditions)
 
     @property
     def changes(self) -> int:
@@ -85,7 +82,8 @@ def answered(problem: Problem, controller: Controller | None, point: Place | Non
     array = _array(polynomial, solved, controller)
     column = [*array.column, *([Scalar.of(0)] if array.mended else [])]
     needed = conditions(column, positive)
-    answer = Answer(solved, base, found, beside, whole, final, factor, array, needed, positive)
+    said = tuple(written(each, solved.style) for each in needed)
+    answer = Answer(solved, base, found, beside, whole, final, factor, array, needed, said, positive)
     if not names and "epsilon" in array.mended and answer.changes != right_of_axis(roots(polynomial)):
         raise NotDerivable(
             "a zero in the first column hides roots that lie symmetric to the origin; divide them out first, "
@@ -121,7 +119,8 @@ def _array(polynomial: Polynomial, solved: Plant, controller: Controller | None)
     epsilon = free_name(("epsilon", "delta", "eta"), taken)
     letter = _free_letter(("r", "q", "w"), taken)
     auxiliary = _free_letter(("A", "P", "Q"), taken)
-    return Array(polynomial, routh(polynomial, epsilon), solved.style, letter, epsilon, auxiliary)
+    rows = routh(polynomial, epsilon)
+    return Array(polynomial, rows, trees_of(rows, solved.style), solved.style, letter, epsilon, auxiliary)
 
 
 def free_name(names: tuple[str, ...], taken: frozenset[str]) -> str:

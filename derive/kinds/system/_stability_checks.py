@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping
 
 from derive.algebra.numeric import number as value_of
 from derive.algebra.numeric import scalar_number
-from derive.algebra.polynomials import numerator
 from derive.algebra.scalar import Scalar
 from derive.control.axis import points, roots_at
 from derive.control.hurwitz import Condition
@@ -21,6 +20,7 @@ from derive.kinds.system._stability_answer import Answer, right_of_axis
 from derive.kinds.system._stability_limit import (
     frequency_squared,
     is_marginal,
+    limiting,
     possible,
 )
 
@@ -37,8 +37,10 @@ def claims_of(answer: Answer) -> Iterator[Claim]:
                 yield law(
                     f"the polynomial of row {i - 1} divides the characteristic polynomial", not any(left)
                 )
-    if frequency_squared(answer) is not None:
-        yield law("where the row of s vanishes, that of s^2 divides the polynomial", _divides(answer))
+    limit = limiting(answer)
+    if limit is not None and frequency_squared(answer) is not None:
+        claim = "where the row of s vanishes, that of s^2 divides the polynomial"
+        yield law(claim, _divides(answer, limit))
     if not answer.symbols:
         right = right_of_axis(roots(array.polynomial))
         yield Claim(
@@ -47,23 +49,20 @@ def claims_of(answer: Answer) -> Iterator[Claim]:
     yield from _at_random(answer)
 
 
-def _divides(answer: Answer) -> bool:
-    """The remainder after the row of s^2 holds the entry of the row of s as a factor."""
+def _divides(answer: Answer, limit: Scalar) -> bool:
+    """The remainder after the row of s^2 holds what makes the row of s vanish as a factor."""
     array = answer.array
-    entry = numerator(array.rows[-2].entries[0])
-    return all(
-        not left or _is_free(left / entry, entry)
-        for left in remainder(array.polynomial, array.rows[-3].polynomial)
-    )
+    left = remainder(array.polynomial, array.rows[-3].polynomial)
+    return all(not each or _is_free(each / limit, limit) for each in left)
 
 
-def _is_free(value: Scalar, entry: Scalar) -> bool:
-    """Whether nothing of the entry is left in the denominator."""
+def _is_free(value: Scalar, factor: Scalar) -> bool:
+    """Whether nothing of the factor is left in the denominator."""
     if value.denominator is None:
         return True
     below = Scalar(value.ring, value.denominator)
-    both = below + entry
-    common = below.into(both.ring).numerator.gcd(entry.into(both.ring).numerator)
+    both = below + factor
+    common = below.into(both.ring).numerator.gcd(factor.into(both.ring).numerator)
     return bool(common.is_constant())
 
 

@@ -5,11 +5,13 @@ from __future__ import annotations
 from derive.algebra.polynomials import known_sign, numerator
 from derive.algebra.readable import readable
 from derive.algebra.scalar import Scalar
-from derive.control.hurwitz import Condition, is_impossible, is_never, written
+from derive.control.hurwitz import Condition, is_impossible, is_never
 from derive.expression import (
     Expr,
 )
 from derive.kinds.system._stability_answer import Answer
+
+MOST_TERMS = 10  # of a frequency squared
 
 
 def limiting(answer: Answer) -> Scalar | None:
@@ -18,17 +20,19 @@ def limiting(answer: Answer) -> Scalar | None:
     if known_sign(entry, answer.positive) is not None or is_impossible(answer.conditions, answer.positive):
         return None
     for each in answer.conditions:
-        if not is_never(each) and (each / entry).constant is not None:
+        if not is_never(each) and known_sign(entry / each, answer.positive) is not None:
             return each
     return None
 
 
 def frequency_squared(answer: Answer) -> Scalar | None:
-    """r_2 / r_1 of the row of s^2; None where the row of s cannot be made to vanish."""
+    """r_2 / r_1 of the row of s^2; None where the row of s cannot be made to vanish, or r_2 / r_1 is long."""
     if len(answer.array.rows) < 3 or answer.array.mended or not limiting(answer):
         return None
     first, second = answer.array.rows[-3].entries[:2]
-    return second / first if second else None
+    square = second / first
+    long = max(len(square.numerator), len(square.denominator or square.ring.one)) > MOST_TERMS
+    return square if second and not long else None
 
 
 def is_marginal(answer: Answer) -> bool:
@@ -39,7 +43,8 @@ def is_marginal(answer: Answer) -> bool:
 
 def possible(answer: Answer) -> tuple[Condition, ...]:
     """The conditions that can hold."""
-    return tuple(written(each, answer.plant.style) for each in answer.conditions if not is_never(each))
+    pairs = zip(answer.conditions, answer.written, strict=True)
+    return tuple(said for each, said in pairs if not is_never(each))
 
 
 def of_one_sign(answer: Answer) -> tuple[Expr, ...]:

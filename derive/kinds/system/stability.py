@@ -139,9 +139,9 @@ def _limit_steps(answer: Answer) -> Iterator[Step]:
     if square is None:
         return
     row = len(array.rows) - 2
-    filled = Quotient(array.value(row, 2), array.value(row, 1))
-    value = readable(square, answer.plant.style)
-    value = value if operations(value) < operations(filled) else filled
+    below, value = array.value(row, 1), readable(square, answer.plant.style)
+    filled = Quotient(array.value(row, 2), below)
+    value = value if isinstance(below, Quotient) or operations(value) < operations(filled) else filled
     chain: tuple[Expr, ...] = (squared(_omega(answer)), Quotient(array.name(row, 2), array.name(row, 1)))
     yield Step("limit", (*chain, value) if operations(value) <= LONG else chain, "limit")
 

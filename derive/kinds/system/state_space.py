@@ -153,9 +153,7 @@ def _facts(answer: Answer) -> dict[str, Any]:
         "algebraic": tuple(step.name for step in steps if step.rule == "algebraic"),
         "rates": tuple(step.name for step in steps if step.rule == "rate"),
         "matrices": tuple(solved.named(name) for name in MATRICES),
-        "as_found": any(
-            step.chain[-1] == answer.transfer.expr(solved.style) for step in steps if step.name == "G"
-        ),
+        "as_found": any(step.name == "G" and step.result == whole for step in steps),
         "through": bool(answer.space.D[0, 0]),
         "hidden": len(answer.state) - order,
         "cancelled": () if answer.is_physical or len(beside) == 1 else (collected(beside, solved.style),),
