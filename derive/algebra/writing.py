@@ -11,6 +11,7 @@ from derive.algebra.plans import Flat, Plan, Split, Taken
 from derive.algebra.rationals import Rational
 from derive.algebra.terms import Alphabet, Monomial, SortKey, terminates
 from derive.expression import (
+    Call,
     Expr,
     Number,
     Power,
@@ -21,7 +22,10 @@ from derive.expression import (
     negate,
     number,
     sqrt,
+    walk,
 )
+
+FEW = 8  # terms
 
 
 @dataclass(frozen=True)
@@ -105,7 +109,9 @@ class Writing:
 
 
 def _sum(terms: list[Expr]) -> Expr:
-    """In this order, but a positive term first where there is one."""
+    """In this order, but a positive term first where there is one; in a short sum of letters all of them."""
+    if 2 < len(terms) <= FEW and not any(isinstance(node, Call) for term in terms for node in walk(term)):
+        terms = sorted(terms, key=is_negative)
     first = next((i for i, term in enumerate(terms) if not is_negative(term)), 0)
     ordered = [terms[first], *terms[:first], *terms[first + 1 :]] if terms else []
     return Sum(tuple(ordered)) if len(ordered) > 1 else ordered[0] if ordered else number(0)

@@ -36,8 +36,7 @@ def conditions(column: Sequence[Scalar], positive: Collection[str]) -> tuple[Sca
 
     `positive` are symbols known to be so. What can never hold stays, as it is.
     """
-    home = common_ring(column)
-    lead, *rest = (entry.into(home) for entry in column)
+    lead, *rest = _in_one_ring(column)
     sign = known_sign(lead, positive)
     known = _Known(set(positive) | {"pi"}, [])
     pending = [_plain(entry * (sign or lead), known) for entry in rest]
@@ -118,10 +117,22 @@ def _size(value: Scalar) -> tuple[int, int]:
 
 
 def is_impossible(found: Sequence[Scalar], positive: Collection[str]) -> bool:
-    """Whether a condition cannot hold: as a number, or beside the others on the same symbol."""
+    """Whether a condition cannot hold: as a number, or beside the others."""
     bounds = [*_bounds(found), *_assumed(found, positive)]
-    empty = any(a[0] == b[0] and a[1] > b[1] and a[2] >= b[2] for a in bounds for b in bounds)
-    return empty or any(is_never(each) or _follows(-each, bounds) for each in found)
+    if any(a[0] == b[0] and a[1] > b[1] and a[2] >= b[2] for a in bounds for b in bounds):
+        return True
+    known = _Known(set(positive) | {"pi"}, [])
+    for each in _in_one_ring(found):
+        left = known.reduced(each)
+        if is_never(left) and left.constant != 1:
+            return True
+        known.learn(left)
+    return any(_follows(-each, bounds) for each in found)
+
+
+def _in_one_ring(values: Sequence[Scalar]) -> list[Scalar]:
+    home = common_ring(values)
+    return [each.into(home) for each in values]
 
 
 def _assumed(found: Sequence[Scalar], positive: Collection[str]) -> list[Bound]:

@@ -52,6 +52,8 @@ class Ratio:
                 return Ratio.of(top) / Ratio.of(bottom)
             case Power(base, Number(power)) if power.denominator == 1:
                 return Ratio.of(base).raised(int(power))
+            case Sum() if normal(expr) == 0:
+                return Ratio(Fraction(0))
             case _:
                 return Ratio(top=((expr, 1),))
 

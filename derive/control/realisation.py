@@ -109,7 +109,7 @@ def _row(equation: Equation, found: tuple[Symbol, ...], decimals: bool) -> Row:
     below = Scalar.of(1)
     for value in values.values():
         below = below * _below(value * below)
-    return {signal: polynomial(value * below) for signal, value in values.items()}
+    return {signal: polynomial(value * below) for signal, value in values.items() if value}
 
 
 def _below(value: Scalar) -> Scalar:

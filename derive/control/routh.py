@@ -17,7 +17,7 @@ from derive.errors import NotDerivable
 
 Origin: TypeAlias = Literal["coefficients", "formula", "derivative", "epsilon"]
 ZERO = Scalar.of(0)
-MOST_TERMS = 50  # of an entry
+MOST_TERMS = 150  # of an entry
 
 
 @dataclass(frozen=True, slots=True)

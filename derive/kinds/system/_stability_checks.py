@@ -73,7 +73,8 @@ def _at_random(answer: Answer) -> Iterator[Claim]:
     stable, marginal, right = (all(each[k] for each in found) for k in range(3))
     yield Claim("the conditions hold exactly where all roots lie left", SECOND_ROUTE, stable)
     if answer.symbols and is_marginal(answer):
-        yield Claim("the others hold exactly where it is marginally stable", SECOND_ROUTE, marginal)
+        claim = "the other conditions hold where it is marginally stable, and at their limits at most"
+        yield Claim(claim, SECOND_ROUTE, marginal)
     if answer.symbols and "epsilon" not in answer.array.mended:
         yield Claim("sign changes at random values: roots on the right", SECOND_ROUTE, right)
 
@@ -85,6 +86,7 @@ def _compared(answer: Answer, point: Mapping[str, float]) -> tuple[bool, bool, b
         found = roots_at(answer.array.polynomial, point)
         met = all(holds(each, point) for each in answer.written)
         others = all(holds(each, point) for each in possible(answer))
+        at_limit = any(is_at_limit(each, point) for each in possible(answer))
     except (ValueError, ZeroDivisionError):
         return None
     if not found:
@@ -92,7 +94,7 @@ def _compared(answer: Answer, point: Mapping[str, float]) -> tuple[bool, bool, b
     signs = _signs_at(answer, point)
     return (
         met == all(each.real < 0 for each in found),
-        others == (verdict(found) in ("integrator", "oscillator")),
+        at_limit or others == (verdict(found) in ("integrator", "oscillator")),
         signs is None or sign_changes(signs) == right_of_axis(found),
     )
 
@@ -109,3 +111,8 @@ def _signs_at(answer: Answer, point: Mapping[str, float]) -> list[float] | None:
 def holds(condition: Condition, point: Mapping[str, float]) -> bool:
     """Whether a condition is met at a point."""
     return condition.holds(value_of(condition.left, point), value_of(condition.right, point))
+
+
+def is_at_limit(condition: Condition, point: Mapping[str, float]) -> bool:
+    """Whether both sides are equal at a point."""
+    return value_of(condition.left, point) == value_of(condition.right, point)
