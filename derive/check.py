@@ -16,7 +16,7 @@ from derive.kinds.problem import Problem as Working
 from derive.sheet.model import Problem, Question, Sheet
 from derive.writing import Progress
 
-POINTS = 6  # that the subject of an inverse problem reaches
+POINTS = 4  # that the subject of an inverse problem reaches
 
 
 def check(

@@ -129,6 +129,8 @@ class Sets:
         if not self.derived:
             return Paired(solution, None, finding)
         choice = spare or range(len(self.derived))
+        if finding.verdict != "differs":
+            return Paired(solution, self.derived[choice[0]], finding)
         nearest = max((self.derived[j] for j in choice), key=lambda ours: self._agreeing(solution, ours))
         diagnosis = self._diagnosis(solution, nearest) if finding.verdict == "differs" else ""
         return Paired(solution, nearest, finding, diagnosis)

@@ -76,7 +76,9 @@ class Asked:
     def letters(self) -> Letters:
         rates = {name + rate for name in self.variables for rate in RATES}
         working = {name.name for name in self.definitions if isinstance(name, Symbol)}
-        return Letters(self.own | working | rates | set(self.given.where) | set(self.variables), self.xy)
+        return Letters(
+            self.own | working | rates | set(self.given.where) | set(self.variables), self.xy, self.own
+        )
 
     @cached_property
     def terms(self) -> Terms:
@@ -117,7 +119,7 @@ class Asked:
             return f"did you mean {close[0]}?"
         results = self.derivation.results
         unknown = {
-            key for value in results.values() if _is_branches(value) for b in value for key in b.values
+            key for value in results.values() for branch in _branches(value) for key in branch.values
         }
         if name in unknown:
             return f"write solutions: [{{{name}: ...}}]"

@@ -25,13 +25,16 @@ from derive.answers.points import (
     value_at,
 )
 from derive.errors import FormulaError, NotDerivable
-from derive.expression import Approximate, Expr, Number, Power, Symbol, walk
+from derive.expression import Approximate, Call, Expr, Number, Power, Symbol, children, walk
 from derive.expression import replace as replaced
 
 Verdict: TypeAlias = Literal["equal", "differs", "undecided"]
 UNDECIDED = (NotDerivable, FormulaError, ValueError, ZeroDivisionError, OverflowError, RecursionError)
 TRIED = 60  # points, until
 ENOUGH = 8  # of them give real values
+MOST_ROOTS = 5  # different roots and inverse functions in a tree whose normal form is asked for
+MOST_NODES = 200
+ROOTS = ("sqrt", "abs", "atan2", "atan", "acos", "asin")
 DIGITS = 3  # of a decimal that counts as rounded
 
 
@@ -74,7 +77,39 @@ def compare(published: Expr, derived: Expr, terms: Terms) -> Finding:
 
 
 def proved(published: Expr, derived: Expr, terms: Terms) -> bool:
-    """Whether the normal form shows them equal, as they stand or for what is said to be positive."""
+    """Whether the normal form shows them equal, as a whole, or part by part where they are built alike."""
+    if published == derived:
+        return True
+    if light(published, terms.published) and light(derived, terms.derived):
+        return _proved_whole(published, derived, terms)
+    parts, others = children(published), children(derived)
+    if type(published) is not type(derived) or not parts or len(parts) != len(others):
+        return False
+    if isinstance(published, Call) and isinstance(derived, Call) and published.function != derived.function:
+        return False
+    plain = replace(terms, angle=False)
+    return all(proved(one, other, plain) for one, other in zip(parts, others, strict=True))
+
+
+def light(tree: Expr, names: Names) -> bool:
+    """Whether the normal form of a tree is found in a moment: roots within roots take long."""
+    pending, seen, nodes, roots = [tree], set[Expr](), 0, 0
+    while pending:
+        node = pending.pop()
+        nodes += 1
+        if isinstance(node, Symbol | Call) and node not in seen:
+            seen.add(node)
+            roots += isinstance(node, Call) and node.function in ROOTS
+            if node in names:
+                pending.append(names[node])
+        pending.extend(children(node))
+        if roots > MOST_ROOTS or (roots > 1 and nodes > MOST_NODES):
+            return False
+    return True
+
+
+def _proved_whole(published: Expr, derived: Expr, terms: Terms) -> bool:
+    """Equal as they stand, or for what is said to be positive."""
     positive = terms.sampling.positive
     roots: Names = {Symbol(name): Power(Symbol(f"{name}_root"), Number(Fraction(2))) for name in positive}
     for more in ({}, roots) if roots else ({},):
@@ -95,6 +130,8 @@ def _same_direction(published: Expr, derived: Expr, terms: Terms) -> bool:
 
 
 def _turned(published: Expr, derived: Expr, theirs: Names, ours: Names) -> bool:
+    if not (light(published, theirs) and light(derived, ours)):
+        return False
     try:
         one = walk_over([published], theirs).trig(published)
         other = walk_over([derived], ours).trig(derived)

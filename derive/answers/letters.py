@@ -34,6 +34,7 @@ class Letters:
 
     known: frozenset[str]
     xy: bool = False
+    own: frozenset[str] = frozenset()  # of the known names those that stand for themselves; they come first
 
     @cached_property
     def squeezed(self) -> Mapping[str, str]:
@@ -42,7 +43,7 @@ class Letters:
         for name in sorted(self.known):
             key = squeeze(name)
             found[key] = "" if key in found else name
-        return found
+        return found | {squeeze(name): name for name in self.own}
 
     @cached_property
     def joints(self) -> Mapping[str, str]:
@@ -57,9 +58,9 @@ class Letters:
 
     def find(self, name: str) -> str:
         """The name of the problem that is meant, or an empty text."""
-        if name in self.known:
-            return name
         key = squeeze(name)
+        if name in self.own or (name in self.known and self.squeezed.get(key) not in self.own):
+            return name
         return self.squeezed.get(key) or self.squeezed.get(key.replace("omega", "w")) or ""
 
     def summed(self, indices: Iterable[str]) -> Expr | None:

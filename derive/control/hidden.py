@@ -5,7 +5,7 @@ from __future__ import annotations
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
 from derive.control.linear import form_of
-from derive.control.rational import Polynomial, Rational, polynomial, scalar
+from derive.control.rational import Polynomial, Rational, polynomial, scalar, shared
 from derive.control.signals import LAPLACE, signals, unknowns
 from derive.control.system import Equation, System
 from derive.expression import Symbol
@@ -27,7 +27,8 @@ def hidden(system: System, den: Polynomial, decimals: bool) -> Polynomial:
     rest = determinant / scalar(den)
     if not rest or _has_s_below(rest):
         return (Scalar.of(1),)
-    return _monic(polynomial(rest))
+    beside = polynomial(Scalar(rest.ring, rest.numerator))
+    return tuple(k / shared(beside) for k in beside) if len(beside) > 1 else (Scalar.of(1),)
 
 
 def _row(equation: Equation, found: tuple[Symbol, ...], decimals: bool) -> dict[Symbol, Scalar]:
@@ -49,8 +50,3 @@ def _has_s_below(value: Scalar) -> bool:
     if value.denominator is None:
         return False
     return LAPLACE.name in Scalar(value.ring, value.denominator).generators()
-
-
-def _monic(found: Polynomial) -> Polynomial:
-    """Without a factor that has no s in it."""
-    return tuple(k / found[0] for k in found) if len(found) > 1 else (Scalar.of(1),)

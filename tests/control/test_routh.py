@@ -7,7 +7,7 @@ import random
 import numpy
 import pytest
 
-from derive.algebra.grammar import parse
+from derive.algebra.grammar import parse, parse_equation
 from derive.algebra.normal import normal
 from derive.algebra.numeric import number, scalar_number
 from derive.algebra.scalar import Scalar
@@ -18,6 +18,9 @@ from derive.control.hurwitz import conditions, is_impossible, written
 from derive.control.motor import motor
 from derive.control.rational import polynomial
 from derive.control.routh import leading, remainder, routh, sign_changes
+from derive.control.system import Equation, System
+from derive.errors import NotDerivable
+from derive.expression import Symbol
 
 EPSILON = "epsilon"
 
@@ -116,6 +119,25 @@ def test_contradictions_are_seen() -> None:
 def test_remainders() -> None:
     whole, part = (polynomial(normal(parse(typed))) for typed in ("s^3 + 2*s^2 + s + 2", "s^2 + 1"))
     assert not any(remainder(whole, part))
+
+
+def test_conditions_that_exclude_each_other() -> None:
+    """A product of signs no one of which is known."""
+    found = conditions(column("a*s^4 + c*s^3 + K*a*s^2 + 1"), ())
+    assert is_impossible(found, ())
+
+
+def test_an_entry_that_no_page_holds() -> None:
+    letters = " + ".join(f"(a{k} + b{k} + c{k})*s^{k}" for k in range(7))
+    with pytest.raises(NotDerivable, match="at most 150"):
+        routh(polynomial(normal(parse(letters))), EPSILON)
+
+
+def test_what_cancels_is_hidden() -> None:
+    equation = Equation(*parse_equation("(s - 1)*(s + 2)*y = (s - 1)*u"))
+    system = System((equation,), Symbol("u"), Symbol("y"))
+    found = hidden(system, polynomial(normal(parse("s + 2"))), False)
+    assert [scalar_number(k, {}) for k in found] == [1, -1]
 
 
 def test_the_motor_hides_nothing() -> None:
