@@ -6,12 +6,12 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from pathlib import Path
 
-from derive.answers.checking import Asked
+from derive.answers.checking import Compared
 from derive.answers.findings import Check
 from derive.answers.points import Point
 from derive.build import Warn, answered, each, load_all, working_on
 from derive.derivation import Derivation
-from derive.errors import SheetError, SheetErrors
+from derive.errors import NotDerivable, SheetError, SheetErrors
 from derive.kinds.problem import Problem as Working
 from derive.sheet.model import Problem, Question, Sheet
 from derive.writing import Progress
@@ -55,7 +55,7 @@ def _of_question(sheet: Sheet, problem: Problem, question: Question, working: Wo
     at = question.answer_at
     if not question.answer or at is None:
         return []
-    return Asked(
+    return Compared(
         problem.number,
         question.number,
         derivation,
@@ -73,5 +73,8 @@ def _reached(question: Question, working: Working, derivation: Derivation) -> tu
     reached = getattr(question.kind, "reached", None)
     if reached is None or "solutions" not in derivation.results:
         return ()
-    points: Sequence[Mapping[str, float]] = reached(question.options, working, POINTS)
+    try:
+        points: Sequence[Mapping[str, float]] = reached(question.options, working, POINTS)
+    except NotDerivable:  # where: has names of its own for what is given; then any points will do
+        return ()
     return tuple({name: Fraction(value) for name, value in point.items()} for point in points)

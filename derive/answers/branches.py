@@ -91,7 +91,7 @@ class Sets:
             compared += 1
             for k in left:
                 if theirs[k] and not any(self._same(theirs[k], other) for other in ours):
-                    found.setdefault(k, Finding("differs", point, _first(theirs[k], ours)))
+                    found.setdefault(k, self._shown(point, theirs[k] or {}, [ours[j] for j in spare] or ours))
             for j in spare:
                 known = ours[j] and not _is_special(self.derived[j])
                 if known and not any(self._same(other, ours[j]) for other in theirs):
@@ -99,6 +99,22 @@ class Sets:
             if compared == ENOUGH:
                 break
         return found
+
+    def _shown(
+        self, point: Point, theirs: Mapping[str, arb], ours: Sequence[Mapping[str, arb] | None]
+    ) -> Finding:
+        """The unknown that differs from the nearest derived solution, and both values."""
+        real = [each for each in ours if each and self._different(theirs, each)]
+        if not real:
+            return Finding("differs", point)
+        nearest = min(real, key=lambda each: len(self._different(theirs, each)))
+        name = self._different(theirs, nearest)[0]
+        values = float(theirs[name].mid()), float(nearest[name].mid())
+        return Finding("differs", point, values, f"in {name}")
+
+    def _different(self, theirs: Mapping[str, arb], ours: Mapping[str, arb]) -> list[str]:
+        common = [name for name in theirs if name in ours]
+        return [n for n in common if apart(theirs[n], ours[n], n in self.angles, rounded=True)]
 
     def _points(self) -> Iterable[Point]:
         trees = [*_values(self.published), *_values(self.derived)]
@@ -119,8 +135,7 @@ class Sets:
     def _same(self, theirs: Mapping[str, arb] | None, ours: Mapping[str, arb] | None) -> bool:
         if theirs is None or ours is None:
             return False
-        common = theirs.keys() & ours.keys()
-        return not any(apart(theirs[n], ours[n], n in self.angles, rounded=True) for n in common)
+        return not self._different(theirs, ours)
 
     # -- what is told -----------------------------------------------------------------------------
 
@@ -180,12 +195,3 @@ def _definitions(solution: Solution) -> dict[Expr, Expr]:
 
 def _values(solutions: Iterable[Solution]) -> list[Expr]:
     return [value for solution in solutions for value in solution.values()]
-
-
-def _first(
-    theirs: Mapping[str, arb] | None, ours: Sequence[Mapping[str, arb] | None]
-) -> tuple[float | None, float | None]:
-    """The first unknown's value in a published solution and in a derived one."""
-    real = next((each for each in ours if each), None)
-    numbers = [None if each is None else float(next(iter(each.values())).mid()) for each in (theirs, real)]
-    return numbers[0], numbers[1]

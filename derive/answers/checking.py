@@ -2,96 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from functools import cached_property
 from typing import Any
 
 from derive.algebra.text import text
+from derive.answers.asked import Asked
 from derive.answers.branches import Sets, Solution, angles_among, written
 from derive.answers.comparing import Finding, Terms, compare, proved
 from derive.answers.diagnosing import SHAPE, TRANSPOSED, diagnose
-from derive.answers.findings import Check
-from derive.answers.letters import Letters
-from derive.answers.points import RATES, Names, Point, Sampling
-from derive.answers.reading import Locate, Reader, Route
-from derive.derivation import Branch, Derivation
-from derive.errors import Place, SheetError
-from derive.expression import Approximate, Expr, Matrix, Symbol, column, free_symbols
-from derive.kinds.problem import TREES, Problem
+from derive.answers.findings import Check, as_typed
+from derive.answers.reading import Reader, Route
+from derive.derivation import Branch
+from derive.errors import SheetError
+from derive.expression import Expr, Matrix
+from derive.kinds.problem import TREES
 
 DIAGNOSED = 12  # entries of one answer
 
 
 @dataclass(frozen=True)
-class Asked:
-    """A question that has an answer: what was derived for it, and where its answer stands in the sheet.
-
-    `reached` are points at which known coordinates belong together, for inverse problems.
-    """
-
-    problem: int
-    question: int
-    derivation: Derivation
-    given: Problem
-    answer: Mapping[str, Any]
-    locate: Locate
-    key: Callable[[Route], Place]
-    xy: bool = False
-    reached: tuple[Point, ...] = ()
-
-    # -- what there is to compare with ------------------------------------------------------------
-
-    @cached_property
-    def derived(self) -> Mapping[str, Any]:
-        """Results by name; then steps of the page; then what is known in numbers only."""
-        found: dict[str, Any] = {}
-        for name, value in self.derivation.evaluated.items():
-            if (tree := _numeric(value)) is not None:
-                found[name] = tree
-        for each in reversed(list(_rests_on(self.derivation))):
-            found.update({step.name: step.result for step in each.all_steps() if step.chain})
-        return {**found, **self.derivation.results}
-
-    @cached_property
-    def definitions(self) -> Names:
-        """What names of the working stand for, those of `where` included."""
-        found: dict[Expr, Expr] = {}
-        for each in reversed(list(_rests_on(self.derivation))):
-            found.update(each.definitions)
-        return {**found, **self.given.names}
-
-    @cached_property
-    def own(self) -> frozenset[str]:
-        """The symbols of the problem and of its results, which stand for themselves."""
-        trees = [tree for value in self.derivation.results.values() for tree in _trees(value)]
-        return self.given.symbols.union(*map(free_symbols, trees)) - set(self.given.where)
-
-    @cached_property
-    def variables(self) -> tuple[str, ...]:
-        return tuple(getattr(self.given.subject, "variables", ()))
-
-    @cached_property
-    def letters(self) -> Letters:
-        rates = {name + rate for name in self.variables for rate in RATES}
-        working = {name.name for name in self.definitions if isinstance(name, Symbol)}
-        return Letters(
-            self.own | working | rates | set(self.given.where) | set(self.variables), self.xy, self.own
-        )
-
-    @cached_property
-    def terms(self) -> Terms:
-        known = {"positive", "nonnegative"}
-        positive = frozenset(name for name, what in self.given.assumptions.items() if what in known)
-        signed = frozenset(self.variables) | {name + rate for name in self.variables for rate in RATES}
-        published = {key: tree for key, tree in self.definitions.items() if not self._is_own(key)}
-        return Terms(published, self.given.names, Sampling(signed - positive, positive))
-
-    def _is_own(self, key: Expr) -> bool:
-        return isinstance(key, Symbol) and key.name in self.own
-
-    # -- reading and comparing --------------------------------------------------------------------
+class Compared(Asked):
+    """The same with its answers read and compared."""
 
     def checks(self) -> list[Check]:
         """A check for each entry. Raises SheetErrors with everything that cannot be read."""
@@ -115,12 +49,11 @@ class Asked:
 
     def _hint(self, name: str) -> str:
         close = get_close_matches(name, self.derived, n=1, cutoff=0.6)
+        close = close or [each for each in self.derived if each.lower() == name.lower()]
         if close:
             return f"did you mean {close[0]}?"
         results = self.derivation.results
-        unknown = {
-            key for value in results.values() for branch in _branches(value) for key in branch.values
-        }
+        unknown = {key for value in results.values() for branch in _branches(value) for key in branch.values}
         if name in unknown:
             return f"write solutions: [{{{name}: ...}}]"
         return f"its results: {', '.join(results)}"
@@ -185,7 +118,7 @@ class Asked:
         finding = compare(theirs, ours, terms)
         if finding.verdict == "differs" and diagnosis is None:
             diagnosis = diagnose(theirs, ours, terms)
-        return self._check(name, entry, finding, text(theirs), text(ours), diagnosis or "")
+        return self._check(name, entry, finding, as_typed(theirs), text(ours), diagnosis or "")
 
     def _check(
         self, name: str, entry: tuple[int, ...], found: Finding, theirs: str, ours: str, diagnosis: str
@@ -285,29 +218,3 @@ def _is_branches(result: Any) -> bool:
 
 def _branches(result: Any) -> tuple[Branch, ...]:
     return result if _is_branches(result) else ()
-
-
-def _rests_on(derivation: Derivation) -> Iterator[Derivation]:
-    yield derivation
-    for used in derivation.uses:
-        yield from _rests_on(used)
-
-
-def _trees(result: Any) -> Iterator[Expr]:
-    match result:
-        case Branch(values):
-            yield from values.values()
-        case tuple():
-            for part in result:
-                yield from _trees(part)
-        case _ if isinstance(result, TREES):
-            yield result
-
-
-def _numeric(value: Any) -> Expr | None:
-    """Numbers at a point as a tree; None where they are no plain numbers."""
-    if isinstance(value, float | int) and not isinstance(value, bool):
-        return Approximate(float(value))
-    if isinstance(value, list) and value and all(isinstance(each, float | int) for each in value):
-        return column([Approximate(float(each)) for each in value])
-    return None

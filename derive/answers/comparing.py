@@ -35,6 +35,7 @@ ENOUGH = 8  # of them give real values
 MOST_ROOTS = 5  # different roots and inverse functions in a tree whose normal form is asked for
 MOST_NODES = 200
 ROOTS = ("sqrt", "abs", "atan2", "atan", "acos", "asin")
+TIGHT = 1e-9  # relative: as near as a number in floating point is known
 DIGITS = 3  # of a decimal that counts as rounded
 
 
@@ -69,8 +70,11 @@ def compare(published: Expr, derived: Expr, terms: Terms) -> Finding:
     if proved(published, derived, terms):
         return Finding("equal")
     found = _looked_up(published, derived, terms)
-    if found.verdict == "differs" and (note := _rounded(published, derived, terms)):
+    doubtful = found.verdict == "differs" or _is_rounded(derived)
+    if doubtful and (note := _rounded(published, derived, terms)):
         return Finding("equal" if note == ROUNDED else "undecided", note=note)
+    if found.verdict == "undecided" and _is_rounded(derived) and found.values and _gap(found.values) < TIGHT:
+        return Finding("equal", note=COMPUTED)
     if found.verdict == "undecided" and found.values and _same_direction(published, derived, terms):
         return Finding("equal")
     return found
@@ -188,8 +192,12 @@ def _signs(published: Expr, derived: Expr, terms: Terms) -> Finding | None:
 
 
 def _apart(theirs: arb, ours: arb, derived: Expr, terms: Terms) -> bool:
-    rounded = terms.sampling.rounded or any(isinstance(node, Approximate) for node in walk(derived))
-    return apart(theirs, ours, terms.angle, rounded)
+    return apart(theirs, ours, terms.angle, terms.sampling.rounded or _is_rounded(derived))
+
+
+def _is_rounded(derived: Expr) -> bool:
+    """Whether it is known in floating point only."""
+    return any(isinstance(node, Approximate) for node in walk(derived))
 
 
 def _gap(values: tuple[float | None, float | None] | None) -> float:
@@ -203,6 +211,7 @@ def _gap(values: tuple[float | None, float | None] | None) -> float:
 # -- decimals that are rounded --------------------------------------------------------------------
 
 ROUNDED = "to the digits given"
+COMPUTED = "to the digits computed"
 TOO_FEW = "agrees to the digits given, which are few"
 
 

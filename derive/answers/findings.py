@@ -6,8 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from derive.algebra.text import text
 from derive.answers.comparing import Verdict
 from derive.errors import Place
+from derive.expression import MINUS_ONE, Expr, Number, Product, Symbol, replace, walk
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,3 +42,14 @@ class Check:
             if self.diagnosis:
                 found["diagnosis"] = self.diagnosis
         return found
+
+
+def as_typed(tree: Expr) -> str:
+    """A published formula in SymPy's syntax, its decimals as decimals."""
+    decimals = [node for node in walk(tree) if isinstance(node, Number) and node.decimal]
+    return text(replace(tree, {node: _decimal(node) for node in decimals}))
+
+
+def _decimal(number: Number) -> Expr:
+    digits = Symbol(f"{float(abs(number.value)):.15g}")
+    return Product((MINUS_ONE, digits)) if number.value < 0 else digits

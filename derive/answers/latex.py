@@ -19,50 +19,35 @@ from derive.algebra.quantities import (
     rational,
     summed,
 )
-from derive.answers.letters import GREEK_NAMES, Letters
-from derive.answers.scripts import FONTS, Scripted, group_text, scripted, subscripts_first
-from derive.answers.tokens import Kind, Token, tokens
+from derive.answers.cursor import OPENING
+from derive.answers.grids import GridReader
+from derive.answers.letters import Letters
+from derive.answers.names import FUNCTIONS
+from derive.answers.scripts import FONTS, group_text, subscripts_first
+from derive.answers.tokens import Token, tokens
 from derive.errors import FormulaError
-from derive.expression import PI, Call, Degrees, Expr, Matrix, Number, Sum, Symbol, negate
+from derive.expression import PI, Degrees, Expr, Matrix, Number, Symbol
 
 MAX_NESTING = 40
-MAX_ENTRIES = 400
-FUNCTIONS = {
-    "cos": "cos", "sin": "sin", "tan": "tan", "arccos": "acos", "arcsin": "asin", "arctan": "atan",
-    "acos": "acos", "asin": "asin", "atan": "atan", "exp": "exp", "ln": "log", "log": "log", "sgn": "sign",
-    "sign": "sign", "sqrt": "sqrt", "abs": "abs", "atan2": "atan2", "Atan2": "atan2", "arctan2": "atan2",
-    "ATAN2": "atan2",
-}  # fmt: skip
 INVERSES = {"cos": "acos", "sin": "asin", "tan": "atan"}
 RECIPROCALS = {"sec": "cos", "csc": "sin", "cot": "tan"}
 FRACTIONS = ("frac", "dfrac", "tfrac", "cfrac")
-MATRICES = ("matrix", "bmatrix", "pmatrix", "Bmatrix", "smallmatrix", "array")
-OPENING = {"(": ")", "[": "]"}
 
 
 def read_latex(text: str, letters: Letters) -> Expr:
     """The scalar or the matrix a LaTeX text stands for. Raises FormulaError."""
-    return _Parser(subscripts_first(tokens(text)), letters).whole()
+    try:
+        return _Parser(subscripts_first(tokens(text)), letters).whole()
+    except RecursionError as error:
+        raise FormulaError("the answer is nested too deeply", 0) from error
 
 
-class _Parser:
+class _Parser(GridReader):
     """One pass over the tokens of one answer."""
 
-    def __init__(self, found: tuple[Token, ...], letters: Letters) -> None:
-        self.tokens = found
-        self.letters = letters
-        self.at = 0
-        self.depth = 0
-        self.bars = 0
-        self.entries = 0
-
-    @property
-    def next(self) -> Token:
-        return self.tokens[self.at]
-
-    def take(self) -> Token:
-        self.at += 1
-        return self.tokens[self.at - 1]
+    def nested(self, found: tuple[Token, ...]) -> Expr:
+        """An expression of its own, as in an index."""
+        return _Parser(found, self.letters).whole()
 
     def whole(self) -> Expr:
         """All of the text; of a chain of equations its last part."""
@@ -181,13 +166,6 @@ class _Parser:
         self.close(opened, {"{": "}"}.get(opened.text) or OPENING[opened.text])
         return found
 
-    def close(self, opened: Token, closing: str) -> None:
-        if self.next.text != closing:
-            if self.next.kind == "end":
-                raise FormulaError(f"this {opened.text} is never closed", opened.offset)
-            raise self.unexpected()
-        self.take()
-
     def absolute(self, closing: str) -> Quantity:
         opened = self.take()
         self.bars += 1
@@ -249,21 +227,6 @@ class _Parser:
             raise self.unexpected()
         return self.atom()
 
-    def first_digit(self, token: Token) -> Quantity:
-        """TeX takes one digit: \\frac12 is a half, x^23 is x^2 times 3."""
-        rest = Token("number", token.text[1:], token.offset + 1, token.end)
-        self.tokens = (*self.tokens[: self.at], rest, *self.tokens[self.at + 1 :])
-        return Quantity(Number(Fraction(token.text[0])))
-
-    def skip_group(self) -> None:
-        """Past a group in braces, or one token."""
-        depth = 0
-        while True:
-            token = self.take()
-            depth += (token.text == "{") - (token.text == "}")
-            if depth <= 0 or token.kind == "end":
-                return
-
     def square_root(self) -> Quantity:
         token = self.take()
         index = Fraction(2)
@@ -276,113 +239,7 @@ class _Parser:
             return called("sqrt", (inside,), token.offset)
         return raised(inside, Quantity(Number(1 / index)), token.offset)
 
-    # -- names ------------------------------------------------------------------------------------
-
-    def word(self) -> Quantity:
-        """A name of the problem, or several letters side by side; the last of them may carry a subscript."""
-        token = self.next
-        follows = self.tokens[self.at + 1]
-        if token.text in FUNCTIONS and follows.text in ("(", "{", "^") and not self.letters.find(token.text):
-            self.take()
-            return self.function(token.text, token)
-        pieces = self.split(token)
-        if len(pieces) > 1:
-            parts = tuple(self.tokens[: self.at]) + tuple(pieces) + tuple(self.tokens[self.at + 1 :])
-            self.tokens = parts
-        return self.named(self.scripted())
-
-    def split(self, token: Token) -> list[Token]:
-        """The names in a word: the whole of it, or from the left the longest the problem knows."""
-        subscript = self.tokens[self.at + 1].text == "_"
-        whole = token.text
-        if self.letters.find(whole) or (self.letters.abbreviated(whole) and not subscript):
-            return [token]
-        pieces: list[Token] = []
-        at = 0
-        while at < len(whole):
-            end = next(
-                (stop for stop in range(len(whole), at, -1) if self.letters.find(whole[at:stop])), at + 1
-            )
-            while end < len(whole) and whole[end].isdigit():
-                end += 1
-            pieces.append(Token("word", whole[at:end], token.offset + at, token.offset + end))
-            at = end
-        return pieces
-
-    def scripted(self) -> Scripted:
-        """The letter here with its scripts, the place still before it; of L_cs the script is c only."""
-        found = scripted(self.tokens, self.at)
-        under = found.lower_tokens[0] if found.lower_tokens else None
-        bare = under and under.kind == "word" and len(under.text) > 1 and self.tokens[self.at + 2] is under
-        if under is None or not bare or self.letters.find(found.plain) or self.letters.find(under.text):
-            return found
-        first = Token("word", under.text[0], under.offset, under.offset + 1)
-        kind: Kind = "number" if under.text[1:].isdigit() else "word"
-        rest = Token(kind, under.text[1:], under.offset + 1, under.end)
-        self.tokens = (*self.tokens[: self.at + 2], first, rest, *self.tokens[self.at + 3 :])
-        return scripted(self.tokens, self.at)
-
-    def named(self, name: Scripted) -> Quantity:
-        """The symbol, the sine or the cosine that a letter with its subscript stands for."""
-        letters = self.letters
-        if name.upper and (found := letters.find(f"{name.plain}^{name.upper}{name.accent}")):
-            self.at = name.end
-            return _symbol(found)
-        self.at = name.power
-        if found := letters.find(name.plain + name.accent):
-            return _symbol(found)
-        if (value := self.abbreviation(name)) is not None:
-            return Quantity(value, None, numeric=False)
-        if name.stem in ("c", "s") and not name.lower and self.starts_angle():
-            return self.function({"c": "cos", "s": "sin"}[name.stem], self.next)
-        if name.stem == "e" and name.upper:
-            self.take()
-            return called("exp", (self.argument_group(),), name.offset)
-        raise letters.unknown(name.plain + name.accent, name.offset)
-
-    def abbreviation(self, name: Scripted) -> Expr | None:
-        """c_1, s_{12}, c_{1+2}, c_\\theta; \\theta_{12} for a sum of angles. None for any other name."""
-        if name.accent:
-            return None
-        if name.stem in ("theta", "q") and name.lower.isdigit():
-            return self.letters.summed(name.lower)
-        function = {"c": "cos", "s": "sin", "C": "cos", "S": "sin"}.get(name.stem)
-        if function is None or not name.lower:
-            return self.letters.abbreviated(name.stem)
-        angle = self.letters.angle(",".join(token.text for token in name.lower_tokens if token.text != ","))
-        angle = angle or self.letters.angle(name.lower)
-        if angle is None and name.lower.isdigit():
-            raise FormulaError(f"there is no joint angle {name.lower}", name.offset)
-        if angle is None:
-            angle = self.inside(name.lower_tokens)
-        return Call(function, (angle,))
-
-    def inside(self, found: tuple[Token, ...]) -> Expr:
-        """An index that is an angle of its own: 1+2, \\theta_1+\\theta_2, 2\\theta."""
-        plain = [token for token in found if token.text not in "{}"]
-        if any(token.text in ("+", "-") for token in plain) and all(
-            token.kind == "number" or token.text in ("+", "-") for token in plain
-        ):
-            return self.joints(plain)
-        end = Token("end", "", found[-1].end, found[-1].end)
-        return _Parser((*found, end), self.letters).whole()
-
-    def joints(self, found: list[Token]) -> Expr:
-        terms, negative = [], False
-        for token in found:
-            if token.text in ("+", "-"):
-                negative = token.text == "-"
-                continue
-            angle = self.letters.summed(token.text)
-            if angle is None:
-                raise FormulaError(f"there is no joint angle {token.text}", token.offset)
-            terms.append(negate(angle) if negative else angle)
-        return Sum(tuple(terms)) if len(terms) > 1 else terms[0]
-
     # -- functions --------------------------------------------------------------------------------
-
-    def starts_angle(self) -> bool:
-        return self.next.kind == "command" and self.next.text in GREEK_NAMES
 
     def function(self, name: str, token: Token) -> Quantity:
         """A function of what follows; cos^2 x is a square, cos^{-1} x the inverse."""
@@ -446,58 +303,3 @@ class _Parser:
         after = self.tokens[min(self.at + 1, len(self.tokens) - 1)].text
         time = token.kind == "word" and token.text == "t" and after not in ("_", "^")
         return time or (len(angle.name) == 1 and self.starts_angle())
-
-    # -- matrices ---------------------------------------------------------------------------------
-
-    def matrix(self) -> Quantity:
-        opened = self.take()
-        name = group_text(self.tokens, self.at).rstrip("*")
-        if name not in MATRICES:
-            raise FormulaError(
-                f"no environment '{name}' here", self.next.offset, f"one of {', '.join(MATRICES)}"
-            )
-        self.skip_group()
-        if name == "array":
-            self.skip_group()
-        rows = self.rows(opened)
-        if len({len(row) for row in rows}) != 1:
-            raise FormulaError("the rows of this matrix are not equally long", opened.offset)
-        terms = sum(entry.terms for row in rows for entry in row)
-        return Quantity(Matrix(tuple(tuple(e.expr for e in row) for row in rows)), None, False, terms)
-
-    def rows(self, opened: Token) -> list[list[Quantity]]:
-        rows: list[list[Quantity]] = [[]]
-        while True:
-            if self.next.text == "end" and self.next.kind == "command":
-                break
-            rows[-1].append(self.sum())
-            self.entries += 1
-            if self.entries > MAX_ENTRIES:
-                raise FormulaError(f"an answer has at most {MAX_ENTRIES} entries", opened.offset)
-            token = self.next
-            if token.text == "&":
-                self.take()
-            elif token.kind == "row":
-                self.take()
-                if self.next.text != "end":
-                    rows.append([])
-            elif token.kind == "end":
-                raise FormulaError("this matrix has no \\end", opened.offset)
-            elif token.text != "end":
-                raise self.unexpected()
-        self.take()
-        self.skip_group()
-        if not rows[0]:
-            raise FormulaError("this matrix is empty", opened.offset)
-        return rows
-
-    def unexpected(self, hint: str = "") -> FormulaError:
-        token = self.next
-        if token.kind == "end":
-            return FormulaError("the answer ends too early", token.offset, hint)
-        written = f"\\{token.text}" if token.kind == "command" else token.text
-        return FormulaError(f"'{written}' cannot stand here", token.offset, hint)
-
-
-def _symbol(name: str) -> Quantity:
-    return Quantity(Symbol(name), None, numeric=False)

@@ -14,6 +14,7 @@ from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Symbol, children, free_symbols, walk
 
 BITS = 200
+SHARP = 1e-20  # a value less certain is none: atan2 of what is not real is anything up to pi
 NEAR = 1e-6  # relative to their size: what two formulas may differ by where the point itself is rounded
 NO_VALUE = (ValueError, ZeroDivisionError, OverflowError, NotDerivable, KeyError, RecursionError)
 RATES = ("_dot", "_ddot")
@@ -44,7 +45,8 @@ def value_at(tree: Expr, names: Names, point: Point) -> arb | None:
             value = precise(tree, _Values(point, names))
         except NO_VALUE:
             return None
-        return value if value.is_finite() else None
+        sharp = value.is_finite() and float(value.rad()) <= SHARP * max(1.0, abs(float(value.mid())))
+        return value if sharp else None
 
 
 def has_none_at(tree: Expr, names: Names, point: Point) -> bool:
@@ -91,7 +93,9 @@ class Sampling:
     def usual(self, names: Iterable[str], count: int) -> Iterator[Point]:
         """Points as one meets them: lengths are positive, angles and coordinates of either sign."""
         if self.given:
-            yield from ({**self._fill(names), **point} for point in self.given)
+            wanted = sorted(names)
+            for point in self.given:
+                yield {**self._fill(wanted), **{name: point[name] for name in wanted if name in point}}
             return
         for k, draw in enumerate(_draws(names, count)):
             yield {name: draw(k > 2 and name in self.signed) for name in sorted(names)}

@@ -10,7 +10,8 @@ from derive.algebra.grammar import parse
 from derive.algebra.spelling import ARGUMENTS
 from derive.algebra.tokens import tokens
 from derive.algebra.units import ANY, UNITS
-from derive.answers.latex import MAX_ENTRIES, read_latex
+from derive.answers.grids import MAX_ENTRIES
+from derive.answers.latex import read_latex
 from derive.answers.letters import Letters
 from derive.errors import FormulaError, Place, SheetError, SheetErrors
 from derive.expression import PI, Call, Expr, Matrix, Product, Symbol, column, multiply, rebuild, walk
@@ -86,6 +87,19 @@ def read_text(text: str, letters: Letters) -> Expr:
     """The scalar or matrix of a formula or of LaTeX, in the problem's own symbols. Raises FormulaError."""
     if any(sign in text for sign in "\\{}&$"):
         return _whole_matrix(read_latex(text, letters))
+    try:
+        return _read_formula(text, letters)
+    except FormulaError:
+        if "_" not in text:
+            raise
+        try:  # LaTeX has letters side by side: mgL_c
+            return _whole_matrix(read_latex(text, letters))
+        except FormulaError:
+            pass
+        raise
+
+
+def _read_formula(text: str, letters: Letters) -> Expr:
     found = tokens(text)
     foreign = {token.text: token.offset for token in found[::-1] if token.kind == "name"}
     units = any(name in UNITS and not letters.find(name) for name in foreign)

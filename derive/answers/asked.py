@@ -1,0 +1,111 @@
+"""A question that has an answer: what there is to compare with, and the names an answer may use."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+from derive.answers.comparing import Terms
+from derive.answers.letters import Letters
+from derive.answers.points import RATES, Names, Point, Sampling
+from derive.answers.reading import Locate, Route
+from derive.derivation import Branch, Derivation
+from derive.errors import Place
+from derive.expression import Approximate, Expr, Symbol, column, free_symbols
+from derive.kinds.problem import TREES, Problem
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A question, what was derived for it, and where its answer stands in the sheet.
+
+    `reached` are points at which known coordinates belong together, for inverse problems.
+    """
+
+    problem: int
+    question: int
+    derivation: Derivation
+    given: Problem
+    answer: Mapping[str, Any]
+    locate: Locate
+    key: Callable[[Route], Place]
+    xy: bool = False
+    reached: tuple[Point, ...] = ()
+
+    # -- what there is to compare with ------------------------------------------------------------
+
+    @cached_property
+    def derived(self) -> Mapping[str, Any]:
+        """Results by name; then steps of the page; then what is known in numbers only."""
+        found: dict[str, Any] = {}
+        for name, value in self.derivation.evaluated.items():
+            if (tree := _numeric(value)) is not None:
+                found[name] = tree
+        for each in reversed(list(_rests_on(self.derivation))):
+            found.update({step.name: step.result for step in each.all_steps() if step.chain})
+        return {**found, **self.derivation.results}
+
+    @cached_property
+    def definitions(self) -> Names:
+        """What names of the working stand for, those of `where` included."""
+        found: dict[Expr, Expr] = {}
+        for each in reversed(list(_rests_on(self.derivation))):
+            found.update(each.definitions)
+        return {**found, **self.given.names}
+
+    @cached_property
+    def own(self) -> frozenset[str]:
+        """The symbols of the problem and of its results, which stand for themselves."""
+        trees = [tree for value in self.derivation.results.values() for tree in _trees(value)]
+        return self.given.symbols.union(*map(free_symbols, trees)) - set(self.given.where)
+
+    @cached_property
+    def variables(self) -> tuple[str, ...]:
+        return tuple(getattr(self.given.subject, "variables", ()))
+
+    @cached_property
+    def letters(self) -> Letters:
+        rates = {name + rate for name in self.variables for rate in RATES}
+        working = {name.name for name in self.definitions if isinstance(name, Symbol)}
+        return Letters(
+            self.own | working | rates | set(self.given.where) | set(self.variables), self.xy, self.own
+        )
+
+    @cached_property
+    def terms(self) -> Terms:
+        known = {"positive", "nonnegative"}
+        positive = frozenset(name for name, what in self.given.assumptions.items() if what in known)
+        signed = frozenset(self.variables) | {name + rate for name in self.variables for rate in RATES}
+        published = {key: tree for key, tree in self.definitions.items() if not self._is_own(key)}
+        return Terms(published, self.given.names, Sampling(signed - positive, positive))
+
+    def _is_own(self, key: Expr) -> bool:
+        return isinstance(key, Symbol) and key.name in self.own
+
+
+def _rests_on(derivation: Derivation) -> Iterator[Derivation]:
+    yield derivation
+    for used in derivation.uses:
+        yield from _rests_on(used)
+
+
+def _trees(result: Any) -> Iterator[Expr]:
+    match result:
+        case Branch(values):
+            yield from values.values()
+        case tuple():
+            for part in result:
+                yield from _trees(part)
+        case _ if isinstance(result, TREES):
+            yield result
+
+
+def _numeric(value: Any) -> Expr | None:
+    """Numbers at a point as a tree; None where they are no plain numbers."""
+    if isinstance(value, float | int) and not isinstance(value, bool):
+        return Approximate(float(value))
+    if isinstance(value, list) and value and all(isinstance(each, float | int) for each in value):
+        return column([Approximate(float(each)) for each in value])
+    return None

@@ -1,0 +1,65 @@
+"""A place in the tokens of an answer, and how it moves on."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from derive.algebra.quantities import Quantity
+from derive.answers.letters import GREEK_NAMES, Letters
+from derive.answers.tokens import Token
+from derive.errors import FormulaError
+from derive.expression import Number
+
+OPENING = {"(": ")", "[": "]"}
+
+
+class Cursor:
+    """The tokens of one answer and the place of the next one."""
+
+    def __init__(self, found: tuple[Token, ...], letters: Letters) -> None:
+        self.tokens = found
+        self.letters = letters
+        self.at = 0
+        self.depth = 0
+        self.bars = 0
+        self.entries = 0
+
+    @property
+    def next(self) -> Token:
+        return self.tokens[self.at]
+
+    def take(self) -> Token:
+        self.at += 1
+        return self.tokens[self.at - 1]
+
+    def close(self, opened: Token, closing: str) -> None:
+        if self.next.text != closing:
+            if self.next.kind == "end":
+                raise FormulaError(f"this {opened.text} is never closed", opened.offset)
+            raise self.unexpected()
+        self.take()
+
+    def first_digit(self, token: Token) -> Quantity:
+        """TeX takes one digit: \\frac12 is a half, x^23 is x^2 times 3."""
+        rest = Token("number", token.text[1:], token.offset + 1, token.end)
+        self.tokens = (*self.tokens[: self.at], rest, *self.tokens[self.at + 1 :])
+        return Quantity(Number(Fraction(token.text[0])))
+
+    def skip_group(self) -> None:
+        """Past a group in braces, or one token."""
+        depth = 0
+        while True:
+            token = self.take()
+            depth += (token.text == "{") - (token.text == "}")
+            if depth <= 0 or token.kind == "end":
+                return
+
+    def starts_angle(self) -> bool:
+        return self.next.kind == "command" and self.next.text in GREEK_NAMES
+
+    def unexpected(self, hint: str = "") -> FormulaError:
+        token = self.next
+        if token.kind == "end":
+            return FormulaError("the answer ends too early", token.offset, hint)
+        written = f"\\{token.text}" if token.kind == "command" else token.text
+        return FormulaError(f"'{written}' cannot stand here", token.offset, hint)

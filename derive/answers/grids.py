@@ -1,0 +1,67 @@
+"""Matrices in published LaTeX, row by row."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+
+from derive.algebra.quantities import Quantity
+from derive.answers.names import NameReader
+from derive.answers.scripts import group_text
+from derive.answers.tokens import Token
+from derive.errors import FormulaError
+from derive.expression import Matrix
+
+MAX_ENTRIES = 400
+MATRICES = ("matrix", "bmatrix", "pmatrix", "Bmatrix", "smallmatrix", "array")
+
+
+class GridReader(NameReader):
+    """Reads a matrix where the cursor stands; an entry is a sum."""
+
+    @abstractmethod
+    def sum(self) -> Quantity:
+        """An entry."""
+
+    def matrix(self) -> Quantity:
+        opened = self.take()
+        name = group_text(self.tokens, self.at).rstrip("*")
+        if name not in MATRICES:
+            raise FormulaError(
+                f"no environment '{name}' here", self.next.offset, f"one of {', '.join(MATRICES)}"
+            )
+        self.skip_group()
+        if name == "array":
+            self.skip_group()
+        rows = self.rows(opened)
+        if len({len(row) for row in rows}) != 1:
+            raise FormulaError("the rows of this matrix are not equally long", opened.offset)
+        terms = sum(entry.terms for row in rows for entry in row)
+        return Quantity(Matrix(tuple(tuple(e.expr for e in row) for row in rows)), None, False, terms)
+
+    def rows(self, opened: Token) -> list[list[Quantity]]:
+        rows: list[list[Quantity]] = [[]]
+        while True:
+            if self.next.text == "end" and self.next.kind == "command":
+                break
+            rows[-1].append(self.sum())
+            self.entries += 1
+            if self.entries > MAX_ENTRIES:
+                raise FormulaError(f"an answer has at most {MAX_ENTRIES} entries", opened.offset)
+            token = self.next
+            if token.text == "&":
+                self.take()
+                if self.next.text in ("end", "&") or self.next.kind == "row":
+                    raise FormulaError("an entry of this matrix is empty", token.offset)
+            elif token.kind == "row":
+                self.take()
+                if self.next.text != "end":
+                    rows.append([])
+            elif token.kind == "end":
+                raise FormulaError("this matrix has no \\end", opened.offset)
+            elif token.text != "end":
+                raise self.unexpected()
+        self.take()
+        self.skip_group()
+        if not rows[0]:
+            raise FormulaError("this matrix is empty", opened.offset)
+        return rows

@@ -1,0 +1,74 @@
+from __future__ import annotations
+
+import pytest
+
+from derive.algebra.text import text
+from derive.answers.letters import Letters
+from derive.answers.reading import read_text
+from derive.errors import FormulaError
+
+TYPED = "theta1 theta2 q4 d3 L L_c a1 a2 m g phi omega t theta1_dot T_1^0 J_w1 I_xx"
+NAMES = frozenset(TYPED.split(" "))
+LETTERS = Letters(NAMES, xy=True, own=NAMES)
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [
+        ("c1 s_12", "cos(theta1)*sin(theta1 + theta2)"),
+        ("c_phi", "cos(phi)"),
+        ("theta_1", "theta1"),
+        ("c_4", "cos(q4)"),
+        (r"\cos\theta_1\sin\theta_2", "cos(theta1)*sin(theta2)"),
+        (r"\cos\omega t", "cos(omega*t)"),
+        (r"\cos 2\phi", "cos(2*phi)"),
+        (r"\cos^2\phi", "cos(phi)**2"),
+        (r"\cos^{-1}(a_1)", "acos(a1)"),
+        (r"\frac12 m", "1/2*m"),
+        (r"L_cs_{12}", "L_c*sin(theta1 + theta2)"),
+        (r"c_{\theta_1+\theta_2}", "cos(theta1 + theta2)"),
+        (r"\dot{\theta}_1^2", "theta1_dot**2"),
+        (r"\dot{\theta_1}", "theta1_dot"),
+        (r"T^0_1 + T_1^0", "T_1^0 + T_1^0"),
+        (r"J_{\omega_1} I_{xx}", "J_w1*I_xx"),
+        (r"\mathrm{Atan2}(a_1, a_2)", "atan2(a2, a1)"),
+        (r"\operatorname{atan2}(a_1, a_2)", "atan2(a1, a2)"),
+        ("$a_1 = a_2 = L$".replace("$a_1", "$ a_1"), "L"),
+        (r"\left[ 30^\circ \right]", "pi/6"),
+        (r"2\begin{pmatrix} 1 \\ a_1 \end{pmatrix}", "Matrix([[2], [2*a1]])"),
+        (r"\begin{bmatrix} 1 & a_1 \\ \end{bmatrix}^T", "Matrix([[1], [a1]])"),
+        (r"\begin{array}{cc} 1 & 2 \\[1ex] 3 & 4 \end{array}", "Matrix([[1, 2], [3, 4]])"),
+        ("θ₁ + φ", "theta1 + phi"),
+    ],
+)
+def test_it_is_read(typed: str, meant: str) -> None:
+    assert text(read_text(typed, LETTERS)) == meant
+
+
+@pytest.mark.parametrize(
+    "typed",
+    [
+        "", "{", "}", "\\", "\\foo", "_", "^", "a_", "a_1^", "\\frac", "\\frac{1}", "\\sqrt[", "|a_1\\,",
+        "c_{7}", "\\begin", "\\begin{", "\\begin{foo}1\\end{foo}", "\\begin{bmatrix}",
+        "\\begin{bmatrix}1&2\\\\3\\end{bmatrix}",
+        "\\dot", "\\mathrm{", "\\pm a_1", "\\cos", "{" * 5000, "\\frac{1}" * 3000, "a_1^{65}",
+        "c_{+}", "-" * 9000 + "\\pi",
+        "\\sqrt" * 3000, "\\cos" * 3000, "{}" * 4000, "\\dot" * 4000, "a_1^T", "\\begin" * 100,
+        "\\sqrt{" * 2000,
+        "(a_1 + a_2 + L + m + g)^{60}", "9" * 50 + "\\,", "a_1 \\",
+        "\\begin{bmatrix} \\begin{bmatrix} 1 \\end{bmatrix} \\end{bmatrix}",
+        "__import__('os')", "lambda: 1", "\\input{/etc/passwd}", "\\def\\a{1}", "1/0",
+        "\\frac10",
+    ],
+)  # fmt: skip
+def test_nonsense_is_a_fault(typed: str) -> None:
+    with pytest.raises(FormulaError) as caught:
+        read_text(typed, LETTERS)
+    assert 0 <= caught.value.offset <= len(typed)
+
+
+def test_did_you_mean() -> None:
+    with pytest.raises(FormulaError) as caught:
+        read_text("a1 + thta1", LETTERS)
+    assert caught.value.offset == 5
+    assert caught.value.hint == "did you mean theta1?"
