@@ -22,8 +22,8 @@ stop = 14  # the simulation ends here [s]
 
 # Transfer functions
 s = control.tf("s")
-G = K_m / ((J * s**2 + b * s) * (R_a + L_a * s) + K_b * K_m * s)
-C = K_p + K_d * s / (T_f * s + 1)
+G = K_m/((J*s**2 + b*s)*(R_a + L_a*s) + K_b*K_m*s)
+C = K_p + K_d*s/(T_f*s + 1)
 T = control.feedback(C * G, 1)
 
 # Block diagram: blocks are connected where the name of an output is that of an input
