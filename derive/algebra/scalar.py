@@ -130,8 +130,7 @@ class Scalar:
 
     def key(self) -> Hashable:
         """The same for the same polynomials of the same ring: to remember what was found for them."""
-        bottom = None if self.denominator is None else frozenset(self.denominator.to_dict().items())
-        return self.ring, frozenset(self.numerator.to_dict().items()), bottom
+        return _Key(self)
 
     # -- parts ------------------------------------------------------------------------------------
 
@@ -259,3 +258,30 @@ def _replaced(polynomial: fmpq_mpoly, source: Ring, home: Ring, values: Mapping[
             term = term * value**power if power else term
         total = total + term
     return total
+
+
+class _Key:
+    """A scalar by its polynomials; its hash looks at no more than their shape, for they may be long."""
+
+    __slots__ = ("hash", "scalar")
+
+    def __init__(self, scalar: Scalar) -> None:
+        top = scalar.numerator
+        first = top.leading_coefficient() if top else top
+        self.scalar = scalar
+        self.hash = hash((id(scalar.ring), len(top), tuple(map(int, top.degrees())) if top else (), str(first)))
+
+    def __hash__(self) -> int:
+        return self.hash
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, _Key) or self.hash != other.hash:
+            return False
+        a, b = self.scalar, other.scalar
+        return a.ring is b.ring and a.numerator == b.numerator and _same(a.denominator, b.denominator)
+
+
+def _same(left: fmpq_mpoly | None, right: fmpq_mpoly | None) -> bool:
+    if left is None or right is None:
+        return left is right
+    return bool(left == right)

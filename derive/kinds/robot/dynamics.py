@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Literal
 
 from derive.algebra import numeric
-from derive.algebra.normal import normal_matrix
+from derive.algebra.compiled import compiled
 from derive.algebra.operations import operations
 from derive.derivation import Claim, Derivation, Step
 from derive.expression import Expr, Matrix, Symbol, add, column
@@ -86,11 +86,11 @@ def _second_route(problem: Problem, rigid: Matrix) -> Claim:
     """Newton's and Euler's laws for each body, against tau without friction and with it."""
     oracle, names = oracle_of(problem), problem.subject.variables
     rates = {f"{name}{dots}" for name in names for dots in ("_dot", "_ddot")}
-    torques, rubbing = normal_matrix(rigid), friction_column(problem.subject)
+    torques, rubbing = [compiled(entry) for (entry,) in rigid.rows], friction_column(problem.subject)
 
     def ours(at: Mapping[str, float]) -> list[float]:
         whole = oracle.at(at)
-        found = [row[0] for row in numeric.matrix_numbers(torques, whole)]
+        found = [torque(whole) for torque in torques]
         friction = numeric.numbers(rubbing, whole) if rubbing else [0.0] * len(found)
         return [a + b for a, b in zip(found, friction, strict=True)]
 
