@@ -267,9 +267,9 @@ class _Key:
 
     def __init__(self, scalar: Scalar) -> None:
         top = scalar.numerator
-        first = top.leading_coefficient() if top else top
+        shape = (*map(int, top.degrees()), str(top.leading_coefficient())) if top else ()
         self.scalar = scalar
-        self.hash = hash((id(scalar.ring), len(top), tuple(map(int, top.degrees())) if top else (), str(first)))
+        self.hash = hash((id(scalar.ring), len(top), shape))
 
     def __hash__(self) -> int:
         return self.hash
