@@ -18,7 +18,7 @@ from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._velocity.task import Task, task_of
-from derive.mechanics.iteration import Iteration, Pose, Row, iterate
+from derive.mechanics.iteration import CLOSE, Iteration, Pose, Row, iterate
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import ROWS, moving_rows
 
@@ -195,7 +195,7 @@ def _facts(task: Task, options: Options, run: Iteration) -> dict[str, Any]:
         "verdict": run.verdict,
         "steps": len(run.rows) - 1,
         "after": f"after {len(run.rows) - 1} steps" if len(run.rows) > 1 else "at the start",
-        "error": Approximate(last.error),
+        "error": Approximate(last.error if last.error >= CLOSE else 0.0),
         "best": options.step is None,
         "alpha": options.step,
         "solution": tuple((name, Approximate(value)) for name, value in zip(variables, last.q, strict=True)),
@@ -207,7 +207,8 @@ def _facts(task: Task, options: Options, run: Iteration) -> dict[str, Any]:
 
 def _row(k: int, row: Row) -> tuple[Expr, ...]:
     """One line of the table."""
-    return (number(k), *map(Approximate, row.q), Approximate(row.error), Approximate(row.H))
+    error = row.error if row.error >= CLOSE else 0.0  # below, it is what rounding leaves
+    return (number(k), *map(Approximate, row.q), Approximate(error), Approximate(error**2 / 2))
 
 
 def _seen(problem: Problem, options: Options) -> frozenset[str]:
