@@ -49,7 +49,6 @@ def run_octave(code: str) -> str:
 
 @pytest.mark.parametrize("controller", [PD, PID, {"P": {"K_p": "0.05"}}])
 def test_the_python_script_finds_the_derived_response(controller: Any, tmp_path: Path) -> None:
-    pytest.importorskip("control")
     found = run_python(model(controller), tmp_path)
     problem = Problem("motor", motor("armature", "angle"))
     derived = problem.ask("step-response", controller=controller, evaluate=POINT).evaluated
@@ -59,7 +58,6 @@ def test_the_python_script_finds_the_derived_response(controller: Any, tmp_path:
 
 
 def test_without_a_controller_the_input_steps(tmp_path: Path) -> None:
-    pytest.importorskip("control")
     found = run_python(model(None, "speed"), tmp_path)
     assert found["SteadyStateValue"] == pytest.approx(20 / 3)
 
