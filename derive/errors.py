@@ -34,10 +34,12 @@ class SheetError(Exception):
 
 
 class SheetErrors(Exception):
-    """Every fault of a sheet at once, in the order of the file."""
+    """Every fault of a sheet at once, in the order of the file; there is at least one."""
 
     def __init__(self, errors: Iterable[SheetError]) -> None:
         self.errors = tuple(sorted(errors, key=_position))
+        if not self.errors:  # what is without faults must not be left out as if it had some
+            raise ValueError("no fault was given")
         super().__init__(f"{len(self.errors)} fault(s)")
 
 

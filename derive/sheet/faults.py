@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from difflib import get_close_matches
+from functools import cache
 from typing import Any
 
 from pydantic import TypeAdapter, ValidationError
 
 from derive.errors import FormulaError, SheetError
+from derive.sheet.cut import before, cut_fault, cut_off
 from derive.sheet.source import At, Route
 
+MOST = 100  # faults of one value that are told one by one
 NO_FORM = "no_form"  # the type of a fault where a value has none of the forms it could have
 WANTED = {
     "int": "a whole number is wanted here",
@@ -35,8 +38,9 @@ def retell(
     error: ValidationError, at: At, adapter: TypeAdapter[Any], more: Iterable[str] = ()
 ) -> list[SheetError]:
     """The faults in a value that did not fit its model; `more` are further keys allowed at its top."""
-    entries = [_Entry(dict(entry), at, adapter, tuple(more)) for entry in error.errors(include_url=False)]
-    faults = [(entry, entry.fault()) for entry in entries if not entry.is_rest_of_formula]
+    listed = error.errors(include_url=False)
+    entries = [_Entry(dict(entry), at, adapter, tuple(more)) for entry in listed[:MOST]]
+    faults = [(entry, entry.fault()) for entry in entries if not _told_before(entry, entries)]
     misspelt = {(entry.route[:-1], fault.hint) for entry, fault in faults if entry.type == "extra_forbidden"}
     found: dict[tuple[Any, ...], SheetError] = {}
     for entry, fault in faults:
@@ -46,7 +50,22 @@ def retell(
             fault.message if entry.type == "missing" else ""
         )  # more than one key can be missing in a place
         found.setdefault((fault.place, several), fault)
-    return list(found.values())
+    return [*found.values(), *untold(len(listed) - MOST, at)]
+
+
+def _told_before(entry: _Entry, entries: list[_Entry]) -> bool:
+    """Whether a piece that was cut off at a comma belongs to a value whose fault is told."""
+    if entry.rest is None:
+        return False
+    whole = before(entry.at, entry.rest)
+    return any(other.route[: len(whole)] == whole for other in entries)
+
+
+def untold(count: int, at: At) -> list[SheetError]:
+    """How many faults are not told one by one."""
+    if count <= 0:
+        return []
+    return [at.fault(f"{count} more faults are here", (), "mend those above first")]
 
 
 def did_you_mean(typed: str, known: Iterable[str], what: str = "") -> str:
@@ -87,14 +106,12 @@ class _Entry:
         self.more = more
         self.location: tuple[str | int, ...] = entry["loc"]
         self.route = self._route()
-
-    @property
-    def is_rest_of_formula(self) -> bool:
-        """Whether the key is what YAML cut off a formula at a comma, as `4)`: its first part is reported."""
-        return any(isinstance(step, str) and ")" in step and "(" not in step for step in self.location)
+        self.rest = cut_off(at, self.route)
 
     def fault(self) -> SheetError:
         error = self.context.get("error")
+        if self.rest is not None:
+            return cut_fault(self.at, self.rest)
         if isinstance(error, FormulaError):
             return formula_fault(error, self.at, self.route)
         if self.type == "missing":
@@ -170,14 +187,16 @@ class _Entry:
             return self.at.fault(said, self.route)
         if self.type == "too_long":
             most, given = self.context["max_length"], self.context["actual_length"]
-            return self.at.fault(f"{most} values are wanted here, not {given}", self.route)
+            if self.context.get("field_type") == "Tuple":
+                return self.at.fault(f"{most} values are wanted here, not {given}", self.route)
+            return self.at.fault(f"at most {most} can stand here, not {given}", self.route)
         wanted = WANTED.get(self.type.split("_")[0], "")
         place = self.route if said == "" else self._owner()
         return self.at.fault(said or wanted or self.message.lower(), place, key=place != self.route)
 
     def _known_keys(self, route: Route) -> list[str]:
         """The keys that the value there could have, found in the JSON Schema."""
-        schema = self.adapter.json_schema()
+        schema = _schema(self.adapter)
         branches = [schema]
         for step in route:
             branches = [part for branch in branches for part in _parts(schema, branch, step)]
@@ -186,6 +205,11 @@ class _Entry:
             for flat in _flat(schema, branch):
                 keys.update(dict.fromkeys(flat.get("properties", {})))
         return list(keys)
+
+
+@cache
+def _schema(adapter: TypeAdapter[Any]) -> dict[str, Any]:
+    return adapter.json_schema()
 
 
 def _flat(schema: dict[str, Any], branch: dict[str, Any]) -> list[dict[str, Any]]:

@@ -29,15 +29,15 @@ class GivenSheet(_Model):
     """The top of a sheet. Its problems are read one by one."""
 
     title: Line
-    problems: Annotated[list[Any], Field(min_length=1, max_length=200)]
+    problems: Annotated[list[Any], Field(min_length=1, max_length=1000)]
     course: Line = ""
     author: Line = ""
     date: Line = ""
     language: Literal["en"] = "en"
     marks: bool = True
     notation: GivenNotation = GivenNotation()
-    symbols: dict[Name, Assumption] = {}
-    where: dict[Name, Quantity] = {}
+    symbols: Annotated[dict[Name, Assumption], Field(max_length=500)] = {}
+    where: Annotated[dict[Name, Quantity], Field(max_length=500)] = {}
 
 
 class GivenProblem(_Model):
@@ -46,8 +46,8 @@ class GivenProblem(_Model):
     title: Line = ""
     text: Text = ""
     figure: str = "false"
-    symbols: dict[Name, Assumption] = {}
-    where: dict[Name, Quantity] = {}
+    symbols: Annotated[dict[Name, Assumption], Field(max_length=500)] = {}
+    where: Annotated[dict[Name, Quantity], Field(max_length=500)] = {}
 
 
 def _evaluate_form(value: Any) -> str:

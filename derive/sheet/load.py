@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
 from derive.errors import SheetError, SheetErrors
 from derive.kinds.figures import DRAWN
 from derive.sheet.checked import checked
-from derive.sheet.faults import did_you_mean
+from derive.sheet.cut import cut_fault, cut_off
+from derive.sheet.faults import MOST, did_you_mean, untold
 from derive.sheet.given import PROBLEM_KEYS, GivenProblem, GivenSheet
 from derive.sheet.model import Notation, Problem, Question, Sheet
 from derive.sheet.questions import inline_question, questions
@@ -18,6 +20,7 @@ from derive.sheet.source import At
 from derive.sheet.subject import build_subject, subject_name, subject_place
 from derive.sheet.subjects import registry
 from derive.sheet.subjects.registry import Known
+from derive.sheet.unfilled import unfilled
 from derive.sheet.where import cycle
 
 
@@ -40,6 +43,7 @@ def sheet_of(at: At) -> Sheet:
         faults.extend(errors.errors)
         known = Known(assumptions=dict.fromkeys(_declared(at.value()), ""))
     problems = _problems(at, known, faults)
+    faults += unfilled(at.source, faults)
     if faults or given is None:
         raise SheetErrors(_distinct(faults))
     notation = Notation(given.notation.atan2, given.notation.trig, given.notation.digits)
@@ -113,11 +117,8 @@ def _asked(at: At, data: dict[str, Any], name: str, known: Known) -> tuple[Quest
         if "find" not in rest:
             raise SheetErrors([_nothing_asked(at, rest)])
         return (inline_question(at, rest, name, known),)
-    faults = [
-        at.fault(f"unknown key '{key}'", (key,), _key_hint(key), key=True)
-        for key in rest
-        if key != "questions"
-    ]
+    strange = [key for key in rest if key != "questions"]
+    faults = [*(_unknown(at, key) for key in strange[:MOST]), *untold(len(strange) - MOST, at)]
     try:
         found = questions(at, data, name, known)
     except SheetErrors as errors:
@@ -127,6 +128,12 @@ def _asked(at: At, data: dict[str, Any], name: str, known: Known) -> tuple[Quest
     return found
 
 
+def _unknown(at: At, key: str) -> SheetError:
+    if cut_off(at, (key,)):
+        return cut_fault(at, (key,))
+    return at.fault(f"unknown key '{key}'", (key,), _key_hint(key), key=True)
+
+
 def _key_hint(key: str) -> str:
     if key == "find":
         return "a problem has either 'find' or 'questions'"
@@ -134,7 +141,7 @@ def _key_hint(key: str) -> str:
 
 
 def _nothing_asked(at: At, rest: dict[str, Any]) -> SheetError:
-    for key in rest:
+    for key in islice(rest, MOST):
         if (close := did_you_mean(key, ("questions", "find"))).startswith("did"):
             return at.fault(f"unknown key '{key}'", (key,), close, key=True)
     return at.fault("nothing is asked in this problem", (), "add questions: with - find: ...")

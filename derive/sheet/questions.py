@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from itertools import islice
 from types import ModuleType
 from typing import Any
 
 from derive.errors import SheetError, SheetErrors
 from derive.kinds import registry
 from derive.sheet.checked import checked
-from derive.sheet.faults import did_you_mean
+from derive.sheet.faults import MOST, did_you_mean
 from derive.sheet.given import ASKED_KEYS, QUESTION_KEYS, GivenAsked, GivenQuestion
 from derive.sheet.model import Question
 from derive.sheet.source import At
@@ -100,7 +101,7 @@ def _without_find_misspelt(errors: SheetErrors, data: dict[str, Any], at: At) ->
     """The faults; where `find` is missing and a key looks like it, that key is named instead."""
     if "find" in data:
         return list(errors.errors)
-    for key in data:
+    for key in islice(data, MOST):
         if did_you_mean(key, ["find"]).startswith("did"):
             fault = at.fault(f"unknown key '{key}'", (key,), "did you mean find?", key=True)
             return [fault if "'find'" in error.message else error for error in errors.errors]

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
+from stat import S_ISREG
 from typing import TYPE_CHECKING, Any
 
 from derive.errors import Place, SheetError, SheetErrors
+from derive.sheet.characters import QUOTES, taken_by_quotes, unprintable
 from derive.sheet.source import Route, Source, Spot
 from derive.sheet.yaml_faults import explain
 
@@ -14,8 +17,8 @@ if TYPE_CHECKING:
 
 MAX_BYTES = 1_000_000
 MAX_DEPTH = 30
-MAX_VALUES = 20_000  # counted as they expand: an alias counts each time
 TAG = "tag:yaml.org,2002:"
+LINE_ENDS = re.compile("\r\n|[\n\r\x85\u2028\u2029]")  # those of YAML
 TAGS = frozenset(TAG + name for name in ("map", "seq", "str", "int", "float", "bool", "null", "timestamp"))
 
 
@@ -26,9 +29,9 @@ def read(path: Path) -> Source:
 
 def read_text(text: str, path: Path) -> Source:
     """The contents of YAML text said to stand in `path`. Raises SheetErrors."""
-    lines = tuple(text.splitlines())
+    lines = tuple(LINE_ENDS.split(text))
     root = _compose(text, path, lines)
-    reading = _Reading(path, lines)
+    reading = _Reading(path, text, lines)
     data = reading.value(root, ())
     if reading.faults:
         raise SheetErrors(reading.faults)
@@ -37,9 +40,14 @@ def read_text(text: str, path: Path) -> Source:
 
 def _text(path: Path) -> str:
     try:
-        if path.stat().st_size > MAX_BYTES:
+        if not S_ISREG(path.stat().st_mode):  # a pipe or a device might never end
+            hint = "a sheet is a file ending in .yaml"
+            raise SheetErrors([SheetError(f"{path}: this is no ordinary file", None, hint)])
+        with path.open("rb") as file:
+            content = file.read(MAX_BYTES + 1)
+        if len(content) > MAX_BYTES:
             raise SheetErrors([SheetError(f"{path}: the file is larger than 1 MB", None, "split the sheet")])
-        return path.read_bytes().decode("utf-8-sig")
+        return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         hint = "save the file as UTF-8"
         raise SheetErrors([SheetError(f"{path}: the file is not UTF-8 text", None, hint)]) from error
@@ -51,8 +59,12 @@ def _compose(text: str, path: Path, lines: tuple[str, ...]) -> Node:
     from ruamel.yaml import YAML
     from ruamel.yaml.error import YAMLError
 
+    from derive.sheet.counting import Counting
+
+    yaml = YAML(typ="safe", pure=True)
+    yaml.Composer = Counting
     try:
-        root = YAML(typ="safe", pure=True).compose(text)
+        root = yaml.compose(text)
     except RecursionError as error:
         raise SheetErrors([SheetError(f"{path}: lists and mappings are nested too deeply")]) from error
     except (YAMLError, ValueError) as error:
@@ -67,8 +79,9 @@ def _compose(text: str, path: Path, lines: tuple[str, ...]) -> Node:
 class _Reading:
     """Nodes to plain data, gathering the spot of each value and every fault."""
 
-    def __init__(self, path: Path, lines: tuple[str, ...]) -> None:
+    def __init__(self, path: Path, text: str, lines: tuple[str, ...]) -> None:
         self.path = path
+        self.text = text
         self.lines = lines
         self.spots: dict[Route, Spot] = {}
         self.faults: list[SheetError] = []
@@ -77,7 +90,9 @@ class _Reading:
     def value(self, node: Node, route: Route, key: tuple[int, int] | None = None) -> Any:
         from ruamel.yaml.nodes import MappingNode, SequenceNode
 
-        self.count += 1
+        from derive.sheet.counting import MAX_VALUES
+
+        self.count += 1  # as they expand: an alias counts each time
         if self.count == MAX_VALUES or (self.count < MAX_VALUES and len(route) > MAX_DEPTH):
             self.fault(node, "too much is nested or repeated here", "write it out, or make it several sheets")
             self.count = MAX_VALUES
@@ -90,6 +105,7 @@ class _Reading:
             return self.mapping(node, route)
         if isinstance(node, SequenceNode):
             return self.sequence(node, route)
+        self.characters(node)
         return _scalar(node)
 
     def mapping(self, node: MappingNode, route: Route) -> dict[str, Any]:
@@ -98,6 +114,7 @@ class _Reading:
             if not isinstance(key.value, str):
                 self.fault(key, "a key must be plain text", "write it as key: value")
                 continue
+            self.characters(key)
             if key.value in found:
                 first = self.spots[(*route, key.value)].key or (0, 0)
                 self.fault(key, f"'{key.value}' is given twice", f"it stands in line {first[0] + 1} already")
@@ -108,6 +125,22 @@ class _Reading:
 
     def sequence(self, node: SequenceNode, route: Route) -> list[Any]:
         return [self.value(entry, (*route, index)) for index, entry in enumerate(node.value)]
+
+    def characters(self, node: Node) -> None:
+        """The first character that cannot stand in a sheet, as a fault."""
+        start = node.start_mark.index
+        if getattr(node, "style", None) == '"':
+            for offset, escape in taken_by_quotes(self.text[start : node.end_mark.index]):
+                message = f"in double quotes YAML takes {escape} for a control character"
+                self.faults.append(SheetError(message, self.place(start + offset), QUOTES))
+                return
+        if (char := unprintable(str(node.value))) is not None:
+            self.fault(node, f"the character U+{ord(char):04X} cannot be printed", "leave it out")
+
+    def place(self, index: int) -> Place:
+        """The place of a character of the text."""
+        before = LINE_ENDS.split(self.text[:index])
+        return Place(str(self.path), len(before), len(before[-1]) + 1, self.lines[len(before) - 1])
 
     def fault(self, node: Node, message: str, hint: str) -> None:
         line, column = node.start_mark.line, node.start_mark.column

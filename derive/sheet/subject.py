@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
 from derive.errors import SheetErrors
 from derive.sheet.checked import checked
-from derive.sheet.faults import did_you_mean
+from derive.sheet.faults import MOST, did_you_mean
 from derive.sheet.reader import read
 from derive.sheet.source import At
 from derive.sheet.subjects.registry import Known, load, subjects
+from derive.sheet.unfilled import unfilled
 
 
 def subject_name(at: At, data: dict[str, Any]) -> str:
@@ -24,7 +26,7 @@ def subject_name(at: At, data: dict[str, Any]) -> str:
             [at.fault(f"a problem has one subject, not {' and '.join(found)}", (found[1],), hint, True)]
         )
     hint = "add one of " + ", ".join(subjects())
-    for key in data:
+    for key in islice(data, MOST):
         if (close := did_you_mean(key, subjects())).startswith("did"):
             raise SheetErrors([at.fault(f"unknown key '{key}'", (key,), close, key=True)])
     raise SheetErrors([at.fault("this problem has no subject", (), hint)])
@@ -36,6 +38,8 @@ def subject_place(at: At, name: str) -> At:
     if not isinstance(typed, str) or not typed.endswith((".yaml", ".yml")):
         return at / name
     source = read(_beside(at, name, typed))
+    if faults := unfilled(source):
+        raise SheetErrors(faults)
     return At(source, (name,)) if isinstance(source.data, dict) and name in source.data else At(source)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from derive.errors import Place, SheetError
+from derive.sheet.characters import QUOTES
 
 # What the parser says -> what is wrong, what to write instead. The first that fits is taken.
 MEANINGS = (
@@ -24,7 +25,9 @@ MEANINGS = (
     ("could not find expected ':'", "a colon is missing behind the key", "write it as key: value"),
     ("expected ',' or", "a comma or a closing bracket is missing", "check the brackets, and quote odd texts"),
     ("expected the node content", "a value is missing here", "check the commas"),
-    ("unknown escape", "a backslash in double quotes", "use single quotes around TeX: '\\theta'"),
+    ("unknown escape", "a backslash in double quotes", QUOTES),
+    ("expected escape sequence", "a backslash in double quotes", QUOTES),
+    ("too many values", "too much is nested or repeated here", "make it several sheets"),
 )
 
 
