@@ -36,11 +36,10 @@ class Oracle:
     where: Mapping[str, Expr]
 
     def at(self, point: Point) -> Point:
-        """The point with the values of `where` added."""
+        """The point with the values of `where` added; those the point does not decide are left out."""
         found = dict(point)
         pending = dict(self.where)
-        while pending:
-            ready = [n for n, e in pending.items() if all(s in found for s in free_symbols(e))]
+        while ready := [n for n, e in pending.items() if all(s in found for s in free_symbols(e))]:
             found.update({name: number(pending.pop(name), found) for name in ready})
         return found
 

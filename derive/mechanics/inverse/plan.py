@@ -6,15 +6,15 @@ last three turn the end-effector (Pieper). Any other arm is taken as a whole.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from derive.algebra.angles import Form
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numeric import Point, scalar_number
 from derive.algebra.scalar import Scalar
 from derive.mechanics.chain import Chain
+from derive.mechanics.inverse.budget import Budget, Spent
 from derive.mechanics.inverse.equation import Equation, Frames, pose_equations, position_equations
 from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.knowledge import Knowledge, singles
@@ -24,8 +24,6 @@ from derive.mechanics.inverse.slide import Slide
 from derive.mechanics.inverse.squares import Reach
 from derive.mechanics.inverse.wrist import Wrist, spherical_wrist
 from derive.mechanics.poses import rotation_part
-
-SECONDS = 8.0  # of looking, so that a question takes less than ten
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,7 +43,8 @@ class Decoupling:
 class Plan:
     """What was found in order; `left` are equations nobody could solve, empty where all joints are known.
 
-    `conditions` hold no joint variable: only poses that fulfil them can be reached at all.
+    `conditions` hold no joint variable: only poses that fulfil them can be reached at all. `stopped` says
+    that the budget of the search was spent.
     """
 
     found: tuple[tuple[Stage, Found], ...]
@@ -53,27 +52,11 @@ class Plan:
     decoupling: Decoupling | None = None
     left: tuple[Equation, ...] = ()
     conditions: tuple[Equation, ...] = ()
-    late: bool = False
+    stopped: bool = False
 
     @property
     def complete(self) -> bool:
-        return self.knowledge.complete and not self.late
-
-
-class OutOfTime(Exception):
-    """The search took longer than it may."""
-
-
-@dataclass(slots=True)
-class Clock:
-    """Raises OutOfTime once the time is up."""
-
-    seconds: float = SECONDS
-    start: float = field(default_factory=time.monotonic)
-
-    def __call__(self) -> None:
-        if time.monotonic() - self.start > self.seconds:
-            raise OutOfTime
+        return self.knowledge.complete and not self.stopped
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +67,7 @@ class Search:
     goal: Goal
     points: tuple[Point, ...]
     free_name: Callable[[str], str]
-    clock: Clock
+    budget: Budget
 
     def plan(self) -> Plan:
         """Decoupled where there is a spherical wrist, as a whole otherwise."""
@@ -107,7 +90,7 @@ class Search:
             (*first.knowledge.forms, *second.knowledge.forms),
             first.knowledge.lengths | second.knowledge.lengths,
         )
-        return Plan((*first.found, *second.found), both, decoupling, left, late=second.late)
+        return Plan((*first.found, *second.found), both, decoupling, left, stopped=second.stopped)
 
     def _whole(self) -> Plan:
         home = singles(self.chain)
@@ -124,7 +107,7 @@ class Search:
         stage = Stage.of(equations, self.chain.variables, Samples(self.points))
         plan = self._follow(stage, Knowledge.of(self.chain, self.chain.variables))
         conditions = tuple(self._conditions(equations))
-        return Plan(plan.found, plan.knowledge, None, plan.left, conditions, plan.late)
+        return Plan(plan.found, plan.knowledge, None, plan.left, conditions, plan.stopped)
 
     def _conditions(self, equations: Sequence[Equation]) -> Iterator[Equation]:
         for equation in equations:
@@ -139,13 +122,13 @@ class Search:
         try:
             while not known.complete:
                 used = {equation.place for _, each in found for equation in equations_of(each)}
-                here = stage.next(known, self.clock, used)
+                here = stage.next(known, self.budget, used)
                 if here is None:
                     return Plan(tuple(found), known, left=tuple(stage.left(known)))
                 found.append((stage, here))
                 known = learned(known, here)
-        except OutOfTime:
-            return Plan(tuple(found), known, left=tuple(stage.left(known)), late=True)
+        except Spent:
+            return Plan(tuple(found), known, left=tuple(stage.left(known)), stopped=True)
         return Plan(tuple(found), known)
 
     # -- the spherical wrist ----------------------------------------------------------------------

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations, groupby
 from typing import TypeAlias
 
 from derive.algebra.angles import Form
 from derive.algebra.scalar import Scalar
+from derive.mechanics.inverse.budget import Budget
 from derive.mechanics.inverse.equation import Equation, Place, View
 from derive.mechanics.inverse.knowledge import Knowledge
 from derive.mechanics.inverse.sample import Samples
@@ -57,18 +58,15 @@ class Stage:
                 found.append(Considered(equation, value, held))
         return Stage(tuple(found), samples, joints, base)
 
-    def next(
-        self, known: Knowledge, in_time: Callable[[], None], used: Collection[Place] = ()
-    ) -> Found | None:
+    def next(self, known: Knowledge, budget: Budget, used: Collection[Place] = ()) -> Found | None:
         """The sub-problem to solve now; None where no equation is left with one unknown. Equations that
         were used before are taken again where they serve.
 
         A pair of equations in one angle comes first, for it leaves no choice; then the length of a sliding
-        joint; one equation in one angle; the elbow; last what is linear.
+        joint; one equation in one angle; the elbow; last what is linear. Raises Spent.
         """
-        looking = _Looking(self, known, used)
+        looking = _Looking(self, known, used, budget)
         for seek in (looking.pair, looking.reach, looking.one, looking.elbow, looking.slide):
-            in_time()
             found = seek()
             if found is not None:
                 return found
@@ -76,7 +74,7 @@ class Stage:
 
     def rows(self, known: Knowledge, form: Form) -> list[Row]:
         """Every equation that holds this angle alone."""
-        return dict(_Looking(self, known, ()).rows).get(form, [])
+        return dict(_Looking(self, known, (), Budget()).rows).get(form, [])
 
     def left(self, known: Knowledge, most: int = 6) -> list[Equation]:
         """The shortest equations that still hold unknown joints."""
@@ -89,8 +87,8 @@ class Stage:
 class _Looking:
     """One look at the equations of a stage."""
 
-    def __init__(self, stage: Stage, known: Knowledge, used: Collection[Place]) -> None:
-        self.stage, self.known, self.used = stage, known, used
+    def __init__(self, stage: Stage, known: Knowledge, used: Collection[Place], budget: Budget) -> None:
+        self.stage, self.known, self.used, self.budget = stage, known, used, budget
         self.rows: list[tuple[Form, list[Row]]] = [
             (form, sorted(self._rows(form), key=self._length)) for form in self.known.sought()
         ]
@@ -108,6 +106,7 @@ class _Looking:
         cosines, sines = ([row for row in rows if not side(row)] for side in (_sine, _cosine))
         found = [(one, two) for one in cosines[:MOST_ALONE] for two in sines[:MOST_ALONE]]
         for one, two in found or combinations(rows[:MOST_ROWS], 2):
+            self.budget.spend(one.terms * two.terms)
             pair = pair_of(form, (one, two))
             if not self.stage.samples.vanishes(pair.determinant):
                 yield pair
@@ -137,7 +136,7 @@ class _Looking:
         for one in self.stage.equations:
             held = one.joints & unknown
             if held and held <= allowed:
-                yield one.equation, one.value.into(self.known.home(form, one.value.ring))
+                yield one.equation, self._within(one.value, form)
 
     def reach(self) -> Reach | None:
         found = [
@@ -165,15 +164,20 @@ class _Looking:
         for _, group in groupby(position, key=lambda one: one.equation.view):
             parts = [self._part(one, form, unknown) for one in group if not self._mixed(one, form, unknown)]
             for chosen in subsets(parts):
+                self.budget.spend(sum(len(part.unknown.numerator) ** 2 for part in chosen))
                 yield chosen, unknown
 
     def _mixed(self, one: Considered, form: Form | None, unknown: frozenset[str]) -> bool:
         """Whether the side of the known pose holds unknown joints too."""
-        left = one.equation.left
-        return bool(set(left.into(self.known.home(form, left.ring)).generators()) & unknown)
+        return bool(set(self._within(one.equation.left, form).generators()) & unknown)
 
     def _part(self, one: Considered, form: Form | None, unknown: frozenset[str]) -> Part:
-        return split(one.equation, one.value.into(self.known.home(form, one.value.ring)), unknown)
+        return split(one.equation, self._within(one.value, form), unknown)
+
+    def _within(self, value: Scalar, form: Form | None) -> Scalar:
+        """In the known angles and this one."""
+        self.budget.spend(len(value.numerator))
+        return value.into(self.known.home(form, value.ring))
 
     def slide(self) -> Slide | None:
         found = [
@@ -187,7 +191,7 @@ class _Looking:
     def _slides(self, name: str) -> Iterator[Slide]:
         unknown = self.known.unknown_generators(None) - {name}
         for one in self.stage.equations:
-            value = one.value.into(self.known.home(None, one.value.ring))
+            value = self._within(one.value, None)
             if name in one.joints and not set(value.generators()) & unknown:
                 here = slide_of(value, name, one.equation)
                 if here and not self.stage.samples.vanishes(here.slope):

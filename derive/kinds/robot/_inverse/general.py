@@ -18,8 +18,9 @@ from derive.kinds.robot._inverse.page import Page
 from derive.kinds.robot._inverse.reasons import loose, no_closed_form, refuse
 from derive.kinds.robot._rows.by_rows import by_rows
 from derive.mechanics.chain import Chain
+from derive.mechanics.inverse.budget import Budget
 from derive.mechanics.inverse.goal import Goal, of_coordinates, of_orientation, of_pose
-from derive.mechanics.inverse.plan import Clock, Search
+from derive.mechanics.inverse.plan import Search
 from derive.mechanics.inverse.sample import configurations
 
 POINTS = 5
@@ -33,7 +34,7 @@ def derive(chain: Chain, options: Any, problem: Problem) -> Derivation:
     points = sample_points(chain, goal, problem, POINTS)
     loose(chain, goal, problem, points)
     free = partial(free_name, problem=problem, goal=goal)
-    plan = Search(chain, goal, points[:2], free, Clock()).plan()
+    plan = Search(chain, goal, points[:2], free, Budget()).plan()
     if not plan.complete and problem.subject.by_screws:
         return by_rows("inverse-kinematics", problem, given=options.given, evaluate=options.evaluate)
     if not plan.complete:

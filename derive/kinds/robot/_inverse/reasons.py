@@ -10,6 +10,7 @@ from derive.errors import NotDerivable
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.mechanics.chain import Chain
+from derive.mechanics.inverse.budget import MOST
 from derive.mechanics.inverse.equation import Equation
 from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.plan import Plan
@@ -61,15 +62,18 @@ def loose(chain: Chain, goal: Goal, problem: Problem, points: Sequence[Mapping[s
 def no_closed_form(plan: Plan, goal: Goal, problem: Problem) -> str:
     """What was not found, why, and the equations it is left in."""
     unknown = ", ".join(sorted(plan.knowledge.unknown_joints()))
+    equations = "; ".join(dict.fromkeys(_written(equation, problem) for equation in plan.left))
+    if plan.stopped:
+        return (
+            f"{unknown}: the search was given up after {MOST} terms of equations, so that a closed form may "
+            f"exist; give numbers to some of the symbols, or fix a joint. The equations left are {equations}"
+        )
     if not plan.left:
         return f"no closed form found: what is given ({_listed(goal)}) does not change with {unknown}"
-    reason = (
-        "the search was stopped after its time was up"
-        if plan.late
-        else "no equation holds one of them alone, and no sum of squares does"
+    return (
+        f"no closed form found for {unknown}: no equation holds one of them alone, and no sum of squares "
+        f"does. The reduced equations are {equations}"
     )
-    equations = "; ".join(dict.fromkeys(_written(equation, problem) for equation in plan.left))
-    return f"no closed form found for {unknown}: {reason}. The reduced equations are {equations}"
 
 
 def _written(equation: Equation, problem: Problem) -> str:

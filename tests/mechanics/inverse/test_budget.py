@@ -1,0 +1,98 @@
+"""A search ends by what it has tried, never by the clock: the same sheet is answered or refused everywhere."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+import pytest
+
+from derive.errors import NotDerivable
+from derive.kinds.robot._chain import chain_of
+from derive.kinds.robot._inverse import general
+from derive.kinds.robot._inverse.reasons import no_closed_form
+from derive.mechanics.inverse.budget import Budget, Spent
+from derive.mechanics.inverse.plan import Search
+from tests.kinds.robot.arms import ARMS
+
+PACKAGE = Path(__file__).parents[3] / "derive"
+
+
+def search(name: str, budget: Budget) -> Search:
+    arm = ARMS[name]
+    chain, problem = chain_of(arm.problem()), arm.problem()
+    goal = general.goal_of(arm.given, chain, problem)
+    points = general.sample_points(chain, goal, problem, 2)
+    return Search(chain, goal, points, partial(general.free_name, problem=problem, goal=goal), budget)
+
+
+def test_what_is_spent_is_the_same_each_time() -> None:
+    counts = []
+    for _ in range(2):
+        budget = Budget()
+        assert search("UR5", budget).plan().complete
+        counts.append(budget.tried)
+    assert counts[0] == counts[1] < budget.most / 50
+
+
+@pytest.mark.parametrize("name", ["UR5", "PUMA 560", "3R"])
+def test_a_spent_budget_is_said_in_other_words(name: str) -> None:
+    here = search(name, Budget(most=300))
+    plan = here.plan()
+    assert plan.stopped and not plan.complete
+    said = no_closed_form(plan, here.goal, ARMS[name].problem())
+    assert "no closed form" not in said
+    assert "given up after" in said and "a closed form may exist" in said
+
+
+def test_a_stopped_search_is_refused(monkeypatch) -> None:
+    monkeypatch.setattr(general, "Budget", lambda: Budget(most=300))
+    arm = ARMS["UR5, symbolic"]
+    with pytest.raises(NotDerivable, match="given up after"):
+        replace(arm).problem().ask("inverse-kinematics", given=arm.given)
+
+
+def test_more_than_the_budget_is_not_spent() -> None:
+    budget = Budget(most=10)
+    budget.spend(10)
+    with pytest.raises(Spent):
+        budget.spend(1)
+
+
+def test_nothing_that_is_derived_looks_at_the_clock() -> None:
+    """`messages.py` alone does, for the spinner of a terminal."""
+    looking = [
+        path.relative_to(PACKAGE).as_posix()
+        for path in PACKAGE.rglob("*.py")
+        if any(
+            word in path.read_text(encoding="utf-8") for word in ("monotonic", "perf_counter", "process_time")
+        )
+    ]
+    assert looking == ["messages.py"]
+
+
+SHEET = """\
+title: Same everywhere
+problems:
+- {robot: robots/ur5.yaml, find: inverse-kinematics, given: pose}
+- {robot: robots/puma560.yaml, find: inverse-kinematics, given: pose}
+"""
+
+
+def test_same_bytes_for_every_hash_seed(tmp_path) -> None:
+    shutil.copytree(PACKAGE.parent / "exercises" / "robots", tmp_path / "robots")
+    (tmp_path / "same.yaml").write_text(SHEET, encoding="utf-8")
+    pages = set()
+    for seed in ("0", "1", "4711"):
+        run = subprocess.run(
+            [sys.executable, "-c", "from derive.cli import main; main()", "build", "same.yaml", "--format", "json,md", "--output", seed],
+            cwd=tmp_path, env={**os.environ, "PYTHONHASHSEED": seed}, capture_output=True, check=False,
+        )  # fmt: skip
+        assert run.returncode == 0, run.stderr.decode()
+        pages.add(tuple((tmp_path / seed / f"same.{end}").read_bytes() for end in ("json", "md")))
+    assert len(pages) == 1
