@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 
 from derive.answers.checking import Compared
 from derive.answers.findings import Check
 from derive.answers.points import Point
-from derive.build import Warn, answered, each, load_all, working_on
+from derive.build import Warn, answered, load_all, working_on
 from derive.derivation import Derivation
 from derive.errors import NotDerivable, SheetError, SheetErrors
 from derive.kinds.problem import Problem as Working
@@ -17,45 +18,92 @@ from derive.sheet.model import Problem, Question, Sheet
 from derive.writing import Progress
 
 POINTS = 4  # that the subject of an inverse problem reaches
+NOT_COMPARED = "it was not compared: see the fault"
 
 
-def check(
-    paths: Sequence[Path], progress: Progress = lambda _: None, warn: Warn = lambda _: None
-) -> list[Check]:
-    """What was found about each entry of each answer, in the order of the sheets.
+@dataclass(frozen=True, slots=True)
+class Checked:
+    """What was found about each entry of each answer, in the order of the sheets, and why some were not
+    compared: those are undecided."""
+
+    checks: tuple[Check, ...] = ()
+    faults: tuple[SheetError, ...] = ()
+
+
+def check(paths: Sequence[Path], progress: Progress = lambda _: None, warn: Warn = lambda _: None) -> Checked:
+    """A verdict on every answer of the sheets.
 
     Raises SheetErrors with the faults of all the sheets, and where there is no answer to check.
     """
     sheets = load_all(paths, progress)
     for warning in (found for sheet in sheets for problem in sheet.problems for found in problem.warnings):
         warn(warning)
-    found = each(sheets, _checks, lambda sheet: progress(f"checking {sheet.path.stem}"))
-    checks = [found_here for of_sheet in found for found_here in of_sheet]
-    if not checks:
+    found = []
+    for sheet in sheets:
+        progress(f"checking {sheet.path.stem}")
+        found += [_of_question(sheet, *asked) for asked in _asked(sheet)]
+    if not found:
         names = ", ".join(str(path) for path in paths)
         hint = "write answer: {J: ...} beside a find"
         raise SheetErrors([SheetError(f"{names}: there is no answer to check", None, hint)])
-    return checks
+    return Checked(
+        tuple(entry for each in found for entry in each.checks),
+        tuple(dict.fromkeys(fault for each in found for fault in each.faults)),
+    )
 
 
-def _checks(sheet: Sheet) -> list[Check]:
-    found = each(sheet.problems, lambda problem: _of_problem(sheet, problem), lambda _: None)
-    return [check for of_problem in found for check in of_problem]
+def _asked(sheet: Sheet) -> Iterator[tuple[Problem, Question, Working]]:
+    """Every question with an answer; those of one problem share what is derived."""
+    for problem in sheet.problems:
+        working = working_on(problem)
+        for question in problem.questions:
+            if question.answer is not None:
+                yield problem, question, working
 
 
-def _of_problem(sheet: Sheet, problem: Problem) -> list[Check]:
-    working = working_on(problem)
-    asked = [question for question in problem.questions if question.answer]
-    found = each(asked, lambda question: _of_question(sheet, problem, question, working), lambda _: None)
-    return [check for of_question in found for check in of_question]
+def _of_question(sheet: Sheet, problem: Problem, question: Question, working: Working) -> Checked:
+    """A verdict on every entry; where one name cannot be read, the others are compared all the same."""
+    try:
+        derivation = answered(question, working)
+    except SheetErrors as errors:
+        return _undecided(problem, question, errors)
+    try:
+        return _compared(sheet, problem, question, working, derivation)
+    except SheetErrors as errors:
+        if len(question.answer or ()) < 2:
+            return _undecided(problem, question, errors)
+    found = [_of_question(sheet, problem, one, working) for one in _names_apart(question)]
+    checks = tuple(entry for each in found for entry in each.checks)
+    return Checked(checks, tuple(fault for each in found for fault in each.faults))
 
 
-def _of_question(sheet: Sheet, problem: Problem, question: Question, working: Working) -> list[Check]:
-    derivation = answered(question, working)
+def _names_apart(question: Question) -> Iterator[Question]:
+    """The question with one name of its answer at a time."""
+    for name, typed in (question.answer or {}).items():
+        yield replace(question, answer={name: typed})
+
+
+def _undecided(problem: Problem, question: Question, errors: SheetErrors) -> Checked:
+    """What was not compared, and why."""
+    where = question.answer_at
+    checks = tuple(
+        Check(
+            problem.number, question.number, name, (), "undecided",
+            typed if isinstance(typed, str) else str(typed), "",
+            where.key((name,)) if where else question.place, note=NOT_COMPARED,
+        )
+        for name, typed in (question.answer or {}).items()
+    )  # fmt: skip
+    return Checked(checks, errors.errors)
+
+
+def _compared(
+    sheet: Sheet, problem: Problem, question: Question, working: Working, derivation: Derivation
+) -> Checked:
     at = question.answer_at
     if not question.answer or at is None:
-        return []
-    return Compared(
+        raise SheetErrors([SheetError("this answer is empty", question.place, "write answer: {J: ...}")])
+    compared = Compared(
         problem.number,
         question.number,
         derivation,
@@ -65,7 +113,8 @@ def _of_question(sheet: Sheet, problem: Problem, question: Question, working: Wo
         at.key,
         sheet.notation.atan2 == "xy",
         _reached(question, working, derivation),
-    ).checks()
+    )
+    return Checked(tuple(compared.checks()))
 
 
 def _reached(question: Question, working: Working, derivation: Derivation) -> tuple[Point, ...]:

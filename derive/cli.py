@@ -8,7 +8,8 @@ from typing import Any
 
 import click
 
-from derive.messages import guarded, progress, say, warn
+from derive.errors import SheetErrors
+from derive.messages import guarded, progress, report, say, warn
 
 FORMATS = ("md", "tex", "pdf", "html", "docx", "json")
 
@@ -134,11 +135,13 @@ def check(sheets: tuple[Path, ...], style: str) -> None:
     from derive.check import check as check_sheets
 
     with guarded(), progress() as step:
-        checks = check_sheets(sheets, step, warn)
+        found = check_sheets(sheets, step, warn)
     from derive.answers.telling import as_json, as_text
 
-    click.echo(as_json(checks) if style == "json" else as_text(checks))
-    if any(each.verdict != "equal" for each in checks):
+    if found.faults:
+        report(SheetErrors(found.faults), "what they concern is undecided")
+    click.echo(as_json(found.checks) if style == "json" else as_text(found.checks))
+    if found.faults or any(each.verdict != "equal" for each in found.checks):
         raise click.exceptions.Exit(1)
 
 

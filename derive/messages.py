@@ -50,8 +50,8 @@ def guarded() -> Iterator[None]:
         sys.exit(1)
 
 
-def report(errors: SheetErrors) -> None:
-    """Every fault on the standard error, in colour on a terminal."""
+def report(errors: SheetErrors, outcome: str = "nothing was written") -> None:
+    """Every fault on the standard error, in colour on a terminal; then how many, and what came of it."""
     if sys.stderr.isatty():
         console = _console()
         for error in errors.errors:
@@ -59,7 +59,7 @@ def report(errors: SheetErrors) -> None:
     else:
         click.echo("\n".join(written(error) for error in errors.errors), err=True)
     count = len(errors.errors)
-    click.echo(f"{count} fault{'s' * (count != 1)}; nothing was written", err=True)
+    click.echo(f"{count} fault{'s' * (count != 1)}; {outcome}", err=True)
 
 
 def warn(warning: SheetError) -> None:

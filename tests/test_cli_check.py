@@ -94,7 +94,32 @@ def test_an_answer_that_cannot_be_read(sheet: Path, entry: str, said: str) -> No
     _, line, caret, *_ = done.stderr.splitlines()
     assert line[caret.index("^")] in "\\b&"  # the very character
     assert "Traceback" not in done.output
-    assert not done.stdout
+    assert done.stdout.endswith("1 entry: 1 undecided\n")
+
+
+def test_every_answer_has_a_verdict(sheet: Path) -> None:
+    """A problem that has no answer of ours, a name that is none, and one that is right."""
+    planar = SHEET.replace("ENTRY", RIGHT) + "      T_2^0: [[1], [1, 2]]\n"
+    more = """\
+- motion: [{rotate: x, by: a}]
+  find: rotation-matrix
+  answer: {R: [[1, 0, 0], [0, cos(a), -sin(a)], [0, sin(a), cos(a)]]}
+- function: {variables: [x], value: "exp(x) + x^7 + cos(x) - 3"}
+  find: stationary-points
+  answer: {solutions: [{x: 1}], minimum: 3}
+"""
+    sheet.write_text(planar + more, encoding="utf-8")
+    done = run("keys.yaml", "--format", "json")
+    assert done.exit_code == 1
+    found = [(each["problem"], each["name"], each["verdict"]) for each in records(done)]
+    assert found == [
+        *[(1, "J", "equal")] * 4,
+        (1, "T_2^0", "undecided"),
+        *[(2, "R", "equal")] * 9,
+        (3, "solutions", "undecided"),
+        (3, "minimum", "undecided"),
+    ]
+    assert "2 faults; what they concern is undecided" in done.stderr
 
 
 def test_all_faults_at_once(sheet: Path) -> None:
