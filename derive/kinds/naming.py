@@ -13,6 +13,12 @@ from derive.kinds.problem import Problem
 LONGEST_ROW = 24
 
 
+def entry_symbol(letter: str, *indices: int) -> Symbol:
+    """d_12, c_121; with an index of two digits d_1,11: without commas c_1111 would be three symbols."""
+    between = "" if all(index < 10 for index in indices) else ","
+    return Symbol(f"{letter}_{between.join(map(str, indices))}")
+
+
 def fits(matrix: Matrix) -> bool:
     """Whether it is no wider than a line."""
     return all(sum(map(operations, row)) <= LONGEST_ROW for row in matrix.rows)

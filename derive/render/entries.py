@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from derive.expression import Expr, Matrix, Symbol
+from derive.kinds.naming import entry_symbol
 from derive.render.latex import Printer
 from derive.render.layout import LINE
 from derive.render.width import width
@@ -24,7 +25,7 @@ def with_named_entries(chain: Chain, printer: Printer) -> tuple[Chain, tuple[Cha
     if width(printer.write(matrix)) <= NAMED_BEYOND:
         return chain, ()
     stem, _, index = name.name.partition("^")[0].partition("_")
-    letter = f"{stem[0].lower()}_{index}_" if index else f"{stem[0].lower()}_"
+    letter = f"{stem[0].lower()}_{index}" if index else stem[0].lower()
     named: list[Chain] = []
 
     def entry(row: int, column: int, value: Expr) -> Expr:
@@ -32,7 +33,7 @@ def with_named_entries(chain: Chain, printer: Printer) -> tuple[Chain, tuple[Cha
             return value
         known = next((symbol for symbol, listed in named if listed == value), None)
         if known is None:
-            known = Symbol(f"{letter}{row}{column}")
+            known = entry_symbol(letter, row, column)
             named.append((known, value))
         return known
 

@@ -23,6 +23,7 @@ from derive.expression import (
 )
 from derive.kinds.checks import law, links
 from derive.kinds.fields import OptionsModel
+from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import moment_names
 from derive.mechanics.dynamics import christoffel
@@ -105,7 +106,7 @@ def _step(
 
 
 def _partial(a: int, b: int, by: int, variables: tuple[str, ...]) -> Expr:
-    return Derivative(Symbol(f"d_{min(a, b)}{max(a, b)}"), Symbol(variables[by - 1]))
+    return Derivative(entry_symbol("d", min(a, b), max(a, b)), Symbol(variables[by - 1]))
 
 
 def _collected(raw: list[tuple[Expr, int]]) -> Expr | None:
@@ -138,7 +139,7 @@ def _laws(D: ScalarMatrix, symbols: Mapping[Index, Scalar], variables: tuple[str
 
 
 def _name(ijk: Index) -> str:
-    return "c_" + "".join(map(str, ijk))
+    return entry_symbol("c", *ijk).name
 
 
 def _ordered(ijk: Index) -> Index:

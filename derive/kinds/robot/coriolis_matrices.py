@@ -8,6 +8,7 @@ from derive.derivation import Claim, Derivation
 from derive.expression import Expr, Matrix, Product, Sum, Symbol
 from derive.kinds.checks import law, links
 from derive.kinds.fields import OptionsModel
+from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import moment_names
 from derive.kinds.robot._dynamics.khatib import (
@@ -69,7 +70,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         facts={
             "big": big,
             "one": n == 1,
-            "vanish": sum(f"b_{i}{j}{k}" not in shown for i, j, k in velocity.symbols),
+            "vanish": sum(entry_symbol("b", i, j, k).name not in shown for i, j, k in velocity.symbols),
         },
         matrices=frozenset({"C", "B"}),
     )
@@ -77,7 +78,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 
 def _results(velocity: Velocity) -> dict[str, Expr]:
     B: dict[str, Expr] = {"B": velocity.B} if velocity.B else {}
-    b = {f"b_{i}{j}{k}": value for (i, j, k), value in sorted(velocity.values.items())}
+    b = {entry_symbol("b", i, j, k).name: value for (i, j, k), value in sorted(velocity.values.items())}
     return {"C": velocity.C, **B, **b, "v": velocity.v}
 
 

@@ -11,6 +11,7 @@ from derive.derivation import Derivation, Step
 from derive.expression import ZERO, Expr, Matrix, Symbol, add, multiply
 from derive.kinds.checks import law, links
 from derive.kinds.fields import OptionsModel
+from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import moment_names, scalar_of
 from derive.kinds.robot._dynamics.rates import (
@@ -88,5 +89,10 @@ def _entries(variables: tuple[str, ...], symbol: Callable[[str], Expr]) -> Matri
     """c_kj as sums of symbols and rates; `symbol` gives c_ijk by its name."""
     n, rate = range(1, len(variables) + 1), rates(variables)
     return Matrix(
-        tuple(tuple(add(*(multiply(symbol(f"c_{i}{j}{k}"), rate[i - 1]) for i in n)) for j in n) for k in n)
+        tuple(
+            tuple(
+                add(*(multiply(symbol(entry_symbol("c", i, j, k).name), rate[i - 1]) for i in n)) for j in n
+            )
+            for k in n
+        )
     )

@@ -12,7 +12,7 @@ from derive.derivation import Claim, Derivation, Step, named_results
 from derive.expression import ZERO, Expr, Matrix, Product, Sum, Symbol, children, transpose
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
-from derive.kinds.naming import fits
+from derive.kinds.naming import entry_symbol, fits
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
@@ -148,13 +148,17 @@ def _formula(body: Weighted) -> Expr:
 
 def _entries(D: Matrix) -> dict[Expr, Expr]:
     """d_11, d_12, ...: every entry by its name."""
-    return {Symbol(f"d_{i}{j}"): entry for i, row in enumerate(D.rows, 1) for j, entry in enumerate(row, 1)}
+    return {
+        entry_symbol("d", i, j): entry for i, row in enumerate(D.rows, 1) for j, entry in enumerate(row, 1)
+    }
 
 
 def _upper(D: Matrix) -> dict[Symbol, Expr]:
     """d_ij with i <= j; the others by symmetry."""
     return {
-        Symbol(f"d_{i + 1}{j + 1}"): D.rows[i][j] for i in range(len(D.rows)) for j in range(i, len(D.rows))
+        entry_symbol("d", i + 1, j + 1): D.rows[i][j]
+        for i in range(len(D.rows))
+        for j in range(i, len(D.rows))
     }
 
 

@@ -12,6 +12,7 @@ from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Matrix, Quotient, Symbol, replace
+from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of, moment_names
 from derive.kinds.robot._dynamics.rates import is_long
@@ -80,4 +81,4 @@ def turned(problem: Problem, motion: Derivation, what: str) -> Turned:
 
 def entry_name(i: int, j: int) -> str:
     """d_12 for the entry of row 0 and column 1, and for its equal; indices from 0."""
-    return f"d_{min(i, j) + 1}{max(i, j) + 1}"
+    return entry_symbol("d", min(i, j) + 1, max(i, j) + 1).name

@@ -22,6 +22,7 @@ from derive.expression import (
     negate,
     number,
 )
+from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import moment_names
 from derive.kinds.robot._dynamics.rates import pairs, rates, squares, symbols_of, velocity_terms
@@ -87,7 +88,7 @@ def entry_steps(problem: Problem, D: Expr) -> tuple[Step, ...]:
         value = M[i, j].diff(variables[k])
         if value:
             names = [m(i + 1, j + 1, k + 1)] + ([m(j + 1, i + 1, k + 1)] if i != j else [])
-            partial = Derivative(Symbol(f"m_{i + 1}{j + 1}"), Symbol(variables[k]))
+            partial = Derivative(entry_symbol("m", i + 1, j + 1), Symbol(variables[k]))
             final = problem.final(problem.readable(value), named)
             steps.append(Step(names[0].name, (*names, partial, final), "entry-derivative"))
     return tuple(steps)
@@ -98,7 +99,7 @@ def symbol_steps(velocity: Velocity, n: int) -> tuple[Step, ...]:
     steps = []
     for (i, j, k), value in velocity.symbols.items():
         if value or n <= MOST_SHOWN:
-            names = [Symbol(f"b_{i}{j}{k}")] + ([Symbol(f"b_{i}{k}{j}")] if j != k else [])
+            names = [entry_symbol("b", i, j, k)] + ([entry_symbol("b", i, k, j)] if j != k else [])
             raw = Sum((m(i, j, k), m(i, k, j), negate(m(j, k, i))))
             steps.append(
                 Step(names[0].name, (*names, multiply(HALF, raw), velocity.values[i, j, k]), "b", {"row": i})
@@ -109,12 +110,12 @@ def symbol_steps(velocity: Velocity, n: int) -> tuple[Step, ...]:
 def matrix_steps(velocity: Velocity, variables: tuple[str, ...], big: bool) -> tuple[Step, ...]:
     """C, B and v in names, and written out where that is not too long."""
     n, columns = range(1, len(variables) + 1), list(combinations(range(1, len(variables) + 1), 2))
-    C = Matrix(tuple(tuple(Symbol(f"b_{i}{j}{j}") for j in n) for i in n))
+    C = Matrix(tuple(tuple(entry_symbol("b", i, j, j) for j in n) for i in n))
     whole: Expr = Product((Symbol("C"), squares(variables)))
     steps = [_step("C", C, velocity.C, big)]
     others = pairs(variables)
     if velocity.B and others:
-        B = Matrix(tuple(tuple(multiply(TWO, Symbol(f"b_{i}{j}{k}")) for j, k in columns) for i in n))
+        B = Matrix(tuple(tuple(multiply(TWO, entry_symbol("b", i, j, k)) for j, k in columns) for i in n))
         steps.append(_step("B", B, velocity.B, big))
         whole = Sum((whole, Product((Symbol("B"), others))))
     return (*steps, _step("v", whole, velocity.v, big))
@@ -128,18 +129,18 @@ def definitions_of(D: Expr, steps: tuple[Step, ...], velocity: Velocity) -> dict
     rows = D.rows if isinstance(D, Matrix) else ()
     for i, row in enumerate(rows, 1):
         for j, entry in enumerate(row, 1):
-            found[Symbol(f"m_{i}{j}")] = entry
+            found[entry_symbol("m", i, j)] = entry
             found |= {m(i, j, k): ZERO for k in range(1, len(rows) + 1)}
     for step in steps:
         if step.rule == "entry-derivative":
             found |= {name: step.result for name in step.chain if isinstance(name, Symbol)}
     for (i, j, k), value in velocity.values.items():
-        found |= {Symbol(f"b_{i}{j}{k}"): value, Symbol(f"b_{i}{k}{j}"): value}
+        found |= {entry_symbol("b", i, j, k): value, entry_symbol("b", i, k, j): value}
     return found
 
 
 def m(i: int, j: int, k: int) -> Symbol:
-    return Symbol(f"m_{i}{j}{k}")
+    return entry_symbol("m", i, j, k)
 
 
 def _step(name: str, named: Expr, value: Expr, big: bool) -> Step:

@@ -9,6 +9,7 @@ from typing import Literal
 
 from derive.derivation import Derivation
 from derive.expression import ZERO, Expr, Number, Product, Symbol, multiply, number, squared
+from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of, scalar_of
 from derive.kinds.robot._dynamics.drives import friction_terms
@@ -45,7 +46,11 @@ def terms_of(
 def _accelerations(inertia: Derivation, names: tuple[str, ...], k: int) -> list[Term]:
     row = matrix_of(inertia, "D").rows[k - 1]
     return [
-        Term(_product(Symbol(f"d_{min(j, k)}{max(j, k)}"), rise), _product(row[j - 1], rise), "acceleration")
+        Term(
+            _product(entry_symbol("d", min(j, k), max(j, k)), rise),
+            _product(row[j - 1], rise),
+            "acceleration",
+        )
         for j, rise in enumerate(((Symbol(f"{name}_ddot"),) for name in names), 1)
         if row[j - 1] != ZERO
     ]
@@ -56,7 +61,7 @@ def _velocities(speed: Derivation, names: tuple[str, ...], k: int) -> list[Term]
     rate, found = [Symbol(f"{name}_dot") for name in names], []
     for i in range(len(rate)):
         for j in range(i, len(rate)):
-            name = f"c_{i + 1}{j + 1}{k}"
+            name = entry_symbol("c", i + 1, j + 1, k).name
             factors = (squared(rate[i]),) if i == j else (number(2), rate[i], rate[j])
             value = scalar_of(speed, name)
             if value != ZERO:
