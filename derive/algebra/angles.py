@@ -8,6 +8,7 @@ from fractions import Fraction
 
 from flint import fmpq_mat
 
+from derive.algebra.opaque import Opaque
 from derive.algebra.rationals import Rational, lowest, to_flint
 
 PI = "pi"  # the atom of fixed angles; every other atom is the name of an angle
@@ -40,8 +41,20 @@ class Form:
     def without(self, atom: str) -> Form:
         return Form(tuple(part for part in self.parts if part[0] != atom))
 
+    @property
+    def letters(self) -> frozenset[str]:
+        """The names its atoms rest on, `pi` apart."""
+        return frozenset().union(*(letters_of(atom) for atom, _ in self.parts))
+
     def __str__(self) -> str:
         return "+".join(atom if n == 1 else f"{n}*{atom}" for atom, n in self.parts)
+
+
+def letters_of(atom: str) -> frozenset[str]:
+    """The names in an atom or a symbol: a product such as `w*t^2`, or a function and its arguments."""
+    if isinstance(atom, Opaque):
+        return frozenset().union(*(argument.letters() for argument in atom.arguments))
+    return frozenset(factor.partition("^")[0] for factor in atom.split("*")) - {PI, RADIAN}
 
 
 def combination(form: Form, basis: Sequence[Form]) -> tuple[Fraction, ...] | None:

@@ -11,6 +11,7 @@ from flint import fmpz
 from derive.algebra.angles import PI, Form
 from derive.algebra.ring import Root, ring
 from derive.algebra.scalar import Scalar, trig
+from derive.errors import NotReal
 
 LARGEST = 10**36  # that is factored in a moment
 TRIED = 10**4
@@ -20,7 +21,7 @@ TRIED = 10**4
 def square_root(value: Fraction) -> Scalar:
     """The root of a number that is not negative; one generator for each prime below it."""
     if value < 0:
-        raise ValueError(f"the square root of {value} is not real")
+        raise NotReal(f"the square root of {value} is not real")
     if value == 0:
         return Scalar.of(0)
     outside, primes = _split(value.numerator * value.denominator)
@@ -76,12 +77,17 @@ def _prime_root(prime: int) -> Scalar:
     return Scalar(home, home.gen(name))
 
 
+def factored(n: int) -> list[tuple[int, int]]:
+    """(prime, power) of a positive number; of what is too large to be factored only small primes are taken
+    out, and the rest counts as one."""
+    found = fmpz(n).factor() if n < LARGEST else fmpz(n).factor(TRIED)
+    return [(int(prime), int(power)) for prime, power in found]
+
+
 def _split(n: int) -> tuple[int, tuple[int, ...]]:
-    """n = outside^2 * product of the distinct primes; of what is too large to be factored only small
-    primes are taken out, and the rest counts as one."""
+    """n = outside^2 * product of the distinct primes, as far as it is factored."""
     outside, primes = 1, []
-    for prime, power in fmpz(n).factor() if n < LARGEST else fmpz(n).factor(TRIED):
-        base = int(prime)
+    for base, power in factored(n):
         if (square := isqrt(base)) ** 2 == base:  # only of what was left unfactored
             base, power = square, 2 * power
         outside *= base ** (power // 2)

@@ -25,7 +25,8 @@ def cancels(polynomial: fmpq_mpoly, home: Ring, reduce: Reduce) -> bool:
         return True
     degrees = polynomial.degrees()
     used = [i for i in range(len(home.roots)) if degrees[i] > 0]
-    found = next((i for i in used if len(home.roots[i].radicand) > 1), None)
+    nested = (i for i in used if len(home.roots[i].radicand) > 1 and home.roots[i].degree == 2)
+    found = next(nested, None)
     if found is None or not all(is_number(home.roots[i].name, home) for i in used):
         return False
     r = home.gen(home.roots[found].name)
@@ -56,6 +57,6 @@ def value_of(polynomial: fmpq_mpoly, home: Ring) -> float:
         inside = math.fsum(
             float(k) * math.prod(gens[name] ** power for name, power in powers) for powers, k in root.radicand
         )
-        gens[root.name] = math.sqrt(max(inside, 0.0))
+        gens[root.name] = max(inside, 0.0) ** (1 / root.degree)
     value = polynomial(*(fmpq(*gens[name].as_integer_ratio()) for name in home.names))
     return int(value.p) / int(value.q)

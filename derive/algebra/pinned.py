@@ -106,7 +106,7 @@ def in_single_angles(value: Scalar) -> Scalar:
 def rationalised(value: Scalar) -> Scalar:
     """The same without square roots below the fraction, as far as their conjugates remove them:
     (r a + r^2)/r is a + r."""
-    for root in value.ring.roots:
+    for root in (root for root in value.ring.roots if root.degree == 2):
         bottom = value.denominator
         if bottom is None:
             break

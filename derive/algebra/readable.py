@@ -9,22 +9,33 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from math import lcm
 
 from flint import fmpq_mpoly
 
 from derive.algebra.angles import Form, combination
 from derive.algebra.contraction import contracted
-from derive.algebra.grammar import parse
 from derive.algebra.masses import nested
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import normal
+from derive.algebra.opaque import ITSELF, Opaque
 from derive.algebra.ring import Ring, ring
 from derive.algebra.scalar import Scalar
 from derive.algebra.terms import Alphabet, Style, Terms, terms_of
 from derive.algebra.writing import Writing
-from derive.expression import ONE, Call, Expr, Matrix, Product, Quotient, multiply, negate
+from derive.expression import (
+    ONE,
+    Call,
+    Expr,
+    Matrix,
+    Power,
+    Product,
+    Quotient,
+    Symbol,
+    multiply,
+    negate,
+    sqrt,
+)
 
 # Above this many terms other bases cost more than a reader gains.
 MOST_REBASED = 30
@@ -60,15 +71,18 @@ class Reading:
             top, bottom = negate(top), multiply(*bottom.factors[1:])
         return Quotient(top, bottom)
 
-    def function(self, name: str) -> Expr:
-        """The tree of a generator named by what it stands for; its arguments made readable too."""
-        call = parse(name)
-        if not isinstance(call, Call):
-            raise ValueError(f"{name} is no function")
-        return Call(call.function, tuple(self.scalar(normal(part)) for part in call.arguments))
+    def generator(self, home: Ring, name: str) -> Expr:
+        """The tree of a symbol, a root or a function of a ring; arguments are made readable too."""
+        if not isinstance(name, Opaque):  # a symbol, or the root of a number
+            inside = next((root.radicand for root in home.roots if root.name == name), None)
+            return Symbol(name) if inside is None else sqrt(self._polynomial(home, home.polynomial(inside)))
+        arguments = tuple(map(self.scalar, name.arguments))
+        if name.function == ITSELF:
+            return arguments[0]
+        return Power(*arguments) if name.function == "pow" else Call(name.function, arguments)
 
     def _polynomial(self, home: Ring, polynomial: fmpq_mpoly) -> Expr:
-        alphabet = Alphabet(self.style, self.function)
+        alphabet = Alphabet(self.style, partial(self.generator, home))
         if len(polynomial) <= 1:
             return self._written(terms_of(Scalar(home, polynomial), alphabet), alphabet)
         best = min(

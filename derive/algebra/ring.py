@@ -1,8 +1,8 @@
 """The ring of the normal form: polynomials over the rationals, modulo what sines and roots obey.
 
 Generators are the parameters and prismatic variables, a pair (c, s) for each independent angle
-with s^2 = 1 - c^2, and a root r for each square root with r^2 = radicand. Reduced by these
-relations a polynomial is unique, so two expressions are equal exactly when their reduced
+with s^2 = 1 - c^2, and a root r for each square root with r^2 = radicand (r^3 for a cube root).
+Reduced by these relations a polynomial is unique, so two expressions are equal exactly when their reduced
 polynomials are. The polynomials are FLINT's sparse ones (python-flint, `fmpq_mpoly`).
 
 The order of generators is lexicographic with roots first (nested ones outermost first), then
@@ -13,13 +13,14 @@ is one division each.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache, cached_property, lru_cache
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
-from derive.algebra.angles import PI, Form, combination
+from derive.algebra.angles import PI, Form, combination, letters_of
+from derive.algebra.opaque import Opaque
 from derive.algebra.rationals import Rational, to_flint
 
 Pair = tuple[fmpq_mpoly, fmpq_mpoly]
@@ -27,10 +28,12 @@ Pair = tuple[fmpq_mpoly, fmpq_mpoly]
 
 @dataclass(frozen=True, slots=True)
 class Root:
-    """A square root; `radicand` is a polynomial as sorted text-keyed terms, so that it can be a key."""
+    """A root, square unless its degree says otherwise; `radicand` is a polynomial as sorted text-keyed terms,
+    so that it can be a key."""
 
     name: str
     radicand: tuple[tuple[tuple[tuple[str, int], ...], Fraction], ...]
+    degree: int = 2
 
 
 @dataclass(frozen=True)
@@ -68,7 +71,17 @@ class Ring:
     @cached_property
     def opaque(self) -> tuple[str, ...]:
         """The symbols that stand for functions left as they are: `exp(x)`."""
-        return tuple(name for name in self.symbols if "(" in name)
+        return tuple(name for name in self.symbols if isinstance(name, Opaque))
+
+    @cached_property
+    def layered(self) -> bool:
+        """Whether there are functions of functions: exp(x), the sine of sin(x)."""
+        atoms = (atom for form in self.angles for atom, _ in form.parts)
+        return bool(self.opaque) or any(isinstance(atom, Opaque) for atom in atoms)
+
+    def letters(self, generator: str) -> frozenset[str]:
+        """The names a generator rests on, `pi` apart."""
+        return _letters(self, generator)
 
     @cached_property
     def fixed(self) -> Form | None:
@@ -99,15 +112,15 @@ class Ring:
         return len(self.roots) + len(self.angles) + k, len(self.roots) + k
 
     @cached_property
-    def relations(self) -> tuple[tuple[int, fmpq_mpoly], ...]:
-        """(index of the leading generator, relation), outermost first."""
+    def relations(self) -> tuple[tuple[int, int, fmpq_mpoly], ...]:
+        """(index of the leading generator, its power, relation), outermost first."""
         found = [
-            (i, self.gen(root.name) ** 2 - self.polynomial(root.radicand))
+            (i, root.degree, self.gen(root.name) ** root.degree - self.polynomial(root.radicand))
             for i, root in enumerate(self.roots)
         ]
         for k in range(len(self.angles)):
             c, s = self.pair(k)
-            found.append((len(self.roots) + k, s * s + c * c - 1))
+            found.append((len(self.roots) + k, 2, s * s + c * c - 1))
         return tuple(found)
 
     def polynomial(self, terms: Iterable[tuple[tuple[tuple[str, int], ...], Rational]]) -> fmpq_mpoly:
@@ -133,12 +146,12 @@ class Ring:
         )
 
     def reduce(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
-        """The unique representative: no root and no sine to a power above one."""
+        """The unique representative: no square root and no sine to a power above one."""
         if not polynomial:
             return polynomial
         degrees = polynomial.degrees()
-        for i, relation in self.relations:
-            if degrees[i] > 1:
+        for i, least, relation in self.relations:
+            if degrees[i] >= least:
                 polynomial = divmod(polynomial, relation)[1]
                 degrees = polynomial.degrees()
         return polynomial
@@ -180,6 +193,18 @@ def ring(roots: tuple[Root, ...] = (), angles: tuple[Form, ...] = (), symbols: t
 
 
 @lru_cache(maxsize=4096)
+def _letters(home: Ring, generator: str) -> frozenset[str]:
+    place = home.index[generator]
+    if place < len(home.roots):
+        inner = (name for powers, _ in home.roots[place].radicand for name, _ in powers)
+        return frozenset().union(*(home.letters(name) for name in inner))
+    k = place - len(home.roots)
+    if k < 2 * len(home.angles):
+        return home.angles[k % len(home.angles)].letters
+    return letters_of(generator)
+
+
+@lru_cache(maxsize=4096)
 def _trig(home: Ring, form: Form) -> Pair | None:
     if form in home.angles:
         return home.pair(home.angles.index(form))
@@ -208,7 +233,7 @@ def _with_roots_of(source: Ring, target: Ring) -> Ring:
     """The target with the roots of the source, their radicands in its own generators."""
     for root in reversed(source.roots):
         inside = carry(source.polynomial(root.radicand), source, target)
-        target = target.with_root(Root(root.name, target.terms(inside)))
+        target = target.with_root(replace(root, radicand=target.terms(inside)))
     return target
 
 

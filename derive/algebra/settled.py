@@ -16,7 +16,7 @@ multiple of pi/2^a and one of 2 pi/m. The field is then a tower of independent s
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property, lru_cache
 
@@ -164,7 +164,7 @@ def _settling(home: Ring, fixed: Form) -> tuple[_Field, tuple[fmpq_mpoly, ...]]:
         if not _known(root, m):
             field = _Field(target, m, a)
             inside = home.polynomial(root.radicand).compose(*_images(home, field), ctx=target.context)
-            target = target.with_root(Root(root.name, target.terms(field.reduce(inside))))
+            target = target.with_root(replace(root, radicand=target.terms(field.reduce(inside))))
     field = _Field(target, m, a)
     return field, _images(home, field)
 
@@ -194,8 +194,8 @@ def _known(root: Root, m: int) -> bool:
 
 
 def _radicand(root: Root) -> int:
-    """n of the root of a number; 0 for any other root."""
+    """n of the square root of a number; 0 for any other root."""
     match root.radicand:
-        case (((), Fraction() as value),) if value.denominator == 1:
+        case (((), Fraction() as value),) if value.denominator == 1 and root.degree == 2:
             return int(value)
     return 0

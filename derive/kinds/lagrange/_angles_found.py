@@ -81,6 +81,22 @@ def _require_plain(
                 raise NotDerivable(
                     f"{atom} stands inside a sine or cosine and outside of one: no exact solution"
                 )
+    plain = {f"{function}({form})" for form in forms for function in ("cos", "sin")} | {*coordinates}
+    for equation in equations:
+        inner = (equation.ring.letters(name) for name in _deciding(equation) - plain)
+        if hidden := sorted(frozenset().union(*inner).intersection(coordinates)):
+            raise NotDerivable(f"{hidden[0]} stands inside another function: no exact solution is known")
+
+
+def _deciding(equation: Scalar) -> set[str]:
+    """The generators that decide where it is zero: an exponential that all its terms share is no zero."""
+    terms = [dict(powers) for powers, _ in equation.ring.terms(equation.numerator)]
+    names = {name for powers in terms for name in powers}
+    return {
+        name
+        for name in names
+        if not name.startswith("exp(") or len({powers.get(name, 0) for powers in terms}) > 1
+    }
 
 
 def _circle(pair: tuple[str, str]) -> Scalar:
