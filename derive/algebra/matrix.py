@@ -118,7 +118,7 @@ class ScalarMatrix:
         return any(self.entries)
 
     def diff(self, name: str) -> ScalarMatrix:
-        return ScalarMatrix.of([entry.diff(name) for entry in row] for row in self.rows)
+        return self.map(lambda entry: entry.diff(name))
 
     def substitute(self, values: Mapping[str, Scalar]) -> ScalarMatrix:
         return ScalarMatrix.of([entry.substitute(values) for entry in row] for row in self.rows)
