@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
@@ -11,11 +11,13 @@ from typing import TypeAlias
 
 from flint import fmpq
 
+from derive.algebra.nested_roots import is_number
 from derive.algebra.normal import normal
 from derive.algebra.numeric import scalar_number
 from derive.algebra.readable import readable
 from derive.algebra.scalar import Scalar, as_fraction, common_ring
 from derive.algebra.terms import Style
+from derive.control.exact import common, divided, stripped
 from derive.control.ratios import Ratio
 from derive.expression import (
     MINUS_ONE,
@@ -28,6 +30,7 @@ from derive.expression import (
     Sum,
     Symbol,
     add,
+    free_symbols,
     is_negative,
     multiply,
     number,
@@ -67,16 +70,25 @@ class Rational:
 
     def reduced(self) -> Rational:
         """Without common factors; itself where there are none."""
+        if any(is_number(name, k.ring) for k in (*self.num, *self.den) for name in k.generators()):
+            return self._reduced_exactly()
         top, bottom = scalar(self.num), scalar(self.den)
         both = top + bottom  # lives in a ring that holds the two
-        common = top.into(both.ring).numerator.gcd(bottom.into(both.ring).numerator)
+        divisor = top.into(both.ring).numerator.gcd(bottom.into(both.ring).numerator)
         if not self.num:
             return Rational((), (Scalar.of(1),))
-        if common.is_constant():
+        if divisor.is_constant():
             return self
         value = top / bottom
         below = Scalar.of(1) if value.denominator is None else Scalar(value.ring, value.denominator)
         return Rational(*_cleared(polynomial(Scalar(value.ring, value.numerator)), polynomial(below)))
+
+    def _reduced_exactly(self) -> Rational:
+        """With roots of numbers among the coefficients, s^2 - 2 = (s - sqrt(2)) (s + sqrt(2))."""
+        both = common(self.den, self.num)
+        if len(both) == 1:
+            return self
+        return Rational(divided(self.num, both)[0], divided(self.den, both)[0])
 
     @property
     def cancelled(self) -> int:
@@ -85,10 +97,7 @@ class Rational:
 
     def at(self, names: Mapping[Expr, Expr]) -> Rational:
         """With names replaced by what they stand for."""
-        values = {name.name: normal(name, names) for name in names if isinstance(name, Symbol)}
-        num = tuple(coefficient.substitute(values) for coefficient in self.num)
-        den = tuple(coefficient.substitute(values) for coefficient in self.den)
-        return Rational(_stripped(num), _stripped(den))
+        return Rational(stripped(at(self.num, names)), stripped(at(self.den, names)))
 
     def expr(self, style: Style = PLAIN) -> Expr:
         """Both polynomials collected by powers of s."""
@@ -104,8 +113,19 @@ class Rational:
         return _floats(self.num), _floats(self.den)
 
     def symbols(self) -> frozenset[str]:
-        """The names of the coefficients."""
-        return frozenset(name for c in (*self.num, *self.den) if c for name in c.generators())
+        """The names of the coefficients; numbers such as pi and sqrt(2) are none."""
+        return names_in((*self.num, *self.den))
+
+
+def at(coefficients: Iterable[Scalar], names: Mapping[Expr, Expr]) -> list[Scalar]:
+    """With names replaced, those inside roots and functions too."""
+    values = {name.name: normal(name, names) for name in names if isinstance(name, Symbol)}
+    return [k.substitute(values) if _is_plain(k) else normal(readable(k), names) for k in coefficients]
+
+
+def names_in(coefficients: Iterable[Scalar]) -> frozenset[str]:
+    """The symbols, those inside roots and functions too."""
+    return frozenset(name for k in coefficients if k for name in free_symbols(readable(k)))
 
 
 def polynomial(value: Scalar) -> Polynomial:
@@ -183,9 +203,9 @@ def _floats(coefficients: Polynomial) -> list[float]:
     return [scalar_number(c, {}) if c else 0.0 for c in coefficients]
 
 
-def _stripped(coefficients: Polynomial) -> Polynomial:
-    first = next((place for place, c in enumerate(coefficients) if c), len(coefficients))
-    return coefficients[first:]
+def _is_plain(value: Scalar) -> bool:
+    """Whether its generators are names, none of them a root or a function."""
+    return all(name.isidentifier() for name in value.generators())
 
 
 def _cleared(num: Polynomial, den: Polynomial) -> tuple[Polynomial, Polynomial]:

@@ -1,28 +1,78 @@
-"""Roots of polynomials with numbers as coefficients: certified where those are rational."""
+"""Roots of polynomials with real numbers as coefficients, isolated in ball arithmetic.
+
+What is decided about them is decided exactly: how often one is a root, by the square-free parts; whether
+it lies on the imaginary axis, by what the even and the odd part of these share. Only then are they
+approximated, with a precision that is raised until the balls are apart and clear of the axes.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import Any
 
-from flint import fmpq, fmpq_poly
+from flint import acb, acb_poly, arb, ctx, fmpq
 
+from derive.algebra.precise import precise
+from derive.algebra.readable import readable
 from derive.algebra.scalar import Scalar
+from derive.algebra.text import text
+from derive.control.exact import Coefficients, field, square_free, symmetric
+from derive.errors import NotDerivable
 
-ON_THE_AXIS = 1e-9  # a real part this small against the root counts as zero
+BITS, MOST_BITS = 128, 1 << 14  # of the working precision, at first and at most
+ACCURATE = 64  # bits of a root, in its real and in its imaginary part
+
+
+@dataclass(frozen=True, slots=True)
+class Root:
+    """A root as a ball, and how often it is one; a part that is zero is exactly so."""
+
+    ball: acb
+    power: int
+
+    @property
+    def value(self) -> complex:
+        """Rounded once."""
+        return complex(float(self.ball.real.mid()), float(self.ball.imag.mid()))
 
 
 def roots(coefficients: Sequence[Scalar]) -> tuple[complex, ...]:
-    """Every root, as often as it is one; rational coefficients go through FLINT's certified roots.
+    """Every root (coefficients highest power first), as often as it is one, the rightmost first.
 
-    Sorted by real part, the rightmost first.
+    Raises NotDerivable where two are not told apart.
     """
-    exact = [coefficient.constant for coefficient in coefficients]
-    if None not in exact and len(exact) > 1:
-        found = _certified([fmpq(value.numerator, value.denominator) for value in exact if value is not None])
-    else:
-        found = _numeric(coefficients)
-    return tuple(sorted(map(_cleaned, found), key=lambda root: (-root.real, abs(root.imag), -root.imag)))
+    return tuple(root.value for root in isolated(coefficients) for _ in range(root.power))
+
+
+def isolated(coefficients: Sequence[Scalar], bits: int = ACCURATE) -> tuple[Root, ...]:
+    """The distinct roots, accurate to `bits` in both parts, sorted as `roots` are.
+
+    Raises NotDerivable where MOST_BITS do not tell two of them apart.
+    """
+    found = [root for part in _parts(field(coefficients)) for root in part.roots(bits)]
+    return tuple(sorted(found, key=lambda root: _order(root.value)))
+
+
+def number_ball(value: Any) -> arb:
+    """A number of the field of coefficients, at the working precision of FLINT."""
+    if isinstance(value, fmpq):
+        return arb(value)
+    return precise(readable(value), {}) if value else arb(0)
+
+
+def sign(value: Any) -> int:
+    """1, 0 or -1 of a number of the field, by balls small enough. Raises NotDerivable."""
+    if not value:
+        return 0
+    bits = BITS
+    while bits <= MOST_BITS:
+        with ctx.workprec(bits):
+            ball = number_ball(value)
+            if ball > 0 or ball < 0:
+                return 1 if ball > 0 else -1
+        bits *= 2
+    raise NotDerivable(f"{MOST_BITS} bits do not tell whether {text(readable(value))} is zero")
 
 
 def as_json(root: complex) -> float | dict[str, float]:
@@ -30,22 +80,106 @@ def as_json(root: complex) -> float | dict[str, float]:
     return root.real if root.imag == 0 else {"re": root.real, "im": root.imag}
 
 
-def _certified(coefficients: list[fmpq]) -> list[complex]:
-    polynomial: Any = fmpq_poly(coefficients[::-1])
-    return [complex(root) for root, power in polynomial.complex_roots() for _ in range(int(power))]
+def _order(root: complex) -> tuple[float, float, float]:
+    return -root.real, abs(root.imag), -root.imag
 
 
-def _numeric(coefficients: Sequence[Scalar]) -> list[complex]:
-    import numpy
-
-    from derive.algebra.numeric import scalar_number
-
-    values = [scalar_number(coefficient, {}) if coefficient else 0.0 for coefficient in coefficients]
-    return [complex(root) for root in numpy.roots(values)]
+# -- parts of a polynomial ----------------------------------------------------------------------------
 
 
-def _cleaned(root: complex) -> complex:
-    """Rounding in the smaller part taken away."""
-    re = 0.0 if abs(root.real) <= ON_THE_AXIS * abs(root) else root.real
-    im = 0.0 if abs(root.imag) <= ON_THE_AXIS * abs(root) else root.imag
-    return complex(re, im)
+@dataclass(frozen=True, slots=True)
+class _Part:
+    """Roots of one multiplicity: those of a square-free polynomial in s, or in s^2 where `even`. None of
+    the former lies on the imaginary axis."""
+
+    coefficients: Coefficients
+    power: int
+    even: bool
+
+    def roots(self, bits: int) -> Iterator[Root]:
+        precision = max(BITS, 2 * bits)
+        while precision <= MOST_BITS:
+            with ctx.workprec(precision):
+                balls = _balls(self.coefficients)
+                found = None if balls is None else [*_square_roots(balls)] if self.even else balls
+            if found is not None and all(_is_settled(ball, bits) for ball in found):
+                return (Root(ball, self.power) for ball in found)
+            precision *= 2
+        raise NotDerivable(f"two roots lie so close together that {MOST_BITS} bits do not tell them apart")
+
+
+def _parts(values: Coefficients) -> Iterator[_Part]:
+    """All there is but roots at the origin, which are parts of their own."""
+    zeros = next((place for place, k in enumerate(reversed(values)) if k), 0)
+    if zeros:
+        yield _Part((fmpq(1), fmpq(0)), zeros, False)
+    for polynomial, power in square_free(values[: len(values) - zeros]):
+        even, rest = symmetric(polynomial)
+        if len(even) > 1:
+            yield _Part(even, power, True)
+        if len(rest) > 1:
+            yield _Part(rest, power, False)
+
+
+def _is_settled(ball: acb, bits: int) -> bool:
+    """Whether both parts are known well enough, the sign of the real one at least."""
+    return all(part == 0 or part.rel_accuracy_bits() >= bits for part in (ball.real, ball.imag))
+
+
+def _square_roots(balls: Sequence[acb]) -> Iterator[acb]:
+    """s of s^2; of a negative one exactly on the imaginary axis."""
+    for ball in balls:
+        if ball.imag == 0 and ball.real < 0:
+            half = acb(0, (-ball.real).sqrt())
+        else:
+            half = acb(ball.real.sqrt()) if ball.imag == 0 else ball.sqrt()
+        yield half
+        yield -half
+
+
+# -- isolation ----------------------------------------------------------------------------------------
+
+
+def _balls(coefficients: Coefficients) -> list[acb] | None:
+    """Disjoint balls with one root each, real ones with an imaginary part that is exactly zero; None where
+    the working precision is too low."""
+    polynomial = acb_poly([number_ball(k) for k in reversed(coefficients)])
+    if len(coefficients) == 2:
+        return [acb((-polynomial[0] / polynomial[1]).real)]
+    try:
+        starts = polynomial.roots()
+    except ValueError:  # not isolated with coefficients this accurate
+        return None
+    found = [_refined(polynomial, start) for start in starts]
+    if any(not ball.is_finite() for ball in found) or _touch(found):
+        return None
+    return _paired(found)
+
+
+def _refined(polynomial: acb_poly, start: acb) -> acb:
+    """By Newton's method, with the radius n |p / p'| within which there is a root."""
+    slope, point = polynomial.derivative(), start.mid()
+    for _ in range(max(4, ctx.prec.bit_length() - 3)):
+        point = (point - polynomial(point) / slope(point)).mid()
+    radius = arb((polynomial.degree() * polynomial(point) / slope(point)).abs_upper())
+    return acb(arb(point.real, radius), arb(point.imag, radius))
+
+
+def _touch(balls: Sequence[acb]) -> bool:
+    return any(a.overlaps(b) for k, a in enumerate(balls) for b in balls[:k])
+
+
+def _paired(balls: Sequence[acb]) -> list[acb] | None:
+    """With each conjugate exactly so: a ball that meets its mirror image and no other's is real."""
+    found: list[acb] = []
+    for ball in balls:
+        mirrored = [other for other in balls if other.overlaps(ball.conjugate())]
+        if len(mirrored) != 1:
+            return None
+        if mirrored[0] is ball:
+            found.append(acb(ball.real))
+        elif ball.imag > 0:
+            found += [ball, ball.conjugate()]
+        elif not ball.imag < 0:
+            return None
+    return found

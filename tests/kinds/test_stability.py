@@ -109,7 +109,8 @@ def test_values_of_where_are_put_in() -> None:
 
 def test_a_point_where_the_array_breaks_off() -> None:
     found = ask(plain("s^3 + a*s^2 + b*s + K"), evaluate={"a": "1", "b": "2", "K": "2"})
-    assert "routh" not in found.evaluated
+    assert found.evaluated["routh"] == [[1, 2], [1, 2], [0, 0], [2, 0]]
+    assert found.evaluated["conditions"] == [True, True, False]
     assert found.evaluated["stable"] is False
     assert found.evaluated["unstable_poles"] == 0
 

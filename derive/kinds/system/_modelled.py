@@ -56,14 +56,14 @@ def modelled(solved: Plant, controller: Controller | None, transfer: Rational) -
 
 def _filter(solved: Plant, controller: Controller, transfer: Rational) -> Values:
     """A time constant so short that the loop does not notice; a round number."""
-    poles = roots(solved.numeric(transfer).den)
-    fastest = max((abs(pole) for pole in poles), default=1.0) or 1.0
+    numeric = solved.numeric(transfer)
+    fastest = max((abs(pole) for pole in roots(numeric.den)), default=1.0) or 1.0
     name = filter_name(solved.system)
     for shorter in range(4):
         constant = _round_below(1 / (FASTER * fastest)) * Scalar.of(1) / 10**shorter
         found = ((name, readable(constant, solved.style)),)
         loop = Loop(Rational.of(_ratio(solved, controller, name)), solved.rational).closed
-        if verdict(roots(solved.numeric(loop.at(dict[Expr, Expr](found))).den)) == verdict(poles):
+        if verdict(solved.numeric(loop.at(dict[Expr, Expr](found))).den) == verdict(numeric.den):
             return found
     raise NotDerivable("a filter behind the derivative, however fast, changes whether this loop is stable")
 

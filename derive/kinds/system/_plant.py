@@ -8,8 +8,8 @@ from typing import Any
 
 from derive.algebra.terms import Style
 from derive.control.elimination import Solution, solve
-from derive.control.rational import Rational
-from derive.control.roots import as_json, roots
+from derive.control.rational import Polynomial, Rational
+from derive.control.roots import as_json, isolated, roots
 from derive.control.system import System
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
@@ -64,7 +64,7 @@ class Plant:
     def numeric(self, rational: Rational) -> Rational:
         """At the point. Raises NotDerivable where a name has no value."""
         value = rational.at({**self.problem.names, **self.point})
-        if missing := sorted(value.symbols() - {"pi"}):
+        if missing := sorted(value.symbols()):
             raise NotDerivable(f"no value is known for {', '.join(missing)}: give it under evaluate")
         if not value.den:
             raise NotDerivable("the denominator is zero at these values")
@@ -107,20 +107,16 @@ def zeros_json(rational: Rational) -> list[Any]:
     return [as_json(root) for root in roots(rational.num)] if rational.num else []
 
 
-def verdict(poles: Iterable[complex]) -> str:
-    """Where the poles lie: "stable", "integrator" (one at the origin), "oscillator" (pairs on the
-    imaginary axis, each once) or "unstable"."""
-    found = list(poles)
-    axis = [pole for pole in found if pole.real == 0]
-    if any(pole.real > 0 for pole in found) or _repeated(axis):
+def verdict(polynomial: Polynomial) -> str:
+    """Where the roots of a polynomial in numbers lie: "stable", "integrator" (one at the origin),
+    "oscillator" (pairs on the imaginary axis, each once) or "unstable"."""
+    found = isolated(polynomial)
+    axis = [pole for pole in found if pole.value.real == 0]
+    if any(pole.value.real > 0 for pole in found) or any(pole.power > 1 for pole in axis):
         return "unstable"
     if not axis:
         return "stable"
-    return "integrator" if axis == [0] else "oscillator"
-
-
-def _repeated(poles: list[complex]) -> bool:
-    return any(abs(a - b) < 1e-6 * (1 + abs(a)) for k, a in enumerate(poles) for b in poles[:k])
+    return "integrator" if [pole.value for pole in axis] == [0] else "oscillator"
 
 
 def root_tree(root: complex) -> Expr:

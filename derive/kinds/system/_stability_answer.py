@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from derive.algebra.numeric import scalar_number
 from derive.algebra.scalar import Scalar
 from derive.control.controllers import Controller
 from derive.control.hidden import hidden
 from derive.control.hurwitz import Condition, conditions, written
-from derive.control.rational import Polynomial, Rational, shared, times
+from derive.control.rational import Polynomial, Rational, names_in, shared, times
 from derive.control.rational import written as collected
-from derive.control.roots import roots
+from derive.control.roots import roots, sign
 from derive.control.routh import routh, sign_changes
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
@@ -55,12 +54,12 @@ class Answer:
 
     @property
     def symbols(self) -> list[str]:
-        return sorted(free_symbols(collected(self.array.polynomial, self.plant.style)) - {"s"})
+        return sorted(names_in(self.array.polynomial))
 
     @property
     def changes(self) -> int:
         """Sign changes of a first column in numbers."""
-        return sign_changes([scalar_number(entry, {}) for entry in self.array.column])
+        return sign_changes([sign(entry) for entry in self.array.column])
 
 
 def answered(problem: Problem, controller: Controller | None, point: Place | None) -> Answer:
@@ -74,7 +73,7 @@ def answered(problem: Problem, controller: Controller | None, point: Place | Non
         raise NotDerivable("there are no poles, for the denominator has no s in it: nothing can be unstable")
     factor = shared(final) if any(k.constant is None for k in final if k) else Scalar.of(1)
     polynomial = tuple(k / factor for k in final)
-    names = {name for k in polynomial if k for name in k.generators()}
+    names = names_in(polynomial)
     most = MOST_SYMBOLIC if names else MOST
     if len(polynomial) - 1 > most:
         raise NotDerivable(f"the array is filled in up to degree {most}; this one has {len(polynomial) - 1}")

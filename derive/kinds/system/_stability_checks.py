@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
-from derive.algebra.numeric import number as value_of
-from derive.algebra.numeric import scalar_number
 from derive.algebra.scalar import Scalar
-from derive.control.axis import points, roots_at
-from derive.control.hurwitz import Condition
-from derive.control.roots import roots
+from derive.control.axis import points
+from derive.control.rational import at
+from derive.control.roots import roots, sign
 from derive.control.routh import remainder, sign_changes
 from derive.derivation import Claim
+from derive.expression import Expr, Symbol, number
 from derive.kinds.checks import SECOND_ROUTE, law
 from derive.kinds.system._plant import (
     verdict,
@@ -25,6 +24,7 @@ from derive.kinds.system._stability_limit import (
 )
 
 POINTS = 40
+MARGINAL = ("integrator", "oscillator")
 
 
 def claims_of(answer: Answer) -> Iterator[Claim]:
@@ -69,7 +69,8 @@ def _is_free(value: Scalar, factor: Scalar) -> bool:
 def _at_random(answer: Answer) -> Iterator[Claim]:
     """Conditions and sign changes against the roots themselves."""
     tried = points(answer.symbols, answer.positive, POINTS if answer.symbols else 1)
-    found = [each for point in tried if (each := _compared(answer, point)) is not None]
+    places = (dict[Expr, Expr]({Symbol(k): number(x) for k, x in point.items()}) for point in tried)
+    found = [each for place in places if (each := _compared(answer, place)) is not None]
     stable, marginal, right = (all(each[k] for each in found) for k in range(3))
     yield Claim("the conditions hold exactly where all roots lie left", SECOND_ROUTE, stable)
     if answer.symbols and is_marginal(answer):
@@ -79,40 +80,35 @@ def _at_random(answer: Answer) -> Iterator[Claim]:
         yield Claim("sign changes at random values: roots on the right", SECOND_ROUTE, right)
 
 
-def _compared(answer: Answer, point: Mapping[str, float]) -> tuple[bool, bool, bool] | None:
+def _compared(answer: Answer, place: Mapping[Expr, Expr]) -> tuple[bool, bool, bool] | None:
     """Whether conditions, those of marginal stability and sign changes are right at a point; None where
     the polynomial is not real or of lower degree there."""
     try:
-        found = roots_at(answer.array.polynomial, point)
-        met = all(holds(each, point) for each in answer.written)
-        others = all(holds(each, point) for each in possible(answer))
-        at_limit = any(is_at_limit(each, point) for each in possible(answer))
+        there = at(answer.array.polynomial, place)
+        met = all(each > 0 for each in signs_at(answer.conditions, place))
+        others = signs_at(possible(answer), place)
     except (ValueError, ZeroDivisionError):
         return None
-    if not found:
+    if not there[0]:
         return None
-    signs = _signs_at(answer, point)
+    found = roots(there)
+    changes = _changes_at(answer, place)
     return (
         met == all(each.real < 0 for each in found),
-        at_limit or others == (verdict(found) in ("integrator", "oscillator")),
-        signs is None or sign_changes(signs) == right_of_axis(found),
+        0 in others or all(each > 0 for each in others) == (verdict(tuple(there)) in MARGINAL),
+        changes is None or changes == right_of_axis(found),
     )
 
 
-def _signs_at(answer: Answer, point: Mapping[str, float]) -> list[float] | None:
-    """The first column; None where it vanishes there."""
+def _changes_at(answer: Answer, place: Mapping[Expr, Expr]) -> int | None:
+    """The sign changes of the first column; None where it vanishes there."""
     try:
-        signs = [scalar_number(entry, point) if entry else 0.0 for entry in answer.array.column]
+        signs = signs_at(answer.array.column, place)
     except ZeroDivisionError:
         return None
-    return signs if all(signs) else None
+    return sign_changes(signs) if all(signs) else None
 
 
-def holds(condition: Condition, point: Mapping[str, float]) -> bool:
-    """Whether a condition is met at a point."""
-    return condition.holds(value_of(condition.left, point), value_of(condition.right, point))
-
-
-def is_at_limit(condition: Condition, point: Mapping[str, float]) -> bool:
-    """Whether both sides are equal at a point."""
-    return value_of(condition.left, point) == value_of(condition.right, point)
+def signs_at(values: Iterable[Scalar], place: Mapping[Expr, Expr]) -> list[int]:
+    """1, 0 or -1 of each at a point, decided exactly."""
+    return [sign(each) for each in at(values, place)]

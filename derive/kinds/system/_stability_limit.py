@@ -5,7 +5,7 @@ from __future__ import annotations
 from derive.algebra.polynomials import known_sign, numerator
 from derive.algebra.readable import readable
 from derive.algebra.scalar import Scalar
-from derive.control.hurwitz import Condition, is_impossible, is_never
+from derive.control.hurwitz import is_impossible, is_never
 from derive.expression import (
     Expr,
 )
@@ -41,10 +41,9 @@ def is_marginal(answer: Answer) -> bool:
     return answer.array.mended == ("derivative",) and not any(never)
 
 
-def possible(answer: Answer) -> tuple[Condition, ...]:
+def possible(answer: Answer) -> tuple[Scalar, ...]:
     """The conditions that can hold."""
-    pairs = zip(answer.conditions, answer.written, strict=True)
-    return tuple(said for each, said in pairs if not is_never(each))
+    return tuple(each for each in answer.conditions if not is_never(each))
 
 
 def of_one_sign(answer: Answer) -> tuple[Expr, ...]:

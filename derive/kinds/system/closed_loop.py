@@ -189,6 +189,6 @@ def _evaluated(found: Closed, options: Options) -> tuple[dict[str, Any], dict[st
         "point": point_chains(options.evaluate, solved.problem.where),
         "poles": tuple(map(root_tree, poles)),
         "zeros": tuple(map(root_tree, zeros)),
-        "verdict": verdict(roots(whole.den)),
-        "hidden": verdict(poles) == "stable" and verdict(roots(whole.den)) != "stable",
+        "verdict": verdict(whole.den),
+        "hidden": verdict(numeric.den) == "stable" and verdict(whole.den) != "stable",
     }

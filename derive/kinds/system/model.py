@@ -14,7 +14,6 @@ from derive.control.model import Model
 from derive.control.python_control import python_control
 from derive.control.rational import Rational, written
 from derive.control.response import step_response
-from derive.control.roots import roots
 from derive.control.simulink import simulink
 from derive.control.system import System
 from derive.derivation import Claim, Derivation, Step
@@ -105,7 +104,7 @@ def _asked(options: Options, problem: Problem) -> tuple[Derivation, Rational, Pl
 def _model(answer: Answer, numeric: Rational) -> Model:
     solved = answer.plant
     reduced = numeric.reduced()
-    last = step_response(*reduced.numbers(), roots(reduced.den)).times[-1]
+    last = step_response(reduced.num, reduced.den).times[-1]
     notes = tuple((name.name, "filter of the derivative [s]") for name, _ in answer.filter)
     return Model(
         answer.diagram,

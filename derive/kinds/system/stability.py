@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from derive.algebra.kernels import root
-from derive.algebra.normal import normal
 from derive.algebra.numeric import scalar_number
 from derive.algebra.operations import operations
 from derive.algebra.polynomials import coefficients, known_sign
 from derive.algebra.readable import readable
+from derive.algebra.scalar import Scalar
 from derive.algebra.text import text
 from derive.control.hurwitz import Condition, is_impossible, written
-from derive.control.rational import Rational
+from derive.control.rational import Rational, at, names_in
 from derive.control.rational import written as collected
 from derive.control.roots import roots
 from derive.control.system import System
@@ -40,8 +40,8 @@ from derive.kinds.system._plant import (
     verdict,
 )
 from derive.kinds.system._routh_steps import LONG, entry_steps
-from derive.kinds.system._stability_answer import Answer, answered, free_name
-from derive.kinds.system._stability_checks import claims_of, holds
+from derive.kinds.system._stability_answer import Answer, answered, free_name, right_of_axis
+from derive.kinds.system._stability_checks import claims_of, signs_at
 from derive.kinds.system._stability_limit import (
     frequency_squared,
     is_marginal,
@@ -164,7 +164,7 @@ def _facts(answer: Answer, options: Options) -> dict[str, Any]:
         "epsilon": Symbol(array.epsilon),
         "never": never,
         "conditions": answer.written,
-        "marginal": possible(answer) if is_marginal(answer) else None,
+        "marginal": _written(answer, possible(answer)) if is_marginal(answer) else None,
         "one_sign": of_one_sign(answer),
         "assumed": bool(answer.positive & set(answer.symbols)),
         "origin": number(0),
@@ -181,7 +181,11 @@ def _numeric_facts(answer: Answer) -> dict[str, Any]:
         return {"changes": None, "axis": (), "verdict": ""}
     found = roots(answer.array.polynomial)
     axis = tuple(dict.fromkeys(root_tree(each) for each in found if each.real == 0 and each.imag >= 0))
-    return {"changes": answer.changes, "axis": axis, "verdict": verdict(found)}
+    return {"changes": answer.changes, "axis": axis, "verdict": verdict(answer.array.polynomial)}
+
+
+def _written(answer: Answer, found: Iterable[Scalar]) -> tuple[Condition, ...]:
+    return tuple(written(each, answer.plant.style) for each in found)
 
 
 def _written_limit(answer: Answer) -> Condition | None:
@@ -224,32 +228,30 @@ def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], dict[s
     solved = answer.plant
     numeric = solved.numeric(Rational((), answer.final))
     poles = roots(numeric.den)
-    point = _point(answer)
+    place = {**solved.problem.names, **solved.point}
+    met = [each > 0 for each in signs_at(answer.conditions, place)]
     values: dict[str, Any] = {
-        "conditions": [holds(each, point) for each in answer.written],
+        "conditions": met,
         "poles": poles_json(numeric),
-        "stable": verdict(poles) == "stable",
-        "unstable_poles": sum(pole.real > 0 for pole in poles),
+        "stable": verdict(numeric.den) == "stable",
+        "unstable_poles": right_of_axis(poles),
     }
-    rows = _rows_at(answer, point)
+    rows = _rows_at(answer, place)
     return ({"routh": rows} if rows else {}) | values, {
         "numeric": (_delta(answer), collected(numeric.den, solved.style)),
         "point": point_chains(options.evaluate, {}),
         "poles": tuple(map(root_tree, poles)),
-        "at_point": verdict(poles),
-        "failing": tuple(each for each in answer.written if not holds(each, point)),
+        "at_point": verdict(numeric.den),
+        "failing": tuple(each for each, holds in zip(answer.written, met, strict=True) if not holds),
     }
 
 
-def _point(answer: Answer) -> dict[str, float]:
-    names = {**answer.plant.problem.names, **answer.plant.point}
-    return {name: scalar_number(normal(Symbol(name), names), {}) for name in answer.symbols}
-
-
-def _rows_at(answer: Answer, point: Mapping[str, float]) -> list[list[float]] | None:
+def _rows_at(answer: Answer, place: Mapping[Expr, Expr]) -> list[list[float]] | None:
     """The array in numbers; None where it needs its special cases there."""
     try:
-        rows = [[scalar_number(k, point) if k else 0.0 for k in row.entries] for row in answer.array.rows]
-    except (KeyError, ZeroDivisionError):
+        rows = [at(row.entries, place) for row in answer.array.rows]
+    except ZeroDivisionError:
         return None
-    return rows if all(row[0] for row in rows) else None
+    if names_in(k for row in rows for k in row):  # the small number
+        return None
+    return [[scalar_number(k, {}) if k else 0.0 for k in row] for row in rows]

@@ -186,7 +186,8 @@ def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], dict[s
     solved.numeric(Rational(answer.transfer.num, answer.transfer.den))  # says which names have no value
     names = {**solved.problem.names, **solved.point}
     numeric = {name: _at(answer, name, names) for name in MATRICES}
-    poles = roots(characteristic_of(numeric["A"]))
+    characteristic = characteristic_of(numeric["A"])
+    poles = roots(characteristic)
     values = {name: matrix_numbers(matrix, {}) for name, matrix in numeric.items()}
     return {**values, "poles": [as_json(pole) for pole in poles]}, {
         "numeric": tuple(
@@ -194,7 +195,7 @@ def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], dict[s
         ),
         "point": point_chains(options.evaluate, solved.problem.where),
         "poles": tuple(map(root_tree, poles)),
-        "verdict": verdict(poles),
+        "verdict": verdict(characteristic),
     }
 
 

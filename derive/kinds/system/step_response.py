@@ -7,13 +7,16 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from flint import acb
+
 from derive.algebra.normal import normal
 from derive.algebra.numeric import scalar_number
 from derive.algebra.readable import readable
 from derive.control.controllers import Controller
-from derive.control.laplace import Numeric, inverted
+from derive.control.laplace import Numeric, inverted, is_close
+from derive.control.modes import Curve
 from derive.control.rational import Rational
-from derive.control.response import StepResponse, step_response
+from derive.control.response import BAND, HIGH, StepResponse, step_response
 from derive.control.roots import roots
 from derive.control.system import System
 from derive.derivation import Claim, Derivation, Plot, Result, Step
@@ -43,6 +46,10 @@ problems:
 """
 NONE = "none"  # a number that this response does not have
 TOLERANCE = 1e-5  # of the curve against the inverted transform, relative to its height
+CLOSE = 1e-6  # of transforms against each other
+NEARLY = 1e-9  # of shares of the steady state
+MOST_TERMS = 540  # of an inverted transform
+POINTS = 8
 LABELS = {"angle": "angle [rad]", "speed": "speed [rad/s]"}
 S = Symbol("s")
 
@@ -56,11 +63,12 @@ class Options(OptionsModel):
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """A response with what it is the response of; `poles` are those of the whole loop."""
+    """A response with what it is the response of; `verdict` is that of everything in it, `numeric` what is
+    left once common factors have cancelled."""
 
     plant: Plant
     numeric: Rational
-    poles: tuple[complex, ...]
+    verdict: str
     response: StepResponse
     final: Expr | None
 
@@ -71,11 +79,12 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     Raises NotDerivable for a function that is improper, and where a name has no value.
     """
     base, whole, solved = _asked(options, problem)
-    numeric, poles = solved.numeric(whole.reduced()), roots(solved.numeric(whole).den)
+    complete = solved.numeric(whole)
+    numeric = complete.reduced()
     if not numeric.proper:
         raise NotDerivable("the transfer function is improper: its step response begins with an impulse")
-    response = step_response(*numeric.numbers(), roots(numeric.den))
-    answer = Answer(solved, numeric, poles, response, _steady(solved, numeric, response))
+    response = step_response(numeric.num, numeric.den)
+    answer = Answer(solved, numeric, verdict(complete.den), response, _steady(solved, numeric, response))
     name = solved.named("T" if options.controller else "G")
     steps = tuple(_steps(answer, name))
     claims = (*links(steps, _definitions(answer, name)), *_claims(answer, options))
@@ -175,8 +184,8 @@ def _facts(answer: Answer, options: Options, name: Symbol) -> dict[str, Any]:
         "motor": answer.plant.system.motor,
         "point": point_chains(options.evaluate, answer.plant.problem.where),
         "poles": tuple(map(root_tree, shown)),
-        "verdict": verdict(shown),
-        "hidden": verdict(answer.poles) == "unstable" and verdict(shown) != "unstable",
+        "verdict": verdict(answer.numeric.den),
+        "hidden": answer.verdict == "unstable" and verdict(answer.numeric.den) != "unstable",
         "slope": _slope(answer),
         "steady_state": None if answer.final is None else answer.final,
         "zero": response.steady_state == 0,
@@ -193,7 +202,7 @@ def _shown(value: float | None) -> Expr | None:
 def _slope(answer: Answer) -> Expr | None:
     """Where one integrator makes the response a ramp in the end: its slope, s G(s) at s = 0."""
     num, den = answer.numeric.num, answer.numeric.den
-    if verdict(roots(den)) != "integrator" or not num or den[-1]:
+    if verdict(den) != "integrator" or not num or den[-1]:
         return None
     return readable(num[-1] / den[-2], answer.plant.style) if num[-1] else None
 
@@ -207,28 +216,54 @@ def _claims(answer: Answer, options: Options) -> Iterator[Claim]:
     if answer.final is not None and answer.response.steady_state is not None:
         last = answer.response.steady_state
         yield Claim("the curve ends at the steady state", SECOND_ROUTE, _ends(answer.response, last))
+    yield law("no sample of the curve contradicts what is read off it", _samples_agree(answer.response))
+    transform = _transform(answer, options.controller)
+    claim = "the modes have the Laplace transform of the equations, solved in complex numbers"
+    yield Claim(claim, SECOND_ROUTE, _transforms_back(answer.response.curve, transform))
     claim = "the curve agrees with the inverted Laplace transform of the equations"
-    yield Claim(claim, SECOND_ROUTE, _is_inverse(answer, options.controller))
+    yield Claim(claim, SECOND_ROUTE, _is_inverse(answer.response, transform))
 
 
 def _ends(response: StepResponse, last: float) -> bool:
-    height = max(map(abs, response.values))
-    return abs(response.values[-1] - last) <= 0.021 * max(abs(last), height * 1e-3)
+    """The constant among the modes is the steady state."""
+    constant = float(response.curve.modes[0].factor[0].real) if response.curve.modes else 0.0
+    return math.isclose(constant, last, rel_tol=1e-12, abs_tol=1e-300)
 
 
-def _is_inverse(answer: Answer, controller: Controller | None) -> bool:
-    """A few points of the curve against the numerically inverted transform."""
-    times, values = answer.response.times, answer.response.values
-    height = max(1e-12, *map(abs, values))
-    fastest = max((abs(pole) for pole in answer.poles), default=1.0)
-    transform = _transform(answer, controller)
-    for share in (8, 3):
-        place = len(times) // share
-        time = times[place]
-        terms = 60 + math.ceil(fastest * time)
-        if abs(inverted(transform, time, min(terms, 600)) - values[place]) > TOLERANCE * height:
-            return False
-    return True
+def _samples_agree(response: StepResponse) -> bool:
+    """Below 90 % until it has risen, within the band once it has settled, never above its peak."""
+    final = response.steady_state
+    if not final or response.rises is None or response.settling_time is None or response.overshoot is None:
+        return True
+    top = 1 + response.overshoot / 100 + NEARLY
+    return all(
+        share <= top
+        and (time >= response.rises[1] or share <= HIGH + NEARLY)
+        and (time <= response.settling_time or abs(share - 1) <= BAND + NEARLY)
+        for time, share in zip(response.times, (value / final for value in response.values), strict=True)
+    )
+
+
+def _transforms_back(curve: Curve, transform: Callable[[complex], complex]) -> bool:
+    """At a complex s as large as each pole, by the elementary transforms of the modes."""
+    sizes = {float(abs(mode.pole).mid()) for mode in curve.modes} - {0.0} or {1.0}
+    points = (size * (0.7 + 0.6j) for size in sorted(sizes)[:POINTS])
+    return all(is_close(complex(curve.transform(acb(s))), transform(s), CLOSE) for s in points)
+
+
+def _is_inverse(response: StepResponse, transform: Callable[[complex], complex]) -> bool:
+    """A few points of the curve, and where it rises, settles and is highest, against the numerically
+    inverted transform: as late as that follows the fastest mode."""
+    height = max(1e-300, *map(abs, response.values))
+    fastest = max(float(abs(mode.pole).mid()) for mode in response.curve.modes)
+    places = [response.times[len(response.times) // share] for share in (8, 3)]
+    places += [*(response.rises or ()), response.settling_time or 0.0, response.peak_time or 0.0]
+    return all(
+        abs(inverted(transform, time, 60 + math.ceil(fastest * time)) - response.at(time))
+        <= TOLERANCE * height
+        for time in places
+        if time > 0 and fastest * time < MOST_TERMS
+    )
 
 
 def _transform(answer: Answer, controller: Controller | None) -> Callable[[complex], complex]:

@@ -165,5 +165,5 @@ def _evaluated(solved: Plant, options: Options) -> tuple[dict[str, Any], dict[st
         "point": point_chains(options.evaluate, solved.problem.where),
         "poles": tuple(map(root_tree, poles)),
         "zeros": tuple(map(root_tree, zeros)),
-        "verdict": verdict(poles),
+        "verdict": verdict(numeric.den),
     }
