@@ -57,6 +57,14 @@ class NotDerivable(Exception):
     """What was asked has no answer this program can derive; the message says why."""
 
 
+class NotReal(NotDerivable, ValueError):
+    """A number that is not real: the square root of -4."""
+
+
+class DivisionByZero(NotDerivable, ZeroDivisionError):
+    """A division by an expression that is zero whatever its symbols are."""
+
+
 def _position(error: SheetError) -> tuple[str, int, int]:
     place = error.place
     return (place.file, place.line, place.column) if place else ("", 0, 0)

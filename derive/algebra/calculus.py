@@ -1,8 +1,10 @@
-"""Partial derivatives of polynomials of a ring, by the chain rule through angles and roots."""
+"""Partial derivatives of polynomials of a ring, by the chain rule through angles and roots of polynomials.
+
+Functions of functions are left to `derive.algebra.chain_rule`.
+"""
 
 from __future__ import annotations
 
-import re
 from fractions import Fraction
 from functools import lru_cache
 
@@ -11,7 +13,6 @@ from flint import fmpq_mpoly
 from derive.algebra.angles import Form
 from derive.algebra.rationals import Rational
 from derive.algebra.ring import Ring
-from derive.errors import NotDerivable
 
 Powers = tuple[tuple[str, int], ...]
 
@@ -20,12 +21,7 @@ ONE = ((Fraction(1), ()),)  # the rate of a joint angle in its own form
 
 def derivative(polynomial: fmpq_mpoly, home: Ring, name: str) -> tuple[fmpq_mpoly, fmpq_mpoly | None]:
     """(numerator, denominator) of the derivative by a symbol or an angle, in the same ring; the
-    denominator is None where there is none (roots bring one).
-
-    Raises NotDerivable where the name stands inside a function the normal form keeps as it is.
-    """
-    if home.opaque:
-        _refuse_opaque(polynomial, home, name)
+    denominator is None where there is none (roots bring one)."""
     plain = _along_symbols_and_angles(polynomial, home, name)
     top, bottom = plain, None
     for root in home.roots:
@@ -33,9 +29,10 @@ def derivative(polynomial: fmpq_mpoly, home: Ring, name: str) -> tuple[fmpq_mpol
         inside = home.polynomial(root.radicand)
         if along == 0 or inside.is_constant():
             continue
-        # r^2 = u gives r' = u' / (2 r)
+        # r^n = u gives r' = u' / (n r^(n - 1))
         rate, rate_bottom = derivative(inside, home, name)
-        extra, extra_bottom = along * rate, 2 * home.gen(root.name) * (rate_bottom or home.one)
+        below = root.degree * home.gen(root.name) ** (root.degree - 1)
+        extra, extra_bottom = along * rate, below * (rate_bottom or home.one)
         top, bottom = top * extra_bottom + extra * (bottom or home.one), (bottom or home.one) * extra_bottom
     return home.reduce(top), bottom
 
@@ -84,10 +81,3 @@ def _rate(form: Form, name: str) -> tuple[tuple[Rational, Powers], ...]:
             rest = powers | ({name: n - 1} if n > 1 else {})
             found.append((coefficient * n, tuple(rest.items())))
     return tuple(found)
-
-
-def _refuse_opaque(polynomial: fmpq_mpoly, home: Ring, name: str) -> None:
-    degrees = polynomial.degrees()
-    for symbol in home.opaque:
-        if degrees[home.index[symbol]] > 0 and re.search(rf"\b{re.escape(name)}\b", symbol):
-            raise NotDerivable(f"the derivative of {symbol} by {name} is not known")

@@ -91,11 +91,7 @@ def primitive(scalar: Scalar) -> Scalar:
 
 def depends(scalar: Scalar, names: Iterable[str]) -> bool:
     """Whether it holds one of the names."""
-    used, wanted = set(scalar.generators()), set(names)
-    if wanted & used:
-        return True
-    forms = (f for f in scalar.ring.angles if wanted & {atom for atom, _ in f.parts})
-    return any(f"cos({form})" in used or f"sin({form})" in used for form in forms)
+    return not scalar.letters().isdisjoint(names)
 
 
 def _quotient(scalar: Scalar, product: Scalar, names: tuple[str, ...]) -> Scalar | None:

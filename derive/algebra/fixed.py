@@ -9,9 +9,9 @@ from math import isqrt
 from flint import fmpz
 
 from derive.algebra.angles import PI, Form
-from derive.algebra.pairs import Pair, added
 from derive.algebra.ring import Root, ring
 from derive.algebra.scalar import Scalar, trig
+from derive.errors import NotReal
 
 LARGEST = 10**36  # that is factored in a moment
 TRIED = 10**4
@@ -21,7 +21,7 @@ TRIED = 10**4
 def square_root(value: Fraction) -> Scalar:
     """The root of a number that is not negative; one generator for each prime below it."""
     if value < 0:
-        raise ValueError(f"the square root of {value} is not real")
+        raise NotReal(f"the square root of {value} is not real")
     if value == 0:
         return Scalar.of(0)
     outside, primes = _split(value.numerator * value.denominator)
@@ -31,40 +31,30 @@ def square_root(value: Fraction) -> Scalar:
     return result
 
 
-def form_trig(form: Form) -> Pair:
-    """(cosine, sine) of a form: multiples of 15 degrees and a fixed angle in radians are apart from each
-    other, any other fixed part belongs to what moves."""
-    turns, rest = form.of_atom(PI), form.without(PI)
-    if rest.moving.parts and not _simple(turns):
-        return trig(rest + Form.of({PI: turns - 2 * round(turns / 2)}))
-    if not rest.parts:
-        return fixed_trig(turns)
-    return added(trig(rest), fixed_trig(turns)) if turns else trig(rest)
-
-
 @lru_cache(maxsize=256)
-def fixed_trig(turns: Fraction) -> Pair:
+def fixed_trig(turns: Fraction) -> tuple[Scalar, Scalar]:
     """(cosine, sine) of `turns * pi`: with square roots for multiples of 15 degrees.
 
     Any other fixed angle becomes a generator pair of its own, of which its ring knows c^2 + s^2 = 1
     only; what else holds between fixed angles, and between them and roots, `derive.algebra.settled`
     knows and `==` asks there.
     """
-    return _fifteenths(int(12 * turns) % 24) if _simple(turns) else trig(Form.of({PI: turns}))
+    turns %= 2
+    if (12 * turns).denominator == 1:
+        return _fifteenths(int(12 * turns))
+    quarter, rest = divmod(turns, Fraction(1, 2))
+    c, s = trig(Form.of({PI: rest}))
+    return ((c, s), (-s, c), (-c, -s), (s, -c))[int(quarter)]
 
 
-def _simple(turns: Fraction) -> bool:
-    return (12 * turns).denominator == 1
-
-
-def _fifteenths(steps: int) -> Pair:
+def _fifteenths(steps: int) -> tuple[Scalar, Scalar]:
     """Multiples of 15 degrees from those of the first quarter."""
     quarter, rest = divmod(steps, 6)
     c, s = _of_quarter(rest)
     return ((c, s), (-s, c), (-c, -s), (s, -c))[quarter]
 
 
-def _of_quarter(steps: int) -> Pair:
+def _of_quarter(steps: int) -> tuple[Scalar, Scalar]:
     """15 and 75 degrees by the addition theorem from 45 and 30."""
     half = Fraction(1, 2)
     match steps:
@@ -87,12 +77,17 @@ def _prime_root(prime: int) -> Scalar:
     return Scalar(home, home.gen(name))
 
 
+def factored(n: int) -> list[tuple[int, int]]:
+    """(prime, power) of a positive number; of what is too large to be factored only small primes are taken
+    out, and the rest counts as one."""
+    found = fmpz(n).factor() if n < LARGEST else fmpz(n).factor(TRIED)
+    return [(int(prime), int(power)) for prime, power in found]
+
+
 def _split(n: int) -> tuple[int, tuple[int, ...]]:
-    """n = outside^2 * product of the distinct primes; of what is too large to be factored only small
-    primes are taken out, and the rest counts as one."""
+    """n = outside^2 * product of the distinct primes, as far as it is factored."""
     outside, primes = 1, []
-    for prime, power in fmpz(n).factor() if n < LARGEST else fmpz(n).factor(TRIED):
-        base = int(prime)
+    for base, power in factored(n):
         if (square := isqrt(base)) ** 2 == base:  # only of what was left unfactored
             base, power = square, 2 * power
         outside *= base ** (power // 2)

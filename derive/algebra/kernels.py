@@ -1,4 +1,4 @@
-"""Generators for what is no polynomial: square roots of expressions, and functions left as they are."""
+"""Generators for what is no polynomial: roots of expressions, and functions left as they are."""
 
 from __future__ import annotations
 
@@ -11,11 +11,16 @@ from operator import mul
 from flint import fmpq_mpoly
 
 from derive.algebra.angles import Form
-from derive.algebra.constants import ball, holds_zero, is_number
 from derive.algebra.fixed import square_root
+from derive.algebra.nested_roots import is_number, value_of
+from derive.algebra.opaque import Opaque
 from derive.algebra.rationals import Rational, to_flint
 from derive.algebra.ring import Ring, Root, ring
 from derive.algebra.scalar import Scalar, as_fraction
+
+SMALL = 1e-9  # a number smaller than this may be zero
+# Functions with an argument at which they have a simple value, and that value.
+AT = {"exp": (0, 1), "log": (1, 0), "atan": (0, 0), "asin": (0, 0), "acos": (1, 0)}
 
 
 def root(of: Scalar) -> Scalar:
@@ -53,33 +58,40 @@ def _irreducible(of: Scalar) -> Scalar:
     sign = _sign(of)
     if sign is not None:
         return of * sign
-    lead = _lead(_in_single_angles(of))
+    lead = _lead(in_single_angles(of))
     monic = of / lead
-    return _generator(f"abs({canonical(monic)})", monic * monic) * abs(lead)
+    return generator("abs", (monic,), monic * monic) * abs(lead)
 
 
 def opaque(function: str, arguments: tuple[Scalar, ...]) -> Scalar:
     """A function the normal form knows nothing about: equal where its arguments are."""
-    return Scalar.symbol(f"{function}({', '.join(map(canonical, arguments))})")
+    if function in AT and arguments[0].constant == AT[function][0]:
+        return Scalar.of(AT[function][1])
+    return Scalar.symbol(_named(function, arguments))
+
+
+def _named(function: str, arguments: tuple[Scalar, ...]) -> Opaque:
+    return Opaque(f"{function}({', '.join(map(canonical, arguments))})", function, arguments)
 
 
 def canonical(value: Scalar) -> str:
     """A text that is the same for equal polynomials, whatever their rings: over single angles, or over
     such parts of them as the polynomial needs."""
-    value = _in_single_angles(value)
+    value = in_single_angles(value)
     bottom = "" if value.denominator is None else f"/({_terms(value.ring, value.denominator)})"
     return f"({_terms(value.ring, value.numerator)}){bottom}"
 
 
-def _in_single_angles(value: Scalar) -> Scalar:
+def in_single_angles(value: Scalar) -> Scalar:
+    """The same over single angles, or over such parts of them as the polynomial needs."""
     used = set(value.generators())
     forms = [form for form in value.ring.angles if {f"cos({form})", f"sin({form})"} & used]
-    if all(len(form.parts) == 1 or not form.moving.parts for form in forms):
-        return value
     coefficients: dict[str, list[Rational]] = {}
     for form in forms:
-        for atom, n in form.moving.parts:
+        for atom, n in form.parts:
             coefficients.setdefault(atom, []).append(n)
+    if all(len(form.parts) == 1 for form in forms):
+        return value
     singles = tuple(Form.of({atom: _measure(ns)}) for atom, ns in sorted(coefficients.items()))
     return value.into(ring((), singles, value.ring.symbols).union(value.ring))
 
@@ -114,12 +126,13 @@ def _sines(home: Ring, inside: fmpq_mpoly) -> tuple[Scalar, fmpq_mpoly]:
 def _root_of_rest(inside: Scalar) -> Scalar:
     if inside.constant == 1:
         return Scalar.of(1)
-    return _generator(f"sqrt({canonical(inside)})", inside)
+    return generator("sqrt", (inside,), inside)
 
 
-def _generator(name: str, square: Scalar) -> Scalar:
-    """A new outermost root with this square."""
-    home = square.ring.with_root(Root(name, square.ring.terms(square.numerator)))
+def generator(function: str, arguments: tuple[Scalar, ...], inside: Scalar, degree: int = 2) -> Scalar:
+    """A new outermost root, whose power of this degree is what is inside."""
+    name = _named(function, arguments)
+    home = inside.ring.with_root(Root(name, inside.ring.terms(inside.numerator), degree))
     return Scalar(home, home.gen(name))
 
 
@@ -129,8 +142,8 @@ def _sign(of: Scalar) -> int | None:
     if all(k > 0 and not any(int(e) % 2 for e in powers) for k, powers in terms):
         return 1
     if all(is_number(name, of.ring) for name in of.generators()):
-        value = ball(of.numerator, of.ring)
-        return None if holds_zero(value) else 1 if value > 0 else -1
+        value = value_of(of.numerator, of.ring)
+        return None if abs(value) < SMALL else 1 if value > 0 else -1
     return None
 
 

@@ -118,7 +118,7 @@ class ScalarMatrix:
         return any(self.entries)
 
     def diff(self, name: str) -> ScalarMatrix:
-        return self.map(lambda entry: entry.diff(name))
+        return ScalarMatrix.of([entry.diff(name) for entry in row] for row in self.rows)
 
     def substitute(self, values: Mapping[str, Scalar]) -> ScalarMatrix:
         return ScalarMatrix.of([entry.substitute(values) for entry in row] for row in self.rows)

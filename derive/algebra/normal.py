@@ -15,11 +15,10 @@ from derive.algebra.bounds import multiplied
 from derive.algebra.fixed import fixed_trig
 from derive.algebra.kernels import absolute, opaque, root
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.opaque_rates import partial as partial_derivative
-from derive.algebra.pairs import added, multiple
+from derive.algebra.powers import power
 from derive.algebra.ring import Ring, ring
 from derive.algebra.scalar import Scalar, common_ring, trig
-from derive.algebra.trigonometry import of_direction
+from derive.algebra.trigonometry import added, multiple, of_direction
 from derive.algebra.trigonometry import trig_of as trig_of
 from derive.algebra.values import (
     MATRIX_FUNCTIONS,
@@ -193,14 +192,11 @@ class Walk:
         return value
 
     def _power(self, base: Expr, exponent: Expr) -> Value:
-        power = self.scalar(exponent).constant
-        if power is None:
-            return opaque("pow", (self.scalar(base), self.scalar(exponent)))
-        if power.denominator == 1:
-            return raised(self.value(base), int(power))
-        if power.denominator == 2:
-            return root(self.scalar(base)) ** int(2 * power)
-        return opaque("pow", (self.scalar(base), self.scalar(exponent)))
+        times_itself = self.scalar(exponent)
+        whole = times_itself.constant
+        if whole is not None and whole.denominator == 1:
+            return raised(self.value(base), int(whole))
+        return power(self.scalar(base), times_itself)
 
     def _call(self, function: str, arguments: tuple[Expr, ...]) -> Value:
         if function in ("cos", "sin", "tan"):
@@ -263,12 +259,9 @@ class Walk:
 
 
 def derivative(value: Scalar, name: str) -> Scalar:
-    """The partial derivative by a name, through exp, log and the inverse functions too.
-
-    Raises NotDerivable where no rule is known.
-    """
-    return partial_derivative(value, name, normal)
+    """The partial derivative by a name. Raises NotDerivable where no rule is known."""
+    return value.diff(name)
 
 
 def _partial(value: Value, name: str) -> Value:
-    return value.diff(name) if isinstance(value, ScalarMatrix) else derivative(value, name)
+    return value.diff(name)

@@ -8,10 +8,10 @@ from typing import Any, TypeAlias
 
 from flint import fmpq, fmpq_mpoly
 
-from derive.algebra.grammar import parse
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.opaque import ITSELF, Opaque
 from derive.algebra.scalar import Scalar
-from derive.errors import FormulaError, NotDerivable
+from derive.errors import NotDerivable, NotReal
 from derive.expression import (
     Approximate,
     Call,
@@ -28,7 +28,17 @@ from derive.expression import (
 
 Point: TypeAlias = Mapping[str, float]
 
+
+def real_power(base: float, exponent: float) -> float:
+    """base^exponent. Raises NotReal for a fraction of a power of a negative number."""
+    value = base**exponent
+    if isinstance(value, complex):
+        raise NotReal(f"{base:g} to the power of {exponent:g} is not real")
+    return float(value)
+
+
 FUNCTIONS: dict[str, Callable[..., float]] = {
+    "pow": real_power,
     "cos": math.cos,
     "sin": math.sin,
     "tan": math.tan,
@@ -66,7 +76,7 @@ def number(expr: Expr, point: Point) -> float:
         case Quotient(top, bottom):
             return number(top, point) / number(bottom, point)
         case Power(base, exponent):
-            return float(number(base, point) ** number(exponent, point))
+            return real_power(number(base, point), number(exponent, point))
         case Call(function, arguments) if function in FUNCTIONS:
             return float(FUNCTIONS[function](*(number(a, point) for a in arguments)))
         case _:
@@ -114,27 +124,25 @@ def generator_numbers(value: Scalar, point: Point) -> list[float]:
     for root in reversed(home.roots):
         if root.name in used:
             square = Scalar(home, home.polynomial(root.radicand))
-            table[root.name] = math.sqrt(scalar_number(square, point))
+            table[root.name] = real_power(scalar_number(square, point), 1 / root.degree)
     return [table.get(name, 0.0) for name in home.names]
 
 
 def _symbol(name: str, point: Point) -> float:
     """A letter; or a function that the normal form keeps as it is, `exp(x)`. Raises KeyError."""
-    if "(" not in name or name in point:
+    if not isinstance(name, Opaque) or name in point:
         return point[name]
-    try:
-        return number(parse(name), point)
-    except FormulaError:
-        raise KeyError(name) from None
+    values = [scalar_number(argument, point) for argument in name.arguments]
+    return values[0] if name.function == ITSELF else float(FUNCTIONS[name.function](*values))
 
 
 def _atom(atom: str, point: Point) -> float:
     """pi, one radian, an angle, or a product of powers of symbols."""
+    if isinstance(atom, Opaque):
+        return _symbol(atom, point)
     value = {"pi": math.pi, "1": 1.0}.get(atom)
     if value is not None:
         return value
-    if "(" in atom:
-        return _symbol(atom, point)
     factors = (factor.partition("^") for factor in atom.split("*"))
     return math.prod(point[name] ** int(power or 1) for name, _, power in factors)
 

@@ -64,21 +64,12 @@ def degree(polynomial: Scalar, names: Collection[str]) -> int:
 def require_rational(values: Iterable[Scalar], names: Collection[str]) -> None:
     """Raises NotDerivable where a name stands inside a sine, a root or another function."""
     for value in values:
-        inner = [*value.ring.opaque, *(str(form) for form in value.ring.angles)]
-        inner += [root.name for root in value.ring.roots]
-        used = set(value.generators())
-        for name in names:
-            for text in inner:
-                is_used = any(text in each for each in used)
-                if is_used and name in _words(text):
-                    raise NotDerivable(
-                        f"{name} stands inside a function: only equations that are polynomials in the "
-                        "variables, or fractions of polynomials, are solved here"
-                    )
-
-
-def _words(text: str) -> set[str]:
-    return set("".join(c if c.isalnum() or c == "_" else " " for c in text).split())
+        inner = [value.ring.letters(each) for each in value.generators() if each not in names]
+        if hidden := [name for name in names if any(name in letters for letters in inner)]:
+            raise NotDerivable(
+                f"{hidden[0]} stands inside a function: only equations that are polynomials in the "
+                "variables, or fractions of polynomials, are solved here"
+            )
 
 
 def known_sign(value: Scalar, positive: Collection[str] = ()) -> int | None:
@@ -136,7 +127,7 @@ def ball(value: Scalar, at: Mapping[str, arb]) -> arb:
     known: dict[str, arb] = {name: at[name] for name in home.symbols if name in used}
     for root in reversed(home.roots):
         if root.name in used:
-            known[root.name] = ball(Scalar(home, home.polynomial(root.radicand)), at).sqrt()
+            known[root.name] = ball(Scalar(home, home.polynomial(root.radicand)), at).root(root.degree)
     points = [known.get(name, arb(0)) for name in home.names]
     top = _ball(value.numerator.to_dict(), points)
     return top if value.denominator is None else top / _ball(value.denominator.to_dict(), points)

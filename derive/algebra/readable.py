@@ -9,22 +9,33 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import lru_cache, reduce
+from functools import lru_cache, partial
 from math import lcm
 
 from flint import fmpq_mpoly
 
 from derive.algebra.angles import Form, combination
 from derive.algebra.contraction import contracted
-from derive.algebra.grammar import parse
 from derive.algebra.masses import nested
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import normal
+from derive.algebra.opaque import ITSELF, Opaque
 from derive.algebra.ring import Ring, ring
 from derive.algebra.scalar import Scalar
 from derive.algebra.terms import Alphabet, Style, Terms, terms_of
 from derive.algebra.writing import Writing
-from derive.expression import ONE, Call, Expr, Matrix, Product, Quotient, multiply, negate
+from derive.expression import (
+    ONE,
+    Call,
+    Expr,
+    Matrix,
+    Power,
+    Product,
+    Quotient,
+    Symbol,
+    multiply,
+    negate,
+    sqrt,
+)
 
 # Above this many terms other bases cost more than a reader gains.
 MOST_REBASED = 30
@@ -60,15 +71,18 @@ class Reading:
             top, bottom = negate(top), multiply(*bottom.factors[1:])
         return Quotient(top, bottom)
 
-    def function(self, name: str) -> Expr:
-        """The tree of a generator named by what it stands for; its arguments made readable too."""
-        call = parse(name)
-        if not isinstance(call, Call):
-            raise ValueError(f"{name} is no function")
-        return Call(call.function, tuple(self.scalar(normal(part)) for part in call.arguments))
+    def generator(self, home: Ring, name: str) -> Expr:
+        """The tree of a symbol, a root or a function of a ring; arguments are made readable too."""
+        if not isinstance(name, Opaque):  # a symbol, or the root of a number
+            inside = next((root.radicand for root in home.roots if root.name == name), None)
+            return Symbol(name) if inside is None else sqrt(self._polynomial(home, home.polynomial(inside)))
+        arguments = tuple(map(self.scalar, name.arguments))
+        if name.function == ITSELF:
+            return arguments[0]
+        return Power(*arguments) if name.function == "pow" else Call(name.function, arguments)
 
     def _polynomial(self, home: Ring, polynomial: fmpq_mpoly) -> Expr:
-        alphabet = Alphabet(self.style, self.function)
+        alphabet = Alphabet(self.style, partial(self.generator, home))
         if len(polynomial) <= 1:
             return self._written(terms_of(Scalar(home, polynomial), alphabet), alphabet)
         best = min(
@@ -95,45 +109,27 @@ def _related(scalar: Scalar) -> bool:
     """Whether two of its angles have a part in common; else no other basis is shorter."""
     degrees, home = scalar.numerator.degrees(), scalar.ring
     used = [form for k, form in enumerate(home.angles) if any(degrees[i] > 0 for i in home.pair_index(k))]
-    atoms = [atom for form in used for atom, _ in form.moving.parts]
+    atoms = [atom for form in used for atom, _ in form.parts]
     return len(atoms) > len(set(atoms))
 
 
 @lru_cache(maxsize=256)
 def other_bases(angles: tuple[Form, ...]) -> tuple[tuple[Form, ...], ...]:
-    """Single angles; and for sums that begin with the same angle, the sums without it. Each angle keeps what
-    is fixed in it."""
-    fixed = tuple(form for form in angles if not form.moving.parts)
-    moving = tuple(form for form in angles if form.moving.parts)
-    return tuple((*basis, *fixed) for basis in _other_moving_bases(moving))
-
-
-def _other_moving_bases(angles: tuple[Form, ...]) -> tuple[tuple[Form, ...], ...]:
-    atoms = sorted({atom for form in angles for atom, _ in form.moving.parts})
-    if len(atoms) != len(angles):
-        return ()
-    singles = tuple(_single(atom, angles) for atom in atoms)
-    if set(singles) == set(angles):
+    """Single angles; and for sums that begin with the same angle, the sums without it."""
+    atoms = sorted({atom for form in angles for atom, _ in form.parts})
+    singles = tuple(Form.of({atom: 1}) for atom in atoms)
+    if len(atoms) != len(angles) or set(singles) == set(angles):
         return ()
     found = [singles] if all(_whole(form, singles) for form in angles) else []
     for first in singles:
-        atom = first.moving.parts[0][0]
-        sums = [form for form in angles if form != first and form.of_atom(atom) == 1]
+        sums = [form for form in angles if form != first and dict(form.parts).get(first.parts[0][0]) == 1]
         if first in angles and sums:
             found.append(tuple(form + first.scaled(-1) if form in sums else form for form in angles))
     return tuple({frozenset(basis): basis for basis in reversed(found)}.values())[::-1]
 
 
-def _single(atom: str, angles: tuple[Form, ...]) -> Form:
-    """The angle by itself, with what is fixed in the sums of which it is made."""
-    alone = Form.of({atom: 1})
-    multiples = combination(alone, [form.moving for form in angles]) or ()
-    parts = (form.fixed.scaled(n) for form, n in zip(angles, multiples, strict=True))
-    return reduce(Form.__add__, parts, alone)
-
-
 def _whole(form: Form, basis: tuple[Form, ...]) -> bool:
-    multiples = combination(form.moving, [each.moving for each in basis])
+    multiples = combination(form, basis)
     return multiples is not None and all(n.denominator == 1 for n in multiples)
 
 

@@ -1,13 +1,9 @@
 """The ring of the normal form: polynomials over the rationals, modulo what sines and roots obey.
 
 Generators are the parameters and prismatic variables, a pair (c, s) for each independent angle
-with s^2 = 1 - c^2, and a root r for each square root with r^2 = radicand. Reduced by these
-relations a polynomial is unique, so two expressions are equal exactly when their reduced
+with s^2 = 1 - c^2, and a root r for each square root with r^2 = radicand (r^3 for a cube root).
+Reduced by these relations a polynomial is unique, so two expressions are equal exactly when their reduced
 polynomials are. The polynomials are FLINT's sparse ones (python-flint, `fmpq_mpoly`).
-
-A fixed angle, 25 deg, has a pair of its own however many there are, and angles that move are independent
-where their moving parts are: theta1 + 25 deg beside theta1 is the sum of theta1 and 25 deg. What else holds
-between fixed angles, and between them and roots, `derive.algebra.settled` knows.
 
 The order of generators is lexicographic with roots first (nested ones outermost first), then
 sines, cosines and symbols: the leading terms of the relations are then r^2 and s^2, and reduction
@@ -16,26 +12,28 @@ is one division each.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cache, cached_property, lru_cache, reduce
+from functools import cache, cached_property, lru_cache
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
-from derive.algebra.angles import PI, Form, combination, first_quarter
+from derive.algebra.angles import PI, Form, combination, letters_of
+from derive.algebra.opaque import Opaque
 from derive.algebra.rationals import Rational, to_flint
 
 Pair = tuple[fmpq_mpoly, fmpq_mpoly]
-EXACT = {Form(()): (1, 0), Form.of({PI: Fraction(1, 2)}): (0, 1)}  # cosine and sine of 0 and 90 degrees
 
 
 @dataclass(frozen=True, slots=True)
 class Root:
-    """A square root; `radicand` is a polynomial as sorted text-keyed terms, so that it can be a key."""
+    """A root, square unless its degree says otherwise; `radicand` is a polynomial as sorted text-keyed terms,
+    so that it can be a key."""
 
     name: str
     radicand: tuple[tuple[tuple[tuple[str, int], ...], Fraction], ...]
+    degree: int = 2
 
 
 @dataclass(frozen=True)
@@ -73,7 +71,22 @@ class Ring:
     @cached_property
     def opaque(self) -> tuple[str, ...]:
         """The symbols that stand for functions left as they are: `exp(x)`."""
-        return tuple(name for name in self.symbols if "(" in name)
+        return tuple(name for name in self.symbols if isinstance(name, Opaque))
+
+    @cached_property
+    def layered(self) -> bool:
+        """Whether there are functions of functions: exp(x), the sine of sin(x)."""
+        atoms = (atom for form in self.angles for atom, _ in form.parts)
+        return bool(self.opaque) or any(isinstance(atom, Opaque) for atom in atoms)
+
+    def letters(self, generator: str) -> frozenset[str]:
+        """The names a generator rests on, `pi` apart."""
+        return _letters(self, generator)
+
+    @cached_property
+    def fixed(self) -> Form | None:
+        """The one form that is a multiple of pi, if there is one; others would be multiples of it."""
+        return next((form for form in self.angles if form.of_atom(PI)), None)
 
     @cached_property
     def zero(self) -> fmpq_mpoly:
@@ -99,15 +112,15 @@ class Ring:
         return len(self.roots) + len(self.angles) + k, len(self.roots) + k
 
     @cached_property
-    def relations(self) -> tuple[tuple[int, fmpq_mpoly], ...]:
-        """(index of the leading generator, relation), outermost first."""
+    def relations(self) -> tuple[tuple[int, int, fmpq_mpoly], ...]:
+        """(index of the leading generator, its power, relation), outermost first."""
         found = [
-            (i, self.gen(root.name) ** 2 - self.polynomial(root.radicand))
+            (i, root.degree, self.gen(root.name) ** root.degree - self.polynomial(root.radicand))
             for i, root in enumerate(self.roots)
         ]
         for k in range(len(self.angles)):
             c, s = self.pair(k)
-            found.append((len(self.roots) + k, s * s + c * c - 1))
+            found.append((len(self.roots) + k, 2, s * s + c * c - 1))
         return tuple(found)
 
     def polynomial(self, terms: Iterable[tuple[tuple[tuple[str, int], ...], Rational]]) -> fmpq_mpoly:
@@ -133,12 +146,12 @@ class Ring:
         )
 
     def reduce(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
-        """The unique representative: no root and no sine to a power above one."""
+        """The unique representative: no square root and no sine to a power above one."""
         if not polynomial:
             return polynomial
         degrees = polynomial.degrees()
-        for i, relation in self.relations:
-            if degrees[i] > 1:
+        for i, least, relation in self.relations:
+            if degrees[i] >= least:
                 polynomial = divmod(polynomial, relation)[1]
                 degrees = polynomial.degrees()
         return polynomial
@@ -158,18 +171,13 @@ class Ring:
 
     def with_angle(self, form: Form) -> Ring:
         """A ring in which the form's sine and cosine are polynomials."""
-        multiples = _multiples(form, self)
+        multiples = combination(form, self.angles)
         if multiples is None:
             return ring(self.roots, (*self.angles, form), self.symbols)
-        if any(n.denominator != 1 for n in multiples):
-            finer = tuple(
-                angle.scaled(Fraction(1, n.denominator))
-                for angle, n in zip(self.angles, multiples, strict=True)
-            )
-            return _with_roots_of(self, ring((), finer, self.symbols)).with_angle(form)
-        needed = (first_quarter(part)[2] for part in _fixed_parts(form, self.angles, multiples))
-        new = [angle for angle in needed if angle not in self.angles and angle not in EXACT]
-        return ring(self.roots, (*self.angles, *new), self.symbols)
+        finer = tuple(
+            angle.scaled(Fraction(1, n.denominator)) for angle, n in zip(self.angles, multiples, strict=True)
+        )
+        return _with_roots_of(self, ring((), finer, self.symbols))
 
     def union(self, other: Ring) -> Ring:
         """A ring that holds the elements of both."""
@@ -185,54 +193,31 @@ def ring(roots: tuple[Root, ...] = (), angles: tuple[Form, ...] = (), symbols: t
 
 
 @lru_cache(maxsize=4096)
+def _letters(home: Ring, generator: str) -> frozenset[str]:
+    place = home.index[generator]
+    if place < len(home.roots):
+        inner = (name for powers, _ in home.roots[place].radicand for name, _ in powers)
+        return frozenset().union(*(home.letters(name) for name in inner))
+    k = place - len(home.roots)
+    if k < 2 * len(home.angles):
+        return home.angles[k % len(home.angles)].letters
+    return letters_of(generator)
+
+
+@lru_cache(maxsize=4096)
 def _trig(home: Ring, form: Form) -> Pair | None:
     if form in home.angles:
         return home.pair(home.angles.index(form))
-    multiples = _multiples(form, home)
+    multiples = combination(form, home.angles)
     if multiples is None or any(n.denominator != 1 for n in multiples):
         return None
     cosine, sine = home.one, home.zero
-    pairs = [(home.pair(k), n) for k, n in enumerate(multiples)]
-    for part in _fixed_parts(form, home.angles, multiples):
-        pair = _fixed_pair(part, home)
-        if pair is None:
-            return None
-        pairs.append((pair, Fraction(1)))
-    for (c, s), n in pairs:
+    for k, n in enumerate(multiples):
+        c, s = home.pair(k)
         s = s if n > 0 else -s
         for _ in range(abs(int(n))):  # one addition theorem a turn
             cosine, sine = cosine * c - sine * s, sine * c + cosine * s
     return home.reduce(cosine), home.reduce(sine)
-
-
-def _multiples(form: Form, home: Ring) -> tuple[Fraction, ...] | None:
-    """How often each angle of the ring is in the moving part of a form: a fixed angle never is."""
-    moving = [k for k, angle in enumerate(home.angles) if angle.moving.parts]
-    found = combination(form.moving, [home.angles[k].moving for k in moving])
-    if found is None:
-        return None
-    multiples = dict(zip(moving, found, strict=True))
-    return tuple(multiples.get(k, Fraction(0)) for k in range(len(home.angles)))
-
-
-def _fixed_parts(form: Form, angles: Sequence[Form], multiples: Sequence[Fraction]) -> Iterator[Form]:
-    """What is left of a form beside these multiples: a multiple of pi, and any other number."""
-    taken = (angle.scaled(-n) for angle, n in zip(angles, multiples, strict=True) if n)
-    rest = reduce(Form.__add__, taken, form).fixed
-    yield Form.of({PI: rest.of_atom(PI)})
-    yield rest.without(PI)
-
-
-def _fixed_pair(form: Form, home: Ring) -> Pair | None:
-    """(cosine, sine) of a multiple of pi or of a form without pi; None where the ring has no pair for it."""
-    cosine_sign, sine_sign, angle = first_quarter(form)
-    if angle in EXACT:
-        c, s = map(home.constant, EXACT[angle])
-    elif angle in home.angles:
-        c, s = home.pair(home.angles.index(angle))
-    else:
-        return None
-    return cosine_sign * c, sine_sign * s
 
 
 @lru_cache(maxsize=1024)
@@ -248,7 +233,7 @@ def _with_roots_of(source: Ring, target: Ring) -> Ring:
     """The target with the roots of the source, their radicands in its own generators."""
     for root in reversed(source.roots):
         inside = carry(source.polynomial(root.radicand), source, target)
-        target = target.with_root(Root(root.name, target.terms(inside)))
+        target = target.with_root(replace(root, radicand=target.terms(inside)))
     return target
 
 

@@ -19,6 +19,7 @@ from derive.algebra.calculus import derivative, with_rates
 from derive.algebra.rationals import to_flint
 from derive.algebra.ring import Ring, carry, ring
 from derive.algebra.settled import vanishes
+from derive.errors import DivisionByZero
 
 Like = Union["Scalar", int, Fraction]
 
@@ -80,7 +81,7 @@ class Scalar:
     def __truediv__(self, other: Like) -> Scalar:
         a, b = _together(self, other)
         if not b:
-            raise ZeroDivisionError("division by an expression that is identically zero")
+            raise DivisionByZero("a division by an expression that is always zero")
         top = a.numerator if b.denominator is None else a.numerator * b.denominator
         return fraction(a.ring, top, _times(a.denominator, b.numerator))
 
@@ -148,6 +149,10 @@ class Scalar:
             degrees = [max(pair) for pair in zip(degrees, self.denominator.degrees(), strict=True)]
         return (name for name, degree in zip(self.ring.names, degrees, strict=True) if degree > 0)
 
+    def letters(self) -> frozenset[str]:
+        """The names of the symbols and angles it rests on, however deep inside functions; `pi` apart."""
+        return frozenset().union(*map(self.ring.letters, self.generators()))
+
     def into(self, home: Ring) -> Scalar:
         """The same scalar in a larger ring."""
         if self.ring is home:
@@ -158,13 +163,16 @@ class Scalar:
     # -- calculus ---------------------------------------------------------------------------------
 
     def diff(self, name: str) -> Scalar:
-        """The partial derivative by a symbol or an angle. Raises NotDerivable inside opaque functions."""
+        """The partial derivative by a symbol or an angle. Raises NotDerivable where there is no rule."""
+        if self.denominator is not None:
+            u, v = Scalar(self.ring, self.numerator), Scalar(self.ring, self.denominator)
+            return (u.diff(name) * v - u * v.diff(name)) / (v * v)
+        if self.ring.layered:
+            from derive.algebra.chain_rule import along
+
+            return along(self, name)
         home = with_rates(self.ring, name)
-        top = self.into(home)
-        if top.denominator is None:
-            return fraction(home, *derivative(top.numerator, home, name))
-        u, v = Scalar(home, top.numerator), Scalar(home, top.denominator)
-        return (u.diff(name) * v - u * v.diff(name)) / (v * v)
+        return fraction(home, *derivative(self.into(home).numerator, home, name))
 
     def substitute(self, values: Mapping[str, Scalar]) -> Scalar:
         """With symbols replaced. The names must not stand inside sines, cosines or roots."""
@@ -183,7 +191,7 @@ def _constant(value: int | Fraction) -> Scalar:
 
 
 def trig(form: Form) -> tuple[Scalar, Scalar]:
-    """(cosine, sine) of a form, each a polynomial of its own ring."""
+    """(cosine, sine) of a form without a fixed part."""
     home = ring().with_angle(form)
     pair = home.trig(form)
     if pair is None:
@@ -211,7 +219,7 @@ def _rational_bottom(home: Ring, top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[f
     """Both multiplied by the conjugates of the bottom: 1/(a + b r) = (a - b r)/(a^2 - b^2 r^2)."""
     for place, root in enumerate(home.roots):
         along = bottom.derivative(place)
-        if along != 0 and home.polynomial(root.radicand).is_constant():
+        if along != 0 and root.degree == 2 and home.polynomial(root.radicand).is_constant():
             conjugate = bottom - 2 * along * home.gen(root.name)
             top, bottom = home.reduce(top * conjugate), home.reduce(bottom * conjugate)
     return top, bottom

@@ -12,10 +12,12 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import TypeAlias
 
-from derive.algebra.angles import PI, RADIAN, Form, is_fixed
+from derive.algebra.angles import PI, RADIAN, Form
+from derive.algebra.opaque import ITSELF, Opaque
 from derive.algebra.rationals import Rational, lowest, of_flint
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar
+from derive.algebra.trigonometry import angle_of
 from derive.expression import (
     Call,
     Degrees,
@@ -58,7 +60,7 @@ class Alphabet:
     """The atoms of one reading, numbered as they are met, and their order on the page."""
 
     style: Style = Style()
-    reader: Callable[[str], Expr] = Symbol  # of generators named by what they stand for: "sqrt(3)"
+    reader: Callable[[str], Expr] = Symbol  # of symbols, roots and functions by name
     atoms: list[Atom] = field(default_factory=list)
     numbers: dict[Atom, int] = field(default_factory=dict)
     keys: dict[int, SortKey] = field(default_factory=dict)
@@ -99,7 +101,7 @@ class Alphabet:
     def is_letter(self, atom: int) -> bool:
         """Whether it is a symbol or a sum of symbols."""
         found = self.atoms[atom]
-        return found.kind == "sum" or (found.kind == "symbol" and "(" not in str(found.what))
+        return found.kind == "sum" or (found.kind == "symbol" and not isinstance(found.what, Opaque))
 
     def is_function(self, atom: int) -> bool:
         """Whether it is written as a function of something: a sine, a cosine, a root."""
@@ -138,16 +140,14 @@ class Alphabet:
         return (rank, _natural(atom.what))
 
     def _rank(self, name: str) -> SortKey:
-        """In the author's order; what is fixed in an angle comes last."""
         order = self.style.order
-        place = order.index(name) if name in order else len(order) + is_fixed(name)
-        return (place, _natural(name))
+        return (order.index(name) if name in order else len(order), _natural(name))
 
     def expression(self, atom: int, power: int = 1) -> Expr:
         """The tree of a power of an atom; every time the same."""
         if (atom, power) not in self.trees:
             base = self._expression(self.atoms[atom])
-            self.trees[atom, power] = Power(base, number(power)) if power > 1 else base
+            self.trees[atom, power] = raised(base, power) if power > 1 else base
         return self.trees[atom, power]
 
     def _expression(self, found: Atom) -> Expr:
@@ -155,9 +155,12 @@ class Alphabet:
             return self.angle(found.what)
         if isinstance(found.what, Form):
             return Call(found.kind, (self.angle(found.what),))
-        return self.reader(found.what) if "(" in found.what else Symbol(found.what)
+        return self.reader(found.what)
 
     def angle(self, form: Form) -> Expr:
+        """The tree of a form; one with functions in it is made readable as a whole."""
+        if any(isinstance(atom, Opaque) for atom, _ in form.parts):
+            return self.reader(Opaque(str(form), ITSELF, (angle_of(form),)))
         parts = sorted(form.parts, key=lambda part: (part[1] < 0, self._rank(part[0])))
         return add(*(self._multiple(atom, n) for atom, n in parts))
 
@@ -166,8 +169,6 @@ class Alphabet:
             return Degrees(Fraction(180 * n))
         if atom == RADIAN:
             return Number(Fraction(n), self.style.decimals)
-        if "(" in atom:
-            return multiply(Number(Fraction(n)), self.reader(atom))
         factors = [_power_text(factor) for factor in atom.split("*")]
         return multiply(Number(Fraction(n)), *factors)
 
@@ -237,6 +238,15 @@ def _natural(name: str) -> SortKey:
     parts = re.findall(r"\d+|[^\W\d_]+", name)
     keys = ((1, int(p), "") if p.isdigit() else (0, 0, p.lower()) for p in parts)
     return (*keys, (0, 0, name))
+
+
+def raised(base: Expr, power: int) -> Expr:
+    """A power; of x^(1/3) it is x^(2/3)."""
+    if not isinstance(base, Power):
+        return Power(base, number(power))
+    if isinstance(base.exponent, Number):
+        return Power(base.base, number(base.exponent.value * power))
+    return Power(base.base, multiply(number(power), base.exponent))
 
 
 def _power_text(factor: str) -> Expr:

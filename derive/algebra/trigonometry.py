@@ -2,32 +2,93 @@
 
 from __future__ import annotations
 
-from derive.algebra.angles import RADIAN, Form
-from derive.algebra.fixed import form_trig
-from derive.algebra.kernels import root
-from derive.algebra.pairs import Pair
-from derive.algebra.scalar import Scalar, as_fraction
-from derive.errors import NotDerivable
+from fractions import Fraction
+from functools import reduce
+from operator import mul
+
+from derive.algebra.angles import PI, RADIAN, Form
+from derive.algebra.fixed import fixed_trig
+from derive.algebra.kernels import canonical, in_single_angles, root
+from derive.algebra.opaque import ITSELF, Opaque
+from derive.algebra.ring import Ring
+from derive.algebra.scalar import Scalar, as_fraction, trig
 
 
-def trig_of(angle: Scalar) -> Pair:
-    """(cosine, sine) of an angle that is a polynomial."""
-    return form_trig(linear_form(angle))
+def trig_of(angle: Scalar) -> tuple[Scalar, Scalar]:
+    """(cosine, sine) of an angle that is a polynomial: fixed parts apart, the rest a linear form."""
+    turns, form = linear_form(angle)
+    pair = trig(form) if form.parts else (Scalar.of(1), Scalar.of(0))
+    return added(pair, fixed_trig(turns)) if turns else pair
 
 
-def linear_form(angle: Scalar) -> Form:
-    """An angle as a linear form; each monomial is an atom of it."""
+def linear_form(angle: Scalar) -> tuple[Fraction, Form]:
+    """(multiple of pi, the rest) of an angle; each monomial is an atom of the form."""
+    angle = in_single_angles(angle)
     if angle.denominator is not None:
-        raise NotDerivable("an angle that is a fraction of symbols")
-    parts = {}
+        return Fraction(0), _of_fraction(angle)
+    turns, parts = Fraction(0), {}
     for exponents, coefficient in angle.numerator.terms():
-        powers = [(n, e) for n, e in zip(angle.ring.names, exponents, strict=True) if e]
-        atom = "*".join(n if e == 1 else f"{n}^{e}" for n, e in powers) or RADIAN
-        parts[atom] = as_fraction(coefficient)
-    return Form.of(parts)
+        atom = _atom(angle.ring, exponents)
+        if atom == PI:
+            turns = as_fraction(coefficient)
+        else:
+            parts[atom] = as_fraction(coefficient)
+    return turns, Form.of(parts)
 
 
-def of_direction(y: Scalar, x: Scalar) -> Pair:
+def _of_fraction(angle: Scalar) -> Form:
+    """Of x/y + z/y: each term over the denominator is an atom, unless it cancels there."""
+    home, found = angle.ring, Form(())
+    bottom = Scalar(home, angle.denominator)
+    for exponents, coefficient in angle.numerator.to_dict().items():
+        part = Scalar(home, home.context.from_dict({exponents: coefficient})) / bottom
+        if part.denominator is None:
+            turns, form = linear_form(part)
+            found = found + form + Form.of({PI: turns})
+        else:
+            lead = as_fraction(part.numerator.leading_coefficient())
+            found = found + Form.of({_whole(part / lead): lead})
+    return found
+
+
+def _atom(home: Ring, exponents: tuple[int, ...]) -> str:
+    """A product of powers of letters by its text, `w*t^2`; one that holds functions as itself."""
+    powers = [(n, int(e)) for n, e in zip(home.names, exponents, strict=True) if e]
+    if all(n in home.symbols and not isinstance(n, Opaque) for n, _ in powers):
+        return "*".join(n if e == 1 else f"{n}^{e}" for n, e in powers) or RADIAN
+    return _whole(Scalar(home, home.context.from_dict({exponents: 1})))
+
+
+def _whole(part: Scalar) -> Opaque:
+    return Opaque(canonical(part), ITSELF, (part,))
+
+
+def angle_of(form: Form) -> Scalar:
+    """The angle that a form stands for."""
+    return sum((atom_of(atom) * n for atom, n in form.parts), Scalar.of(0))
+
+
+def atom_of(atom: str) -> Scalar:
+    """What an atom of a form stands for."""
+    if isinstance(atom, Opaque):
+        return atom.arguments[0]
+    if atom == RADIAN:
+        return Scalar.of(1)
+    factors = (factor.partition("^") for factor in atom.split("*"))
+    return reduce(mul, (Scalar.symbol(name) ** int(power or 1) for name, _, power in factors))
+
+
+def added(a: tuple[Scalar, Scalar], b: tuple[Scalar, Scalar]) -> tuple[Scalar, Scalar]:
+    """The addition theorem on (cosine, sine) pairs."""
+    return a[0] * b[0] - a[1] * b[1], a[1] * b[0] + a[0] * b[1]
+
+
+def multiple(pair: tuple[Scalar, Scalar], n: int) -> tuple[Scalar, Scalar]:
+    base = pair if n >= 0 else (pair[0], -pair[1])
+    return reduce(added, [base] * abs(n), (Scalar.of(1), Scalar.of(0)))
+
+
+def of_direction(y: Scalar, x: Scalar) -> tuple[Scalar, Scalar]:
     """(cosine, sine) of atan2(y, x)."""
     length = root(x * x + y * y)
     return x / length, y / length

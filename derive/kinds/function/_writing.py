@@ -32,7 +32,7 @@ def _roots_above(value: Scalar) -> Scalar:
     for place, root in enumerate(home.roots):
         bottom = home.one if value.denominator is None else value.denominator
         along = bottom.derivative(place)
-        if along != 0:
+        if along != 0 and root.degree == 2:
             conjugate = bottom - 2 * along * home.gen(root.name)
             value = fraction(home, value.numerator * conjugate, home.reduce(bottom * conjugate))
     return value

@@ -14,7 +14,6 @@ from derive.algebra.normal import normal
 from derive.algebra.polynomial_systems import solve
 from derive.algebra.polynomials import known_sign, numerator
 from derive.algebra.scalar import Scalar, as_fraction
-from derive.algebra.terms import Alphabet
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Call, Expr, add, atan2, multiply, negate, number, walk
 from derive.kinds.function._writing import written
@@ -75,13 +74,29 @@ def _require_plain(
     """Raises NotDerivable for a coordinate inside and outside a sine, or in one with a parameter."""
     used = {name for equation in equations for name in equation.generators()}
     for form in forms:
-        for atom, _ in form.moving.parts:
+        for atom, _ in form.parts:
             if atom not in coordinates:
                 raise NotDerivable(f"an angle that holds {atom} besides a coordinate is not solved for here")
             if atom in symbols and atom in used:
                 raise NotDerivable(
                     f"{atom} stands inside a sine or cosine and outside of one: no exact solution"
                 )
+    plain = {f"{function}({form})" for form in forms for function in ("cos", "sin")} | {*coordinates}
+    for equation in equations:
+        inner = (equation.ring.letters(name) for name in _deciding(equation) - plain)
+        if hidden := sorted(frozenset().union(*inner).intersection(coordinates)):
+            raise NotDerivable(f"{hidden[0]} stands inside another function: no exact solution is known")
+
+
+def _deciding(equation: Scalar) -> set[str]:
+    """The generators that decide where it is zero: an exponential that all its terms share is no zero."""
+    terms = [dict(powers) for powers, _ in equation.ring.terms(equation.numerator)]
+    names = {name for powers in terms for name in powers}
+    return {
+        name
+        for name in names
+        if not name.startswith("exp(") or len({powers.get(name, 0) for powers in terms}) > 1
+    }
 
 
 def _circle(pair: tuple[str, str]) -> Scalar:
@@ -122,24 +137,17 @@ def _values(
     problem: Problem,
 ) -> dict[str, Expr]:
     """The coordinates as trees: those of angles from their sines and cosines."""
-    pairs = [[found[name] for name in letters.pair(form)] for form in letters.forms]
     angles = [
-        _moving_part(form, _angle(c, s, positive, problem), problem)
-        for form, (c, s) in zip(letters.forms, pairs, strict=True)
+        _angle(found[letters.pair(form)[0]], found[letters.pair(form)[1]], positive, problem)
+        for form in letters.forms
     ]
-    moving = [form.moving for form in letters.forms]
     values: dict[str, Expr] = {}
     for q in coordinates:
         if q in found:
             values[q] = written(found[q], problem)
-        elif (parts := combination(Form.of({q: 1}), moving)) is not None and any(parts):
+        elif (parts := combination(Form.of({q: 1}), letters.forms)) is not None and any(parts):
             values[q] = _combined(angles, parts, problem)
     return values
-
-
-def _moving_part(form: Form, angle: Expr, problem: Problem) -> Expr:
-    """What moves in an angle: theta where theta + 25 deg is the angle."""
-    return add(angle, Alphabet(problem.style).angle(form.fixed.scaled(-1))) if form.fixed.parts else angle
 
 
 def _combined(angles: Sequence[Expr], parts: Sequence[Fraction], problem: Problem) -> Expr:
@@ -147,9 +155,7 @@ def _combined(angles: Sequence[Expr], parts: Sequence[Fraction], problem: Proble
     total = add(*(multiply(number(n), angle) for n, angle in zip(parts, angles, strict=True) if n))
     if any(isinstance(node, Call | Approximate) for node in walk(total)):
         return total
-    turns = (normal(total) / Scalar.symbol(PI)).constant
-    if turns is None:
-        return total
+    turns = (normal(total) / Scalar.symbol(PI)).constant or Fraction(0)
     return problem.readable(Scalar.symbol(PI) * (1 - (1 - turns) % 2))
 
 

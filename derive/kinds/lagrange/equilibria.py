@@ -83,15 +83,9 @@ def _at_rest(model: Model) -> list[Scalar]:
     system = model.system
     nothing = (*system.rates, *inputs_of(system))
     found = [without(model.rest[k] - model.forces[q], nothing) for k, q in enumerate(system.coordinates)]
-    if any(TIME in _words(each) for each in found):
+    if any(TIME in each.letters() for each in found):
         raise NotDerivable("the forces change with the time: the system has no state of rest")
     return found
-
-
-def _words(value: Scalar) -> set[str]:
-    """The names that its generators hold."""
-    texts = " ".join(value.generators())
-    return set("".join(c if c.isalnum() or c == "_" else " " for c in texts).split())
 
 
 def _put_in(model: Model, value: Scalar, found: Found) -> Scalar:

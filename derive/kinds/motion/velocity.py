@@ -7,16 +7,18 @@ from functools import reduce
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.numeric import matrix_numbers
-from derive.algebra.scalar import Scalar
+from derive.algebra.normal import normal
+from derive.algebra.numeric import matrix_numbers, number
 from derive.derivation import Claim, Derivation, Result, Step
 from derive.errors import NotDerivable
-from derive.expression import Derivative, Expr, Product, Symbol, add, free_symbols, transpose
+from derive.expression import ONE, Derivative, Expr, Product, Symbol, add, free_symbols, multiply, transpose
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import Name, OptionsModel
 from derive.kinds.naming import fits
+from derive.kinds.pose._numbers import free_name
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
+from derive.mechanics.lagrangian import TIME
 from derive.mechanics.motion import Motion
 from derive.mechanics.poses import pose, position_part, rotation_part
 from derive.mechanics.sequences import in_product_order
@@ -40,7 +42,8 @@ R, P, S, V = Symbol("R"), Symbol("p"), Symbol("S"), Symbol("v")
 
 
 class Options(OptionsModel):
-    """`rates`: the names that change in time; all of those the moves are by, if left out."""
+    """`rates`: the names that change in time. If left out, those are all that the moves are by, and where
+    the time t is among them the others are constants."""
 
     rates: tuple[Name, ...] = ()
 
@@ -78,7 +81,12 @@ def _varying(motion: Motion, options: Options, problem: Problem) -> tuple[str, .
         raise NotDerivable(f"no move is by {min(unknown)}, so it has no rate here")
     if not any(move.kind == "rotate" and set(names) & free_symbols(move.by) for move in motion.moves):
         raise NotDerivable("no rotation is by a symbol, so nothing turns")
-    return options.rates or names
+    return options.rates or tuple(name for name in names if name == TIME) or names
+
+
+def rate_of(name: str) -> Expr:
+    """How fast a name changes: the time itself by 1."""
+    return ONE if name == TIME else Symbol(f"{name}_dot")
 
 
 class _Velocity:
@@ -86,6 +94,7 @@ class _Velocity:
 
     def __init__(self, problem: Problem, T: ScalarMatrix, varying: tuple[str, ...]) -> None:
         self.problem, self.varying = problem, varying
+        self.name = free_name(problem, "omega", "w", "omega_R")  # omega*t is a common angle
         self.R = rotation_part(T)
         self.rate = self._rate(self.R)
         self.S = self.rate @ self.R.T
@@ -95,7 +104,7 @@ class _Velocity:
 
     def _rate(self, matrix: ScalarMatrix) -> ScalarMatrix:
         """The derivative by time, by the chain rule."""
-        parts = (matrix.diff(name).scaled(Scalar.symbol(f"{name}_dot")) for name in self.varying)
+        parts = (matrix.diff(name).scaled(normal(rate_of(name))) for name in self.varying)
         return reduce(ScalarMatrix.__add__, parts)
 
     def steps(self, shifted: bool) -> tuple[Step, ...]:
@@ -105,7 +114,7 @@ class _Velocity:
         rate = Step("R_dot", (Symbol("R_dot"), self._by_chain_rule(R, self.R), *written), "chain-rule")
         product = Product((Symbol("R_dot"), transpose(R)))
         turn = Step("S", (S, product, read(self.S)), "skew")
-        omega = Step("omega", (Symbol("omega"), read(self.omega)), "read-off")
+        omega = Step("omega", (self.name, read(self.omega)), "read-off")
         if not shifted:
             return rate, turn, omega
         return (
@@ -118,7 +127,7 @@ class _Velocity:
     def _by_chain_rule(self, of: Symbol, value: ScalarMatrix) -> Expr:
         """The sum of the derivatives by each name times its rate."""
         names = (name for name in self.varying if value.diff(name))
-        return add(*(Product((Derivative(of, Symbol(name)), Symbol(f"{name}_dot"))) for name in names))
+        return add(*(multiply(Derivative(of, Symbol(name)), rate_of(name)) for name in names))
 
     def definitions(self) -> dict[Expr, Expr]:
         read = self.problem.readable_matrix
@@ -127,18 +136,18 @@ class _Velocity:
             P: read(self.p),
             Symbol("R_dot"): read(self.rate),
             S: read(self.S),
-            Symbol("omega"): read(self.omega),
+            self.name: read(self.omega),
         }
 
     def second_route(self, moves: tuple[Any, ...]) -> Claim:
         """S by differences of rotations composed in numbers."""
         from derive.mechanics.oracle import compose
 
-        names = [f"{name}_dot" for name in self.varying]
+        names = [f"{name}_dot" for name in self.varying if name != TIME]
 
         def differences(point: Mapping[str, float]) -> Any:
             def at(h: float) -> Any:
-                moved = {name: point[name] + h * point[f"{name}_dot"] for name in self.varying}
+                moved = {name: point[name] + h * number(rate_of(name), point) for name in self.varying}
                 return compose(moves, completed({**point, **moved}, self.problem.where))[:3, :3]
 
             return (at(STEP) - at(-STEP)) / (2 * STEP) @ at(0).T

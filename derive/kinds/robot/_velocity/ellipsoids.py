@@ -92,14 +92,7 @@ def _numbers(task: Task, place: Place) -> dict[str, float]:
 
 def _used(task: Task) -> set[str]:
     """The names that stand in J."""
-    found: set[str] = set()
-    for entry in task.J.entries:
-        names = set(entry.generators())
-        found |= {name for name in entry.ring.symbols if name in names and name != "pi"}
-        for form in entry.ring.angles:
-            if {f"cos({form})", f"sin({form})"} & names:
-                found |= {atom for atom, _ in form.parts if atom not in ("pi", "1")}
-    return found
+    return {name for entry in task.J.entries for name in entry.letters()}
 
 
 def _turned(vector: Any) -> list[float]:
