@@ -11,7 +11,7 @@ from typing import TypeAlias
 
 from flint import fmpq
 
-from derive.algebra.nested_roots import is_number
+from derive.algebra.constants import is_number
 from derive.algebra.normal import normal
 from derive.algebra.numeric import scalar_number
 from derive.algebra.readable import readable
