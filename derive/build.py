@@ -17,6 +17,7 @@ from derive.sheet.load import load_sheet
 from derive.sheet.model import Problem, Question, Sheet
 from derive.writing import Progress, render, write
 
+NAMESAKES = "rename one, or build them into different folders with --output"
 Warn = Callable[[SheetError], None]
 
 
@@ -32,8 +33,10 @@ def build(
     """Builds every sheet and says what was written; without `output` it gives the pages as texts.
 
     `warn` is told what is strange about a sheet, though it can be built. Raises SheetErrors, before
-    anything is written, with the faults of all the sheets.
+    anything is written, with the faults of all the sheets; PagesFailed where some pages were written.
     """
+    if faults := _namesakes(paths):
+        raise SheetErrors(faults)
     sheets = load_all(paths, progress)
     for warning in (found for sheet in sheets for each in sheet.problems for found in each.warnings):
         warn(warning)
@@ -41,6 +44,16 @@ def build(
     if output is None:
         return tuple(render(document, kind) for document in documents for kind in formats)
     return write(sheets, documents, formats, output, pdf_engine, progress)
+
+
+def _namesakes(paths: Sequence[Path]) -> list[SheetError]:
+    """Sheets whose pages would take each other's place."""
+    first: dict[str, Path] = {}
+    return [
+        SheetError(f"{path}: its pages would have the names of those of {other}", None, NAMESAKES)
+        for path in paths
+        if (other := first.setdefault(path.stem, path)) != path
+    ]
 
 
 def load_all(paths: Sequence[Path], progress: Progress) -> list[Sheet]:

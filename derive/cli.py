@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from derive.errors import SheetErrors
-from derive.messages import guarded, progress, report, say, warn
+from derive.messages import guarded, page, progress, report, say, warn
 
 FORMATS = ("md", "tex", "pdf", "html", "docx", "json")
 
@@ -66,7 +66,7 @@ def _sheets(ctx: click.Context, option: click.Parameter, value: tuple[Path, ...]
         if not inside:
             raise click.BadParameter(f"there is no sheet in {path}")
         found.extend(inside)
-    return tuple(dict.fromkeys(found))
+    return tuple({path.resolve(): path for path in found}.values())
 
 
 def _build_options(command: Callable[..., Any]) -> Callable[..., Any]:
@@ -111,15 +111,26 @@ def _build(
     import gc
 
     from derive.build import build as build_sheets
+    from derive.writing import PagesFailed
 
     gc.set_threshold(100_000, 50, 50)  # trees are many and hold no cycles
-    with progress() as step:
-        made = build_sheets(sheets, formats, target, problems, pdf_engine, step, warn)
-    for page in made:
-        if isinstance(page, str):
-            click.echo(page, nl=False)
-        elif page.parent == target:  # and no picture of a page
-            say(str(page))
+    try:
+        with progress() as step:
+            made = build_sheets(sheets, formats, target, problems, pdf_engine, step, warn)
+    except PagesFailed as failed:
+        _say_pages(failed.files, target)
+        raise
+    for text in made:
+        if isinstance(text, str):
+            page(text)
+    _say_pages(made, target)
+
+
+def _say_pages(files: tuple[Path | str, ...], folder: Path | None) -> None:
+    """The pages among the files, and no picture of a page."""
+    for file in files:
+        if isinstance(file, Path) and file.parent == folder:
+            say(str(file))
 
 
 @main.command()
@@ -132,15 +143,15 @@ def check(sheets: tuple[Path, ...], style: str) -> None:
 
     The exit status is 1 where an answer differs or cannot be decided.
     """
+    from derive.answers.telling import as_json, as_text
     from derive.check import check as check_sheets
 
-    with guarded(), progress() as step:
-        found = check_sheets(sheets, step, warn)
-    from derive.answers.telling import as_json, as_text
-
-    if found.faults:
-        report(SheetErrors(found.faults), "what they concern is undecided")
-    click.echo(as_json(found.checks) if style == "json" else as_text(found.checks))
+    with guarded():
+        with progress() as step:
+            found = check_sheets(sheets, step, warn)
+        if found.faults:
+            report(SheetErrors(found.faults), "what they concern is undecided")
+        page((as_json(found.checks) if style == "json" else as_text(found.checks)) + "\n")
     if found.faults or any(each.verdict != "equal" for each in found.checks):
         raise click.exceptions.Exit(1)
 
@@ -154,7 +165,7 @@ def kinds(kind: str | None, style: str) -> None:
 
     whole = catalogue.table if style == "markdown" else catalogue.overview
     with guarded():
-        click.echo(whole() if kind is None else catalogue.describe(kind), nl=False)
+        page(whole() if kind is None else catalogue.describe(kind))
 
 
 @main.command()
@@ -180,7 +191,7 @@ def schema() -> None:
     from derive.sheet.schema import sheet_schema
 
     with guarded():
-        click.echo(json.dumps(sheet_schema(), indent=2, ensure_ascii=False))
+        page(json.dumps(sheet_schema(), indent=2, ensure_ascii=False) + "\n")
 
 
 @main.command()

@@ -34,7 +34,10 @@ class SheetError(Exception):
 
 
 class SheetErrors(Exception):
-    """Every fault of a sheet at once, in the order of the file; there is at least one."""
+    """Every fault of a sheet at once, in the order of the file; there is at least one. `outcome` is what came
+    of them."""
+
+    outcome = "nothing was written"
 
     def __init__(self, errors: Iterable[SheetError]) -> None:
         self.errors = tuple(sorted(errors, key=_position))

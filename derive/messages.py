@@ -6,8 +6,9 @@ import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from errno import EDQUOT, EFBIG, ENOSPC, EPIPE
 from time import monotonic
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NoReturn
 
 import click
 
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 
 LONGEST = 120  # columns of a line that is quoted whole
 PATIENCE = 1.0  # seconds before progress is shown
+FULL = (ENOSPC, EDQUOT, EFBIG)  # no room on the disk
 REPORT = "please report it at the project's issue page, with the sheet"
 
 
@@ -36,21 +38,38 @@ def guarded() -> Iterator[None]:
     except (click.ClickException, click.exceptions.Exit, click.Abort):
         raise
     except OSError as error:
-        if os.environ.get("DERIVE_DEBUG") or error.filename is None:
+        if os.environ.get("DERIVE_DEBUG") or error.errno == EPIPE:  # nobody reads on: click ends quietly
             raise
-        said = "this is no directory" if isinstance(error, FileExistsError) else error.strerror or str(error)
-        click.echo(f"{error.filename}: {said.lower()}", err=True)
-        sys.exit(1)
+        _refused(error)
     except Exception as error:
         if os.environ.get("DERIVE_DEBUG"):
             raise
+        if (behind := _behind(error)) is not None:
+            _refused(behind)
         summary = (str(error).splitlines() or [""])[0]
         click.echo(f"derive failed, and should not have: {type(error).__name__}: {summary}", err=True)
         click.echo(f"{REPORT}; DERIVE_DEBUG=1 shows where", err=True)
         sys.exit(1)
 
 
-def report(errors: SheetErrors, outcome: str = "nothing was written") -> None:
+def _refused(error: OSError) -> NoReturn:
+    """What the system did not do, in a sentence; then exit 1."""
+    said = "this is no directory" if isinstance(error, FileExistsError) else error.strerror or str(error)
+    where = error.filename or "this could not be written"
+    click.echo(f"{where}: {said[:1].lower()}{said[1:]}", err=True)
+    sys.exit(1)
+
+
+def _behind(error: BaseException | None) -> OSError | None:
+    """A full disk behind an accident: who was writing may stumble over it while clearing up."""
+    while error is not None:
+        if isinstance(error, OSError) and error.errno in FULL:
+            return error
+        error = error.__cause__ or error.__context__
+    return None
+
+
+def report(errors: SheetErrors, outcome: str = "") -> None:
     """Every fault on the standard error, in colour on a terminal; then how many, and what came of it."""
     if sys.stderr.isatty():
         console = _console()
@@ -59,7 +78,7 @@ def report(errors: SheetErrors, outcome: str = "nothing was written") -> None:
     else:
         click.echo("\n".join(written(error) for error in errors.errors), err=True)
     count = len(errors.errors)
-    click.echo(f"{count} fault{'s' * (count != 1)}; {outcome}", err=True)
+    click.echo(f"{count} fault{'s' * (count != 1)}; {outcome or errors.outcome}", err=True)
 
 
 def warn(warning: SheetError) -> None:
@@ -118,6 +137,18 @@ def _coloured(console: Console, error: SheetError) -> None:
     for text in rest:
         style = "green" if text.startswith("    hint") else "red" if text.strip() == "^" else "default"
         console.print(Text(text, style), soft_wrap=True)
+
+
+def page(text: str) -> None:
+    """A text on the standard output: the bytes that a file would hold, or what a terminal can show of it.
+
+    Raises OSError where it cannot be written.
+    """
+    out = sys.stdout
+    out.flush()
+    encoding = out.encoding if out.isatty() else "utf-8"
+    out.buffer.write(text.encode(encoding, errors="backslashreplace"))
+    out.buffer.flush()
 
 
 def say(text: str) -> None:

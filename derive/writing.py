@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from shutil import copyfile
-from tempfile import TemporaryDirectory
 
-from derive.errors import SheetError, SheetErrors
+from derive.errors import Place, SheetError, SheetErrors
+from derive.placing import aside, put
 from derive.render.document import Document
+from derive.render.failures import NoGlyphs, PageFailed
 from derive.sheet.model import Sheet
 
 Progress = Callable[[str], None]
@@ -27,6 +27,16 @@ def render(document: Document, kind: str) -> str:
     return render_latex(document) if kind == "tex" else render_markdown(document)
 
 
+class PagesFailed(SheetErrors):
+    """The faults of pages that could not be made, and the files that were written all the same."""
+
+    outcome = "the other pages were written"
+
+    def __init__(self, errors: Iterable[SheetError], files: tuple[Path, ...]) -> None:
+        super().__init__(errors)
+        self.files = files
+
+
 def write(
     sheets: Sequence[Sheet],
     documents: Sequence[Document],
@@ -35,23 +45,46 @@ def write(
     pdf_engine: str,
     progress: Progress,
 ) -> tuple[Path, ...]:
-    """Writes pages and pictures: all are made aside, then each is put in its place at once.
+    """Writes pages and pictures: all are made aside, then put in their place at once.
 
-    Raises SheetErrors, with nothing written, where a page cannot be made into a PDF.
+    Raises PagesFailed where a page cannot be made: an older one of its name is removed, the others are
+    written. Raises SheetErrors, with nothing written, where none can.
     """
-    output.mkdir(parents=True, exist_ok=True)
-    with TemporaryDirectory(dir=output, prefix=".derive-") as folder:
-        aside = Path(folder)
-        pages = []
+    faults: list[SheetError] = []
+    with aside(output) as folder:
+        pages, failed = [], []
         for sheet, document in zip(sheets, documents, strict=True):
             progress(f"writing {sheet.path.stem}")
             if set(formats) - {"json"}:
-                _place(sheet, document, aside, _picture_kinds(formats, pdf_engine))
+                _place(sheet, document, folder, _picture_kinds(formats, pdf_engine))
             for kind in formats:
-                pages.append(aside / f"{document.figures}.{kind}")
-                _make(document, kind, pages[-1], pdf_engine)
-        pictures = [path for path in sorted(aside.glob("*/**/*")) if path.is_file()]
-        return tuple(_put(path, aside, output) for path in (*pictures, *pages))
+                page = folder / f"{document.figures}.{kind}"
+                try:
+                    _make(document, kind, page, pdf_engine)
+                    pages.append(page)
+                except PageFailed as error:
+                    failed.append(page)
+                    faults += _failed(error, page.name, sheet)
+        if not pages:
+            raise SheetErrors(faults)
+        made = {path for path in folder.glob("*/**/*") if path.is_file()}
+        files = put((*sorted(made), *pages), folder, output, failed)
+    if faults:
+        raise PagesFailed(faults, files)
+    return files
+
+
+def _failed(error: PageFailed, page: str, sheet: Sheet) -> list[SheetError]:
+    """The faults of a page that could not be made: each line of the sheet whose characters no font has."""
+    if not isinstance(error, NoGlyphs):
+        return [SheetError(f"{page} could not be made: {error}", Place(str(sheet.path), 1, 1))]
+    hint = "write it in other letters, or choose --format md,tex,html,docx"
+    found = []
+    for number, line in enumerate(sheet.path.read_text(encoding="utf-8-sig").splitlines(), 1):
+        if lacking := [char for char in line if char in error.characters]:
+            place = Place(str(sheet.path), number, line.index(lacking[0]) + 1, line)
+            found.append(SheetError(f"{page}: no font of ours has {''.join(lacking)}", place, hint))
+    return found or [SheetError(f"{page} could not be made: {error}", Place(str(sheet.path), 1, 1), hint)]
 
 
 def _picture_kinds(formats: Sequence[str], pdf_engine: str) -> tuple[str, ...]:
@@ -93,19 +126,8 @@ def _make(document: Document, kind: str, target: Path, pdf_engine: str) -> None:
 
 
 def _typeset(document: Document, target: Path) -> None:
-    from derive.render.pdf import PdfFailed, write_pdf_with_latex
+    from derive.render.pdf import write_pdf_with_latex
 
     source = target.with_suffix(".tex")
     source.write_text(render(document, "tex"), encoding="utf-8")
-    try:
-        write_pdf_with_latex(source, target)
-    except PdfFailed as error:
-        hint = "leave --pdf-engine out to do without a TeX installation"
-        raise SheetErrors([SheetError(str(error), None, hint)]) from error
-
-
-def _put(path: Path, aside: Path, output: Path) -> Path:
-    target = output / path.relative_to(aside)
-    target.parent.mkdir(parents=True, exist_ok=True)
-    os.replace(path, target)
-    return target
+    write_pdf_with_latex(source, target)

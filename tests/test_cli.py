@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import json
+from errno import ENOSPC
 from pathlib import Path
 
 import pytest
@@ -95,6 +96,34 @@ def test_a_place_that_cannot_be_written(folder: Path, arguments: tuple[str, ...]
     assert "derive failed" not in done.stderr
 
 
+def test_two_sheets_of_one_name(folder: Path) -> None:
+    (folder / "output").mkdir()
+    (folder / "output" / "week1.md").write_text("an old page", encoding="utf-8")
+    (folder / "week1.yml").write_text(SHEET, encoding="utf-8")
+    done = run(".", "--format", "md")
+    assert done.exit_code == 1
+    assert "week1.yml: its pages would have the names of those of week1.yaml" in done.stderr
+    assert [path.read_text() for path in (folder / "output").iterdir()] == ["an old page"]
+
+
+def test_one_sheet_named_twice(folder: Path) -> None:
+    assert run("week1.yaml", "./week1.yaml", str(folder / "week1.yaml"), "--format", "md").exit_code == 0
+
+
+def test_letters_that_the_pdf_has_no_font_for(folder: Path) -> None:
+    """The other pages are written; an older PDF would tell another story."""
+    (folder / "output").mkdir()
+    (folder / "output" / "week1.pdf").write_text("an old page", encoding="utf-8")
+    named = SHEET.replace("problems:", "author: 王伟 and 😀\nproblems:")
+    (folder / "week1.yaml").write_text(named, encoding="utf-8")
+    done = run("week1.yaml", "--format", "pdf,md,json")
+    assert done.exit_code == 1
+    assert "week1.yaml:2:9: week1.pdf: no font of ours has 王伟😀" in done.stderr
+    assert "1 fault; the other pages were written" in done.stderr
+    assert sorted(path.name for path in (folder / "output").iterdir()) == ["week1.json", "week1.md"]
+    assert run("week1.yaml", "--format", "pdf").exit_code == 1
+
+
 def test_a_question_without_text_is_asked_all_the_same(folder: Path) -> None:
     page = run("week1.yaml", "--problems", "--format", "md", "--output", "-").stdout
     assert "Find the link parameters of the arm" in page
@@ -115,6 +144,19 @@ def test_a_long_line_is_cut_around_the_fault() -> None:
     line, caret = written(SheetError("no", Place("x.yaml", 1, 201, text))).splitlines()[1:]
     assert len(line) < 140
     assert line[caret.index("^")] == "!"
+
+
+def test_a_disk_that_was_full_behind_an_accident(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def broken(*_: object) -> None:
+        try:
+            raise OSError(ENOSPC, "No space left on device")
+        finally:
+            raise AttributeError("'Stream' object has no attribute 'pos'")
+
+    monkeypatch.setattr(pipeline, "load_sheet", broken)
+    monkeypatch.delenv("DERIVE_DEBUG", raising=False)
+    done = run("week1.yaml")
+    assert (done.exit_code, done.stderr) == (1, "this could not be written: no space left on device\n")
 
 
 def test_the_unexpected_is_an_apology(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:

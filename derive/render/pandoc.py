@@ -8,16 +8,14 @@ from importlib.util import find_spec
 from pathlib import Path
 from shutil import which
 
+from derive.render.failures import PandocFailed
+
 # Strict Markdown and what our pages use beyond it. No raw HTML, no raw TeX, no attributes.
 READER = (
     "markdown_strict-raw_html+all_symbols_escapable+intraword_underscores+space_in_atx_header"
     "+tex_math_dollars+pipe_tables+implicit_figures+startnum+backtick_code_blocks"
 )
 NEVER_FOLD = "100000"  # a table row longer than `--columns` would be given fixed column widths
-
-
-class PandocFailed(Exception):
-    """Pandoc could not read or write a page; the message is what it said."""
 
 
 def pandoc(markdown: str, writer: str, arguments: Sequence[str], metadata: Mapping[str, str]) -> bytes:

@@ -9,6 +9,7 @@ from shutil import which
 from tempfile import TemporaryDirectory
 
 from derive.render.document import Document
+from derive.render.failures import NoGlyphs, PdfFailed
 from derive.render.page import render_markdown
 from derive.render.pandoc import pandoc
 from derive.render.resources import templates
@@ -23,15 +24,13 @@ LATEX_ENGINES = {
     "tectonic": ["tectonic", "--untrusted"],
 }
 
+NO_GLYPH = re.compile(r'the text `"(.+?)"` could not be displayed')
+
 # A sign that continues a sum after an indent: something before it makes Typst space it as binary.
 CONTINUED = re.compile(r"(&\s*quad)\s+([+\-])")
 
 # The paragraph that leads to a display stays on its page; the template says how.
 LEAD_IN = re.compile(r"(?<=\n\n)(?![#=+\-\s]|\$\s)((?:(?!`{3}).+\n)+)(?=\n\$ )")
-
-
-class PdfFailed(Exception):
-    """The page could not be made into a PDF; the message says why."""
 
 
 def metadata(document: Document) -> dict[str, str]:
@@ -55,6 +54,8 @@ def write_pdf(document: Document, target: Path) -> None:
         compiler = Compiler(source, target.parent, ignore_system_fonts=True, sys_inputs=metadata(document))
         compiler.compile(output=str(target), format="pdf", pdf_standards=["a-2b"], timestamp=TIMESTAMP)
     except TypstError as error:
+        if missing := NO_GLYPH.findall(error.diagnostic):
+            raise NoGlyphs("".join(dict.fromkeys("".join(missing)))) from error
         raise PdfFailed("\n".join((error.message, *error.hints))) from error
 
 
