@@ -11,7 +11,6 @@ from typing import TypeAlias
 
 from flint import fmpq
 
-from derive.algebra.constants import is_number
 from derive.algebra.normal import normal
 from derive.algebra.numeric import scalar_number
 from derive.algebra.readable import readable
@@ -70,7 +69,7 @@ class Rational:
 
     def reduced(self) -> Rational:
         """Without common factors; itself where there are none."""
-        if any(is_number(name, k.ring) for k in (*self.num, *self.den) for name in k.generators()):
+        if not all(map(_is_plain, (*self.num, *self.den))):
             return self._reduced_exactly()
         top, bottom = scalar(self.num), scalar(self.den)
         both = top + bottom  # lives in a ring that holds the two
@@ -84,7 +83,7 @@ class Rational:
         return Rational(*_cleared(polynomial(Scalar(value.ring, value.numerator)), polynomial(below)))
 
     def _reduced_exactly(self) -> Rational:
-        """With roots of numbers among the coefficients, s^2 - 2 = (s - sqrt(2)) (s + sqrt(2))."""
+        """With roots and functions among the coefficients: s^2 - 2 = (s - sqrt(2)) (s + sqrt(2))."""
         both = common(self.den, self.num)
         if len(both) == 1:
             return self
