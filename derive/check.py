@@ -113,6 +113,7 @@ def _compared(
         at.key,
         sheet.notation.atan2 == "xy",
         _reached(question, working, derivation),
+        question.evaluate,
     )
     return Checked(tuple(compared.checks()))
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from dataclasses import replace as replace_fields
 from fractions import Fraction
 from typing import TypeAlias
 
@@ -19,11 +20,13 @@ class Number:
     """An exact rational. `decimal` prints it as a decimal fraction, as its author typed it.
 
     `unit` is the SI unit its author gave it; tables of data print it, and nothing else takes note of it.
+    `places` are the digits after the point as typed, which say how far a published number is rounded.
     """
 
     value: Fraction
     decimal: bool = False
     unit: str = field(default="", compare=False)
+    places: int = field(default=0, compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,9 +38,10 @@ class Approximate:
 
 @dataclass(frozen=True, slots=True)
 class Degrees:
-    """An angle given in degrees. Its value is `value * pi / 180`."""
+    """An angle given in degrees, `value * pi / 180`; `places` are the digits after its point as typed."""
 
     value: Fraction
+    places: int = field(default=0, compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,20 +166,25 @@ def multiply(*factors: Expr) -> Expr:
 def negate(expr: Expr) -> Expr:
     """The opposite, written with a leading minus; a minus that is there already is dropped."""
     match expr:
-        case Number(value, decimal, unit):
-            return Number(-value, decimal, unit)
+        case Number(value):
+            return with_value(expr, -value)
         case Approximate(value):
             return Approximate(-value)
         case Degrees(value):
-            return Degrees(-value)
+            return with_value(expr, -value)
         case Quotient(top, bottom):
             return Quotient(negate(top), bottom)
-        case Product((Number(value, decimal), *rest)):
-            return multiply(Number(-value, decimal), *rest)
+        case Product((Number(value) as first, *rest)):
+            return multiply(with_value(first, -value), *rest)
         case Product(factors):
             return Product((MINUS_ONE, *factors))
         case _:
             return Product((MINUS_ONE, expr))
+
+
+def with_value(expr: Number | Degrees, value: Fraction) -> Number | Degrees:
+    """Another value of the same kind: a decimal stays one, an angle in degrees too."""
+    return replace_fields(expr, value=value)
 
 
 def is_negative(expr: Expr) -> bool:

@@ -81,7 +81,7 @@ def test_json(sheet: Path) -> None:
     ("entry", "said"),
     [
         (r"\foo", "the problem has no symbol 'foo'"),
-        (r"\frac{a_2", r"'\end' cannot stand here"),
+        (r"\frac{a_2", "this { is never closed"),
         ("b_2", "the problem has no symbol 'b_2'"),
         ("", "an entry of this matrix is empty"),
     ],
@@ -92,7 +92,7 @@ def test_an_answer_that_cannot_be_read(sheet: Path, entry: str, said: str) -> No
     assert done.exit_code == 1
     assert said in done.stderr
     _, line, caret, *_ = done.stderr.splitlines()
-    assert line[caret.index("^")] in "\\b&"  # the very character
+    assert line[caret.index("^")] in "\\b&{"  # the very character
     assert "Traceback" not in done.output
     assert done.stdout.endswith("1 entry: 1 undecided\n")
 

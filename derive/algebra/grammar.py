@@ -25,7 +25,7 @@ from derive.algebra.quantities import (
     summed,
 )
 from derive.algebra.spelling import ARGUMENTS, TRIGONOMETRIC, meant, unknown_function
-from derive.algebra.tokens import Token, tokens, value_of
+from derive.algebra.tokens import MAX_TEXT, Token, places_of, tokens, value_of
 from derive.algebra.units import OTHER_UNITS, UNITS, Wanted, agree, compound, spoken
 from derive.errors import FormulaError
 from derive.expression import PI, Expr, Number, Sum, Symbol, free_symbols, negate
@@ -35,13 +35,15 @@ SUM, PRODUCT, POWER = 10, 20, 30  # binding powers
 BINDING = {"+": SUM, "-": SUM, "*": PRODUCT, "/": PRODUCT, "^": POWER}
 
 
-def parse(text: str, *, dimension: Wanted = None, names: frozenset[str] = frozenset()) -> Expr:
+def parse(
+    text: str, *, dimension: Wanted = None, names: frozenset[str] = frozenset(), longest: int = MAX_TEXT
+) -> Expr:
     """The tree of a formula, in SI base units. Raises FormulaError.
 
     `dimension` is what the field takes (see `units`); a value known to have another is an error, while
     plain numbers and symbols are allowed anywhere. `names` are the declared symbols.
     """
-    return _Parser(text, dimension, names).whole()
+    return _Parser(text, dimension, names, longest=longest).whole()
 
 
 def parse_starred(
@@ -87,8 +89,15 @@ def _is_term(variable: Symbol, expr: Expr) -> bool:
 class _Parser:
     """One pass over the tokens of one formula."""
 
-    def __init__(self, text: str, wanted: Wanted, names: frozenset[str], stars: bool = False) -> None:
-        self.tokens = tokens(text)
+    def __init__(
+        self,
+        text: str,
+        wanted: Wanted,
+        names: frozenset[str],
+        stars: bool = False,
+        longest: int = MAX_TEXT,
+    ) -> None:
+        self.tokens = tokens(text, longest)
         self.at = 0
         self.wanted = wanted
         self.units = wanted is not None
@@ -133,7 +142,7 @@ class _Parser:
         match token.kind, token.text:
             case "number", _:
                 value, decimal = value_of(token)
-                return Quantity(Number(value, decimal))
+                return Quantity(Number(value, decimal, places=places_of(token)))
             case "name", _:
                 return self._name(token)
             case "sign", "(":

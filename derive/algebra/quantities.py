@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from math import comb
+from math import comb, log10
 
 from derive.algebra.spelling import INVERSE, TRIGONOMETRIC
 from derive.algebra.units import ANGLE, LENGTH, PLAIN, Dimension, Unit, agree, power, spoken, times
@@ -115,7 +115,8 @@ def measured(quantity: Quantity, unit: Unit, at: int) -> Quantity:
     if value is None or (unit.size == 1 and not unit.degrees):
         factors = (*before, last, *_scale(unit))
     elif unit.degrees == 1:
-        factors = (*before, Degrees(value * unit.size))
+        places = last.places if isinstance(last, Number) and unit.size == 1 else 0
+        factors = (*before, Degrees(value * unit.size, places))
     else:
         factors = (*before, _converted(value * unit.size / 180**unit.degrees, last), *_turns(unit.degrees))
     expr = factors[0] if len(factors) == 1 else Product(factors)
@@ -202,7 +203,15 @@ def _converted(value: Fraction, typed: Expr) -> Number:
     for prime in (2, 5):
         while rest % prime == 0:
             rest //= prime
-    return Number(value, _is_decimal(typed) or (rest == 1 < value.denominator))
+    return Number(value, _is_decimal(typed) or (rest == 1 < value.denominator), places=_places(value, typed))
+
+
+def _places(value: Fraction, typed: Expr) -> int:
+    """Those of a typed decimal after a conversion by a power of ten: 12.50 mm has five as a length in m."""
+    if not isinstance(typed, Number) or not typed.places or not value:
+        return 0
+    shift = round(log10(typed.value / value))
+    return max(typed.places + shift, 0) if typed.value == value * Fraction(10) ** shift else 0
 
 
 def _is_decimal(expr: Expr) -> bool:

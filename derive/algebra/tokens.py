@@ -46,10 +46,10 @@ class Token:
     end: int
 
 
-def tokens(text: str) -> tuple[Token, ...]:
+def tokens(text: str, longest: int = MAX_TEXT) -> tuple[Token, ...]:
     """The tokens of a formula with an end token last. Raises FormulaError."""
-    if len(text) > MAX_TEXT:
-        raise FormulaError(f"a formula of {len(text)} characters is too long (at most {MAX_TEXT})", 0)
+    if len(text) > longest:
+        raise FormulaError(f"a formula of {len(text)} characters is too long (at most {longest})", 0)
     found = []
     at = 0
     while at < len(text):
@@ -64,6 +64,12 @@ def tokens(text: str) -> tuple[Token, ...]:
 def value_of(token: Token) -> tuple[Fraction, bool]:
     """The exact value of a number token, and whether it was typed as a decimal."""
     return Fraction(token.text), not token.text.isdigit()
+
+
+def places_of(token: Token) -> int:
+    """The digits after the point of a number token: 4 in 0.0130, 5 in 1.30e-3."""
+    mantissa, _, power = token.text.lower().partition("e")
+    return max(len(mantissa.partition(".")[2]) - int(power or 0), 0)
 
 
 def _read(text: str, at: int) -> list[Token]:

@@ -21,7 +21,8 @@ from derive.kinds.problem import TREES, Problem
 class Asked:
     """A question, what was derived for it, and where its answer stands in the sheet.
 
-    `reached` are points at which known coordinates belong together, for inverse problems.
+    `reached` are points at which known coordinates belong together, for inverse problems; `evaluate` is the
+    point at which the question wants numbers, empty where nothing is left to give, None where it wants none.
     """
 
     problem: int
@@ -33,6 +34,7 @@ class Asked:
     key: Callable[[Route], Place]
     xy: bool = False
     reached: tuple[Point, ...] = ()
+    evaluate: Mapping[str, Expr] | None = None
 
     # -- what there is to compare with ------------------------------------------------------------
 
@@ -72,6 +74,11 @@ class Asked:
         return Letters(
             self.own | working | rates | set(self.given.where) | set(self.variables), self.xy, self.own
         )
+
+    @cached_property
+    def point(self) -> Names:
+        """What has a value where the question is evaluated."""
+        return {Symbol(name): value for name, value in (self.evaluate or {}).items()}
 
     @cached_property
     def terms(self) -> Terms:

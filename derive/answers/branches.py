@@ -4,17 +4,31 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import islice
 
 from flint import arb
 
 from derive.algebra.text import text
-from derive.answers.comparing import ENOUGH, TRIED, Finding, Terms, proved
+from derive.answers.comparing import (
+    AGREES,
+    ENOUGH,
+    ROUNDED,
+    TRIED,
+    Finding,
+    Terms,
+    digits_note,
+    proved,
+    room,
+    unproved,
+)
 from derive.answers.diagnosing import diagnose
-from derive.answers.points import Point, apart, turning, unknowns, value_at
+from derive.answers.points import Names, Point, apart, distance, turning, unknowns, value_at
+from derive.answers.regions import proved_around
 from derive.expression import PI, Call, Degrees, Expr, Symbol, walk
 
 Solution = Mapping[str, Expr]
+Numbers = Mapping[str, arb]
 INVERSE = ("atan2", "atan", "acos", "asin")
 ABSENT = "a solution is missing"
 
@@ -30,6 +44,15 @@ class Paired:
 
 
 @dataclass(frozen=True)
+class Sample:
+    """The values of every solution at one point; None where one of them is not real."""
+
+    point: Point
+    published: tuple[Numbers | None, ...]
+    derived: tuple[Numbers | None, ...]
+
+
+@dataclass(frozen=True)
 class Sets:
     """Two sets of solutions; `angles` are the unknowns that count up to whole turns."""
 
@@ -40,27 +63,35 @@ class Sets:
 
     def paired(self) -> list[Paired]:
         """Every published solution with its verdict, then derived ones that nobody published."""
-        partner = self._partners()
-        left = [k for k in range(len(self.published)) if k not in partner]
-        spare = [j for j in range(len(self.derived)) if j not in partner.values()]
-        judged = self._judged(left, spare) if left or spare else {}
+        partners: dict[int, int] = {}
         found = []
         for k, solution in enumerate(self.published):
-            if k in partner:
-                found.append(Paired(solution, self.derived[partner[k]], Finding("equal")))
-            else:
-                found.append(self._unmatched(solution, spare, judged.get(k, Finding("undecided"))))
-        return [*found, *self._missing(spare, judged)]
+            j, finding = self.match(k, frozenset(partners))
+            if j is None:
+                found.append(self._unmatched(k, [i for i in range(len(self.derived)) if i not in partners]))
+                continue
+            if j in partners and finding.verdict == "equal":
+                finding = replace(finding, note=f"the same as solution {partners[j] + 1}")
+            partners.setdefault(j, k)
+            found.append(Paired(solution, self.derived[j], finding))
+        wrong = sum(pair.finding.verdict == "differs" for pair in found)
+        return [*found, *self._missing(partners)[wrong:]]
 
-    def _partners(self) -> dict[int, int]:
-        """Which derived solution each published one is, by normal form."""
-        partner: dict[int, int] = {}
-        for k, solution in enumerate(self.published):
-            for j, ours in enumerate(self.derived):
-                if j not in partner.values() and self._proved(solution, ours):
-                    partner[k] = j
-                    break
-        return partner
+    def match(self, k: int, taken: frozenset[int] = frozenset()) -> tuple[int | None, Finding]:
+        """The derived solution that a published one is, none of the `taken` ones if there is another; None
+        where it is none of them."""
+        possible = [j for j, ours in enumerate(self.derived) if self.published[k].keys() <= ours.keys()]
+        for j in sorted(possible, key=lambda j: j in taken):
+            if self._proved(self.published[k], self.derived[j]):
+                return j, Finding("equal")
+        agreeing = [j for j in possible if self._agrees(k, j)]
+        for j in sorted(agreeing, key=lambda j: j in taken):
+            finding = self._by_values(k, j)
+            if finding.verdict == "equal" or j == sorted(agreeing, key=lambda j: j in taken)[-1]:
+                return j, finding
+        return None, Finding("undecided")
+
+    # -- by formulas ------------------------------------------------------------------------------
 
     def _proved(self, theirs: Solution, ours: Solution) -> bool:
         return all(
@@ -69,52 +100,72 @@ class Sets:
 
     def _terms(self, name: str, theirs: Solution, ours: Solution) -> Terms:
         """A value may be in terms of other unknowns of its own solution."""
-        angle = name in self.angles
+        own = _definitions(theirs)
         return replace(
             self.terms,
-            published={**self.terms.published, **_definitions(theirs)},
+            published={**self.terms.published, **own},
             derived={**self.terms.derived, **_definitions(ours)},
-            angle=angle,
+            own=own,
+            angle=name in self.angles,
+        )
+
+    def _by_values(self, k: int, j: int) -> Finding:
+        """What can be said of solutions that agree wherever it was tried: proved around the points, right to
+        the digits given, or nothing more than that."""
+        theirs, ours = self.published[k], self.derived[j]
+        points = [sample.point for sample in self.samples if sample.published[k] and sample.derived[j]]
+        notes = []
+        for name, value in theirs.items():
+            terms = self._terms(name, theirs, ours)
+            if proved(value, ours[name], terms):
+                continue
+            if proved_around(value, ours[name], terms.names, points, terms.angle):
+                continue
+            notes.append(digits_note(value, terms) or unproved(value, ours[name], terms))
+        open_ends = [note for note in notes if note != ROUNDED]
+        return (
+            Finding("undecided", note=open_ends[0])
+            if open_ends
+            else Finding("equal", note=notes[0] if notes else "")
         )
 
     # -- by numbers -------------------------------------------------------------------------------
 
-    def _judged(self, left: Sequence[int], spare: Sequence[int]) -> dict[int, Finding]:
-        """For each solution (published by its number, derived by -1 - its number) what points tell."""
-        found: dict[int, Finding] = {}
-        compared = 0
+    @cached_property
+    def samples(self) -> list[Sample]:
+        """Values at points until enough of them give a derived solution."""
+        found: list[Sample] = []
         for point in islice(self._points(), TRIED):
-            theirs = [self._numbers(s, self.terms.published, point) for s in self.published]
-            ours = [self._numbers(s, self.terms.derived, point) for s in self.derived]
-            if not any(ours):
-                continue
-            compared += 1
-            for k in left:
-                if theirs[k] and not any(self._same(theirs[k], other) for other in ours):
-                    found.setdefault(k, self._shown(point, theirs[k] or {}, [ours[j] for j in spare] or ours))
-            for j in spare:
-                known = ours[j] and not _is_special(self.derived[j])
-                if known and not any(self._same(other, ours[j]) for other in theirs):
-                    found.setdefault(-1 - j, Finding("differs", point))
-            if compared == ENOUGH:
+            theirs = tuple(self._numbers(s, self.terms.published, point) for s in self.published)
+            ours = tuple(self._numbers(s, self.terms.derived, point) for s in self.derived)
+            if any(ours):
+                found.append(Sample(point, theirs, ours))
+            if len(found) == ENOUGH:
                 break
         return found
 
-    def _shown(
-        self, point: Point, theirs: Mapping[str, arb], ours: Sequence[Mapping[str, arb] | None]
-    ) -> Finding:
-        """The unknown that differs from the nearest derived solution, and both values."""
-        real = [each for each in ours if each and self._different(theirs, each)]
-        if not real:
-            return Finding("differs", point)
-        nearest = min(real, key=lambda each: len(self._different(theirs, each)))
-        name = self._different(theirs, nearest)[0]
-        values = float(theirs[name].mid()), float(nearest[name].mid())
-        return Finding("differs", point, values, f"in {name}")
+    def _agrees(self, k: int, j: int) -> bool:
+        """Whether they have the same values wherever both have any, and there is such a point."""
+        both = [sample for sample in self.samples if sample.published[k] and sample.derived[j]]
+        return bool(both) and all(self._same(k, j, sample) for sample in both)
 
-    def _different(self, theirs: Mapping[str, arb], ours: Mapping[str, arb]) -> list[str]:
-        common = [name for name in theirs if name in ours]
-        return [n for n in common if apart(theirs[n], ours[n], n in self.angles, rounded=True)]
+    def _same(self, k: int, j: int, sample: Sample) -> bool:
+        theirs, ours = sample.published[k], sample.derived[j]
+        return bool(theirs and ours and theirs.keys() <= ours.keys() and not self._different(k, j, sample))
+
+    def _different(self, k: int, j: int, sample: Sample) -> list[str]:
+        """The unknowns that differ by more than rounding explains."""
+        theirs, ours = sample.published[k] or {}, sample.derived[j] or {}
+        return [name for name in theirs if name in ours and self._apart(name, k, j, sample)]
+
+    def _apart(self, name: str, k: int, j: int, sample: Sample) -> bool:
+        theirs, ours = (sample.published[k] or {})[name], (sample.derived[j] or {})[name]
+        if not apart(theirs, ours, name in self.angles, rounded=True):
+            return False
+        solution = self.published[k]
+        terms = self._terms(name, solution, self.derived[j])
+        most = room(solution[name], theirs, terms, sample.point)
+        return distance(theirs, ours, name in self.angles) > most * 1.000001
 
     def _points(self) -> Iterable[Point]:
         trees = [*_values(self.published), *_values(self.derived)]
@@ -125,45 +176,89 @@ class Sets:
         sampling = self.terms.sampling
         return replace(sampling, signed=sampling.signed | turning(trees, names)).usual(free, TRIED)
 
-    def _numbers(self, solution: Solution, names: Mapping[Expr, Expr], point: Point) -> dict[str, arb] | None:
+    def _numbers(self, solution: Solution, names: Names, point: Point) -> Numbers | None:
         """The values at a point; None where one of them is not real."""
         known = {**names, **_definitions(solution)}
         found = {name: value_at(value, known, point) for name, value in solution.items()}
         kept = {name: value for name, value in found.items() if value is not None}
         return kept if len(kept) == len(found) else None
 
-    def _same(self, theirs: Mapping[str, arb] | None, ours: Mapping[str, arb] | None) -> bool:
-        if theirs is None or ours is None:
-            return False
-        return not self._different(theirs, ours)
-
     # -- what is told -----------------------------------------------------------------------------
 
-    def _unmatched(self, solution: Solution, spare: Sequence[int], finding: Finding) -> Paired:
+    def _unmatched(self, k: int, spare: Sequence[int]) -> Paired:
         """With the derived solution that is nearest to it, and what would repair it."""
-        if not self.derived:
-            return Paired(solution, None, finding)
-        choice = spare or range(len(self.derived))
-        if finding.verdict != "differs":
-            return Paired(solution, self.derived[choice[0]], finding)
-        nearest = max((self.derived[j] for j in choice), key=lambda ours: self._agreeing(solution, ours))
-        diagnosis = self._diagnosis(solution, nearest) if finding.verdict == "differs" else ""
-        return Paired(solution, nearest, finding, diagnosis)
+        solution = self.published[k]
+        choice = list(spare) or list(range(len(self.derived)))
+        if not choice:
+            return Paired(solution, None, Finding("differs", note="there is no solution"))
+        nearest = max(choice, key=lambda j: (self._agreeing(solution, self.derived[j]), -j))
+        finding = next((found for sample in self.samples if (found := self._shown(k, choice, sample))), None)
+        if finding is None:
+            return Paired(solution, self.derived[nearest], Finding("undecided", note=self._why(k)))
+        return Paired(
+            solution, self.derived[nearest], finding, self._diagnosis(solution, self.derived[nearest])
+        )
+
+    def _shown(self, k: int, choice: Sequence[int], sample: Sample) -> Finding | None:
+        """A point at which it is none of the solutions, the unknown that differs from the nearest, and both
+        values."""
+        theirs = sample.published[k]
+        if not theirs or any(self._same(k, j, sample) for j in range(len(self.derived))):
+            return None
+        different = {j: self._different(k, j, sample) for j in choice if sample.derived[j]}
+        near = min(
+            (j for j, names in different.items() if names), key=lambda j: len(different[j]), default=None
+        )
+        if near is None:
+            return Finding("differs", sample.point)
+        name = different[near][0]
+        values = float(theirs[name].mid()), float((sample.derived[near] or {})[name].mid())
+        return Finding("differs", sample.point, values, f"in {name}")
+
+    def _why(self, k: int) -> str:
+        if any(sample.published[k] for sample in self.samples):
+            return AGREES
+        return "no point was found where it has real values"
 
     def _agreeing(self, theirs: Solution, ours: Solution) -> int:
-        return sum(proved(value, ours[n], self._terms(n, theirs, ours)) for n, value in theirs.items())
+        return sum(
+            n in ours and proved(value, ours[n], self._terms(n, theirs, ours)) for n, value in theirs.items()
+        )
 
     def _diagnosis(self, theirs: Solution, ours: Solution) -> str:
         for name, value in theirs.items():
             terms = self._terms(name, theirs, ours)
-            if not proved(value, ours[name], terms) and (found := diagnose(value, ours[name], terms)):
+            if name not in ours or proved(value, ours[name], terms):
+                continue
+            if found := diagnose(value, ours[name], terms):
                 return f"{name}: {found}"
         return ""
 
-    def _missing(self, spare: Sequence[int], judged: Mapping[int, Finding]) -> list[Paired]:
-        absent = [j for j in spare if -1 - j in judged]
-        wrong = sum(k >= 0 and finding.verdict == "differs" for k, finding in judged.items())
-        return [Paired(None, self.derived[j], judged[-1 - j], ABSENT) for j in absent[wrong:]]
+    def _missing(self, partners: Mapping[int, int]) -> list[Paired]:
+        """Derived solutions that are none of the published ones at some point."""
+        found = []
+        for j, solution in enumerate(self.derived):
+            if j in partners or _is_special(solution):
+                continue
+            for sample in self.samples:
+                if sample.derived[j] and not any(
+                    self._same(k, j, sample) for k in range(len(self.published))
+                ):
+                    found.append(Paired(None, solution, Finding("differs", sample.point), ABSENT))
+                    break
+        return found
+
+
+def chosen(
+    readings: Sequence[Sequence[Solution]], derived: Sequence[Solution], terms: Terms, angles: frozenset[str]
+) -> list[Solution]:
+    """Of every solution that can be read in several ways the first that is right, or the first."""
+    found = []
+    for several in readings:
+        sets = Sets(several, derived, terms, angles)
+        right = (k for k in range(len(several)) if sets.match(k)[1].verdict == "equal")
+        found.append(several[next(right, 0)] if len(several) > 1 else several[0])
+    return found
 
 
 def angles_among(solutions: Iterable[Solution], known: frozenset[str]) -> frozenset[str]:

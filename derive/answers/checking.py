@@ -10,17 +10,24 @@ from typing import Any
 
 from derive.algebra.text import text
 from derive.answers.asked import Asked
-from derive.answers.branches import Sets, Solution, angles_among, written
-from derive.answers.comparing import Finding, Terms, compare, proved
+from derive.answers.branches import Sets, Solution, angles_among, chosen, written
+from derive.answers.comparing import Finding, Terms, Verdict, compare
 from derive.answers.diagnosing import SHAPE, TRANSPOSED, diagnose
 from derive.answers.findings import Check, as_typed
-from derive.answers.reading import Reader, Route
+from derive.answers.moved import moved, same, transposed, turned
+from derive.answers.published import Published
+from derive.answers.reading import Reader
+from derive.answers.solutions import Solutions
 from derive.derivation import Branch
 from derive.errors import SheetError
-from derive.expression import Expr, Matrix
+from derive.expression import Expr, Matrix, Symbol, free_symbols
+from derive.expression import replace as replaced
 from derive.kinds.problem import TREES
 
 DIAGNOSED = 12  # entries of one answer
+SEVERITY: tuple[Verdict, ...] = ("equal", "undecided", "differs")
+BORROWED = "it is in terms of {names}, which this derivation defines and the answer does not"
+NOTHING = "the answer only names itself"
 
 
 @dataclass(frozen=True)
@@ -28,11 +35,16 @@ class Compared(Asked):
     """The same with its answers read and compared."""
 
     def checks(self) -> list[Check]:
-        """A check for each entry. Raises SheetErrors with everything that cannot be read."""
+        """A check for each entry, one at least for each answer. Raises SheetErrors with everything that
+        cannot be read."""
         reader = Reader(self.letters, self.locate)
         read = [(name, self._read(name, typed, reader)) for name, typed in self.answer.items()]
         reader.finish()
-        return [check for name, value in read for check in self._compared(name, value)]
+        return [check for name, value in read for check in self._checked(name, value)]
+
+    def _checked(self, name: str, published: Any) -> list[Check]:
+        found = list(self._compared(name, published))
+        return found or [self._check(name, (), Finding("equal"), "nothing", "nothing", "")]
 
     def _read(self, name: str, typed: Any, reader: Reader) -> Any:
         if name not in self.derived:
@@ -45,7 +57,7 @@ class Compared(Asked):
         if not isinstance(result, TREES):
             reader.fault(f"'{name}' is nothing that can be compared", (name,), "leave it out")
             return None
-        return reader.tree(typed, (name,))
+        return reader.answer(typed, (name,))
 
     def _hint(self, name: str) -> str:
         close = get_close_matches(name, self.derived, n=1, cutoff=0.6)
@@ -60,50 +72,41 @@ class Compared(Asked):
 
     def _read_solutions(
         self, name: str, typed: Any, reader: Reader, result: tuple[Branch, ...]
-    ) -> list[Solution] | None:
+    ) -> list[tuple[Solution, ...]] | None:
         listed = [typed] if isinstance(typed, dict) else typed
         if not isinstance(listed, list) or not all(isinstance(each, dict) for each in listed):
             reader.fault("a list of solutions is wanted here", (name,), "write - {theta1: ...}")
             return None
-        names = [key for branch in result for key in branch.values]
-        letters = replace(self.letters, known=self.letters.known | set(names))
-        inner = replace(reader, letters=letters)
+        names = tuple(dict.fromkeys(key for branch in result for key in branch.values))
+        solutions = Solutions(reader, self.letters, names, self.key)
         at = [(name, k) if typed is listed else (name,) for k in range(len(listed))]
-        return [self._read_one(each, route, inner, names) for each, route in zip(listed, at, strict=True)]
-
-    def _read_one(self, typed: dict[str, Any], route: Route, reader: Reader, names: list[str]) -> Solution:
-        found = {}
-        for key, value in typed.items():
-            unknown = key if key in names else self.letters.find(key)
-            if key == "when":
-                continue
-            if unknown not in names:
-                close = get_close_matches(key, names, n=1, cutoff=0.5)
-                hint = (
-                    f"did you mean {close[0]}?"
-                    if close
-                    else f"the unknowns: {', '.join(dict.fromkeys(names))}"
-                )
-                message = f"'{key}' is no unknown of this question"
-                reader.faults.append(SheetError(message, self.key((*route, key)), hint))
-            elif (tree := reader.scalar(value, (*route, key))) is not None:
-                found[unknown] = tree
-        if not typed:
-            reader.fault("this solution is empty", route)
-        return found
+        return [
+            found for each, route in zip(listed, at, strict=True) for found in solutions.read(each, route)
+        ]
 
     def _compared(self, name: str, published: Any) -> Iterator[Check]:
         result = self.derived[name]
         if _is_branches(result):
             yield from self._solutions(name, published, result)
             return
+        at, terms = self._at_point(published, result), self.terms_of(name)
+        result, terms = (at, replace(terms, evaluated=True)) if at is not None else (result, terms)
         theirs, ours = alike(published, result)
-        if isinstance(theirs, Matrix) and isinstance(ours, Matrix) and theirs.shape == ours.shape:
-            yield from self._entries(name, theirs, ours)
-        elif isinstance(theirs, Matrix) or isinstance(ours, Matrix):
-            yield self._misshapen(name, theirs, ours)
+        if isinstance(theirs.tree, Matrix) and isinstance(ours, Matrix) and theirs.tree.shape == ours.shape:
+            yield from self._entries(name, theirs, ours, terms)
+        elif isinstance(theirs.tree, Matrix) or isinstance(ours, Matrix):
+            yield self._misshapen(name, theirs.tree, ours, terms)
         else:
-            yield self._one(name, (), theirs, ours)
+            yield self._one(name, (), theirs, ours, terms)
+
+    def _at_point(self, published: Published, result: Expr) -> Expr | None:
+        """The result at the point the question evaluates, where the answer is in numbers: nothing in it is in
+        what has a value there."""
+        if not self.point or free_symbols(published.tree) & {
+            name.name for name in self.point if isinstance(name, Symbol)
+        }:
+            return None
+        return replaced(replaced(result, self.given.names), self.point) if free_symbols(result) else result
 
     def terms_of(self, name: str) -> Terms:
         """A step of the working may be in terms of names defined there; a result is not."""
@@ -112,13 +115,46 @@ class Compared(Asked):
         return replace(self.terms, derived=self.terms.published)
 
     def _one(
-        self, name: str, entry: tuple[int, ...], theirs: Expr, ours: Expr, diagnosis: str | None = None
+        self,
+        name: str,
+        entry: tuple[int, ...],
+        theirs: Published,
+        ours: Expr,
+        terms: Terms,
+        slip: str | None = None,
     ) -> Check:
-        terms = self.terms_of(name)
-        finding = compare(theirs, ours, terms)
-        if finding.verdict == "differs" and diagnosis is None:
-            diagnosis = diagnose(theirs, ours, terms)
-        return self._check(name, entry, finding, as_typed(theirs), text(ours), diagnosis or "")
+        """The verdict on one entry; `slip` is what went wrong with the whole, where that is known."""
+        told = self._told(theirs, ours, terms)
+        if told is None:
+            finding = Finding("undecided", note=NOTHING)
+            return self._check(name, entry, finding, as_typed(theirs.tree), text(ours), "")
+        tree, finding = told
+        if finding.verdict == "differs" and slip is None:
+            slip = diagnose(tree, ours, terms)
+        return self._check(name, entry, finding, as_typed(tree), text(ours), slip or "")
+
+    def _told(self, theirs: Published, ours: Expr, terms: Terms) -> tuple[Expr, Finding] | None:
+        """The worst that is found about the parts of a chain that say something; None where none does."""
+        found = []
+        for part in (theirs, *theirs.chain):
+            names = self._borrowed(part.tree, ours)
+            if isinstance(part.tree, Matrix):
+                continue
+            if not names:
+                found.append((part.tree, read_both_ways(part, ours, terms)))
+            elif set(names) != {text(part.tree)} or not theirs.chain:
+                listed = ", ".join(sorted(names))
+                found.append((part.tree, Finding("undecided", note=BORROWED.format(names=listed))))
+        if not found:
+            return None
+        tree, worst = max(found, key=lambda one: SEVERITY.index(one[1].verdict))
+        return tree, replace(worst, note=worst.note or theirs.note)
+
+    def _borrowed(self, tree: Expr, ours: Expr) -> frozenset[str]:
+        """Names of the derivation that an answer only repeats: what they stand for is not the answer's."""
+        own = self.own | set(self.given.where) | set(self.variables)
+        working = {key.name for key in self.definitions if isinstance(key, Symbol)} - own
+        return (free_symbols(tree) & working) - free_symbols(ours)
 
     def _check(
         self, name: str, entry: tuple[int, ...], found: Finding, theirs: str, ours: str, diagnosis: str
@@ -130,56 +166,45 @@ class Compared(Asked):
             found.values, diagnosis if found.verdict == "differs" else "", found.note,
         )  # fmt: skip
 
-    def _entries(self, name: str, theirs: Matrix, ours: Matrix) -> Iterator[Check]:
-        turned = self._is_transposed(name, theirs, ours)
+    def _entries(self, name: str, theirs: Published, ours: Matrix, terms: Terms) -> Iterator[Check]:
         flat = ours.shape[1] == 1 and name not in self.derivation.matrices
+        assert isinstance(theirs.tree, Matrix)
+        slip = moved(theirs.tree, ours, terms)
         wrong = 0
-        for i, (row, right) in enumerate(zip(theirs.rows, ours.rows, strict=True), 1):
-            for j, (one, other) in enumerate(zip(row, right, strict=True), 1):
-                known = TRANSPOSED if turned else None if wrong < DIAGNOSED else ""
-                check = self._one(name, (i,) if flat else (i, j), one, other, known)
+        for i, row in enumerate(ours.rows):
+            for j, right in enumerate(row):
+                known = slip or (None if wrong < DIAGNOSED else "")
+                entry = (i + 1,) if flat else (i + 1, j + 1)
+                check = self._one(name, entry, theirs.entry(i, j), right, terms, known)
                 wrong += check.verdict == "differs"
                 yield check
 
-    def _is_transposed(self, name: str, theirs: Matrix, ours: Matrix) -> bool:
-        turned = Matrix(tuple(zip(*theirs.rows, strict=True)))
-        return turned.shape == ours.shape and turned != theirs and self._same(name, turned, ours)
-
-    def _same(self, name: str, theirs: Matrix, ours: Matrix) -> bool:
-        """Whether matrices of one shape are equal in every entry."""
-        terms = self.terms_of(name)
-        pairs = zip(sum(theirs.rows, ()), sum(ours.rows, ()), strict=True)
-        return all(proved(one, other, terms) for one, other in pairs)
-
-    def _misshapen(self, name: str, theirs: Expr, ours: Expr) -> Check:
+    def _misshapen(self, name: str, theirs: Expr, ours: Expr, terms: Terms) -> Check:
         diagnosis, note = SHAPE, ""
         if isinstance(theirs, Matrix) and isinstance(ours, Matrix):
-            if self._is_transposed(name, theirs, ours):
+            if turned(theirs, ours, terms):
                 diagnosis = TRANSPOSED
             elif theirs.shape[1] == ours.shape[1] and len(theirs.rows) < len(ours.rows):
-                zeros = self._without_zeros(name, theirs, ours)
+                zeros = _without_zeros(theirs, ours, terms)
                 note = "rows of zeros are missing" if zeros else ""
         finding = Finding("differs", note=note)
         return self._check(name, (), finding, _shape(theirs), _shape(ours), diagnosis)
 
-    def _without_zeros(self, name: str, theirs: Matrix, ours: Matrix) -> bool:
-        """Whether only rows of zeros are missing."""
-        kept = list(ours.rows)
-        for row in [row for row in ours.rows if all(text(entry) == "0" for entry in row)]:
-            if len(kept) > len(theirs.rows):
-                kept.remove(row)
-        return len(kept) == len(theirs.rows) and self._same(name, theirs, Matrix(tuple(kept)))
-
-    def _solutions(self, name: str, published: list[Solution], result: tuple[Branch, ...]) -> Iterator[Check]:
+    def _solutions(
+        self, name: str, readings: list[tuple[Solution, ...]], result: tuple[Branch, ...]
+    ) -> Iterator[Check]:
         derived = [branch.values for branch in result]
-        known = frozenset(n for n in derived[0] if self._turns(n)) if derived else frozenset()
+        if self.point:
+            derived = [{name: replaced(tree, self.point) for name, tree in each.items()} for each in derived]
+        known = frozenset(n for each in derived for n in each if self._turns(n))
         sampling = replace(
             self.terms.sampling,
             given=self.reached,
             signed=self.terms.sampling.signed | self.own - self._sizes,
         )
-        terms = replace(self.terms, sampling=sampling)
-        sets = Sets(published, derived, terms, angles_among([*published, *derived], known))
+        terms = replace(self.terms, sampling=sampling, evaluated=bool(self.point))
+        angles = angles_among([*(each for several in readings for each in several), *derived], known)
+        sets = Sets(chosen(readings, derived, terms, angles), derived, terms, angles)
         for k, pair in enumerate(sets.paired(), 1):
             theirs, ours = written(pair.published), written(pair.derived)
             yield self._check(name, (k,), pair.finding, theirs, ours, pair.diagnosis)
@@ -194,14 +219,40 @@ class Compared(Asked):
         return unknown.lower().startswith(("theta", "phi", "psi", "alpha", "beta", "gamma"))
 
 
-def alike(published: Expr, derived: Expr) -> tuple[Expr, Expr]:
+def read_both_ways(published: Published, ours: Expr, terms: Terms) -> Finding:
+    """What is found about a formula; where a/b c can be read in two ways, about the reading that is right."""
+    found = compare(published.tree, ours, terms)
+    if published.tight is None:
+        return found
+    other = compare(published.tight, ours, terms)
+    if found.verdict == "equal":
+        return (
+            found
+            if other.verdict == "equal"
+            else replace(found, note=f"{found.note or 'reading a/b c as (a/b) c'}")
+        )
+    if other.verdict == "equal":
+        return replace(other, note=other.note or "reading a/b c as a/(b c)")
+    return found if other.verdict == "differs" else replace(other, witness={}, values=None)
+
+
+def alike(published: Published, derived: Expr) -> tuple[Published, Expr]:
     """Both as scalars where they can be, and a flat list as a row where a row is wanted."""
-    theirs, ours = _scalar(published), _scalar(derived)
-    if isinstance(theirs, Matrix) and isinstance(ours, Matrix):
-        count, wanted = theirs.shape, ours.shape
+    theirs, ours = published.each(_scalar), _scalar(derived)
+    if isinstance(theirs.tree, Matrix) and isinstance(ours, Matrix):
+        count, wanted = theirs.tree.shape, ours.shape
         if wanted[0] == 1 and count == (wanted[1], 1):
-            return Matrix(tuple(zip(*theirs.rows, strict=True))), ours
+            return theirs.each(transposed), ours
     return theirs, ours
+
+
+def _without_zeros(theirs: Matrix, ours: Matrix, terms: Terms) -> bool:
+    """Whether only rows of zeros are missing."""
+    kept = list(ours.rows)
+    for row in [row for row in ours.rows if all(text(entry) == "0" for entry in row)]:
+        if len(kept) > len(theirs.rows):
+            kept.remove(row)
+    return len(kept) == len(theirs.rows) and same(theirs, Matrix(tuple(kept)), terms)
 
 
 def _scalar(tree: Expr) -> Expr:

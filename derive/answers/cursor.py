@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 
 from derive.algebra.quantities import Quantity
@@ -16,9 +17,11 @@ OPENING = {"(": ")", "[": "]"}
 class Cursor:
     """The tokens of one answer and the place of the next one."""
 
-    def __init__(self, found: tuple[Token, ...], letters: Letters) -> None:
-        self.tokens = found
+    def __init__(self, found: Sequence[Token], letters: Letters, tight: bool = False) -> None:
+        self.tokens = list(found)
         self.letters = letters
+        self.tight = tight  # a/b c is read as a/(b c)
+        self.either = False  # whether there was such a quotient
         self.at = 0
         self.depth = 0
         self.bars = 0
@@ -42,7 +45,7 @@ class Cursor:
     def first_digit(self, token: Token) -> Quantity:
         """TeX takes one digit: \\frac12 is a half, x^23 is x^2 times 3."""
         rest = Token("number", token.text[1:], token.offset + 1, token.end)
-        self.tokens = (*self.tokens[: self.at], rest, *self.tokens[self.at + 1 :])
+        self.tokens[self.at] = rest
         return Quantity(Number(Fraction(token.text[0])))
 
     def skip_group(self) -> None:
@@ -53,6 +56,10 @@ class Cursor:
             depth += (token.text == "{") - (token.text == "}")
             if depth <= 0 or token.kind == "end":
                 return
+
+    def ahead(self, count: int) -> tuple[str, ...]:
+        """The texts of the next tokens."""
+        return tuple(token.text for token in self.tokens[self.at : self.at + count])
 
     def starts_angle(self) -> bool:
         return self.next.kind == "command" and self.next.text in GREEK_NAMES

@@ -19,6 +19,7 @@ from derive.expression import (
     Degrees,
     Expr,
     Number,
+    Power,
     Product,
     Quotient,
     Sum,
@@ -34,6 +35,7 @@ MOST_NODES = 60_000  # of all repairs together
 POINTS = 3
 SWAPPED = {"sin": "cos", "cos": "sin"}
 FACTORS = (2, 3, 4)
+TWO = Number(Fraction(2))
 _STEM = re.compile(r"([A-Za-z]+?)_?(\d+|[a-z]?)((?:_d?dot)?)")
 
 SIGN = "sign"
@@ -46,6 +48,10 @@ EXTRA = "a term too many"
 MISSING = "a term is missing"
 TRANSPOSED = "transposed"
 SHAPE = "shape"
+ROWS = "rows swapped"
+COLUMNS = "columns swapped"
+SQUARE = "a square is missing"
+NO_SQUARE = "a square too many"
 
 Repair = tuple[str, Expr]
 
@@ -89,6 +95,8 @@ def _repairs(published: Expr, derived: Expr, names: frozenset[str]) -> Iterator[
     yield from _scaled(published)
     yield from ((SIGN_OF_TERM, tree) for tree in _each(published, _sign_changed))
     yield from ((TRIG, tree) for tree in _each(published, _swapped))
+    yield from ((SQUARE, tree) for tree in _each(published, _squared))
+    yield from ((NO_SQUARE, tree) for tree in _each(published, _unsquared))
     yield from ((DEGREES, tree) for tree in _in_degrees(published))
     yield from ((f"factor {n} in one term", tree) for n, tree in _one_term_scaled(published))
     yield from ((INDEX, tree) for tree in _renamed(published, names))
@@ -153,6 +161,16 @@ def _one_term_scaled(published: Expr) -> Iterator[tuple[str, Expr]]:
 def _swapped(node: Expr) -> Iterator[Expr]:
     if isinstance(node, Call) and node.function in SWAPPED:
         yield Call(SWAPPED[node.function], node.arguments)
+
+
+def _squared(node: Expr) -> Iterator[Expr]:
+    if isinstance(node, Symbol | Call | Sum) and node != PI:
+        yield Power(node, TWO)
+
+
+def _unsquared(node: Expr) -> Iterator[Expr]:
+    if isinstance(node, Power) and node.exponent == TWO:
+        yield node.base
 
 
 def _all_swapped(tree: Expr) -> Expr:

@@ -41,7 +41,7 @@ class Check:
                 found["witness"] = dict(self.witness)
             if self.diagnosis:
                 found["diagnosis"] = self.diagnosis
-        return found
+        return {**found, "note": self.note} if self.note else found
 
 
 def as_typed(tree: Expr) -> str:

@@ -47,6 +47,8 @@ class GridReader(NameReader):
             self.entries += 1
             if self.entries > MAX_ENTRIES:
                 raise FormulaError(f"an answer has at most {MAX_ENTRIES} entries", opened.offset)
+            if self.next.text == ",":  # a, & b
+                self.take()
             token = self.next
             if token.text == "&":
                 self.take()

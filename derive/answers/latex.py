@@ -2,11 +2,15 @@
 
 Products are written side by side, so letters stand alone unless the problem has the whole word as a name:
 `m g L_c c_{12}` has four factors. A function without parentheses takes numbers and one name, as books do:
-`\\sin\\theta_2 \\dot\\theta_1` is a product. A chain a = b = c stands for its last part.
+`\\sin\\theta_2 \\dot\\theta_1` is a product. What stands around a formula is read elsewhere (`statements`).
+
+`a / b c` is a/(b c) to many an author and to SymPy's printer, and (a/b) c by the rules of arithmetic: there
+both readings are given.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 
 from derive.algebra.quantities import (
@@ -20,24 +24,41 @@ from derive.algebra.quantities import (
     summed,
 )
 from derive.answers.cursor import OPENING
-from derive.answers.grids import GridReader
+from derive.answers.grids import MAX_ENTRIES, GridReader
 from derive.answers.letters import Letters
 from derive.answers.names import FUNCTIONS
-from derive.answers.scripts import FONTS, group_text, subscripts_first
-from derive.answers.tokens import Token, tokens
+from derive.answers.rates import rate_at
+from derive.answers.scripts import FONTS, group_text
+from derive.answers.tokens import Token
 from derive.errors import FormulaError
 from derive.expression import PI, Degrees, Expr, Matrix, Number, Symbol
 
 MAX_NESTING = 40
+NUMBERED = "could be a factor or the number of the equation"
+ALONE = "write the answer alone"
 INVERSES = {"cos": "acos", "sin": "asin", "tan": "atan"}
 RECIPROCALS = {"sec": "cos", "csc": "sin", "cot": "tan"}
+TRANSPOSED = ("T", "top", "intercal", "t")
+NO_FACTORS = frozenset(("end", "rvert", "circ", "degree", "cdot", "times", "div", "pm", "mp", "over"))
 FRACTIONS = ("frac", "dfrac", "tfrac", "cfrac")
 
 
-def read_latex(text: str, letters: Letters) -> Expr:
-    """The scalar or the matrix a LaTeX text stands for. Raises FormulaError."""
+NOT_A_PART = {
+    "ne": "is not", "neq": "is not", "le": "is at most", "leq": "is at most", "ge": "is at least",
+    "geq": "is at least", "lt": "is less", "gt": "is greater", "to": "leads to", "Rightarrow": "leads to",
+    "implies": "leads to", "iff": "is the same as", "Leftrightarrow": "is the same as", "therefore": "so",
+    "propto": "is proportional to", "forall": "for all", "dots": "and so on", "ldots": "and so on",
+    "cdots": "and so on", "vdots": "and so on", "ddots": "and so on",
+}  # fmt: skip
+
+
+def read_latex(found: Sequence[Token], letters: Letters) -> tuple[Expr, Expr | None]:
+    """The scalar or the matrix that tokens stand for (an end token last), and where a quotient can be read in
+    two ways the other reading. Raises FormulaError."""
     try:
-        return _Parser(subscripts_first(tokens(text)), letters).whole()
+        parser = _Parser(found, letters)
+        tree = parser.whole()
+        return tree, _Parser(found, letters, tight=True).whole() if parser.either else None
     except RecursionError as error:
         raise FormulaError("the answer is nested too deeply", 0) from error
 
@@ -47,12 +68,10 @@ class _Parser(GridReader):
 
     def nested(self, found: tuple[Token, ...]) -> Expr:
         """An expression of its own, as in an index."""
-        return _Parser(found, self.letters).whole()
+        return _Parser(found, self.letters, self.tight).whole()
 
     def whole(self) -> Expr:
-        """All of the text; of a chain of equations its last part."""
-        equals = [place for place, token in enumerate(self.tokens) if token.text == "="]
-        self.at = equals[-1] + 1 if equals else 0
+        """All of the tokens."""
         found = self.sum()
         if self.next.kind != "end":
             raise self.unexpected()
@@ -88,11 +107,33 @@ class _Parser(GridReader):
                 total = multiplied(total, self.after_sign(), token.offset)
             elif token.text in ("/", "div") and token.kind in ("sign", "command"):
                 self.take()
-                total = divided(total, self.after_sign(), token.offset)
+                total = divided(total, self.divisor(total), token.offset)
+            elif self.is_number_of_equation():
+                self.at += 3
             elif self.starts():
                 total = multiplied(total, self.factor(), token.offset)
             else:
                 return total
+
+    def divisor(self, above: Quantity) -> Quantity:
+        """What is divided by: a factor, or in the tight reading all that is written side by side. The half in
+        1/2 m v^2 is a half to everybody."""
+        below = self.after_sign()
+        if self.starts() and (rational(above.expr) is None or rational(below.expr) is None):
+            self.either = True
+            while self.tight and self.starts():
+                below = multiplied(below, self.factor(), self.next.offset)
+        return below
+
+    def is_number_of_equation(self) -> bool:
+        """Whether a lone (1) ends the answer. Raises FormulaError for another number: a factor?"""
+        opened, inside, closed = (*self.ahead(3), "", "", "")[:3]
+        if (opened, closed) != ("(", ")") or self.tokens[self.at + 3].kind != "end" or not inside.isdigit():
+            return False
+        if inside != "1":
+            hint = rf"write \tag{{{inside}}}, or {inside} in front"
+            raise FormulaError(f"({inside}) {NUMBERED}", self.next.offset, hint)
+        return True
 
     def after_sign(self) -> Quantity:
         """A factor after a written sign, which may have a sign of its own."""
@@ -105,7 +146,7 @@ class _Parser(GridReader):
         """Whether a factor begins here."""
         token = self.next
         if token.kind == "command":
-            return token.text not in ("end", "rvert", "circ", "degree", "cdot", "times", "div", "pm", "mp")
+            return token.text not in NO_FACTORS
         if token.kind == "sign":
             return token.text in "([{" or (token.text == "|" and not self.bars)
         return token.kind in ("number", "word")
@@ -130,7 +171,7 @@ class _Parser(GridReader):
         if inner in ("circ", "degree"):
             self.skip_group()
             return self.degrees(base, sign)
-        if inner in ("T", "top", "mathsfT", "mathrmT") and isinstance(base.expr, Matrix):
+        if inner in TRANSPOSED and isinstance(base.expr, Matrix):
             self.skip_group()
             columns = tuple(zip(*base.expr.rows, strict=True))
             return Quantity(Matrix(columns), None, False, base.terms)
@@ -140,7 +181,8 @@ class _Parser(GridReader):
         value = rational(base.expr)
         if value is None:
             raise FormulaError("only a number can be in degrees", token.offset)
-        return Quantity(Degrees(value), None)
+        places = base.expr.places if isinstance(base.expr, Number) else 0
+        return Quantity(Degrees(value, places), None)
 
     # -- atoms ------------------------------------------------------------------------------------
 
@@ -149,7 +191,8 @@ class _Parser(GridReader):
         match token.kind:
             case "number":
                 self.take()
-                return Quantity(Number(Fraction(token.text), "." in token.text))
+                places = len(token.text.partition(".")[2])
+                return Quantity(Number(Fraction(token.text), places > 0, places=places))
             case "word":
                 return self.word()
             case "command":
@@ -161,10 +204,29 @@ class _Parser(GridReader):
         raise self.unexpected()
 
     def enclosed(self) -> Quantity:
+        r"""What stands in parentheses or braces: {a \over b} is a quotient, (a, b) a column, turned too."""
         opened = self.take()
         found = self.sum()
+        if self.next.text == "over" and opened.text == "{":
+            over = self.take()
+            found = divided(found, self.sum(), over.offset)
+        entries = [found]
+        while self.next.text in (",", ";") and opened.text != "{":
+            self.take()
+            entries.append(self.sum())
         self.close(opened, {"{": "}"}.get(opened.text) or OPENING[opened.text])
-        return found
+        return self.listed(entries) if len(entries) > 1 else found
+
+    def listed(self, entries: list[Quantity]) -> Quantity:
+        """A column of entries that are written side by side."""
+        if self.next.text == "^" and group_text(self.tokens, self.at + 1) in TRANSPOSED:
+            self.take()
+            self.skip_group()
+        self.entries += len(entries)
+        if self.entries > MAX_ENTRIES:
+            raise FormulaError(f"an answer has at most {MAX_ENTRIES} entries", self.next.offset)
+        rows = tuple((entry.expr,) for entry in entries)
+        return Quantity(Matrix(rows), None, False, sum(entry.terms for entry in entries))
 
     def absolute(self, closing: str) -> Quantity:
         opened = self.take()
@@ -180,6 +242,9 @@ class _Parser(GridReader):
         token = self.next
         name = token.text
         if name in FRACTIONS:
+            if rate := rate_at(self.tokens, self.at, self.letters):
+                self.at = rate.end
+                return self.moving(Symbol(rate.name))
             self.take()
             top, bottom = self.argument_group(), self.argument_group()
             return divided(top, bottom, token.offset)
@@ -200,6 +265,10 @@ class _Parser(GridReader):
         if name in ("pm", "mp"):
             raise FormulaError(
                 f"\\{name} stands for two answers", token.offset, "give each of them on its own"
+            )
+        if name in NOT_A_PART and not self.letters.find(name):
+            raise FormulaError(
+                f"\\{name} ('{NOT_A_PART[name]}') is no part of a formula", token.offset, ALONE
             )
         return self.named(self.scripted())
 

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cached_property
+from itertools import pairwise
 
 from derive.errors import FormulaError
 from derive.expression import Call, Expr, Sum, Symbol
@@ -56,12 +57,26 @@ class Letters:
         chosen = {index: _angle(names) for index, names in found.items()}
         return {index: name for index, name in chosen.items() if name}
 
+    @cached_property
+    def owned(self) -> Mapping[str, str]:
+        """The names that stand for themselves, by their letters and digits."""
+        return {squeeze(name): name for name in sorted(self.own)}
+
     def find(self, name: str) -> str:
-        """The name of the problem that is meant, or an empty text."""
+        """The name of the problem that is meant, or an empty text. s_12 is a sine unless the problem itself
+        has such a name: what a derivation calls S_2 or c_123 is no word of its reader's."""
         key = squeeze(name)
+        if name not in self.own and key not in self.owned and self._is_trig(key):
+            return ""
         if name in self.own or (name in self.known and self.squeezed.get(key) not in self.own):
             return name
         return self.squeezed.get(key) or self.squeezed.get(key.replace("omega", "w")) or ""
+
+    def _is_trig(self, key: str) -> bool:
+        """Whether it is a c or s with joint angles that rise: c_112 is none."""
+        index = key[1:]
+        rising = index.isdigit() and all(a < b for a, b in pairwise(index))
+        return key[:1] in TRIG and rising and self.summed(index) is not None
 
     def summed(self, indices: Iterable[str]) -> Expr | None:
         """theta1 + theta2 for 1 and 2; None where there is no such angle."""

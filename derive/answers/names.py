@@ -6,7 +6,7 @@ from abc import abstractmethod
 
 from derive.algebra.quantities import Quantity, called
 from derive.answers.cursor import Cursor
-from derive.answers.letters import TRIG
+from derive.answers.letters import GREEK_NAMES, TRIG
 from derive.answers.scripts import Scripted, scripted
 from derive.answers.tokens import Kind, Token
 from derive.errors import FormulaError
@@ -39,13 +39,13 @@ class NameReader(Cursor):
         """A name of the problem, or several letters side by side; the last of them may carry a subscript."""
         token = self.next
         follows = self.tokens[self.at + 1]
-        if token.text in FUNCTIONS and follows.text in ("(", "{", "^") and not self.letters.find(token.text):
+        applied = follows.text in ("(", "{", "^") or follows.text in GREEK_NAMES
+        if token.text in FUNCTIONS and applied and not self.letters.find(token.text):
             self.take()
             return self.function(token.text, token)
         pieces = self.split(token)
         if len(pieces) > 1:
-            parts = tuple(self.tokens[: self.at]) + tuple(pieces) + tuple(self.tokens[self.at + 1 :])
-            self.tokens = parts
+            self.tokens[self.at : self.at + 1] = pieces
         return self.named(self.scripted())
 
     def split(self, token: Token) -> list[Token]:
@@ -76,7 +76,7 @@ class NameReader(Cursor):
         first = Token("word", under.text[0], under.offset, under.offset + 1)
         kind: Kind = "number" if under.text[1:].isdigit() else "word"
         rest = Token(kind, under.text[1:], under.offset + 1, under.end)
-        self.tokens = (*self.tokens[: self.at + 2], first, rest, *self.tokens[self.at + 3 :])
+        self.tokens[self.at + 2 : self.at + 3] = [first, rest]
         return scripted(self.tokens, self.at)
 
     def named(self, name: Scripted) -> Quantity:
@@ -84,18 +84,29 @@ class NameReader(Cursor):
         letters = self.letters
         if name.upper and (found := letters.find(f"{name.plain}^{name.upper}{name.accent}")):
             self.at = name.end
-            return _symbol(found)
+            return self.moving(Symbol(found))
         self.at = name.power
-        if found := letters.find(name.plain + name.accent):
-            return _symbol(found)
+        found = letters.find(name.plain + name.accent)
+        turns = name.stem in TRIG and not name.lower and not name.accent and self.starts_angle()
+        if turns and found not in letters.own:
+            return self.function(TRIG[name.stem], self.next)
+        if found:
+            return self.moving(Symbol(found))
         if (value := self.abbreviation(name)) is not None:
-            return Quantity(value, None, numeric=False)
-        if name.stem in ("c", "s") and not name.lower and self.starts_angle():
-            return self.function({"c": "cos", "s": "sin"}[name.stem], self.next)
+            return self.moving(value)
         if name.stem == "e" and name.upper:
             self.take()
             return called("exp", (self.argument_group(),), name.offset)
         raise letters.unknown(name.plain + name.accent, name.offset)
+
+    def moving(self, value: Expr) -> Quantity:
+        r"""What a name stands for, an argument (t) after it left out: \theta_1(t) is \theta_1."""
+        if self.ahead(3) == ("(", "t", ")"):
+            if self.letters.find("t"):
+                hint = "leave (t) out, or write a sign between the factors"
+                raise FormulaError("(t) could be an argument or a factor", self.next.offset, hint)
+            self.at += 3
+        return Quantity(value, None, numeric=False)
 
     def abbreviation(self, name: Scripted) -> Expr | None:
         """c_1, s_{12}, c_{1+2}, c_\\theta; \\theta_{12} for a sum of angles. None for any other name."""
@@ -137,7 +148,3 @@ class NameReader(Cursor):
         if not terms:
             raise FormulaError("an index is missing", found[0].offset)
         return Sum(tuple(terms)) if len(terms) > 1 else terms[0]
-
-
-def _symbol(name: str) -> Quantity:
-    return Quantity(Symbol(name), None, numeric=False)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -75,6 +76,12 @@ def apart(left: arb, right: arb, angle: bool = False, rounded: bool = False) -> 
             size = 1 if angle else max(1.0, abs(float(left.mid())), abs(float(right.mid())))
             return bool(abs(gap) > NEAR * size)
         return not gap.contains(0)
+
+
+def distance(left: arb, right: arb, angle: bool = False) -> float:
+    """How far two values are apart; as angles, the shorter way round."""
+    gap = float((left - right).mid())
+    return abs(math.remainder(gap, 2 * math.pi)) if angle else abs(gap)
 
 
 @dataclass(frozen=True)

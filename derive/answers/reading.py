@@ -10,14 +10,19 @@ from derive.algebra.grammar import parse
 from derive.algebra.spelling import ARGUMENTS
 from derive.algebra.tokens import tokens
 from derive.algebra.units import ANY, UNITS
+from derive.answers.chains import read_published
 from derive.answers.grids import MAX_ENTRIES
-from derive.answers.latex import read_latex
+from derive.answers.latex import NUMBERED
 from derive.answers.letters import Letters
+from derive.answers.published import Published, gathered
+from derive.answers.tokens import MAX_TEXT
 from derive.errors import FormulaError, Place, SheetError, SheetErrors
-from derive.expression import PI, Call, Expr, Matrix, Product, Symbol, column, multiply, rebuild, walk
+from derive.expression import PI, Call, Expr, Matrix, Product, Symbol, multiply, rebuild, walk
 
 Route: TypeAlias = tuple[str | int, ...]
 Locate: TypeAlias = Callable[[Route, int], Place]
+LATEX = "\\{}&$"
+LOOSE = "_=,;:.|%"  # in a formula that is no formula of the sheet language, but may be one of a book
 
 
 @dataclass(frozen=True)
@@ -28,7 +33,7 @@ class Reader:
     locate: Locate
     faults: list[SheetError] = field(default_factory=list)
 
-    def tree(self, typed: Any, route: Route) -> Expr | None:
+    def answer(self, typed: Any, route: Route) -> Published | None:
         """A scalar, or a matrix; a flat list is a column. None where it cannot be read."""
         if not isinstance(typed, list):
             return self.formula(typed, route)
@@ -37,10 +42,12 @@ class Reader:
             return None
         if isinstance(typed[0], list):
             return self.rows(typed, route)
-        entries = [self.scalar(entry, (*route, k)) for k, entry in enumerate(typed[:MAX_ENTRIES])]
-        return column([entry for entry in entries if entry is not None])
+        if len(typed) > MAX_ENTRIES:
+            self.fault(f"an answer has at most {MAX_ENTRIES} entries", route)
+            return None
+        return self.grid([[self.scalar(entry, (*route, k))] for k, entry in enumerate(typed)])
 
-    def rows(self, typed: list[Any], route: Route) -> Expr | None:
+    def rows(self, typed: list[Any], route: Route) -> Published | None:
         for k, row in enumerate(typed):
             if not isinstance(row, list) or len(row) != len(typed[0]) or not row:
                 self.fault("the rows of this matrix are not equally long", (*route, k))
@@ -48,19 +55,25 @@ class Reader:
         if len(typed) * len(typed[0]) > MAX_ENTRIES:
             self.fault(f"an answer has at most {MAX_ENTRIES} entries", route)
             return None
-        found = [[self.scalar(e, (*route, i, j)) for j, e in enumerate(row)] for i, row in enumerate(typed)]
-        rows = tuple(tuple(entry for entry in row if entry is not None) for row in found)
-        return Matrix(rows) if all(len(row) == len(typed[0]) for row in rows) else None
+        return self.grid(
+            [[self.scalar(e, (*route, i, j)) for j, e in enumerate(row)] for i, row in enumerate(typed)]
+        )
 
-    def scalar(self, typed: Any, route: Route) -> Expr | None:
+    def grid(self, found: list[list[Published | None]]) -> Published | None:
+        """The matrix of entries, unless one of them cannot be read."""
+        rows = [[entry for entry in row if entry is not None] for row in found]
+        whole = all(len(row) == len(other) for row, other in zip(rows, found, strict=True))
+        return gathered(rows) if whole else None
+
+    def scalar(self, typed: Any, route: Route) -> Published | None:
         """One entry of a list."""
         found = self.formula(typed, route)
-        if isinstance(found, Matrix):
+        if found is not None and isinstance(found.tree, Matrix):
             self.fault("a matrix cannot be an entry of a list", route)
             return None
         return found
 
-    def formula(self, typed: Any, route: Route) -> Expr | None:
+    def formula(self, typed: Any, route: Route) -> Published | None:
         """What one text stands for."""
         if typed is None:
             self.fault("an answer is missing", route)
@@ -75,7 +88,9 @@ class Reader:
             return None
 
     def fault(self, message: str, route: Route, hint: str = "", offset: int = 0) -> None:
-        self.faults.append(SheetError(message, self.locate(route, offset), hint))
+        fault = SheetError(message, self.locate(route, offset), hint)
+        if not any((fault.message, fault.place) == (other.message, other.place) for other in self.faults):
+            self.faults.append(fault)  # both signs of a plus-minus have the faults of their text
 
     def finish(self) -> None:
         """Raises SheetErrors with all that could not be read."""
@@ -83,27 +98,42 @@ class Reader:
             raise SheetErrors(self.faults)
 
 
-def read_text(text: str, letters: Letters) -> Expr:
-    """The scalar or matrix of a formula or of LaTeX, in the problem's own symbols. Raises FormulaError."""
-    if any(sign in text for sign in "\\{}&$"):
-        return _whole_matrix(read_latex(text, letters))
+def read_text(text: str, letters: Letters) -> Published:
+    """What a formula or LaTeX says, in the problem's own symbols. Raises FormulaError."""
+    if any(sign in text for sign in LATEX):
+        return read_published(text, letters, _whole_matrix)
     try:
-        return _read_formula(text, letters)
+        tree = _read_formula(text, letters)
     except FormulaError:
-        if "_" not in text:
+        if not any(sign in text for sign in LOOSE):
             raise
         try:  # LaTeX has letters side by side: mgL_c
-            return _whole_matrix(read_latex(text, letters))
-        except FormulaError:
-            pass
+            return read_published(text, letters, _whole_matrix)
+        except FormulaError as error:
+            if "=" in text:
+                raise error from None
         raise
+    return Published(tree, _tight(text, tree, letters))
+
+
+def _tight(text: str, tree: Expr, letters: Letters) -> Expr | None:
+    """The other reading of a formula with a/b c in it. Raises FormulaError where its end is unclear."""
+    if "/" not in text and not text.endswith(")"):
+        return None
+    try:
+        found = read_published(text.replace("**", "^"), letters, _whole_matrix)
+    except FormulaError as error:
+        if NUMBERED in error.message:
+            raise
+        return None
+    return found.tight if found.tree == tree else None
 
 
 def _read_formula(text: str, letters: Letters) -> Expr:
-    found = tokens(text)
+    found = tokens(text, MAX_TEXT)
     foreign = {token.text: token.offset for token in found[::-1] if token.kind == "name"}
     units = any(name in UNITS and not letters.find(name) for name in foreign)
-    tree = parse(text, dimension=ANY if units else None, names=letters.known)
+    tree = parse(text, dimension=ANY if units else None, names=letters.known, longest=MAX_TEXT)
     return _renamed(tree, letters, foreign)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from derive.answers.letters import VARIANTS
@@ -33,7 +34,7 @@ class Scripted:
         return f"{self.stem}_{self.lower}" if self.lower else self.stem
 
 
-def group(found: tuple[Token, ...], at: int) -> tuple[tuple[Token, ...], int]:
+def group(found: Sequence[Token], at: int) -> tuple[tuple[Token, ...], int]:
     """The tokens of a group in braces (or one token) without its braces, and the place after it."""
     if found[at].text != "{":
         return (found[at],), min(at + 1, len(found) - 1)
@@ -41,31 +42,31 @@ def group(found: tuple[Token, ...], at: int) -> tuple[tuple[Token, ...], int]:
     while True:
         depth += (found[end].text == "{") - (found[end].text == "}")
         if depth == 0:
-            return found[at + 1 : end], end + 1
+            return tuple(found[at + 1 : end]), end + 1
         if found[end].kind == "end":
             raise FormulaError("this { is never closed", found[at].offset, "write the missing }")
         end += 1
 
 
-def group_text(found: tuple[Token, ...], at: int) -> str:
+def group_text(found: Sequence[Token], at: int) -> str:
     """The plain text of a group in braces, or of one token."""
     return _plain(group(found, at)[0])
 
 
-def subscripts_first(found: tuple[Token, ...]) -> tuple[Token, ...]:
+def subscripts_first(found: Sequence[Token]) -> tuple[Token, ...]:
     """The same with T^0_1 as T_1^0."""
     at, done = 0, list(found)
     while at < len(done):
         if done[at].text == "^" and done[at + 1].kind != "end":
-            _, middle = group(tuple(done), at + 1)
+            _, middle = group(done, at + 1)
             if done[middle].text == "_" and done[middle + 1].kind != "end":
-                _, end = group(tuple(done), middle + 1)
+                _, end = group(done, middle + 1)
                 done[at:end] = [*done[middle:end], *done[at:middle]]
         at += 1
     return tuple(done)
 
 
-def scripted(found: tuple[Token, ...], at: int) -> Scripted:
+def scripted(found: Sequence[Token], at: int) -> Scripted:
     """The letter that begins here with its scripts. Raises FormulaError."""
     first = found[at]
     stem, accent, at = _stem(found, at)
@@ -80,14 +81,14 @@ def scripted(found: tuple[Token, ...], at: int) -> Scripted:
     return Scripted(stem, first.offset, power, at, _plain(lower), lower, _plain(upper), accent)
 
 
-def _script(found: tuple[Token, ...], at: int) -> tuple[tuple[Token, ...], int]:
+def _script(found: Sequence[Token], at: int) -> tuple[tuple[Token, ...], int]:
     inner, after = group(found, at + 1)
     if not inner or inner[0].kind == "end":
         raise FormulaError("a script is missing", found[at].offset)
     return inner, after
 
 
-def _stem(found: tuple[Token, ...], at: int) -> tuple[str, str, int]:
+def _stem(found: Sequence[Token], at: int) -> tuple[str, str, int]:
     """The letter itself in plain text, its accent, and the place after it."""
     token = found[at]
     if token.kind == "word":
@@ -106,6 +107,6 @@ def _stem(found: tuple[Token, ...], at: int) -> tuple[str, str, int]:
     raise FormulaError(f"'{token.text}' cannot stand here", token.offset)
 
 
-def _plain(inner: tuple[Token, ...]) -> str:
+def _plain(inner: Sequence[Token]) -> str:
     kept = (t for t in inner if t.text not in ("{", "}", "_") and t.text not in FONTS)
     return "".join(VARIANTS.get(t.text, t.text) for t in kept)

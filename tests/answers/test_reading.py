@@ -42,7 +42,7 @@ LETTERS = Letters(NAMES, xy=True, own=NAMES)
     ],
 )
 def test_it_is_read(typed: str, meant: str) -> None:
-    assert text(read_text(typed, LETTERS)) == meant
+    assert text(read_text(typed, LETTERS).tree) == meant
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,112 @@
+r"""From the statements of an answer to what it says: labels, chains of equal parts, names defined on the way.
+
+`\det J = a_1 a_2 s_2 = 0, \quad s_2 = \sin\theta_2`: a label, the answer set equal to zero, a definition.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from derive.algebra.normal import normal
+from derive.answers.latex import read_latex
+from derive.answers.letters import Letters
+from derive.answers.published import Published
+from derive.answers.scripts import scripted, subscripts_first
+from derive.answers.statements import Statement, Tokens, statements
+from derive.answers.tokens import tokens
+from derive.errors import FormulaError, NotDerivable
+from derive.expression import ZERO, Expr, Matrix, Symbol, free_symbols
+from derive.expression import replace as replaced
+
+UNREAD = "of its chain of equations only what is in the symbols of the problem"
+ALONE = "write one answer here; another result stands under its own name in answer:"
+Read = Callable[[Tokens, Letters], Published]
+
+
+def read_published(text: str, letters: Letters, whole: Callable[[Expr], Expr]) -> Published:
+    """What a LaTeX text says; `whole` works out arithmetic of matrices. Raises FormulaError."""
+    main, *rest = statements(subscripts_first(tokens(text)))
+    definitions = _definitions(rest, letters)
+    known = replace(letters, known=letters.known | set(definitions), own=letters.own | set(definitions))
+    found = _chain(main, known, lambda part, names: Published(*read_latex(part, names)).each(whole))
+    return found.each(lambda tree: _written_out(tree, definitions, main.offset)) if definitions else found
+
+
+def _chain(statement: Statement, letters: Letters, read: Read) -> Published:
+    """The parts of a chain that are formulas. Its first part may be the name of what is asked; where it ends
+    in zero, the answer is what is set to zero."""
+    *before, last = statement.parts
+    found, note = [], ""
+    for k, part in enumerate(before):
+        if k or not _label(part):
+            try:
+                found.append(read(part, letters))
+            except FormulaError:
+                note = UNREAD if k else note
+    end = read(last, letters)
+    if end.tree == ZERO and found:
+        end = found.pop()
+    return replace(end, chain=tuple(found), note=note)
+
+
+def _label(part: Tokens) -> str:
+    """The name a part consists of, with or without arguments behind it: J, J(q), \\dot{x}; else nothing."""
+    if part[0].kind not in ("word", "command"):
+        return ""
+    try:
+        name = scripted(part, 0)
+    except FormulaError:
+        return ""
+    rest = part[name.end : -1]
+    called = bool(rest) and rest[0].text == "(" and rest[-1].text == ")"
+    return name.plain + name.accent if not rest or called else ""
+
+
+# -- what follows ----------------------------------------------------------------------------------
+
+
+def _definitions(rest: list[Statement], letters: Letters) -> dict[str, Expr]:
+    """Names that the answer defines itself. Raises FormulaError for all else that follows the formula."""
+    named = [(_label(statement.parts[0]), statement) for statement in rest]
+    for name, statement in named:
+        if not name or len(statement.parts) != 2:
+            raise FormulaError("what follows the formula is not part of it", statement.offset, ALONE)
+    new = {name for name, _ in named if not _meant(name, letters)}
+    known = replace(letters, known=letters.known | new, own=letters.own | new)
+    found = {}
+    for name, statement in named:
+        value, tight = read_latex(statement.parts[1], known)
+        if tight is not None and tight != value:
+            raise FormulaError("a/b c can be read in two ways", statement.offset, "write a/(b c) or (a/b) c")
+        if name in new:
+            found[name] = value
+        elif not _same(_meant(name, letters), value):
+            raise FormulaError(f"'{name}' is something else in this problem", statement.offset, ALONE)
+    return found
+
+
+def _meant(name: str, letters: Letters) -> Expr | None:
+    """What a name stands for in the problem itself; a name of the derivation may be defined anew."""
+    found = letters.find(name)
+    if found in letters.own:
+        return Symbol(found)
+    return letters.abbreviated(name)
+
+
+def _same(meant: Expr | None, value: Expr) -> bool:
+    if meant is None or isinstance(value, Matrix):
+        return False
+    try:
+        return normal(meant) == normal(value)
+    except (NotDerivable, ValueError, ArithmeticError):
+        return meant == value
+
+
+def _written_out(tree: Expr, definitions: dict[str, Expr], offset: int) -> Expr:
+    """With the names of the answer replaced. Raises FormulaError where they are defined in a circle."""
+    for _ in range(len(definitions) + 1):
+        if not free_symbols(tree) & set(definitions):
+            return tree
+        tree = replaced(tree, {Symbol(name): value for name, value in definitions.items()})
+    raise FormulaError("these definitions go round in a circle", offset)

@@ -1,0 +1,255 @@
+"""Proofs that hold around a point: there every root splits into roots of its factors, and signs are known.
+
+sqrt(a b) is sqrt(a) sqrt(b) where both are positive and sqrt(-a) sqrt(-b) where both are not, so that no
+normal form holds everywhere. Around a point where no factor is zero the signs stay as they are; with each
+root split into those of its irreducible factors, which are independent, the normal form decides. Whoever
+wants more asks around several points.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import reduce
+from operator import mul
+
+from flint import fmpq_mpoly
+
+from derive.algebra.angles import PI, RADIAN, Form
+from derive.algebra.kernels import root
+from derive.algebra.normal import Names, Walk
+from derive.algebra.quantities import rational
+from derive.algebra.ring import Ring
+from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.trigonometry import multiple
+from derive.algebra.values import Value
+from derive.answers.budget import affordable
+from derive.answers.points import Point
+from derive.errors import FormulaError, NotDerivable
+from derive.expression import Call, Expr, Power, Product, Quotient, Sum, Symbol, is_negative, negate
+
+NO_PROOF = (NotDerivable, FormulaError, ValueError, ArithmeticError, RecursionError, KeyError)
+ZERO = 1e-9  # as against the size of the terms: a sign that rounding could turn is none
+INVERSE = ("atan2", "atan", "acos", "asin")
+MOST_TURNS = 64
+
+
+@dataclass(frozen=True, slots=True)
+class Around(Walk):
+    """A walk around a point. `asked` are the values whose signs were looked up, with these signs."""
+
+    point: Mapping[str, float] = field(default_factory=dict)
+    asked: list[tuple[Scalar, int]] = field(default_factory=list)
+
+    def sign(self, of: Scalar) -> int:
+        """1 or -1. Raises NotDerivable for what is as good as zero there."""
+        found = sign_at(of, self.point)
+        self.asked.append((of, found))
+        return found
+
+    def absolute(self, of: Scalar) -> Scalar:
+        return of * self.sign(of)
+
+    def root(self, of: Scalar) -> Scalar:
+        """The square root, split. Raises NotDerivable where it is not real."""
+        if of.constant is not None:
+            return root(of)
+        if of.denominator is not None:
+            bottom = Scalar(of.ring, of.denominator)
+            whole = Scalar(of.ring, of.ring.reduce(of.numerator * of.denominator))
+            return self.root(whole) / self.absolute(bottom)
+        if self.sign(of) < 0:
+            raise NotDerivable("the root of a negative number")
+        outside, left = self._sines(of)
+        content, factors = left.factor()
+        parts = [outside, root(Scalar.of(abs(as_fraction(content))))]
+        for factor, power in factors:
+            positive = self.absolute(Scalar(of.ring, of.ring.reduce(factor)))
+            parts.append(positive ** (power // 2) * (root(positive) if power % 2 else 1))
+        return reduce(mul, parts)
+
+    def _sines(self, of: Scalar) -> tuple[Scalar, fmpq_mpoly]:
+        """(|sines|, what is left): each factor 1 - cos^2 is the square of a sine."""
+        outside, left = Scalar.of(1), of.numerator
+        for k in range(len(of.ring.angles)):
+            c, s = of.ring.pair(k)
+            quotient, rest = divmod(left, 1 - c * c)
+            while rest == 0:
+                outside, left = outside * self.absolute(Scalar(of.ring, s)), quotient
+                quotient, rest = divmod(left, 1 - c * c)
+        return outside, left
+
+    # -- what a walk asks of it -------------------------------------------------------------------
+
+    def _call(self, function: str, arguments: tuple[Expr, ...]) -> Value:
+        match function:
+            case "sqrt":
+                return self.root(self.scalar(arguments[0]))
+            case "abs":
+                return self.absolute(self.scalar(arguments[0]))
+            case "sign":
+                return Scalar.of(self.sign(self.scalar(arguments[0])))
+        return Walk._call(self, function, arguments)
+
+    def _power(self, base: Expr, exponent: Expr) -> Value:
+        value = rational(exponent)
+        if value is not None and value.denominator == 2:
+            return self.root(self.scalar(base)) ** int(2 * value)
+        if value is None and isinstance(exponent, Sum):
+            return reduce(mul, (self.scalar(Power(base, term)) for term in exponent.terms))
+        if value is None and is_negative(exponent):
+            return 1 / self.scalar(Power(base, negate(exponent)))
+        return Walk._power(self, base, exponent)
+
+    def trig(self, angle: Expr) -> tuple[Scalar, Scalar]:
+        """(cosine, sine) of an angle, its inverse functions and halves of them resolved."""
+        match angle:
+            case Call("atan2", (y, x)):
+                return self._direction(self.scalar(y), self.scalar(x))
+            case Call("atan", (slope,)):
+                return self._direction(self.scalar(slope), Scalar.of(1))
+            case Call("acos", (cosine,)):
+                c = self.scalar(cosine)
+                return c, self.root(1 - c * c)
+            case Call("asin", (sine,)):
+                s = self.scalar(sine)
+                return self.root(1 - s * s), s
+            case Symbol() if angle in self.names:
+                return self.trig(self.names[angle])
+            case Product() | Quotient():
+                times, rest = _multiple(angle)
+                if rest is not None and self._has_inverse(rest):
+                    return self._times(times, rest)
+        return Walk.trig(self, angle)
+
+    def _direction(self, y: Scalar, x: Scalar) -> tuple[Scalar, Scalar]:
+        length = self.root(x * x + y * y)
+        return x / length, y / length
+
+    def _times(self, times: Fraction, angle: Expr) -> tuple[Scalar, Scalar]:
+        if abs(times) > MOST_TURNS:
+            raise NotDerivable("an angle of too many turns")
+        if times.denominator == 1:
+            return multiple(self.trig(angle), int(times))
+        if times.denominator != 2 or not (isinstance(angle, Call) and angle.function in INVERSE):
+            raise NotDerivable("a part of an angle")
+        c, s = self.trig(angle)
+        half = self.root((1 + c) * Fraction(1, 2))  # not negative: the angle is between -pi and pi
+        return multiple((half, s / (2 * half)), int(2 * times))
+
+
+def proved_around(
+    published: Expr, derived: Expr, names: tuple[Names, Names], points: Iterable[Point], angle: bool = False
+) -> bool:
+    """Whether two scalars are equal around every one of the points, and there is one; as angles up to whole
+    turns. Their values must agree there: a direction alone does not tell an angle from its turns."""
+    if not affordable((published, derived), names):
+        return False
+    known: list[list[tuple[Scalar, int]]] = []
+    for point in points:
+        at = {name: float(value) for name, value in point.items()}
+        if any(_stands(signs, at) for signs in known):
+            continue
+        asked: list[tuple[Scalar, int]] = []
+        one, other = (Around(each, point=at, asked=asked) for each in names)
+        try:
+            same = (
+                _directions(published, derived, one, other)
+                if angle
+                else one.scalar(published) == other.scalar(derived)
+            )
+            if not same and not (not angle and _directions(published, derived, one, other)):
+                return False
+        except NO_PROOF:
+            return False
+        known.append(asked)
+    return bool(known)
+
+
+def _directions(published: Expr, derived: Expr, one: Around, other: Around) -> bool:
+    c, s = one.trig(published)
+    cosine, sine = other.trig(derived)
+    return bool(c == cosine and s == sine)
+
+
+def _stands(signs: Iterable[tuple[Scalar, int]], point: Mapping[str, float]) -> bool:
+    """Whether all signs are at a point what they are known to be."""
+    try:
+        return all(sign_at(value, point) == sign for value, sign in signs)
+    except NO_PROOF:
+        return False
+
+
+def sign_at(of: Scalar, point: Mapping[str, float]) -> int:
+    """1 or -1. Raises NotDerivable for what is as good as zero, KeyError for what has no value there."""
+    values = _generators(of.ring, point, set(of.generators()))
+    total = 1
+    for polynomial in (of.numerator, of.denominator):
+        if polynomial is not None:
+            terms = [
+                float(as_fraction(k))
+                * math.prod(values[n] ** int(e) for n, e in zip(of.ring.names, powers, strict=True) if e)
+                for powers, k in polynomial.terms()
+            ]
+            value = math.fsum(terms)
+            if abs(value) <= ZERO * math.fsum(map(abs, terms)):
+                raise NotDerivable("a sign that is not known")
+            total *= 1 if value > 0 else -1
+    return total
+
+
+def _generators(home: Ring, point: Mapping[str, float], used: set[str]) -> dict[str, float]:
+    """The values of the generators in use and of those their radicands need."""
+    values: dict[str, float] = {
+        name: _atom(name, point) for name in home.symbols if name in used or name in point
+    }
+    for form in home.angles:
+        try:
+            at = _angle(form, point)
+        except KeyError:
+            continue
+        values |= {f"cos({form})": math.cos(at), f"sin({form})": math.sin(at)}
+    for each in reversed(home.roots):
+        try:
+            inside = math.fsum(
+                float(k) * math.prod(values[name] ** power for name, power in powers)
+                for powers, k in each.radicand
+            )
+        except KeyError:
+            continue
+        values[each.name] = math.sqrt(max(inside, 0.0))
+    return values
+
+
+def _angle(form: Form, point: Mapping[str, float]) -> float:
+    return math.fsum(
+        float(n) * math.prod(_part(part, point) for part in atom.split("*")) for atom, n in form.parts
+    )
+
+
+def _part(part: str, point: Mapping[str, float]) -> float:
+    name, _, power = part.partition("^")
+    return _atom(name, point) ** int(power or 1)
+
+
+def _atom(name: str, point: Mapping[str, float]) -> float:
+    return {PI: math.pi, RADIAN: 1.0}[name] if name in (PI, RADIAN) else point[name]
+
+
+def _multiple(angle: Expr) -> tuple[Fraction, Expr | None]:
+    """(3/2, atan(x)) for 3 atan(x)/2; the rest is None where it is no single thing."""
+    if isinstance(angle, Quotient):
+        below = rational(angle.denominator)
+        times, rest = _multiple(angle.numerator)
+        return (times / below, rest) if below else (times, None)
+    if not isinstance(angle, Product):
+        return Fraction(1), angle
+    others = [factor for factor in angle.factors if rational(factor) is None]
+    numbers = [value for value in map(rational, angle.factors) if value is not None]
+    times = reduce(mul, numbers, Fraction(1))
+    if len(others) != 1:
+        return times, None
+    more, inner = _multiple(others[0])
+    return times * more, inner
