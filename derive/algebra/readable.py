@@ -39,6 +39,7 @@ from derive.expression import (
 
 # Above this many terms other bases cost more than a reader gains.
 MOST_REBASED = 30
+MOST_EXPANDED = 500  # terms in another basis: the cosine of a sum of 12 angles has 2048
 
 
 def readable(scalar: Scalar, style: Style = Style()) -> Expr:
@@ -102,7 +103,23 @@ class Reading:
         if len(polynomial) > MOST_REBASED or not _related(scalar):
             return
         for angles in other_bases(home.angles):
-            yield terms_of(scalar.into(ring(home.roots, angles, home.symbols)), alphabet)
+            if _expanded(scalar, angles) <= MOST_EXPANDED:
+                yield terms_of(scalar.into(ring(home.roots, angles, home.symbols)), alphabet)
+
+
+def _expanded(scalar: Scalar, angles: tuple[Form, ...]) -> int:
+    """How many terms there are in that basis, before any cancel: 2^(k-1) for a sine of k angles."""
+    home = scalar.ring
+    doublings = [_doublings(form, angles) for form in home.angles]
+    places = [(i, n) for k, n in enumerate(doublings) if n for i in home.pair_index(k)]
+    return sum(2 ** sum(int(powers[i]) * n for i, n in places) for powers, _ in scalar.numerator.terms())
+
+
+@lru_cache(maxsize=1024)
+def _doublings(form: Form, angles: tuple[Form, ...]) -> int:
+    """How often the addition theorem is used to write the cosine of a form by those of a basis."""
+    multiples = combination(form, angles) or ()
+    return max(sum(abs(int(n)) for n in multiples) - 1, 0)
 
 
 def _related(scalar: Scalar) -> bool:
