@@ -1,17 +1,22 @@
-"""Linear forms in angles, the arguments of sines and cosines: `theta1 + 2*theta2`."""
+"""Linear forms in angles, the arguments of sines and cosines: `theta1 + 2*theta2 + 5/36*pi`.
+
+A form has a part that moves and a part that is fixed: an angle in degrees is a multiple of pi, one in radians
+a multiple of 1, any other constant angle an atom of its own, `sqrt(2)`.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 
 from flint import fmpq_mat
 
 from derive.algebra.opaque import Opaque
 from derive.algebra.rationals import Rational, lowest, to_flint
 
-PI = "pi"  # the atom of fixed angles; every other atom is the name of an angle
+PI = "pi"  # the atom of fixed angles in degrees
 RADIAN = "1"  # the atom of fixed angles given as plain numbers
 
 
@@ -46,6 +51,16 @@ class Form:
         """The names its atoms rest on, `pi` apart."""
         return frozenset().union(*(letters_of(atom) for atom, _ in self.parts))
 
+    @property
+    def moving(self) -> Form:
+        """The part that holds names."""
+        return _parted(self)[0]
+
+    @property
+    def fixed(self) -> Form:
+        """The part that is a number."""
+        return _parted(self)[1]
+
     def __str__(self) -> str:
         return "+".join(atom if n == 1 else f"{n}*{atom}" for atom, n in self.parts)
 
@@ -55,6 +70,29 @@ def letters_of(atom: str) -> frozenset[str]:
     if isinstance(atom, Opaque):
         return frozenset().union(*(argument.letters() for argument in atom.arguments))
     return frozenset(factor.partition("^")[0] for factor in atom.split("*")) - {PI, RADIAN}
+
+
+def is_fixed(atom: str) -> bool:
+    """Whether an atom is a number: no name stands in it."""
+    return not letters_of(atom)
+
+
+@lru_cache(maxsize=4096)
+def _parted(form: Form) -> tuple[Form, Form]:
+    fixed = tuple(part for part in form.parts if is_fixed(part[0]))
+    return Form(tuple(part for part in form.parts if part not in fixed)), Form(fixed)
+
+
+def first_quarter(form: Form) -> tuple[int, int, Form]:
+    """(sign, sign, angle): the cosine and the sine of a fixed form are these signs times those of an angle
+    between 0 and 90 degrees, where it is a multiple of pi; of any other, one whose first part is positive."""
+    if form.without(PI).parts:
+        return (1, 1, form) if form.parts[0][1] > 0 else (1, -1, form.scaled(-1))
+    turns = form.of_atom(PI)
+    half_turns = round(turns)
+    rest = turns - half_turns
+    sign = -1 if half_turns % 2 else 1
+    return sign, sign if rest > 0 else -sign, Form.of({PI: abs(rest)})
 
 
 def combination(form: Form, basis: Sequence[Form]) -> tuple[Fraction, ...] | None:

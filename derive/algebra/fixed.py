@@ -9,6 +9,7 @@ from math import isqrt
 from flint import fmpz
 
 from derive.algebra.angles import PI, Form
+from derive.algebra.pairs import Pair, added
 from derive.algebra.ring import Root, ring
 from derive.algebra.scalar import Scalar, trig
 from derive.errors import NotReal
@@ -31,30 +32,40 @@ def square_root(value: Fraction) -> Scalar:
     return result
 
 
+def form_trig(form: Form) -> Pair:
+    """(cosine, sine) of a form: multiples of 15 degrees and a fixed angle in radians are apart from each
+    other, any other fixed part belongs to what moves."""
+    turns, rest = form.of_atom(PI), form.without(PI)
+    if rest.moving.parts and not _simple(turns):
+        return trig(rest + Form.of({PI: turns - 2 * round(turns / 2)}))
+    if not rest.parts:
+        return fixed_trig(turns)
+    return added(trig(rest), fixed_trig(turns)) if turns else trig(rest)
+
+
 @lru_cache(maxsize=256)
-def fixed_trig(turns: Fraction) -> tuple[Scalar, Scalar]:
+def fixed_trig(turns: Fraction) -> Pair:
     """(cosine, sine) of `turns * pi`: with square roots for multiples of 15 degrees.
 
     Any other fixed angle becomes a generator pair of its own, of which its ring knows c^2 + s^2 = 1
     only; what else holds between fixed angles, and between them and roots, `derive.algebra.settled`
     knows and `==` asks there.
     """
-    turns %= 2
-    if (12 * turns).denominator == 1:
-        return _fifteenths(int(12 * turns))
-    quarter, rest = divmod(turns, Fraction(1, 2))
-    c, s = trig(Form.of({PI: rest}))
-    return ((c, s), (-s, c), (-c, -s), (s, -c))[int(quarter)]
+    return _fifteenths(int(12 * turns) % 24) if _simple(turns) else trig(Form.of({PI: turns}))
 
 
-def _fifteenths(steps: int) -> tuple[Scalar, Scalar]:
+def _simple(turns: Fraction) -> bool:
+    return (12 * turns).denominator == 1
+
+
+def _fifteenths(steps: int) -> Pair:
     """Multiples of 15 degrees from those of the first quarter."""
     quarter, rest = divmod(steps, 6)
     c, s = _of_quarter(rest)
     return ((c, s), (-s, c), (-c, -s), (s, -c))[quarter]
 
 
-def _of_quarter(steps: int) -> tuple[Scalar, Scalar]:
+def _of_quarter(steps: int) -> Pair:
     """15 and 75 degrees by the addition theorem from 45 and 30."""
     half = Fraction(1, 2)
     match steps:

@@ -11,14 +11,13 @@ from operator import mul
 from flint import fmpq_mpoly
 
 from derive.algebra.angles import Form
+from derive.algebra.constants import ball, holds_zero, is_number
 from derive.algebra.fixed import square_root
-from derive.algebra.nested_roots import is_number, value_of
 from derive.algebra.opaque import Opaque
 from derive.algebra.rationals import Rational, to_flint
 from derive.algebra.ring import Ring, Root, ring
 from derive.algebra.scalar import Scalar, as_fraction
 
-SMALL = 1e-9  # a number smaller than this may be zero
 # Functions with an argument at which they have a simple value, and that value.
 AT = {"exp": (0, 1), "log": (1, 0), "atan": (0, 0), "asin": (0, 0), "acos": (1, 0)}
 
@@ -86,12 +85,12 @@ def in_single_angles(value: Scalar) -> Scalar:
     """The same over single angles, or over such parts of them as the polynomial needs."""
     used = set(value.generators())
     forms = [form for form in value.ring.angles if {f"cos({form})", f"sin({form})"} & used]
+    if all(len(form.parts) == 1 or not form.moving.parts for form in forms):
+        return value
     coefficients: dict[str, list[Rational]] = {}
     for form in forms:
-        for atom, n in form.parts:
+        for atom, n in form.moving.parts:
             coefficients.setdefault(atom, []).append(n)
-    if all(len(form.parts) == 1 for form in forms):
-        return value
     singles = tuple(Form.of({atom: _measure(ns)}) for atom, ns in sorted(coefficients.items()))
     return value.into(ring((), singles, value.ring.symbols).union(value.ring))
 
@@ -142,8 +141,8 @@ def _sign(of: Scalar) -> int | None:
     if all(k > 0 and not any(int(e) % 2 for e in powers) for k, powers in terms):
         return 1
     if all(is_number(name, of.ring) for name in of.generators()):
-        value = value_of(of.numerator, of.ring)
-        return None if abs(value) < SMALL else 1 if value > 0 else -1
+        value = ball(of.numerator, of.ring)
+        return None if holds_zero(value) else 1 if value > 0 else -1
     return None
 
 

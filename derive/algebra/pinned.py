@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import reduce
 
 from flint import fmpq_mpoly
 
 from derive.algebra.angles import Form
+from derive.algebra.fixed import form_trig
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.pairs import Pair, added, multiple
 from derive.algebra.ring import Ring, ring
-from derive.algebra.scalar import Scalar, common_ring, trig
+from derive.algebra.scalar import Scalar, common_ring
 from derive.errors import NotDerivable
-
-Pair = tuple[Scalar, Scalar]  # cosine, sine
 
 
 def pinned(value: Scalar, name: str, at: Pair | Scalar) -> Scalar:
@@ -45,7 +44,7 @@ def _images(home: Ring, name: str, at: Pair) -> Mapping[int, Scalar] | None:
         if times.denominator != 1:
             raise NotDerivable(f"a fraction of the angle {name}")
         c, s = home.pair_index(k)
-        images[c], images[s] = _sum(_rest(form.without(name)), _multiple(at, int(times)))
+        images[c], images[s] = added(form_trig(form.without(name)), multiple(at, int(times)))
     _refuse_roots(home, images)
     return images or None
 
@@ -55,20 +54,6 @@ def _refuse_roots(home: Ring, images: Mapping[int, Scalar]) -> None:
     for root in home.roots:
         if any(name in names for powers, _ in root.radicand for name, _ in powers):
             raise NotDerivable("a joint variable inside a root")
-
-
-def _rest(form: Form) -> Pair:
-    return trig(form) if form.parts else (Scalar.of(1), Scalar.of(0))
-
-
-def _sum(a: Pair, b: Pair) -> Pair:
-    """The addition theorem."""
-    return a[0] * b[0] - a[1] * b[1], a[1] * b[0] + a[0] * b[1]
-
-
-def _multiple(pair: Pair, n: int) -> Pair:
-    base = pair if n >= 0 else (pair[0], -pair[1])
-    return reduce(_sum, [base] * abs(n), (Scalar.of(1), Scalar.of(0)))
 
 
 def _composed(polynomial: fmpq_mpoly, source: Ring, images: Mapping[int, Scalar]) -> Scalar:
@@ -96,9 +81,12 @@ def _product(rest: Scalar, values: Sequence[Scalar], powers: Sequence[int]) -> S
 def in_single_angles(value: Scalar) -> Scalar:
     """The same over single angles instead of sums of them, where each of its angles is a sum of those."""
     home = value.ring
-    atoms = sorted({atom for form in home.angles for atom, _ in form.parts})
-    singles = ring((), tuple(Form.of({atom: 1}) for atom in atoms), home.symbols)
-    if any(singles.trig(form) is None for form in home.angles):
+    atoms = sorted({atom for form in home.angles for atom, _ in form.moving.parts})
+    fixed = (form for form in home.angles if not form.moving.parts)
+    singles = ring((), (*(Form.of({atom: 1}) for atom in atoms), *fixed), home.symbols)
+    for form in home.angles:
+        singles = singles.with_angle(form)
+    if any(Form.of({atom: 1}) not in singles.angles for atom in atoms):
         return value
     return value.into(singles.union(home))
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import lru_cache, partial
+from functools import lru_cache, partial, reduce
 from math import lcm
 
 from flint import fmpq_mpoly
@@ -126,27 +126,45 @@ def _related(scalar: Scalar) -> bool:
     """Whether two of its angles have a part in common; else no other basis is shorter."""
     degrees, home = scalar.numerator.degrees(), scalar.ring
     used = [form for k, form in enumerate(home.angles) if any(degrees[i] > 0 for i in home.pair_index(k))]
-    atoms = [atom for form in used for atom, _ in form.parts]
+    atoms = [atom for form in used for atom, _ in form.moving.parts]
     return len(atoms) > len(set(atoms))
 
 
 @lru_cache(maxsize=256)
 def other_bases(angles: tuple[Form, ...]) -> tuple[tuple[Form, ...], ...]:
-    """Single angles; and for sums that begin with the same angle, the sums without it."""
-    atoms = sorted({atom for form in angles for atom, _ in form.parts})
-    singles = tuple(Form.of({atom: 1}) for atom in atoms)
-    if len(atoms) != len(angles) or set(singles) == set(angles):
+    """Single angles; and for sums that begin with the same angle, the sums without it. Each angle keeps what
+    is fixed in it."""
+    fixed = tuple(form for form in angles if not form.moving.parts)
+    moving = tuple(form for form in angles if form.moving.parts)
+    return tuple((*basis, *fixed) for basis in _other_moving_bases(moving))
+
+
+def _other_moving_bases(angles: tuple[Form, ...]) -> tuple[tuple[Form, ...], ...]:
+    atoms = sorted({atom for form in angles for atom, _ in form.moving.parts})
+    if len(atoms) != len(angles):
+        return ()
+    singles = tuple(_single(atom, angles) for atom in atoms)
+    if set(singles) == set(angles):
         return ()
     found = [singles] if all(_whole(form, singles) for form in angles) else []
     for first in singles:
-        sums = [form for form in angles if form != first and dict(form.parts).get(first.parts[0][0]) == 1]
+        atom = first.moving.parts[0][0]
+        sums = [form for form in angles if form != first and form.of_atom(atom) == 1]
         if first in angles and sums:
             found.append(tuple(form + first.scaled(-1) if form in sums else form for form in angles))
     return tuple({frozenset(basis): basis for basis in reversed(found)}.values())[::-1]
 
 
+def _single(atom: str, angles: tuple[Form, ...]) -> Form:
+    """The angle by itself, with what is fixed in the sums of which it is made."""
+    alone = Form.of({atom: 1})
+    multiples = combination(alone, [form.moving for form in angles]) or ()
+    parts = (form.fixed.scaled(n) for form, n in zip(angles, multiples, strict=True))
+    return reduce(Form.__add__, parts, alone)
+
+
 def _whole(form: Form, basis: tuple[Form, ...]) -> bool:
-    multiples = combination(form, basis)
+    multiples = combination(form.moving, [each.moving for each in basis])
     return multiples is not None and all(n.denominator == 1 for n in multiples)
 
 

@@ -5,6 +5,10 @@ with s^2 = 1 - c^2, and a root r for each square root with r^2 = radicand (r^3 f
 Reduced by these relations a polynomial is unique, so two expressions are equal exactly when their reduced
 polynomials are. The polynomials are FLINT's sparse ones (python-flint, `fmpq_mpoly`).
 
+A fixed angle, 25 deg, has a pair of its own however many there are, and angles that move are independent
+where their moving parts are: theta1 + 25 deg beside theta1 is the sum of theta1 and 25 deg. What else holds
+between fixed angles, and between them and roots, `derive.algebra.settled` knows.
+
 The order of generators is lexicographic with roots first (nested ones outermost first), then
 sines, cosines and symbols: the leading terms of the relations are then r^2 and s^2, and reduction
 is one division each.
@@ -12,18 +16,19 @@ is one division each.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cache, cached_property, lru_cache
+from functools import cache, cached_property, lru_cache, reduce
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
-from derive.algebra.angles import PI, Form, combination, letters_of
+from derive.algebra.angles import PI, Form, combination, first_quarter, letters_of
 from derive.algebra.opaque import Opaque
 from derive.algebra.rationals import Rational, to_flint
 
 Pair = tuple[fmpq_mpoly, fmpq_mpoly]
+EXACT = {Form(()): (1, 0), Form.of({PI: Fraction(1, 2)}): (0, 1)}  # cosine and sine of 0 and 90 degrees
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,11 +87,6 @@ class Ring:
     def letters(self, generator: str) -> frozenset[str]:
         """The names a generator rests on, `pi` apart."""
         return _letters(self, generator)
-
-    @cached_property
-    def fixed(self) -> Form | None:
-        """The one form that is a multiple of pi, if there is one; others would be multiples of it."""
-        return next((form for form in self.angles if form.of_atom(PI)), None)
 
     @cached_property
     def zero(self) -> fmpq_mpoly:
@@ -171,13 +171,18 @@ class Ring:
 
     def with_angle(self, form: Form) -> Ring:
         """A ring in which the form's sine and cosine are polynomials."""
-        multiples = combination(form, self.angles)
+        multiples = _multiples(form, self)
         if multiples is None:
             return ring(self.roots, (*self.angles, form), self.symbols)
-        finer = tuple(
-            angle.scaled(Fraction(1, n.denominator)) for angle, n in zip(self.angles, multiples, strict=True)
-        )
-        return _with_roots_of(self, ring((), finer, self.symbols))
+        if any(n.denominator != 1 for n in multiples):
+            finer = tuple(
+                angle.scaled(Fraction(1, n.denominator))
+                for angle, n in zip(self.angles, multiples, strict=True)
+            )
+            return _with_roots_of(self, ring((), finer, self.symbols)).with_angle(form)
+        needed = (first_quarter(part)[2] for part in _fixed_parts(form, self.angles, multiples))
+        new = [angle for angle in needed if angle not in self.angles and angle not in EXACT]
+        return ring(self.roots, (*self.angles, *new), self.symbols)
 
     def union(self, other: Ring) -> Ring:
         """A ring that holds the elements of both."""
@@ -208,16 +213,51 @@ def _letters(home: Ring, generator: str) -> frozenset[str]:
 def _trig(home: Ring, form: Form) -> Pair | None:
     if form in home.angles:
         return home.pair(home.angles.index(form))
-    multiples = combination(form, home.angles)
+    multiples = _multiples(form, home)
     if multiples is None or any(n.denominator != 1 for n in multiples):
         return None
     cosine, sine = home.one, home.zero
-    for k, n in enumerate(multiples):
-        c, s = home.pair(k)
+    pairs = [(home.pair(k), n) for k, n in enumerate(multiples)]
+    for part in _fixed_parts(form, home.angles, multiples):
+        pair = _fixed_pair(part, home)
+        if pair is None:
+            return None
+        pairs.append((pair, Fraction(1)))
+    for (c, s), n in pairs:
         s = s if n > 0 else -s
         for _ in range(abs(int(n))):  # one addition theorem a turn
             cosine, sine = cosine * c - sine * s, sine * c + cosine * s
     return home.reduce(cosine), home.reduce(sine)
+
+
+def _multiples(form: Form, home: Ring) -> tuple[Fraction, ...] | None:
+    """How often each angle of the ring is in the moving part of a form: a fixed angle never is."""
+    moving = [k for k, angle in enumerate(home.angles) if angle.moving.parts]
+    found = combination(form.moving, [home.angles[k].moving for k in moving])
+    if found is None:
+        return None
+    multiples = dict(zip(moving, found, strict=True))
+    return tuple(multiples.get(k, Fraction(0)) for k in range(len(home.angles)))
+
+
+def _fixed_parts(form: Form, angles: Sequence[Form], multiples: Sequence[Fraction]) -> Iterator[Form]:
+    """What is left of a form beside these multiples: a multiple of pi, and any other number."""
+    taken = (angle.scaled(-n) for angle, n in zip(angles, multiples, strict=True) if n)
+    rest = reduce(Form.__add__, taken, form).fixed
+    yield Form.of({PI: rest.of_atom(PI)})
+    yield rest.without(PI)
+
+
+def _fixed_pair(form: Form, home: Ring) -> Pair | None:
+    """(cosine, sine) of a multiple of pi or of a form without pi; None where the ring has no pair for it."""
+    cosine_sign, sine_sign, angle = first_quarter(form)
+    if angle in EXACT:
+        c, s = map(home.constant, EXACT[angle])
+    elif angle in home.angles:
+        c, s = home.pair(home.angles.index(angle))
+    else:
+        return None
+    return cosine_sign * c, sine_sign * s
 
 
 @lru_cache(maxsize=1024)

@@ -191,7 +191,7 @@ def _constant(value: int | Fraction) -> Scalar:
 
 
 def trig(form: Form) -> tuple[Scalar, Scalar]:
-    """(cosine, sine) of a form without a fixed part."""
+    """(cosine, sine) of a form, each a polynomial of its own ring."""
     home = ring().with_angle(form)
     pair = home.trig(form)
     if pair is None:

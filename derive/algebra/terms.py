@@ -12,7 +12,7 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import TypeAlias
 
-from derive.algebra.angles import PI, RADIAN, Form
+from derive.algebra.angles import PI, RADIAN, Form, is_fixed
 from derive.algebra.opaque import ITSELF, Opaque
 from derive.algebra.rationals import Rational, lowest, of_flint
 from derive.algebra.ring import Ring
@@ -140,8 +140,10 @@ class Alphabet:
         return (rank, _natural(atom.what))
 
     def _rank(self, name: str) -> SortKey:
+        """In the author's order; what is fixed in an angle comes last."""
         order = self.style.order
-        return (order.index(name) if name in order else len(order), _natural(name))
+        place = order.index(name) if name in order else len(order) + is_fixed(name)
+        return (place, _natural(name))
 
     def expression(self, atom: int, power: int = 1) -> Expr:
         """The tree of a power of an atom; every time the same."""

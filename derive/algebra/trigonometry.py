@@ -2,38 +2,30 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
 from functools import reduce
 from operator import mul
 
-from derive.algebra.angles import PI, RADIAN, Form
-from derive.algebra.fixed import fixed_trig
+from derive.algebra.angles import RADIAN, Form
+from derive.algebra.fixed import form_trig
 from derive.algebra.kernels import canonical, in_single_angles, root
 from derive.algebra.opaque import ITSELF, Opaque
+from derive.algebra.pairs import Pair
 from derive.algebra.ring import Ring
-from derive.algebra.scalar import Scalar, as_fraction, trig
+from derive.algebra.scalar import Scalar, as_fraction
 
 
-def trig_of(angle: Scalar) -> tuple[Scalar, Scalar]:
-    """(cosine, sine) of an angle that is a polynomial: fixed parts apart, the rest a linear form."""
-    turns, form = linear_form(angle)
-    pair = trig(form) if form.parts else (Scalar.of(1), Scalar.of(0))
-    return added(pair, fixed_trig(turns)) if turns else pair
+def trig_of(angle: Scalar) -> Pair:
+    """(cosine, sine) of an angle: of the linear form that it is."""
+    return form_trig(linear_form(angle))
 
 
-def linear_form(angle: Scalar) -> tuple[Fraction, Form]:
-    """(multiple of pi, the rest) of an angle; each monomial is an atom of the form."""
+def linear_form(angle: Scalar) -> Form:
+    """An angle as a linear form; each monomial is an atom of it."""
     angle = in_single_angles(angle)
     if angle.denominator is not None:
-        return Fraction(0), _of_fraction(angle)
-    turns, parts = Fraction(0), {}
-    for exponents, coefficient in angle.numerator.terms():
-        atom = _atom(angle.ring, exponents)
-        if atom == PI:
-            turns = as_fraction(coefficient)
-        else:
-            parts[atom] = as_fraction(coefficient)
-    return turns, Form.of(parts)
+        return _of_fraction(angle)
+    terms = angle.numerator.terms()
+    return Form.of({_atom(angle.ring, exponents): as_fraction(k) for exponents, k in terms})
 
 
 def _of_fraction(angle: Scalar) -> Form:
@@ -43,8 +35,7 @@ def _of_fraction(angle: Scalar) -> Form:
     for exponents, coefficient in angle.numerator.to_dict().items():
         part = Scalar(home, home.context.from_dict({exponents: coefficient})) / bottom
         if part.denominator is None:
-            turns, form = linear_form(part)
-            found = found + form + Form.of({PI: turns})
+            found = found + linear_form(part)
         else:
             lead = as_fraction(part.numerator.leading_coefficient())
             found = found + Form.of({_whole(part / lead): lead})
@@ -78,17 +69,7 @@ def atom_of(atom: str) -> Scalar:
     return reduce(mul, (Scalar.symbol(name) ** int(power or 1) for name, _, power in factors))
 
 
-def added(a: tuple[Scalar, Scalar], b: tuple[Scalar, Scalar]) -> tuple[Scalar, Scalar]:
-    """The addition theorem on (cosine, sine) pairs."""
-    return a[0] * b[0] - a[1] * b[1], a[1] * b[0] + a[0] * b[1]
-
-
-def multiple(pair: tuple[Scalar, Scalar], n: int) -> tuple[Scalar, Scalar]:
-    base = pair if n >= 0 else (pair[0], -pair[1])
-    return reduce(added, [base] * abs(n), (Scalar.of(1), Scalar.of(0)))
-
-
-def of_direction(y: Scalar, x: Scalar) -> tuple[Scalar, Scalar]:
+def of_direction(y: Scalar, x: Scalar) -> Pair:
     """(cosine, sine) of atan2(y, x)."""
     length = root(x * x + y * y)
     return x / length, y / length

@@ -20,10 +20,10 @@ from flint import fmpq_mpoly
 from derive.algebra.angles import PI, RADIAN, Form
 from derive.algebra.kernels import root
 from derive.algebra.normal import Names, Walk
+from derive.algebra.pairs import multiple
 from derive.algebra.quantities import rational
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar, as_fraction
-from derive.algebra.trigonometry import multiple
 from derive.algebra.values import Value
 from derive.answers.budget import affordable
 from derive.answers.points import Point

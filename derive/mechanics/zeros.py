@@ -16,7 +16,8 @@ from derive.algebra.factors import depends
 from derive.algebra.kernels import root
 from derive.algebra.normal import Walk
 from derive.algebra.operations import operations
-from derive.algebra.pinned import Pair, pinned
+from derive.algebra.pairs import Pair
+from derive.algebra.pinned import pinned
 from derive.algebra.scalar import Scalar, trig
 from derive.expression import (
     PI,

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from derive.algebra.angles import Form, combination
+from derive.algebra.angles import PI, Form, combination
 from derive.algebra.fixed import square_root
 from derive.algebra.normal import normal
 from derive.algebra.ring import ring
@@ -99,3 +99,19 @@ def test_the_order_of_symbols_does_not_matter(names: tuple[str, str]) -> None:
     a, b = (Scalar(home, home.gen(name)) for name, home in ((n, ring(symbols=names)) for n in names))
     assert a * b - b * a == 0
     assert a == Scalar.symbol(names[0])
+
+
+def test_fixed_angles_have_pairs_of_their_own() -> None:
+    home = (normal(formula("cos(25 deg)")) * normal(formula("cos(36 deg)"))).ring
+    assert len(home.angles) == 2
+    assert normal(formula("cos(-25 deg) + cos(205 deg) + sin(385 deg)")).ring.angles == (
+        Form.of({PI: Fraction(5, 36)}),
+    )
+
+
+def test_an_offset_stays_in_its_angle() -> None:
+    shifted = normal(formula("cos(x + 25 deg)"))
+    assert len(shifted.ring.angles) == 1
+    assert shifted == normal(formula("cos(x) cos(25 deg) - sin(x) sin(25 deg)"))
+    assert shifted.diff("x") == -normal(formula("sin(x + 25 deg)"))
+    assert normal(formula("cos(x/2 + 25 deg)")) ** 2 * 2 - 1 == normal(formula("cos(x + 50 deg)"))

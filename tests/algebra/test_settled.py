@@ -94,3 +94,34 @@ def test_a_root_of_a_sum(left: str, right: str) -> None:
 )
 def test_a_root_of_a_sum_that_differs(left: str, right: str) -> None:
     assert normal(formula(left)) != normal(formula(right))
+
+
+def test_two_angles_in_radians_have_only_the_relation_of_their_common_part() -> None:
+    assert normal(formula("cos(0.3) cos(0.4) - sin(0.3) sin(0.4)")) == normal(formula("cos(0.7)"))
+    assert normal(formula("cos(1.2)")) == normal(formula("2 cos(0.6)^2 - 1"))
+    assert normal(formula("cos(0.3)")) != normal(formula("cos(0.3000000000000000001)"))
+    assert normal(formula("sin(25 deg + 0.3)")) == normal(
+        formula("sin(0.3) cos(25 deg) + cos(0.3) sin(25 deg)")
+    )
+
+
+@pytest.mark.parametrize("angle", ["sqrt(2)", "exp(1)", "sqrt(2) pi", "2 sqrt(3) + 1/7"])
+def test_an_angle_of_any_constant(angle: str) -> None:
+    half = f"({angle})/2"
+    assert normal(formula(f"cos({angle})")) == normal(formula(f"2 cos({half})^2 - 1"))
+    assert normal(formula(f"cos(x + {angle})")) == normal(
+        formula(f"cos(x) cos({angle}) - sin(x) sin({angle})")
+    )
+    assert normal(formula(f"cos({angle})")) != 0
+
+
+@given(st.lists(st.tuples(st.integers(-36000, 36000), st.booleans()), min_size=2, max_size=4))
+def test_fixed_angles_add_however_many_digits_they_have(angles: list[tuple[int, bool]]) -> None:
+    typed = [f"{n}/100 deg" if degrees else f"{n}/1000" for n, degrees in angles]
+    added = normal(formula(f"cos({' + '.join(f'({each})' for each in typed)})"))
+    c, s = normal(formula("1")), normal(formula("0"))
+    for each in typed:
+        d, t = normal(formula(f"cos({each})")), normal(formula(f"sin({each})"))
+        c, s = c * d - s * t, s * d + c * t
+    assert c == added
+    assert c + Fraction(1, 10**30) != added

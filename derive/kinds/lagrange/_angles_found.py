@@ -14,6 +14,7 @@ from derive.algebra.normal import normal
 from derive.algebra.polynomial_systems import solve
 from derive.algebra.polynomials import known_sign, numerator
 from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.terms import Alphabet
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Call, Expr, add, atan2, multiply, negate, number, walk
 from derive.kinds.function._writing import written
@@ -74,7 +75,7 @@ def _require_plain(
     """Raises NotDerivable for a coordinate inside and outside a sine, or in one with a parameter."""
     used = {name for equation in equations for name in equation.generators()}
     for form in forms:
-        for atom, _ in form.parts:
+        for atom, _ in form.moving.parts:
             if atom not in coordinates:
                 raise NotDerivable(f"an angle that holds {atom} besides a coordinate is not solved for here")
             if atom in symbols and atom in used:
@@ -137,17 +138,24 @@ def _values(
     problem: Problem,
 ) -> dict[str, Expr]:
     """The coordinates as trees: those of angles from their sines and cosines."""
+    pairs = [[found[name] for name in letters.pair(form)] for form in letters.forms]
     angles = [
-        _angle(found[letters.pair(form)[0]], found[letters.pair(form)[1]], positive, problem)
-        for form in letters.forms
+        _moving_part(form, _angle(c, s, positive, problem), problem)
+        for form, (c, s) in zip(letters.forms, pairs, strict=True)
     ]
+    moving = [form.moving for form in letters.forms]
     values: dict[str, Expr] = {}
     for q in coordinates:
         if q in found:
             values[q] = written(found[q], problem)
-        elif (parts := combination(Form.of({q: 1}), letters.forms)) is not None and any(parts):
+        elif (parts := combination(Form.of({q: 1}), moving)) is not None and any(parts):
             values[q] = _combined(angles, parts, problem)
     return values
+
+
+def _moving_part(form: Form, angle: Expr, problem: Problem) -> Expr:
+    """What moves in an angle: theta where theta + 25 deg is the angle."""
+    return add(angle, Alphabet(problem.style).angle(form.fixed.scaled(-1))) if form.fixed.parts else angle
 
 
 def _combined(angles: Sequence[Expr], parts: Sequence[Fraction], problem: Problem) -> Expr:
@@ -155,7 +163,9 @@ def _combined(angles: Sequence[Expr], parts: Sequence[Fraction], problem: Proble
     total = add(*(multiply(number(n), angle) for n, angle in zip(parts, angles, strict=True) if n))
     if any(isinstance(node, Call | Approximate) for node in walk(total)):
         return total
-    turns = (normal(total) / Scalar.symbol(PI)).constant or Fraction(0)
+    turns = (normal(total) / Scalar.symbol(PI)).constant
+    if turns is None:
+        return total
     return problem.readable(Scalar.symbol(PI) * (1 - (1 - turns) % 2))
 
 

@@ -133,5 +133,5 @@ def singles(chain: Chain) -> Ring:
         if len(form.parts) == 1:
             forms[form] = None
         else:
-            forms.update((Form.of({atom: 1}), None) for atom, _ in form.parts)
+            forms.update((Form.of({atom: 1}), None) for atom, _ in form.moving.parts)
     return ring((), tuple(forms), ()).union(source)
