@@ -44,10 +44,17 @@ class Claim:
 
 @dataclass(frozen=True, slots=True)
 class Branch:
-    """One solution among several: the value of each unknown, and when it is the one."""
+    """One solution among several: the value of each unknown, and when it is the one.
+
+    `short` has the values in terms of names found before them, with these names, in the order in which they
+    are evaluated; it is what a result says where the values by themselves are long. `true_at` is False of a
+    branch that need not solve all that is asked.
+    """
 
     values: Mapping[str, Expr]
     when: str
+    short: Mapping[str, Expr] = field(default_factory=dict)
+    true_at: bool = True
 
 
 @dataclass(frozen=True, slots=True)

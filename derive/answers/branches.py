@@ -54,12 +54,14 @@ class Sample:
 
 @dataclass(frozen=True)
 class Sets:
-    """Two sets of solutions; `angles` are the unknowns that count up to whole turns."""
+    """Two sets of solutions; `angles` are the unknowns that count up to whole turns. `short` are the derived
+    ones with values in terms of each other, empty where they are not written so."""
 
     published: Sequence[Solution]
     derived: Sequence[Solution]
     terms: Terms
     angles: frozenset[str]
+    short: Sequence[Solution] = ()
 
     def paired(self) -> list[Paired]:
         """Every published solution with its verdict, then derived ones that nobody published."""
@@ -81,9 +83,11 @@ class Sets:
         """The derived solution that a published one is, none of the `taken` ones if there is another; None
         where it is none of them."""
         possible = [j for j, ours in enumerate(self.derived) if self.published[k].keys() <= ours.keys()]
-        for j in sorted(possible, key=lambda j: j in taken):
-            if self._proved(self.published[k], self.derived[j]):
-                return j, Finding("equal")
+        nearest = sorted(possible, key=lambda j: j in taken)
+        for written in (self.short, self.derived):
+            for j in nearest if any(written) else ():
+                if self._proved(self.published[k], written[j]):
+                    return j, Finding("equal")
         agreeing = [j for j in possible if self._agrees(k, j)]
         for j in sorted(agreeing, key=lambda j: j in taken):
             finding = self._by_values(k, j)

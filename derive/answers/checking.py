@@ -17,7 +17,7 @@ from derive.answers.findings import Check, as_typed
 from derive.answers.moved import moved, same, transposed, turned
 from derive.answers.published import Published
 from derive.answers.reading import Reader
-from derive.answers.solutions import Solutions
+from derive.answers.solutions import Solutions, put_in
 from derive.derivation import Branch
 from derive.errors import SheetError
 from derive.expression import Expr, Matrix, Symbol, free_symbols
@@ -204,7 +204,8 @@ class Compared(Asked):
         )
         terms = replace(self.terms, sampling=sampling, evaluated=bool(self.point))
         angles = angles_among([*(each for several in readings for each in several), *derived], known)
-        sets = Sets(chosen(readings, derived, terms, angles), derived, terms, angles)
+        short = () if self.point else tuple(put_in(each.short, each.values) for each in result)
+        sets = Sets(chosen(readings, derived, terms, angles), derived, terms, angles, short)
         for k, pair in enumerate(sets.paired(), 1):
             theirs, ours = written(pair.published), written(pair.derived)
             yield self._check(name, (k,), pair.finding, theirs, ours, pair.diagnosis)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from typing import Any
@@ -12,7 +12,8 @@ from derive.answers.letters import Letters
 from derive.answers.published import Published
 from derive.answers.reading import Reader, Route
 from derive.errors import Place, SheetError
-from derive.expression import Expr
+from derive.expression import Expr, Symbol
+from derive.expression import replace as replaced
 
 Solution = Mapping[str, Expr]
 REMARKS = frozenset(
@@ -54,8 +55,8 @@ class Solutions:
                 self.reader.faults.append(self._no_unknown(key, route))
             elif (read := reader.scalar(value, (*route, key))) is not None:
                 found[name] = read
-        loose = {name: read.tree for name, read in found.items()}
-        tight = {name: read.tight or read.tree for name, read in found.items()}
+        loose = put_in({name: read.tree for name, read in found.items()}, self.names)
+        tight = put_in({name: read.tight or read.tree for name, read in found.items()}, self.names)
         return (loose,) if tight == loose else (loose, tight)
 
     def _unknown(self, key: str) -> str:
@@ -66,6 +67,16 @@ class Solutions:
         close = get_close_matches(key, self.names, n=1, cutoff=0.5)
         hint = f"did you mean {close[0]}?" if close else f"the unknowns: {', '.join(self.names)}"
         return SheetError(f"'{key}' is no unknown of this question", self.key((*route, key)), hint)
+
+
+def put_in(solution: Solution, unknowns: Collection[str]) -> Solution:
+    """The values of the unknowns, with the other names that a solution defines replaced by what they stand
+    for."""
+    found = dict(solution)
+    for helper in [name for name in solution if name not in unknowns]:
+        value: dict[Expr, Expr] = {Symbol(helper): found.pop(helper)}
+        found = {name: replaced(tree, value) for name, tree in found.items()}
+    return found
 
 
 def _signed(value: Any, upper: bool) -> Any:

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any
 
+from derive.algebra.grammar import parse
+from derive.algebra.units import ANY
 from derive.derivation import Derivation
 from derive.expression import Approximate, Expr, Matrix, Number, Product, Quotient, Sum, Symbol, column
 from derive.expression import Power as Raised
@@ -17,6 +19,7 @@ from derive.render.skin import Skin, environment
 from derive.render.words import chain_links
 
 WHOLE_BELOW = 10**6
+ABOUT = ("when", "real", "free", "fixed", "true_at")  # a branch, beside its values
 IMAGINARY = Symbol("j")
 
 
@@ -59,13 +62,18 @@ def _branch(
     branch: Mapping[str, Any], at: Mapping[str, Expr], printer: Printer, skin: Skin
 ) -> dict[str, Any]:
     """One solution: its equations as inline mathematics, and when it is the one."""
-    values = {name: numeric(value) for name, value in branch.items() if name not in ("when", "real")}
+    values = {name: _entry(value) for name, value in branch.items() if name not in ABOUT}
     shown = [
         chain_links((Symbol(name), value), printer) for name, value in values.items() if value is not None
     ]
     equations = [f"${first.latex} {second.relation} {second.latex}$" for first, second in shown]
     when = condition(branch.get("when", ""), {*values, *at}, printer, skin.plain)
     return {"when": when, "real": branch.get("real", True), "equations": equations}
+
+
+def _entry(value: Any) -> Expr | None:
+    """A number, or a formula in the letters that are left."""
+    return parse(value, dimension=ANY) if isinstance(value, str) else numeric(value)
 
 
 def numeric(value: Any) -> Expr | None:

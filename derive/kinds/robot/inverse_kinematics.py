@@ -12,9 +12,9 @@ from derive.mechanics.robot import Robot
 from derive.mechanics.two_link import two_link
 
 RESULTS = {
-    "solutions": "every branch: a value for each joint variable, and when; a value that would fill pages "
-    "is in terms of joint variables found before it",
-    "order": "then only: the joint variables in the order in which to evaluate them",
+    "solutions": "every branch: a value for each joint variable, and when; long values are in terms of names "
+    "that stand beside them; true_at is false where it need not meet the whole pose",
+    "order": "then only: the names in which these formulas are written, in the order in which to evaluate them",
 }
 EXAMPLE = """\
 title: Inverse kinematics
@@ -44,7 +44,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     if arm is not None and isinstance(given, tuple) and len(given) == 2:
         from derive.kinds.robot._inverse import planar
 
-        return planar.derive(arm, given, options.evaluate, problem)
+        return planar.derive(arm, chain, given, options.evaluate, problem)
     from derive.kinds.robot._inverse import general
 
     return general.derive(chain, options, problem)
@@ -52,7 +52,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 
 def reached(options: Options, problem: Problem, count: int) -> tuple[dict[str, float], ...]:
     """Points at which what is given is the place of the end-effector: joint variables, lengths, and that."""
-    from derive.kinds.robot._inverse.general import goal_of, sample_points
+    from derive.kinds.robot._inverse.general import sample_points
+    from derive.kinds.robot._inverse.given import goal_of
 
     chain = chain_of(problem)
     return sample_points(chain, goal_of(options.given, chain, problem), problem, count)

@@ -76,6 +76,10 @@ class Stage:
         """Every equation that holds this angle alone."""
         return dict(_Looking(self, known, (), Budget()).rows).get(form, [])
 
+    def slides(self, known: Knowledge, name: str) -> list[Slide]:
+        """Every equation that holds this displacement alone."""
+        return list(_Looking(self, known, (), Budget()).slides(name))
+
     def left(self, known: Knowledge, most: int = 6) -> list[Equation]:
         """The shortest equations that still hold unknown joints."""
         unknown = known.unknown_joints()
@@ -181,14 +185,12 @@ class _Looking:
 
     def slide(self) -> Slide | None:
         found = [
-            here
-            for name in self.known.slides
-            if name not in self.known.lengths
-            for here in self._slides(name)
+            here for name in self.known.slides if name not in self.known.lengths for here in self.slides(name)
         ]
         return min(found, key=lambda s: len(s.slope.numerator) + len(s.value.numerator), default=None)
 
-    def _slides(self, name: str) -> Iterator[Slide]:
+    def slides(self, name: str) -> Iterator[Slide]:
+        """The equations in one displacement alone."""
         unknown = self.known.unknown_generators(None) - {name}
         for one in self.stage.equations:
             value = self._within(one.value, None)

@@ -11,7 +11,9 @@ from typing import Any
 import pytest
 
 from derive.algebra.compiled import Compiled, compiled
+from derive.algebra.text import text
 from derive.derivation import Derivation
+from derive.expression import free_symbols
 from tests.kinds.robot.arms import ARMS, Arm
 
 POSES = 100
@@ -49,15 +51,16 @@ def function(tree: Any) -> Compiled:
     return FUNCTIONS[id(tree)][1]
 
 
-def values(branch: Any, order: tuple[str, ...], known: Mapping[str, float]) -> dict[str, float] | None:
+def values(branch: Any, arm: Arm, known: Mapping[str, float]) -> dict[str, float] | None:
     """A branch in numbers, as it is printed; None where it is not real."""
     here = dict(known)
+    formulas = branch.short or branch.values
     try:
-        for name in order:
-            here[name] = function(branch.values[name])(here)
+        for name in formulas:
+            here[name] = function(formulas[name])(here)
     except ValueError:
         return None
-    return {name: here[name] for name in order}
+    return {name: here[name] for name in arm.joints}
 
 
 def same(arm: Arm, left: Mapping[str, float], right: Mapping[str, float]) -> bool:
@@ -67,11 +70,6 @@ def same(arm: Arm, left: Mapping[str, float], right: Mapping[str, float]) -> boo
         for n in arm.joints
     ]
     return max(map(abs, gaps)) < 1e-6
-
-
-def order(arm: Arm, found: Derivation) -> tuple[str, ...]:
-    told = found.results.get("order", ", ".join(arm.joints))
-    return tuple(str(told).split(", "))
 
 
 @pytest.mark.parametrize("name", ARMS)
@@ -92,7 +90,7 @@ def test_branches_reach_random_poses(name: str) -> None:
     for at in configurations(arm, POSES):
         T = arm.pose(at)
         known = {n: v for n, v in at.items() if n not in arm.joints} | arm.known(T)
-        real = [v for b in found.results["solutions"] if (v := values(b, order(arm, found), known))]
+        real = [v for b in found.results["solutions"] if (v := values(b, arm, known))]
         for each in real if not arm.partial else ():
             wanted, reached = arm.known(T), arm.known(arm.pose({**at, **each}))
             for key in wanted:
@@ -106,5 +104,21 @@ def test_branches_differ(name: str) -> None:
     arm, found = ARMS[name], solved(name)
     (at,) = configurations(arm, 1, seed=3)
     known = {n: v for n, v in at.items() if n not in arm.joints} | arm.known(arm.pose(at))
-    real = [v for b in found.results["solutions"] if (v := values(b, order(arm, found), known))]
+    real = [v for b in found.results["solutions"] if (v := values(b, arm, known))]
     assert all(not same(arm, a, b) for k, a in enumerate(real) for b in real[:k])
+
+
+@pytest.mark.parametrize("name", ARMS)
+def test_short_formulas_are_evaluated_in_order(name: str) -> None:
+    """Every name rests on what is given and on names before it; no formula is long."""
+    arm, results = ARMS[name], solved(name).results
+    given = set(arm.known(arm.pose(configurations(arm, 1)[0]))) | arm.problem().symbols - set(arm.joints)
+    for branch in results["solutions"]:
+        assert tuple(branch.short) == results.get("order", ())
+        known = set(given)
+        for joint, value in branch.short.items():
+            assert free_symbols(value) <= known, (name, joint)
+            assert len(text(value)) < 250, (name, joint)
+            known.add(joint)
+        if not branch.short:
+            assert all(free_symbols(value) <= given for value in branch.values.values())

@@ -16,6 +16,7 @@ import pytest
 from derive.errors import NotDerivable
 from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._inverse import general
+from derive.kinds.robot._inverse.given import goal_of
 from derive.kinds.robot._inverse.reasons import no_closed_form
 from derive.mechanics.inverse.budget import Budget, Spent
 from derive.mechanics.inverse.plan import Search
@@ -27,7 +28,7 @@ PACKAGE = Path(__file__).parents[3] / "derive"
 def search(name: str, budget: Budget) -> Search:
     arm = ARMS[name]
     chain, problem = chain_of(arm.problem()), arm.problem()
-    goal = general.goal_of(arm.given, chain, problem)
+    goal = goal_of(arm.given, chain, problem)
     points = general.sample_points(chain, goal, problem, 2)
     return Search(chain, goal, points, partial(general.free_name, problem=problem, goal=goal), budget)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -10,22 +10,39 @@ from derive.algebra.angles import Form, combination
 from derive.algebra.compiled import Compiled, compiled
 from derive.algebra.numeric import Point
 from derive.derivation import Branch
-from derive.expression import Call, Expr, Sum, Symbol, add, children, is_negative, rebuild, replace
+from derive.expression import (
+    ZERO,
+    Call,
+    Expr,
+    Sum,
+    Symbol,
+    add,
+    children,
+    free_symbols,
+    is_negative,
+    rebuild,
+    replace,
+)  # fmt: skip
 from derive.kinds.problem import Problem
-from derive.kinds.robot._inverse.moves import Definition, Item, Move, Option, choices, shares, weighted
+from derive.kinds.robot._inverse.moves import Definition, Item, Option, choices, shares, weighted
 from derive.kinds.robot._inverse.trees import minus
 
 LARGEST = 1200  # names, numbers and operations in a value; above that it stays in terms of earlier joints
+DIGITS = "0123456789"
+READABLE = 130  # likewise in a value that is printed with everything put in
 
 
 @dataclass(frozen=True)
 class Solutions:
-    """The moves in order, and the joint variables of the arm."""
+    """The moves in order, and the joint variables of the arm. `reached` says of each branch whether it brings
+    the end-effector there wherever it is real."""
 
     items: tuple[Item, ...]
     joints: tuple[str, ...]
     slides: frozenset[str]
     problem: Problem
+    free_name: Callable[[str], str]
+    reached: tuple[bool, ...] = ()
 
     @cached_property
     def chosen(self) -> tuple[dict[int, Option], ...]:
@@ -33,31 +50,34 @@ class Solutions:
 
     @cached_property
     def branches(self) -> tuple[Branch, ...]:
-        """Every branch in the given coordinates; long values in terms of joints found before."""
-        return tuple(self._branch(taken) for taken in self.chosen)
+        """Every branch in the given coordinates, and in short formulas where those are long."""
+        whole = [self._whole(taken) for taken in self.chosen]
+        names = set(self.joints)
+        short = not all(
+            size(value) <= READABLE and not _holds(value, names)
+            for values in whole
+            for value in values.values()
+        )
+        reached = self.reached or (True,) * len(self.chosen)
+        return tuple(
+            Branch(values, ", ".join(when), self._short(taken) if short else {}, true)
+            for values, when, taken, true in zip(whole, self.conditions, self.chosen, reached, strict=True)
+        )
+
+    @cached_property
+    def conditions(self) -> tuple[tuple[str, ...], ...]:
+        """Which choices make each branch."""
+        return tuple(tuple(o.when for o in taken.values() if o.when) for taken in self.chosen)
 
     @property
     def turning(self) -> tuple[str, ...]:
         return tuple(name for name in self.joints if name not in self.slides)
 
-    @cached_property
+    @property
     def order(self) -> tuple[str, ...]:
-        """The joint variables in the order in which they become known."""
-        found: list[str] = []
-        forms: list[Form] = []
-        for item in self.items:
-            if isinstance(item, Move) and isinstance(item.of, Form):
-                forms.append(item.of)
-                found += [j for j in self.turning if j not in found and self._fixed(j, forms)]
-            elif isinstance(item, Move) and isinstance(item.of, str):
-                found.append(item.of)
-        return tuple(found)
-
-    @cached_property
-    def nested(self) -> bool:
-        """Whether values refer to joint variables found before them."""
-        names = set(self.joints)
-        return any(_holds(value, names) for branch in self.branches for value in branch.values.values())
+        """The names in which a short branch is written, each after those it rests on; empty where every
+        branch is in the given coordinates alone."""
+        return tuple(self.branches[0].short)
 
     # -- in numbers -------------------------------------------------------------------------------
 
@@ -74,13 +94,17 @@ class Solutions:
             parts += [item] if isinstance(item, Definition) else item.options
         return {id(part): compiled(part.value) for part in parts}
 
+    def value(self, part: Definition | Option, known: Point) -> float:
+        """Of a definition or an option, by what is known."""
+        return self._functions[id(part)](known)
+
     def _at(self, taken: Mapping[int, Option], known: dict[str, float]) -> dict[str, float] | None:
         forms: list[Form] = []
         values: list[float] = []
         try:
             for item in self.items:
                 part = item if isinstance(item, Definition) else taken[item.number]
-                value = self._functions[id(part)](known)
+                value = self.value(part, known)
                 if isinstance(item, Definition):
                     known[item.name.name] = value
                 elif isinstance(item.of, Form):
@@ -101,9 +125,10 @@ class Solutions:
             found[joint] = sum(n * v for n, v in zip(weights or (), values, strict=bool(weights)))
         return found
 
-    # -- as expressions ---------------------------------------------------------------------------
+    # -- with everything put in -------------------------------------------------------------------
 
-    def _branch(self, taken: Mapping[int, Option]) -> Branch:
+    def _whole(self, taken: Mapping[int, Option]) -> dict[str, Expr]:
+        """The joint variables in what is given; in earlier ones where that is too long."""
         known: dict[Expr, Expr] = {}
         forms: list[Form] = []
         values: list[Expr] = []
@@ -121,14 +146,19 @@ class Solutions:
             if len(item.of.parts) > 1:
                 known[item.head] = value
             sign = taken[item.number].sign
-            fresh = [j for j in self.turning if j not in found and self._fixed(j, forms)]
-            for joint in fresh:
-                weights = shares(joint, tuple(forms), self.turning) or ()
-                self._keep(joint, _flat(weighted(values, weights)), known, found)
+            for joint, result in self._fresh(found, forms, values):
+                self._keep(joint, result, known, found)
             if size(value) <= LARGEST:
                 known |= {key: replace(v, known) for key, v in item.trig.get(sign, {}).items()}
-        when = ", ".join(option.when for option in taken.values() if option.when)
-        return Branch({name: self._final(found[name]) for name in self.joints}, when)
+        return {name: self._final(found[name]) for name in self.joints}
+
+    def _fresh(
+        self, found: Mapping[str, Expr], forms: Sequence[Form], values: Sequence[Expr]
+    ) -> Iterator[tuple[str, Expr]]:
+        """The joint angles that the latest sum determines, in terms of the values of the sums."""
+        for joint in [j for j in self.turning if j not in found and self._fixed(j, forms)]:
+            weights = shares(joint, tuple(forms), self.turning) or ()
+            yield joint, _flat(weighted(values, weights))
 
     def _summed(
         self, tree: Expr, known: Mapping[Expr, Expr], forms: Sequence[Form], values: Sequence[Expr]
@@ -163,13 +193,59 @@ class Solutions:
         """Whether these sums determine a joint angle."""
         return combination(Form.of({joint: 1}), forms) is not None
 
+    # -- in short formulas ------------------------------------------------------------------------
+
+    def _short(self, taken: Mapping[int, Option]) -> dict[str, Expr]:
+        """Every name of the working with its formula, each after those it rests on."""
+        forms: list[Form] = []
+        sums: list[Expr] = []
+        found: dict[str, Expr] = {}
+
+        def written(tree: Expr) -> Expr:
+            known: dict[Expr, Expr] = {Symbol(name): ZERO for name in found}
+            return self._final(self._summed(tree, known, forms, sums))
+
+        for item in self.items:
+            if isinstance(item, Definition):
+                found[item.name.name] = written(item.value)
+                continue
+            value = written(taken[item.number].value)
+            name = item.of if isinstance(item.of, str) else self._name(item.of)
+            found[name] = value
+            if isinstance(item.of, Form):
+                forms.append(item.of)
+                sums.append(Symbol(name))
+                found |= {joint: self._final(result) for joint, result in self._fresh(found, forms, sums)}
+        return _used(found, self.joints)
+
+    def _name(self, form: Form) -> str:
+        """A joint angle by its own name; of a sum the stem and the numbers, theta234, or sum_23."""
+        names = sorted((atom for atom, _ in form.parts), key=self.turning.index)
+        if len(names) == 1:
+            return names[0]
+        stem = names[0].rstrip(DIGITS)
+        numbers = "".join(name[len(stem) :] for name in names)
+        alike = all(name.rstrip(DIGITS) == stem for name in names) and all(n == 1 for _, n in form.parts)
+        if alike and numbers.isdigit():
+            return self.free_name(f"{stem}{numbers}")
+        return self.free_name(f"sum_{'_'.join(names)}")
+
     def _final(self, value: Expr) -> Expr:
         """With the names of `where` replaced; inside functions nothing is expanded that they do not hold."""
         if not self.problem.where:
             return value
-        if _plain(value):
+        if plain(value):
             return self.problem.final(value)
         return rebuild(value, self._final)
+
+
+def _used(found: Mapping[str, Expr], wanted: Iterable[str]) -> dict[str, Expr]:
+    """The names that these rest on, in the order they have."""
+    used = set(wanted)
+    for name, value in reversed([*found.items()]):
+        if name in used:
+            used |= free_symbols(value)
+    return {name: value for name, value in found.items() if name in used}
 
 
 def size(tree: Expr) -> int:
@@ -177,11 +253,11 @@ def size(tree: Expr) -> int:
     return 1 + sum(map(size, children(tree)))
 
 
-def _plain(tree: Expr) -> bool:
+def plain(tree: Expr) -> bool:
     """Whether it holds no inverse function and no root."""
     if isinstance(tree, Call) and tree.function in ("atan2", "sqrt"):
         return False
-    return all(map(_plain, children(tree)))
+    return all(map(plain, children(tree)))
 
 
 def _holds(tree: Expr, names: set[str]) -> bool:

@@ -1,70 +1,172 @@
-"""The branches in numbers at the point an author gives."""
+"""The branches at the point an author gives: in numbers, or in the letters that are left."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
+from itertools import pairwise, product
 from typing import Any
 
+from derive.algebra.numeric import Point, number
+from derive.algebra.text import text
+from derive.derivation import Branch
+from derive.errors import NotDerivable
+from derive.expression import Expr, Number, Symbol, free_symbols, rebuild
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
-from derive.kinds.robot._inverse.branches import Solutions
-from derive.kinds.robot._inverse.checks import reaches
-from derive.kinds.robot._inverse.freedom import Singularity
-from derive.kinds.robot._inverse.told import point_of, told, unknown
+from derive.kinds.robot._inverse.branches import Solutions, plain
+from derive.kinds.robot._inverse.moves import Definition, Item
+from derive.kinds.robot._inverse.numbers import AtPoint, Leaf
+from derive.kinds.robot._inverse.settled import Leaves, Settled, told
+from derive.kinds.values_at import completed
+from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.goal import Goal
+from derive.mechanics.inverse.plan import Plan
+from derive.mechanics.oracle import Oracle
 
-REACHED = 1e-6  # relative
+REACHED = 1e-6  # in lengths of the arm
+ROUNDED = 5e-3  # how far R^T R of a rotation typed with three digits may be from one
+SMALL = 1e-7  # of a coefficient
+ROTATION = tuple(f"r{i}{j}" for i, j in product((1, 2, 3), repeat=2))
 
 
 @dataclass(frozen=True, slots=True)
 class Evaluated:
     """What the JSON says under `evaluated`, and about it: `out_of_reach` where no branch is real, `missed`
-    where some are but do not bring the end-effector there, `free` where an angle was chosen at will."""
+    where some are but do not bring the end-effector there, `free` where an unknown can be chosen at will,
+    `rounded` where the nearest rotation was taken for the one typed."""
 
     values: Mapping[str, Any]
     out_of_reach: bool = False
     missed: bool = False
     free: bool = False
+    rounded: bool = False
 
     @property
     def facts(self) -> dict[str, bool]:
-        return {"out_of_reach": self.out_of_reach, "missed": self.missed, "free": self.free}
+        names = ("out_of_reach", "missed", "free", "rounded")
+        return {name: getattr(self, name) for name in names}
 
 
 def evaluated(
-    solutions: Solutions, singularity: Singularity, goal: Goal, problem: Problem, place: Place | None
+    solutions: Solutions, items: tuple[Item, ...], chain: Chain, plan: Plan, goal: Goal, place: Place | None
 ) -> Evaluated:
-    """`solutions` with floats; a branch that does not reach the pose is not real. Empty without a point.
-    In a singular configuration an angle that can be chosen at will is zero.
+    """`solutions` with floats, where every name that they need has a value. Empty without a point. `items`
+    are all definitions and moves, those that no branch needs included.
 
-    Raises NotDerivable where a name has no value.
+    Raises NotDerivable where what is typed as a rotation is none.
     """
     if place is None:
         return Evaluated({})
-    point = point_of(place, problem)
-    oracle, tolerance = oracle_of(problem), REACHED + 10 * _rounding(goal, point)
-    wanted = {**dict.fromkeys(problem.symbols, 1.0), **point}  # what no value rests on may be anything
-    try:
-        pairs = zip(solutions.at(point), solutions.chosen, strict=True)
-        tries = [list(singularity.tries(values, taken, point)) for values, taken in pairs]
-    except KeyError as error:
-        raise unknown(error) from error
-    arrived = [[reaches(oracle, goal, wanted, v, tolerance) for v in each] for each in tries]
-    found = [
-        each[there.index(True)] if any(there) else None for each, there in zip(tries, arrived, strict=True)
-    ]
-    free = any(any(there) and not there[0] for there in arrived)
-    missed = any(tries) and not any(found)
-    return Evaluated({"solutions": told(solutions.branches, found)}, not any(tries), missed, free)
+    problem = solutions.problem
+    point = known_at(place, problem)
+    if needed(solutions) - point.keys():
+        return Evaluated(in_letters(solutions.branches, place, problem))
+    point, rounding = _with_rotation(point)
+    size = _size(oracle_of(problem), _anything(point, problem))
+    at = AtPoint(solutions, items, chain, plan, size, max(SMALL, 4 * rounding))
+
+    def leaves(k: int, pins: Mapping[int, float], usual: float) -> Iterator[Leaf]:
+        return at.leaves(solutions.chosen[k], point, pins, usual)
+
+    return at_point(leaves, solutions.conditions, chain, goal, problem, point, rounding)
 
 
-def _rounding(goal: Goal, point: Mapping[str, float]) -> float:
-    """How far the typed entries of a rotation are from one: they may be rounded to a few digits."""
-    names = [f"r{i}{j}" for i in (1, 2, 3) for j in (1, 2, 3)]
-    if not set(names) <= set(goal.names) & point.keys():
-        return 0.0
-    R = [[point[f"r{i}{j}"] for j in (1, 2, 3)] for i in (1, 2, 3)]
-    products = [(sum(row[i] * row[j] for row in R), i == j) for i in range(3) for j in range(3)]
-    return max(abs(value - same) for value, same in products)
+def at_point(
+    leaves: Leaves, conditions: Sequence[Sequence[str]], chain: Chain, goal: Goal, problem: Problem,
+    point: Point, rounding: float = 0.0,
+) -> Evaluated:  # fmt: skip
+    """The solutions at a point, from the values that `leaves` gives for each branch; `rounding` is how far
+    the rotation typed is from one."""
+    wanted = _anything(point, problem)
+    oracle = oracle_of(problem)
+    slides = frozenset(joint.variable for _, joint in chain.moving if joint.type == "prismatic")
+    size = _size(oracle, wanted)
+    settled = Settled(oracle, goal, chain.variables, slides, leaves, wanted, size, REACHED + 10 * rounding)
+    found = settled.solutions(len(conditions))
+    real = [any(leaf.values for leaf in leaves(k, {}, 0.0)) for k in range(len(conditions))]
+    return Evaluated(
+        {"solutions": told(found, conditions, real, len(chain.variables) < goal.size)},
+        out_of_reach=not any(real),
+        missed=any(real) and not found,
+        free=any(each.freedom for each in found),
+        rounded=rounding > REACHED,
+    )
+
+
+def _anything(point: Point, problem: Problem) -> dict[str, float]:
+    """The point, with a value for what nothing rests on."""
+    return {**dict.fromkeys(problem.symbols, 1.0), **point}
+
+
+def known_at(place: Place, problem: Problem) -> dict[str, float]:
+    """Every name that has a value; one that is given in letters has none."""
+    values = {name: value for name, value in place if not free_symbols(value)}
+    return dict(completed({name: number(value, {}) for name, value in values.items()}, problem.where))
+
+
+def needed(solutions: Solutions) -> frozenset[str]:
+    """The names that the branches rest on: what is given, and lengths."""
+    defined = {item.name.name for item in solutions.items if isinstance(item, Definition)}
+    trees = [item.value for item in solutions.items if isinstance(item, Definition)]
+    trees += [option.value for taken in solutions.chosen for option in taken.values()]
+    return frozenset().union(*map(free_symbols, trees)) - defined - set(solutions.joints)
+
+
+def _size(oracle: Oracle, point: Point) -> float:
+    """A length of the arm: what its links and the place it should reach measure together."""
+    import numpy as np
+
+    home = {**dict.fromkeys(oracle.robot.variables, 0.0), **point}
+    poses = [*oracle.poses(home), oracle.tool(home)]
+    links = sum(float(np.linalg.norm(b[:3, 3] - a[:3, 3])) for a, b in pairwise(poses))
+    return links + sum(abs(point.get(axis, 0.0)) for axis in "xyz") or 1.0
+
+
+def _with_rotation(point: dict[str, float]) -> tuple[dict[str, float], float]:
+    """The point with the rotation that is nearest to the one typed, and how far that is from one."""
+    import numpy as np
+
+    if not point.keys() >= set(ROTATION):
+        return point, 0.0
+    R = np.array([point[name] for name in ROTATION]).reshape(3, 3)
+    off = float(np.abs(R @ R.T - np.eye(3)).max())
+    if off > ROUNDED or np.linalg.det(R) < 0:
+        why = "it is left-handed" if off <= ROUNDED else f"R R^T differs from one by {off:.2g}"
+        raise NotDerivable(f"r11 ... r33 are no rotation matrix at the place asked for: {why}")
+    U, _, V = np.linalg.svd(R)
+    nearest = dict(zip(ROTATION, map(float, (U @ V).flat), strict=True))
+    return ({**point, **nearest}, off) if off > 1e-12 else (point, 0.0)
+
+
+# -- in letters ------------------------------------------------------------------------------------------
+
+
+def in_letters(branches: tuple[Branch, ...], place: Place, problem: Problem) -> dict[str, Any]:
+    """What has all its values as numbers, the rest as texts in the letters left."""
+    return {"solutions": [_branch_in_letters(branch, dict(place), problem) for branch in branches]}
+
+
+def _branch_in_letters(branch: Branch, place: Mapping[str, Expr], problem: Problem) -> dict[str, Any]:
+    known: dict[Expr, Expr] = {Symbol(name): value for name, value in place.items()}
+    found: dict[str, Any] = {}
+    for name, formula in (branch.short or branch.values).items():
+        value = _put(formula, known, problem)
+        if free_symbols(value):
+            found[name] = text(value)
+            continue
+        try:
+            found[name] = number(value, {})
+        except (ValueError, ZeroDivisionError):
+            return {"when": branch.when, "real": False}
+        known[Symbol(name)] = Number(Fraction(f"{found[name]:.12g}"), decimal=True)
+    return {**found, "when": branch.when}
+
+
+def _put(tree: Expr, known: Mapping[Expr, Expr], problem: Problem) -> Expr:
+    """With the values put in; inside functions nothing is expanded that they do not hold."""
+    if plain(tree):
+        return problem.final(tree, known)
+    return rebuild(tree, lambda part: _put(part, known, problem))

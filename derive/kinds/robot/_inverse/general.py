@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -12,14 +13,14 @@ from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._inverse.branches import Solutions
 from derive.kinds.robot._inverse.checks import tried
 from derive.kinds.robot._inverse.evaluated import evaluated
-from derive.kinds.robot._inverse.freedom import Singularity
+from derive.kinds.robot._inverse.given import goal_of
 from derive.kinds.robot._inverse.opening import Opening
 from derive.kinds.robot._inverse.page import Page
 from derive.kinds.robot._inverse.reasons import loose, no_closed_form, refuse
 from derive.kinds.robot._rows.by_rows import by_rows
 from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.budget import Budget
-from derive.mechanics.inverse.goal import Goal, of_coordinates, of_orientation, of_pose
+from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.plan import Search
 from derive.mechanics.inverse.sample import configurations
 
@@ -41,39 +42,24 @@ def derive(chain: Chain, options: Any, problem: Problem) -> Derivation:
         raise NotDerivable(no_closed_form(plan, goal, problem))
     page = Page(problem, chain, goal, plan, Opening(problem, chain, goal, plan, free).written())
     slides = frozenset(plan.knowledge.slides)
-    solutions = Solutions(page.items, chain.variables, slides, problem)
-    results: dict[str, Any] = {"solutions": solutions.branches}
-    if solutions.nested:
-        results["order"] = ", ".join(solutions.order)
+    solutions = Solutions(page.items, chain.variables, slides, problem, free)
     trial = tried(solutions, goal, problem, points)
-    values = evaluated(solutions, Singularity(solutions, chain, plan), goal, problem, options.evaluate)
+    if trial.partial:
+        solutions = replace(solutions, reached=trial.reached)
+    results: dict[str, Any] = {"solutions": solutions.branches}
+    if solutions.order:
+        results["order"] = solutions.order
+    values = evaluated(solutions, page.opened.items, chain, plan, goal, options.evaluate)
     return Derivation(
         "inverse-kinematics",
         page.steps,
         results,
-        (*page.claims(), *trial.claims(points[0])),
+        (*page.claims(), *trial.claims(solutions, points[0])),
         page.definitions,
         values.values,
         uses=(problem.ask("forward-kinematics"),),
         facts={**page.facts(solutions), **values.facts, "partial": trial.partial},
     )
-
-
-def goal_of(given: tuple[str, ...] | str, chain: Chain, problem: Problem) -> Goal:
-    """The known pose. Raises NotDerivable where a name stands for something else already."""
-    if given == "pose":
-        goal = of_pose()
-    elif given == "orientation":
-        goal = of_orientation()
-    else:
-        goal = of_coordinates(chain.T_tool, given, chain.variables)
-    taken = set(goal.names) & (problem.symbols | set(problem.where))
-    if taken:
-        raise NotDerivable(
-            f"'{min(taken)}' names a known coordinate of the end-effector and something else on this sheet; "
-            "choose another name for one of them"
-        )
-    return goal
 
 
 def sample_points(chain: Chain, goal: Goal, problem: Problem, count: int) -> tuple[dict[str, float], ...]:

@@ -6,8 +6,11 @@ from typing import Annotated, Any, Literal, TypeAlias
 
 from pydantic import PlainValidator, WithJsonSchema
 
-from derive.errors import FormulaError
+from derive.errors import FormulaError, NotDerivable
 from derive.kinds.fields import read_name
+from derive.kinds.problem import Problem
+from derive.mechanics.chain import Chain
+from derive.mechanics.inverse.goal import Goal, of_coordinates, of_orientation, of_pose
 
 WORDS = ("pose", "orientation")
 HINT = "write given: pose, or names for the known coordinates: [x, y], [x, y, phi] or [x, y, z]"
@@ -38,3 +41,20 @@ Given: TypeAlias = Annotated[
         }
     ),
 ]
+
+
+def goal_of(given: tuple[str, ...] | str, chain: Chain, problem: Problem) -> Goal:
+    """The known pose. Raises NotDerivable where a name stands for something else already."""
+    if given == "pose":
+        goal = of_pose()
+    elif given == "orientation":
+        goal = of_orientation()
+    else:
+        goal = of_coordinates(chain.T_tool, given, chain.variables)
+    taken = set(goal.names) & (problem.symbols | set(problem.where))
+    if taken:
+        raise NotDerivable(
+            f"'{min(taken)}' names a known coordinate of the end-effector and something else on this sheet; "
+            "choose another name for one of them"
+        )
+    return goal

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
+import math
+from collections.abc import Iterator, Mapping
 
 from derive.algebra import numeric
 from derive.algebra.compiled import compiled
 from derive.algebra.normal import normal
+from derive.algebra.numeric import scalar_number
 from derive.algebra.scalar import Scalar
 from derive.derivation import Branch, Claim, Derivation, Step
 from derive.expression import (
@@ -19,6 +21,7 @@ from derive.expression import (
     add,
     atan2,
     cos,
+    free_symbols,
     multiply,
     negate,
     number,
@@ -31,16 +34,22 @@ from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
-from derive.kinds.robot._inverse.told import point_of, told, unknown
+from derive.kinds.robot._inverse.evaluated import SMALL, Evaluated, at_point, in_letters, known_at
+from derive.kinds.robot._inverse.numbers import Leaf
+from derive.mechanics.chain import Chain
+from derive.mechanics.inverse.goal import Goal, of_coordinates
 from derive.mechanics.two_link import TwoLink
 
 ELBOWS = (("down", number(1), ">"), ("up", number(-1), "<"))
 POINTS = 5
 
 
-def derive(arm: TwoLink, given: tuple[str, ...], place: Place | None, problem: Problem) -> Derivation:
+def derive(
+    arm: TwoLink, chain: Chain, given: tuple[str, ...], place: Place | None, problem: Problem
+) -> Derivation:
     """By the triangle of the two links and the law of cosines (Spong et al., section 1.4.2; Craig, 4.4)."""
     x, y = map(Symbol, given)
+    goal = of_coordinates(chain.T_tool, given, chain.variables)
     writing = _Writing(problem, arm, x, y)
     steps = writing.steps()
     branches = tuple(writing.branch(name, sign, relation) for name, sign, relation in ELBOWS)
@@ -49,18 +58,15 @@ def derive(arm: TwoLink, given: tuple[str, ...], place: Place | None, problem: P
         *links([step for step in steps if step.rule in ("position", "law-of-cosines")], known),
         *(_closes(problem, branch, given) for branch in branches),
     )
-    values = _evaluated(branches, problem, place)
-    facts = writing.facts()
-    facts["missed"] = facts["free"] = False
-    facts["out_of_reach"] = bool(values) and all(b.get("real") is False for b in values["solutions"])
+    values = _evaluated(branches, arm, chain, goal, problem, place)
     return Derivation(
         "inverse-kinematics",
         steps,
         {"solutions": branches},
         claims,
-        evaluated=values,
+        evaluated=values.values,
         uses=(problem.ask("forward-kinematics"),),
-        facts=facts,
+        facts={**writing.facts(), **values.facts},
     )
 
 
@@ -157,17 +163,36 @@ def _closes(problem: Problem, branch: Branch, given: tuple[str, ...]) -> Claim:
     return Claim(f"the branch '{branch.when}' reaches its target", SECOND_ROUTE, holds)
 
 
-def _evaluated(branches: tuple[Branch, ...], problem: Problem, place: Place | None) -> dict[str, Any]:
-    """The branches in numbers; those out of reach are not real."""
+def _evaluated(
+    branches: tuple[Branch, ...],
+    arm: TwoLink,
+    chain: Chain,
+    goal: Goal,
+    problem: Problem,
+    place: Place | None,
+) -> Evaluated:
+    """The branches in numbers, or in the letters that are left."""
     if place is None:
-        return {}
-    point = point_of(place, problem)
-    found: list[dict[str, float] | None] = []
-    for branch in branches:
+        return Evaluated({})
+    point = known_at(place, problem)
+    needed = frozenset().union(*(free_symbols(tree) for each in branches for tree in each.values.values()))
+    if needed - point.keys():
+        return Evaluated(in_letters(branches, place, problem))
+    functions = [{name: compiled(value) for name, value in each.values.items()} for each in branches]
+    a_1, a_2 = (scalar_number(length, point) for length in (arm.a_1, arm.a_2))
+    x, y = (point[name] for name in goal.names)
+    folded = max(math.hypot(x, y), abs(a_1 - a_2)) < SMALL * (a_1 + a_2)
+
+    def leaves(k: int, pins: Mapping[int, float], usual: float) -> Iterator[Leaf]:
+        """Folded back on its base, the arm may point anywhere."""
+        if folded:
+            theta_1 = pins.get(0, usual)
+            yield Leaf({arm.theta_1: theta_1, arm.theta_2: math.pi}, {0: theta_1})
+            return
         try:
-            found.append({name: compiled(value)(point) for name, value in branch.values.items()})
-        except KeyError as error:
-            raise unknown(error) from error
+            yield Leaf({name: value(point) for name, value in functions[k].items()}, {})
         except (ValueError, ZeroDivisionError):
-            found.append(None)
-    return {"solutions": told(branches, found)}
+            yield Leaf({}, {})
+
+    conditions = [each.when.split(", ") for each in branches]
+    return at_point(leaves, conditions, chain, goal, problem, point)
