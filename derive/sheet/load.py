@@ -13,11 +13,12 @@ from derive.sheet.checked import checked
 from derive.sheet.cut import cut_fault, cut_off
 from derive.sheet.faults import MOST, did_you_mean, untold
 from derive.sheet.given import PROBLEM_KEYS, GivenProblem, GivenSheet
+from derive.sheet.honoured import ignored
 from derive.sheet.model import Notation, Problem, Question, Sheet
 from derive.sheet.questions import inline_question, questions
 from derive.sheet.reader import read
 from derive.sheet.source import At
-from derive.sheet.subject import build_subject, subject_name, subject_place
+from derive.sheet.subject import read_subject, subject_name, subject_place
 from derive.sheet.subjects import registry
 from derive.sheet.subjects.registry import Known
 from derive.sheet.unfilled import unfilled
@@ -96,7 +97,9 @@ def _problem(at: At, data: Any, number: int, outer: Known) -> Problem:
         faults.extend(errors.errors)
     try:
         place = subject_place(at, name)
-        subject = build_subject(place, name, known)
+        typed = read_subject(place, name, known)
+        faults.extend(ignored(asked, name, typed, place))
+        subject = registry.load(name).build(typed, place, known)
         faults.extend(_unmet(asked, name, subject, place))
         strange = _strange(name, subject, place, known)
     except SheetErrors as errors:

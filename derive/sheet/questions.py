@@ -11,6 +11,7 @@ from derive.kinds import registry
 from derive.sheet.checked import checked
 from derive.sheet.faults import MOST, did_you_mean
 from derive.sheet.given import ASKED_KEYS, QUESTION_KEYS, GivenAsked, GivenQuestion
+from derive.sheet.honoured import idle_options
 from derive.sheet.model import Question
 from derive.sheet.source import At
 from derive.sheet.subjects.registry import Known
@@ -68,6 +69,7 @@ def _read(
         if kind and given and "evaluate" in kind.Options.model_fields:
             rest["evaluate"] = given.evaluate  # some kinds need the point itself: poles, a step response
         options = checked(kind.Options, at, rest, known.names, keys) if kind else None
+        faults.extend(idle_options(options, at))
     except SheetErrors as errors:
         faults.extend(errors.errors)
     if faults or given is None or kind is None:

@@ -43,10 +43,14 @@ def subject_place(at: At, name: str) -> At:
     return At(source, (name,)) if isinstance(source.data, dict) and name in source.data else At(source)
 
 
+def read_subject(at: At, name: str, known: Known) -> Any:
+    """The model of the subject written at `at`. Raises SheetErrors."""
+    return checked(load(name).Given, at, at.value(), known.names)
+
+
 def build_subject(at: At, name: str, known: Known) -> Any:
     """The frozen value of the subject written at `at`. Raises SheetErrors."""
-    module = load(name)
-    return module.build(checked(module.Given, at, at.value(), known.names), at, known)
+    return load(name).build(read_subject(at, name, known), at, known)
 
 
 def _beside(at: At, name: str, typed: str) -> Path:

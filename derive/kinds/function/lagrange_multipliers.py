@@ -9,6 +9,7 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.function._worked import worked
 from derive.kinds.problem import Problem
 
+USES = frozenset({"subject_to"})
 RESULTS = {
     "solutions": "the variables, the multipliers (lambda, or lambda_1, ...), the value of f, and what it is"
 }

@@ -9,6 +9,7 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.function._worked import worked
 from derive.kinds.problem import Problem
 
+USES = frozenset({"subject_to"})  # and refuses it, saying what to ask
 RESULTS = {"solutions": "the variables, the value of f, and what kind of point it is"}
 EXAMPLE = """\
 title: Stationary points

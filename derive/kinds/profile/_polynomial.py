@@ -41,8 +41,6 @@ def polynomial(
 ) -> Derivation:
     """The polynomial with 2 `order` coefficients (Craig, section 7.3; Spong et al., section 5.5)."""
     journey = _journey(profile)
-    if journey.via:
-        raise NotDerivable("via points are for spline-trajectory; one polynomial goes from end to end")
     ends = ends_of(journey, profile, order, problem)
     working = Working(problem, ends.values, profile.sort == "angle" and problem.style.degrees)
     for k, start in enumerate(ends.start):

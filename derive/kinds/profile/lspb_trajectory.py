@@ -31,6 +31,7 @@ from derive.mechanics.course import Course
 from derive.mechanics.profile import Journey, Profile
 
 NEEDS = ("journey",)
+USES = frozenset({"cruise", "acceleration", "blend"})
 RESULTS = {
     "t_b": "how long each blend lasts",
     "v": "the velocity between the blends",

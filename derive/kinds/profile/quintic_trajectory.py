@@ -10,6 +10,7 @@ from derive.kinds.profile._polynomial import polynomial
 from derive.mechanics.profile import Profile
 
 NEEDS = ("journey", "time")
+USES = frozenset({"start_velocity", "end_velocity", "start_acceleration", "end_acceleration"})
 RESULTS = {
     "a_0, a_1, ...": "the coefficients",
     "q": "the trajectory as a function of t",

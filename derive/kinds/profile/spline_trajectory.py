@@ -41,6 +41,7 @@ from derive.mechanics.profile import Journey, Profile
 from derive.mechanics.splines import solved_in_floats
 
 NEEDS = ("journey", "time")
+USES = frozenset({"start_velocity", "end_velocity", "via"})
 RESULTS = {
     "v_0, v_1, ...": "the velocities at the points",
     "q": "the pieces of the trajectory as functions of t, and when",
@@ -97,6 +98,8 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
         raise NotDerivable(
             "there are no via points: add via: [{time: 1 s, at: 10 deg}], or ask cubic-trajectory"
         )
+    if options.ends == "natural" and (journey.start_velocity, journey.end_velocity) != (ZERO, ZERO):
+        raise NotDerivable("natural ends are given no velocity: leave start_velocity: and end_velocity: out")
     knots = _knots(journey, profile, options.ends, problem)
     if len(journey.via) > MOST_BY_SYMBOLS and any(free_symbols(problem.final(time)) for time in knots.times):
         raise NotDerivable(f"with more than {MOST_BY_SYMBOLS} via points their times must be numbers")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import AfterValidator, Field
 
@@ -47,6 +47,8 @@ DIFFERENCES = 1e-6  # what central differences leave
 class Options(OptionsModel):
     """`point`: where (the end-effector if left out); `rows`: some rows only; `in`: the frame of the vectors;
     `kind: analytic` has the rates of the Euler angles of a `convention` instead of the angular velocity."""
+
+    ONLY_WITH: ClassVar = {"convention": ("kind", "analytic"), "angles": ("kind", "analytic")}
 
     point: PointOn | None = None
     rows: tuple[RowName, ...] = ()

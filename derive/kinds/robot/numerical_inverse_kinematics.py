@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, PlainValidator, ValidationInfo, WithJsonSchema
 
@@ -58,6 +58,8 @@ Start = Annotated[Place, PlainValidator(_start), WithJsonSchema({"type": "object
 class Options(OptionsModel):
     """`target`: x, y in a plane (and the angle of the last link), or x, y, z; `start`: a value for each joint
     variable; `step`: the fixed step of the gradient method, the best one for each step if left out."""
+
+    ONLY_WITH: ClassVar = {"step": ("method", "gradient")}
 
     target: tuple[Quantity, ...] = Field(min_length=1, max_length=3)
     start: Start = ()

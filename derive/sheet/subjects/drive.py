@@ -9,6 +9,8 @@ from derive.mechanics.sensing import Drive
 from derive.sheet.source import At
 from derive.sheet.subjects.registry import Known
 
+HARMLESS = frozenset({"gear", "torque", "load_torque"})
+
 
 class Given(OptionsModel):
     """The inertias of the rotor and of the load, each about its own axis, and the gear between them."""

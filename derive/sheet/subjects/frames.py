@@ -17,6 +17,8 @@ from derive.sheet.subjects.registry import Known
 from derive.sheet.weights import WeightsError, weights
 from derive.sheet.written_pose import by_matrix, require_orthonormal
 
+HARMLESS = frozenset({"frame", "in", "origin"})
+
 
 class _Parent(OptionsModel):
     frame: int | None = Field(default=None, ge=1)

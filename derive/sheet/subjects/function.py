@@ -14,6 +14,7 @@ from derive.sheet.faults import did_you_mean
 from derive.sheet.source import At
 from derive.sheet.subjects.registry import Known
 
+SHARED = frozenset({"subject_to"})  # a gradient may be asked beside the extremes
 MOST = 20  # variables, components or constraints
 
 

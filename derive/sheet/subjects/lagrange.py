@@ -28,6 +28,10 @@ from derive.sheet.faults import did_you_mean
 from derive.sheet.source import At
 from derive.sheet.subjects.registry import Known
 
+# What has no part in an equilibrium has none in its answer either.
+HARMLESS = frozenset(
+    {"bodies", "kinetic", "potential", "gravity", "forces", "damping", "dissipation", "constraints"}
+)
 MOST = 12  # coordinates, bodies or constraints
 DOTS = ("_ddot", "_dot")
 

@@ -23,6 +23,7 @@ from derive.mechanics.mobility import (
 from derive.sheet.source import At
 from derive.sheet.subjects.registry import Known
 
+HARMLESS = frozenset({"bodies", "joints", "legs", "rods"})
 Count: TypeAlias = Annotated[int, Field(ge=1, le=1000)]
 AS_WRITTEN = "write {revolute: 4}, four revolute joints, or {constraints: 4, count: 2}"
 
@@ -119,8 +120,8 @@ def _joint_faults(given: Given, at: At) -> Iterator[SheetError]:
 
 
 def _leg_faults(given: Given, at: At) -> Iterator[SheetError]:
-    for key in ("bodies", "joints"):
-        if getattr(given, key) is not None:
+    for key in ("bodies", "joints", "rods"):
+        if key in given.model_fields_set:
             yield at.fault(
                 f"'{key}' follows from the legs", (key,), "give either legs: or bodies: and joints:", True
             )

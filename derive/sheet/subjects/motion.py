@@ -11,6 +11,7 @@ from derive.sheet.source import At
 from derive.sheet.subjects.moves import MoveAboutField, move
 from derive.sheet.subjects.registry import Known
 
+HARMLESS = frozenset({"about"})
 Given: TypeAlias = Annotated[list[MoveAboutField], Field(min_length=1, max_length=50)]
 
 

@@ -29,6 +29,9 @@ from derive.sheet.faults import NO_FORM
 from derive.sheet.source import At, Route
 from derive.sheet.subjects.registry import Known
 
+# Limits are told to be kept or not by every kind; how fast the middle part is belongs to one.
+HARMLESS = frozenset({"time", "v_max", "a_max"})
+SHARED = frozenset({"cruise", "acceleration", "blend"})
 FORMS = "write {distance: d, v_max: v_M, a_max: a_M}, a list of such axes, or {from: q0, to: qf, time: t_f}"
 
 

@@ -29,6 +29,11 @@ from derive.sheet.subjects.moves import MoveField, RotateJoint, joint_move, move
 from derive.sheet.subjects.registry import Known
 from derive.sheet.subjects.screws import HomeField, home_pose, joint_type, screw_row
 
+# Every kind has the whole chain; bodies, motors, friction and gravity are not needed for its pose.
+HARMLESS = frozenset(
+    f"links.{part}"
+    for part in ("mass", "com", "inertia", "about", "motor", "friction", "screw.through", "screw.pitch")
+) | {"name", "convention", "base", "tool", "gravity", "home"}
 NO_JOINT = "a star marks the joint variable: write {name}*"
 
 
@@ -152,6 +157,9 @@ def _mixed(given: Given, at: At) -> Iterator[SheetError]:
     if given.home is not None and not any(screws):
         hint = "leave it out; the last row, or tool:, says where the end-effector is"
         yield at.fault("home: belongs to a robot of screws", ("home",), hint, key=True)
+    if all(screws) and "convention" in given.model_fields_set:
+        hint = "leave it out; screws follow no convention"
+        yield at.fault("convention: belongs to Denavit-Hartenberg rows", ("convention",), hint, key=True)
     for index, row in enumerate(given.links):
         if isinstance(row, ScrewLink) and row.variable.variable is None:
             yield at.fault("this screw has no joint variable", ("links", index, "variable"), "write theta1*")

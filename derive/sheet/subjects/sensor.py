@@ -18,6 +18,7 @@ from derive.sheet.faults import NO_FORM
 from derive.sheet.source import At
 from derive.sheet.subjects.registry import Known
 
+HARMLESS = frozenset({"edges", "gear", "low", "duty", "mean", "frequency"})
 MAX_BITS = 64
 FORMS = (
     "write {encoder: incremental, lines: 500, edges: 4}, {encoder: absolute, bits: 12} "

@@ -14,6 +14,8 @@ from derive.sheet.faults import did_you_mean
 from derive.sheet.source import At
 from derive.sheet.subjects.registry import Known
 
+HARMLESS = frozenset({"disturbance"})  # zero where it is not asked about
+
 
 class Given(OptionsModel):
     """The equations, and which of their signals drives, is observed, disturbs."""
