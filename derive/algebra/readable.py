@@ -118,7 +118,7 @@ def _expanded(scalar: Scalar, angles: tuple[Form, ...]) -> int:
 @lru_cache(maxsize=1024)
 def _doublings(form: Form, angles: tuple[Form, ...]) -> int:
     """How often the addition theorem is used to write the cosine of a form by those of a basis."""
-    multiples = combination(form, angles) or ()
+    multiples = combination(form.moving, [each.moving for each in angles if each.moving.parts]) or ()
     return max(sum(abs(int(n)) for n in multiples) - 1, 0)
 
 
