@@ -14,7 +14,7 @@ from derive.mechanics.two_link import two_link
 RESULTS = {
     "solutions": "every branch: a value for each joint variable, and when; long values are in terms of names "
     "that stand beside them; true_at is false where it need not meet the whole pose",
-    "order": "then only: the names in which these formulas are written, in the order in which to evaluate them",
+    "order": "then only: the names in these formulas, in the order in which to evaluate them",
 }
 EXAMPLE = """\
 title: Inverse kinematics

@@ -1,7 +1,8 @@
 """Which joint variables are known while the others are sought, and the angles in which to look for the next.
 
 Angles about parallel axes come as sums: a planar arm knows theta1 + theta2 + theta3 before it knows any of
-the three. So what is sought is a sum of neighbouring angles, or a displacement.
+the three. So what is sought is a sum of neighbouring angles, or a displacement. In a parallelogram a row
+turns by q3 - q2, and the sums of its rows are q2 and q3 themselves: there any sum or difference is sought.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from itertools import combinations, product
 
 from derive.algebra.angles import Form, combination
 from derive.algebra.ring import Ring, ring
@@ -18,12 +20,14 @@ from derive.mechanics.chain import Chain
 @dataclass(frozen=True, slots=True)
 class Knowledge:
     """`runs` are the revolute joints about parallel axes, with their senses; `forms` the sums that are
-    known, `lengths` the displacements that are; `slides` all displacements."""
+    known, `lengths` the displacements that are; `slides` all displacements. `coupled` says that a row turns
+    by more than its own variable."""
 
     runs: tuple[Form, ...]
     slides: tuple[str, ...]
     forms: tuple[Form, ...] = ()
     lengths: frozenset[str] = field(default_factory=frozenset)
+    coupled: bool = False
 
     @staticmethod
     def of(chain: Chain, variables: Iterable[str]) -> Knowledge:
@@ -31,7 +35,9 @@ class Knowledge:
         wanted = tuple(variables)
         turning = [j.variable for _, j in chain.moving if j.type == "revolute" and j.variable in wanted]
         slides = [j.variable for _, j in chain.moving if j.type == "prismatic" and j.variable in wanted]
-        return Knowledge(tuple(_runs(chain.T_tool.ring, turning)), tuple(slides))
+        coupled = _is_coupled(chain)
+        runs = _linked(chain.T_tool.ring, turning) if coupled else _runs(chain.T_tool.ring, turning)
+        return Knowledge(tuple(runs), tuple(slides), coupled=coupled)
 
     @property
     def joints(self) -> tuple[str, ...]:
@@ -101,6 +107,9 @@ class Knowledge:
 
     def _neighbours(self) -> Iterator[Form]:
         for run in self.runs:
+            if self.coupled:
+                yield from _combinations(run)
+                continue
             for start in range(len(run.parts)):
                 for stop in range(start + 1, len(run.parts) + 1):
                     yield _positive(Form(run.parts[start:stop]))
@@ -123,6 +132,35 @@ def _runs(home: Ring, turning: list[str]) -> Iterator[Form]:
                 longest[name] = Form(tuple((each, form.of_atom(each)) for each in names))
     for form in dict.fromkeys(longest[name] for name in turning if name in longest):
         yield Form(tuple((name, Fraction(1 if n > 0 else -1)) for name, n in form.parts))
+
+
+def _is_coupled(chain: Chain) -> bool:
+    """Whether a row moves by a variable that is not its own."""
+    rows = zip(chain.T_local, chain.joints, strict=True)
+    return any(
+        name != (joint and joint.variable) and any(entry.diff(name) for entry in T.entries)
+        for T, joint in rows
+        for name in chain.variables
+    )
+
+
+def _linked(home: Ring, turning: list[str]) -> Iterator[Form]:
+    """The joints that stand together in angles, in order: their axes are parallel."""
+    groups: list[set[str]] = []
+    for held in [{name} for name in turning] + [set(turning) & {a for a, _ in f.parts} for f in home.angles]:
+        joined = [group for group in groups if group & held]
+        groups = [group for group in groups if not group & held] + [held.union(*joined)]
+    for group in sorted(filter(None, groups), key=lambda group: min(map(turning.index, group))):
+        yield Form(tuple((name, Fraction(1)) for name in turning if name in group))
+
+
+def _combinations(run: Form) -> Iterator[Form]:
+    """Single angles, then sums and differences of all numbers of them, the first one positive."""
+    names = [name for name, _ in run.parts]
+    for size in range(1, len(names) + 1):
+        for chosen in combinations(names, size):
+            for signs in product((-1, 1), repeat=size - 1):
+                yield Form.of(dict(zip(chosen, (1, *signs), strict=True)))
 
 
 def singles(chain: Chain) -> Ring:

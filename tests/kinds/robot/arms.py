@@ -220,4 +220,29 @@ ARMS = {
          ("theta4*", "d4", "0", "90 deg"), ("theta5*", "d5", "0", "-90 deg"), ("theta6*", "d6", "0", "0")),
         "pose", 8,
     ),
+    "parallelogram": Arm(
+        (("theta1*", "d1", "0", "90 deg"), ("theta2*", "0", "a2", "0"),
+         ("theta3* - theta2", "0", "a3", "0")),
+        ("x", "y", "z"), 4,
+    ),
+    "planar parallelogram": Arm(
+        (("theta1*", "0", "a1", "0"), ("theta2* - theta1", "0", "a2", "0")), ("x", "y"), 2,
+    ),
+    "planar arm of absolute angles": Arm(
+        (("theta1*", "0", "a1", "0"), ("theta2* - theta1", "0", "a2", "0"),
+         ("theta3* - theta2", "0", "a3", "0")),
+        ("x", "y", "phi"), 2,
+    ),
+    "palletiser": Arm(
+        (("theta1*", "d1", "a1", "90 deg"), ("theta2*", "0", "a2", "0"),
+         ("theta3* - theta2", "0", "a3", "0"), ("-theta3", "0", "a4", "-90 deg"),
+         ("theta4*", "d5", "0", "0")),
+        "pose", 4, partial=True,
+    ),
+    "parallelogram with a wrist": Arm(
+        (("theta1*", "d1", "a1", "-90 deg"), ("theta2* - 90 deg", "0", "a2", "0"),
+         ("theta3* - theta2", "0", "a3", "-90 deg"), ("theta4*", "d4", "0", "90 deg"),
+         ("theta5*", "0", "0", "-90 deg"), ("theta6*", "d6", "0", "0")),
+        "pose", 8,
+    ),
 }  # fmt: skip

@@ -6,14 +6,14 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from derive.algebra.angles import Form, combination
-from derive.algebra.normal import trig_of
+from derive.algebra.normal import normal, trig_of
 from derive.algebra.scalar import Scalar
 from derive.algebra.text import text
 from derive.derivation import Step
 from derive.expression import Call, Expr, Symbol, negate
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.moves import Definition, Item, Move, Option
-from derive.kinds.robot._inverse.trees import leaves, ordered, starts_negative
+from derive.kinds.robot._inverse.trees import leaves, minus, ordered, starts_negative
 from derive.mechanics.inverse.goal import Goal
 
 LONG = 3  # names and numbers in an expression; a longer one gets a name of its own
@@ -79,7 +79,8 @@ class Board:
         for atom, n in form.parts:
             total = total + Scalar.symbol(atom) * n
         tree = self.problem.readable(trig_of(total)[0])
-        return tree.arguments[0] if isinstance(tree, Call) else tree
+        angle = tree.arguments[0] if isinstance(tree, Call) else tree
+        return minus(angle) if normal(angle) == -total else angle  # a cosine is the same of both
 
     # -- moves ------------------------------------------------------------------------------------
 

@@ -25,7 +25,7 @@ from derive.expression import (
 )  # fmt: skip
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.moves import Definition, Item, Option, choices, shares, weighted
-from derive.kinds.robot._inverse.trees import minus
+from derive.kinds.robot._inverse.trees import minus, ordered
 
 LARGEST = 1200  # names, numbers and operations in a value; above that it stays in terms of earlier joints
 DIGITS = "0123456789"
@@ -158,7 +158,7 @@ class Solutions:
         """The joint angles that the latest sum determines, in terms of the values of the sums."""
         for joint in [j for j in self.turning if j not in found and self._fixed(j, forms)]:
             weights = shares(joint, tuple(forms), self.turning) or ()
-            yield joint, _flat(weighted(values, weights))
+            yield joint, ordered(_flat(weighted(values, weights)))
 
     def _summed(
         self, tree: Expr, known: Mapping[Expr, Expr], forms: Sequence[Form], values: Sequence[Expr]
@@ -219,7 +219,7 @@ class Solutions:
         return _used(found, self.joints)
 
     def _name(self, form: Form) -> str:
-        """A joint angle by its own name; of a sum the stem and the numbers, theta234, or sum_23."""
+        """A joint angle by its own name; a sum by the stem and the numbers, theta234, or else phi_23."""
         names = sorted((atom for atom, _ in form.parts), key=self.turning.index)
         if len(names) == 1:
             return names[0]
@@ -228,7 +228,7 @@ class Solutions:
         alike = all(name.rstrip(DIGITS) == stem for name in names) and all(n == 1 for _, n in form.parts)
         if alike and numbers.isdigit():
             return self.free_name(f"{stem}{numbers}")
-        return self.free_name(f"sum_{'_'.join(names)}")
+        return self.free_name(f"phi_{numbers if numbers.isdigit() else '_'.join(names)}")
 
     def _final(self, value: Expr) -> Expr:
         """With the names of `where` replaced; inside functions nothing is expanded that they do not hold."""
