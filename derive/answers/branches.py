@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -9,7 +10,6 @@ from itertools import islice
 
 from flint import arb
 
-from derive.algebra.text import text
 from derive.answers.comparing import (
     AGREES,
     ENOUGH,
@@ -23,7 +23,7 @@ from derive.answers.comparing import (
     unproved,
 )
 from derive.answers.diagnosing import diagnose
-from derive.answers.points import Names, Point, apart, distance, turning, unknowns, value_at
+from derive.answers.points import Names, Point, apart, distance, shown, turning, unknowns, value_at
 from derive.answers.regions import proved_around
 from derive.expression import PI, Call, Degrees, Expr, Symbol, walk
 
@@ -172,13 +172,16 @@ class Sets:
         return distance(theirs, ours, name in self.angles) > most * 1.000001
 
     def _points(self) -> Iterable[Point]:
-        trees = [*_values(self.published), *_values(self.derived)]
-        names = {**self.terms.published, **self.terms.derived}
-        for solution in (*self.published, *self.derived):
-            names.update(_definitions(solution))
-        free = frozenset().union(*(unknowns(tree, names) for tree in trees)) if trees else frozenset()
-        sampling = self.terms.sampling
-        return replace(sampling, signed=sampling.signed | turning(trees, names)).usual(free, TRIED)
+        free, signed = set[str](), self.terms.sampling.signed
+        for side, known in ((self.published, self.terms.published), (self.derived, self.terms.derived)):
+            for solution in side:
+                names = {
+                    **known,
+                    **_definitions(solution),
+                }  # an unknown of one solution may be free in another
+                free = free.union(*(unknowns(tree, names) for tree in solution.values()))
+                signed |= turning(solution.values(), names)
+        return replace(self.terms.sampling, signed=signed).usual(free, TRIED)
 
     def _numbers(self, solution: Solution, names: Names, point: Point) -> Numbers | None:
         """The values at a point; None where one of them is not real."""
@@ -195,28 +198,32 @@ class Sets:
         choice = list(spare) or list(range(len(self.derived)))
         if not choice:
             return Paired(solution, None, Finding("differs", note="there is no solution"))
-        nearest = max(choice, key=lambda j: (self._agreeing(solution, self.derived[j]), -j))
-        finding = next((found for sample in self.samples if (found := self._shown(k, choice, sample))), None)
+        nearest = max(choice, key=lambda j: (self._agreeing(solution, self.derived[j]), -self._gap(k, j)))
+        finding = next((found for sample in self.samples if (found := self._shown(k, nearest, sample))), None)
+        ours = self.derived[nearest]
         if finding is None:
-            return Paired(solution, self.derived[nearest], Finding("undecided", note=self._why(k)))
-        return Paired(
-            solution, self.derived[nearest], finding, self._diagnosis(solution, self.derived[nearest])
-        )
+            return Paired(solution, ours, Finding("undecided", note=self._why(k)))
+        return Paired(solution, ours, finding, self._diagnosis(solution, ours))
 
-    def _shown(self, k: int, choice: Sequence[int], sample: Sample) -> Finding | None:
-        """A point at which it is none of the solutions, the unknown that differs from the nearest, and both
-        values."""
-        theirs = sample.published[k]
+    def _gap(self, k: int, j: int) -> float:
+        """How far two solutions are apart where both are real."""
+        for sample in self.samples:
+            theirs, ours = sample.published[k], sample.derived[j]
+            if theirs and ours:
+                return sum(distance(theirs[n], ours[n], n in self.angles) for n in theirs if n in ours)
+        return math.inf
+
+    def _shown(self, k: int, nearest: int, sample: Sample) -> Finding | None:
+        """A point at which it is none of the solutions, with an unknown that differs from the nearest one and
+        both values."""
+        theirs, ours = sample.published[k], sample.derived[nearest]
         if not theirs or any(self._same(k, j, sample) for j in range(len(self.derived))):
             return None
-        different = {j: self._different(k, j, sample) for j in choice if sample.derived[j]}
-        near = min(
-            (j for j, names in different.items() if names), key=lambda j: len(different[j]), default=None
-        )
-        if near is None:
+        different = self._different(k, nearest, sample)
+        if not ours or not different:
             return Finding("differs", sample.point)
-        name = different[near][0]
-        values = float(theirs[name].mid()), float((sample.derived[near] or {})[name].mid())
+        name = different[0]
+        values = float(theirs[name].mid()), float(ours[name].mid())
         return Finding("differs", sample.point, values, f"in {name}")
 
     def _why(self, k: int) -> str:
@@ -241,8 +248,9 @@ class Sets:
     def _missing(self, partners: Mapping[int, int]) -> list[Paired]:
         """Derived solutions that are none of the published ones at some point."""
         found = []
+        special = [_is_special(solution) for solution in self.derived]
         for j, solution in enumerate(self.derived):
-            if j in partners or _is_special(solution):
+            if j in partners or (special[j] and not all(special)):
                 continue
             for sample in self.samples:
                 if sample.derived[j] and not any(
@@ -273,9 +281,11 @@ def angles_among(solutions: Iterable[Solution], known: frozenset[str]) -> frozen
     return frozenset(found)
 
 
-def written(solution: Solution | None) -> str:
-    """theta1 = ..., theta2 = ..."""
-    return ", ".join(f"{name} = {text(value)}" for name, value in (solution or {}).items())
+def written(solution: Solution | None, evaluated: bool = False) -> str:
+    """theta1 = ..., theta2 = ...; in numbers where the question asks for numbers."""
+    values = solution or {}
+    names = _definitions(values) if evaluated else {}
+    return ", ".join(f"{name} = {shown(value, names, evaluated)}" for name, value in values.items())
 
 
 def _is_angular(node: Expr) -> bool:
@@ -290,7 +300,3 @@ def _is_special(solution: Solution) -> bool:
 def _definitions(solution: Solution) -> dict[Expr, Expr]:
     """The unknowns by their values, those that are free left out."""
     return {Symbol(n): value for n, value in solution.items() if Symbol(n) not in walk(value)}
-
-
-def _values(solutions: Iterable[Solution]) -> list[Expr]:
-    return [value for solution in solutions for value in solution.values()]

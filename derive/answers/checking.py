@@ -15,6 +15,7 @@ from derive.answers.comparing import Finding, Terms, Verdict, compare
 from derive.answers.diagnosing import SHAPE, TRANSPOSED, diagnose
 from derive.answers.findings import Check, as_typed
 from derive.answers.moved import moved, same, transposed, turned
+from derive.answers.points import shown, unknowns
 from derive.answers.published import Published
 from derive.answers.reading import Reader
 from derive.answers.solutions import Solutions, put_in
@@ -100,13 +101,12 @@ class Compared(Asked):
             yield self._one(name, (), theirs, ours, terms)
 
     def _at_point(self, published: Published, result: Expr) -> Expr | None:
-        """The result at the point the question evaluates, where the answer is in numbers: nothing in it is in
-        what has a value there."""
-        if not self.point or free_symbols(published.tree) & {
-            name.name for name in self.point if isinstance(name, Symbol)
-        }:
+        """The result at the point the question evaluates, where the answer is in numbers: nothing in it
+        depends on what has a value there."""
+        given = {name.name for name in self.point if isinstance(name, Symbol)}
+        if self.evaluate is None or unknowns(published.tree, self.terms.published) & given:
             return None
-        return replaced(replaced(result, self.given.names), self.point) if free_symbols(result) else result
+        return replaced(result, self.point)
 
     def terms_of(self, name: str) -> Terms:
         """A step of the working may be in terms of names defined there; a result is not."""
@@ -127,11 +127,13 @@ class Compared(Asked):
         told = self._told(theirs, ours, terms)
         if told is None:
             finding = Finding("undecided", note=NOTHING)
-            return self._check(name, entry, finding, as_typed(theirs.tree), text(ours), "")
+            return self._check(
+                name, entry, finding, as_typed(theirs.tree), shown(ours, {}, terms.evaluated), ""
+            )
         tree, finding = told
         if finding.verdict == "differs" and slip is None:
             slip = diagnose(tree, ours, terms)
-        return self._check(name, entry, finding, as_typed(tree), text(ours), slip or "")
+        return self._check(name, entry, finding, as_typed(tree), shown(ours, {}, terms.evaluated), slip or "")
 
     def _told(self, theirs: Published, ours: Expr, terms: Terms) -> tuple[Expr, Finding] | None:
         """The worst that is found about the parts of a chain that say something; None where none does."""
@@ -202,12 +204,12 @@ class Compared(Asked):
             given=self.reached,
             signed=self.terms.sampling.signed | self.own - self._sizes,
         )
-        terms = replace(self.terms, sampling=sampling, evaluated=bool(self.point))
+        terms = replace(self.terms, sampling=sampling, evaluated=self.evaluate is not None)
         angles = angles_among([*(each for several in readings for each in several), *derived], known)
         short = () if self.point else tuple(put_in(each.short, each.values) for each in result)
         sets = Sets(chosen(readings, derived, terms, angles), derived, terms, angles, short)
         for k, pair in enumerate(sets.paired(), 1):
-            theirs, ours = written(pair.published), written(pair.derived)
+            theirs, ours = written(pair.published), written(pair.derived, terms.evaluated)
             yield self._check(name, (k,), pair.finding, theirs, ours, pair.diagnosis)
 
     @cached_property

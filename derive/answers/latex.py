@@ -316,6 +316,10 @@ class _Parser(GridReader):
         if self.next.kind == "sign" and self.next.text == "^":
             self.take()
             exponent = self.argument_group()
+        if function == "atan" and self.next.text == "_" and group_text(self.tokens, self.at + 1) == "2":
+            function = "atan2"  # as SymPy prints it
+            self.take()
+            self.skip_group()
         if function == "atan2":
             return self.atan2(name, token)
         argument = self.argument()

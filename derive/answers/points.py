@@ -11,6 +11,7 @@ from fractions import Fraction
 from flint import arb, ctx, fmpq
 
 from derive.algebra.precise import precise
+from derive.algebra.text import text
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Symbol, children, free_symbols, walk
 
@@ -48,6 +49,12 @@ def value_at(tree: Expr, names: Names, point: Point) -> arb | None:
             return None
         sharp = value.is_finite() and float(value.rad()) <= SHARP * max(1.0, abs(float(value.mid())))
         return value if sharp else None
+
+
+def shown(tree: Expr, names: Names, evaluated: bool) -> str:
+    """A scalar as text; as a number where numbers are wanted and it is one."""
+    number = value_at(tree, names, {}) if evaluated and not unknowns(tree, names) else None
+    return text(tree) if number is None else f"{float(number.mid()):.9g}"
 
 
 def has_none_at(tree: Expr, names: Names, point: Point) -> bool:

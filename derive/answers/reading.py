@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, TypeAlias
@@ -129,7 +130,8 @@ def _tight(text: str, tree: Expr, letters: Letters) -> Expr | None:
     return found.tight if found.tree == tree else None
 
 
-def _read_formula(text: str, letters: Letters) -> Expr:
+def _read_formula(typed: str, letters: Letters) -> Expr:
+    text = re.sub(r"\bAbs(?=\()", "abs", typed)  # as SymPy writes it, and our own JSON
     found = tokens(text, MAX_TEXT)
     foreign = {token.text: token.offset for token in found[::-1] if token.kind == "name"}
     units = any(name in UNITS and not letters.find(name) for name in foreign)
