@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable
 
 from derive.render.author_writers import LatexWriter, MarkdownWriter, Writer
-from derive.render.plain_text import latex_text, markdown_text
+from derive.render.plain_text import latex_text, markdown_formula, markdown_text
 
 FORMULA = re.compile(r"(?<!\\)\$([^$\n]+(?:\n[^$\n]+)*)\$")
 MARKUP = re.compile(r"[\\`*_\[\]<>#$&~|]|^\s*(?:[-+=>]|\d+[.)])|^(?: {4}|\t)| {2}$", re.MULTILINE)
@@ -18,20 +18,22 @@ MARKUP = re.compile(r"[\\`*_\[\]<>#$&~|]|^\s*(?:[-+=>]|\d+[.)])|^(?: {4}|\t)| {2
 
 def markdown_prose(text: str) -> str:
     """An author's text as Markdown that means the same to every reader of Markdown."""
-    return _plain(text, markdown_text) or _blocks(text, MarkdownWriter())
+    return _plain(text, markdown_text, markdown_formula) or _blocks(text, MarkdownWriter())
 
 
 def latex_prose(text: str) -> str:
     """An author's text as LaTeX."""
-    return _plain(text, latex_text) or _blocks(text, LatexWriter())
+    return _plain(text, latex_text, str.strip) or _blocks(text, LatexWriter())
 
 
-def _plain(text: str, escape: Callable[[str], str]) -> str:
+def _plain(text: str, escape: Callable[[str], str], formula: Callable[[str], str]) -> str:
     """Text that is nothing but paragraphs and formulas, or "" where there is more to it."""
     pieces = FORMULA.split(text.strip())
     if any(map(MARKUP.search, pieces[::2])):
         return ""
-    return "".join(f"${piece.strip()}$" if place % 2 else escape(piece) for place, piece in enumerate(pieces))
+    return "".join(
+        f"${formula(piece)}$" if place % 2 else escape(piece) for place, piece in enumerate(pieces)
+    )
 
 
 def _blocks(text: str, writer: Writer) -> str:

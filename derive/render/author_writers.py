@@ -6,7 +6,7 @@ import re
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from derive.render.plain_text import latex_text, markdown_text
+from derive.render.plain_text import latex_text, markdown_formula, markdown_text
 
 if TYPE_CHECKING:
     from markdown_it.tree import SyntaxTreeNode
@@ -28,6 +28,9 @@ class Writer:
 
     def link(self, text: str, address: str) -> str:
         raise NotImplementedError
+
+    def formula(self, tex: str) -> str:
+        return tex.strip()
 
     def display(self, formula: str) -> str:
         raise NotImplementedError
@@ -64,7 +67,7 @@ class Writer:
             case "text" | "text_special":
                 return self.text(node.content)
             case "math_inline":
-                return f"${node.content.strip()}$"
+                return f"${self.formula(node.content)}$"
             case "math_inline_double":
                 return self.display(node.content.strip())
             case "softbreak" | "hardbreak":
@@ -113,8 +116,11 @@ class MarkdownWriter(Writer):
     def link(self, text: str, address: str) -> str:
         return f"[{text}](<{address}>)"
 
+    def formula(self, tex: str) -> str:
+        return markdown_formula(tex)
+
     def display(self, formula: str) -> str:
-        return f"\n\n$$\n{formula}\n$$\n\n"
+        return f"\n\n$$\n{self.formula(formula)}\n$$\n\n"
 
     def listed(self, items: list[str], ordered: bool) -> str:
         marks = [f"{place}. " if ordered else "- " for place in range(1, len(items) + 1)]

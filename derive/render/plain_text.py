@@ -28,12 +28,18 @@ LATEX = str.maketrans(
     }
 )  # fmt: skip
 MARKDOWN_SPECIAL = re.compile(r"([\\`*_\[\]<>$~|])|&(?=#?\w+;)")
+TAG_OR_LINK = re.compile(r"<(?=[A-Za-z/!?])|\](?=\()")
 MARKDOWN_LINE_START = re.compile(r"^(\s*)(?:([#+\-=])|(\d+)([.)]))", re.MULTILINE)
 
 
 def latex_text(text: str) -> str:
     """Text for a LaTeX paragraph; Greek letters and signs pdflatex has no text glyph for become math."""
     return text.translate(LATEX)
+
+
+def markdown_formula(tex: str) -> str:
+    """TeX between dollars in Markdown; where mathematics is not known it holds no tag and no link."""
+    return TAG_OR_LINK.sub(r"\g<0> ", tex.strip())
 
 
 def markdown_text(text: str, continues: bool = False) -> str:

@@ -13,6 +13,7 @@ from typing import Annotated, TypeAlias
 from pydantic import AfterValidator
 
 from derive.errors import FormulaError
+from derive.sheet.tex_structure import check_structure
 
 MAX_TEXT = 20_000
 _COMMANDS = """
@@ -23,7 +24,7 @@ _COMMANDS = """
     arg gcd operatorname mathrm mathbf mathit mathsf mathtt mathbb mathcal mathfrak boldsymbol bm text
     textbf textit textrm frac dfrac tfrac sqrt sum prod int oint iint binom
     hat bar vec dot ddot dddot tilde check acute grave breve widehat widetilde overline underline
-    overrightarrow overbrace underbrace overset underset stackrel prime circ degree bullet star ast dagger
+    overrightarrow overbrace underbrace overset underset stackrel prime circ bullet star ast dagger
     top bot cdot times div pm mp oplus otimes wedge vee cap cup setminus
     leq geq le ge ll gg neq ne equiv approx cong sim simeq propto parallel perp mid in notin ni subset
     supset subseteq supseteq forall exists neg land lor implies iff to gets mapsto rightarrow leftarrow
@@ -61,7 +62,7 @@ def check_text(text: str) -> str:
 
 
 def check_mathematics(tex: str, offset: int = 0) -> None:
-    """Whether TeX holds only commands of the list, and closes its braces. Raises FormulaError."""
+    """Whether TeX holds only commands of the list, put together as they must be. Raises FormulaError."""
     for command in _COMMAND.finditer(tex):
         name = command[1]
         if name.isalpha() and name not in COMMANDS:
@@ -74,20 +75,7 @@ def check_mathematics(tex: str, offset: int = 0) -> None:
         if environment[1].rstrip("*") not in ENVIRONMENTS:
             hint = _hint(environment[1], ENVIRONMENTS)
             raise FormulaError(f"no environment '{environment[1]}' here", offset + environment.start(1), hint)
-    _check_braces(tex, offset)
-
-
-def _check_braces(tex: str, offset: int) -> None:
-    depth = 0
-    for place, char in enumerate(tex):
-        if char in "{}" and (place == 0 or tex[place - 1] != "\\"):
-            depth += 1 if char == "{" else -1
-        if depth < 0:
-            raise FormulaError("a } without its {", offset + place)
-        if char == "%" and (place == 0 or tex[place - 1] != "\\"):
-            raise FormulaError("% begins a comment in TeX", offset + place, "write \\%")
-    if depth:
-        raise FormulaError("a brace { is never closed", offset + tex.rindex("{"), "write the missing }")
+    check_structure(tex, offset)
 
 
 def _check_prose(prose: str, offset: int) -> None:
@@ -106,6 +94,8 @@ def _check_prose(prose: str, offset: int) -> None:
 
 
 def _instead(name: str) -> str:
+    if name in ("degree", "deg"):
+        return r"write ^\circ"
     return _hint(name, COMMANDS, "\\")
 
 
