@@ -65,7 +65,7 @@ def tree(form: Form, decimals: bool = False) -> Expr:
 def _read(expr: Expr, signals: frozenset[Symbol], decimals: bool) -> Form:
     inside = free_symbols(expr) & {signal.name for signal in signals}
     if not inside:
-        value = Ratio.of(expr)
+        value = Ratio.of(expr, decimals)
         return {UNIT: value} if value else {}
     match expr:
         case Symbol():
@@ -75,7 +75,7 @@ def _read(expr: Expr, signals: frozenset[Symbol], decimals: bool) -> Form:
         case Product(factors):
             return _of_product(factors, signals, decimals)
         case Quotient(top, bottom) if not free_symbols(bottom) & inside:
-            return combined([(Ratio.of(bottom).inverse(), _read(top, signals, decimals))], decimals)
+            return combined([(Ratio.of(bottom, decimals).inverse(), _read(top, signals, decimals))], decimals)
         case Power(base, exponent) if exponent == multiply():
             return _read(base, signals, decimals)
     raise NotDerivable(f"{text(expr)} is not linear in {', '.join(sorted(inside))}")
@@ -86,5 +86,5 @@ def _of_product(factors: tuple[Expr, ...], signals: frozenset[Symbol], decimals:
     holders = [factor for factor in factors if free_symbols(factor) & names]
     if len(holders) > 1:
         raise NotDerivable(f"{text(Product(factors))} is a product of signals")
-    scale = Ratio.of(multiply(*(factor for factor in factors if factor is not holders[0])))
+    scale = Ratio.of(multiply(*(factor for factor in factors if factor is not holders[0])), decimals)
     return combined([(scale, _read(holders[0], signals, decimals))], decimals)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import reduce
+from functools import lru_cache, reduce
 from math import lcm
 from typing import TypeAlias
 
@@ -14,6 +14,7 @@ from flint import fmpq
 from derive.algebra.normal import normal
 from derive.algebra.numeric import scalar_number
 from derive.algebra.readable import readable
+from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar, as_fraction, common_ring
 from derive.algebra.terms import Style
 from derive.control.exact import common, divided, stripped
@@ -119,12 +120,27 @@ class Rational:
 def at(coefficients: Iterable[Scalar], names: Mapping[Expr, Expr]) -> list[Scalar]:
     """With names replaced, those inside roots and functions too."""
     values = {name.name: normal(name, names) for name in names if isinstance(name, Symbol)}
-    return [k.substitute(values) if _is_plain(k) else normal(readable(k), names) for k in coefficients]
+
+    def is_inside(k: Scalar) -> bool:
+        """Whether one of the names stands inside a root or a function."""
+        return any(
+            _letters(k.ring, each) & values.keys() for each in k.generators() if not each.isidentifier()
+        )
+
+    return [normal(readable(k), names) if is_inside(k) else k.substitute(values) for k in coefficients]
 
 
 def names_in(coefficients: Iterable[Scalar]) -> frozenset[str]:
     """The symbols, those inside roots and functions too."""
-    return frozenset(name for k in coefficients if k for name in free_symbols(readable(k)))
+    return frozenset(
+        name for k in coefficients if k for each in k.generators() for name in _letters(k.ring, each)
+    )
+
+
+@lru_cache(maxsize=1024)
+def _letters(home: Ring, generator: str) -> frozenset[str]:
+    """The symbols of one generator."""
+    return free_symbols(readable(Scalar(home, home.gen(generator))))
 
 
 def polynomial(value: Scalar) -> Polynomial:

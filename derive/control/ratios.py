@@ -26,6 +26,7 @@ from derive.expression import (
     multiply,
     negate,
     number,
+    walk,
 )
 
 S = Symbol("s")
@@ -41,17 +42,23 @@ class Ratio:
     bottom: Factors = ()
 
     @staticmethod
-    def of(expr: Expr) -> Ratio:
-        """A tree taken apart into its factors."""
+    def of(expr: Expr, decimals: bool = False) -> Ratio:
+        """A tree taken apart into its factors; a sum with s in a denominator over a common one."""
+
+        def part(inner: Expr) -> Ratio:
+            return Ratio.of(inner, decimals)
+
         match expr:
             case Number(value):
                 return Ratio(value)
             case Product(factors):
-                return reduce(Ratio.__mul__, map(Ratio.of, factors))
+                return reduce(Ratio.__mul__, map(part, factors))
             case Quotient(top, bottom):
-                return Ratio.of(top) / Ratio.of(bottom)
+                return part(top) / part(bottom)
             case Power(base, Number(power)) if power.denominator == 1:
-                return Ratio.of(base).raised(int(power))
+                return part(base).raised(int(power))
+            case Sum(terms) if _has_s_below(expr):
+                return total(map(part, terms), decimals)
             case Sum() if normal(expr) == 0:
                 return Ratio(Fraction(0))
             case _:
@@ -116,6 +123,15 @@ def total(ratios: Iterable[Ratio], decimals: bool = False) -> Ratio:
     if normal(inner) == 0:
         return Ratio(Fraction(0))
     return Ratio(Fraction(sign), (*common, (inner, 1))) / Ratio(top=bottom)
+
+
+def _has_s_below(expr: Expr) -> bool:
+    """Whether some denominator in it holds s."""
+    return any(
+        (isinstance(node, Quotient) and S.name in free_symbols(node.denominator))
+        or (isinstance(node, Power) and is_negative(node.exponent) and S.name in free_symbols(node.base))
+        for node in walk(expr)
+    )
 
 
 def _terms(expr: Expr) -> tuple[Expr, ...]:

@@ -9,12 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
-from flint import acb, acb_poly, arb, ctx, fmpq
+from flint import acb, acb_poly, arb, ctx, fmpq, fmpq_mpoly
 
 from derive.algebra.precise import precise
 from derive.algebra.readable import readable
+from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar
 from derive.algebra.text import text
 from derive.control.exact import Coefficients, field, square_free, symmetric
@@ -58,7 +60,24 @@ def number_ball(value: Any) -> arb:
     """A number of the field of coefficients, at the working precision of FLINT."""
     if isinstance(value, fmpq):
         return arb(value)
-    return precise(readable(value), {}) if value else arb(0)
+    top = _polynomial_ball(value.numerator, value.ring)
+    return top if value.denominator is None else top / _polynomial_ball(value.denominator, value.ring)
+
+
+def _polynomial_ball(polynomial: fmpq_mpoly, home: Ring) -> arb:
+    total = arb(0)
+    for exponents, coefficient in polynomial.terms():
+        term = arb(coefficient)
+        for name, power in zip(home.names, exponents, strict=True):
+            term = term * _generator_ball(home, name, ctx.prec) ** int(power) if power else term
+        total = total + term
+    return total
+
+
+@lru_cache(maxsize=1024)
+def _generator_ball(home: Ring, name: str, bits: int) -> arb:
+    """The value of a generator that is a number, at the working precision of so many bits."""
+    return precise(readable(Scalar(home, home.gen(name))), {})
 
 
 def sign(value: Any) -> int:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from derive.control.delays import Delay
 from derive.expression import Expr, Symbol
 
 
@@ -19,7 +20,8 @@ class Equation:
 class System:
     """Equations linear in their signals; `disturbance` is zero in the transfer function.
 
-    `motor` says in words' terms which motor it is ("armature", "angle"), empty for any other.
+    `motor` says in words' terms which motor it is ("armature", "angle"), empty for any other. `delays` are
+    those in whose place the equations have fractions.
     """
 
     equations: tuple[Equation, ...]
@@ -27,3 +29,4 @@ class System:
     output: Symbol
     disturbance: Symbol | None = None
     motor: tuple[str, ...] = ()
+    delays: tuple[Delay, ...] = ()

@@ -105,5 +105,9 @@ def test_what_is_refused() -> None:
         ask(system("y = s*u"))
     with pytest.raises(NotDerivable, match="no memory"):
         ask(system("y = 2*u"))
-    with pytest.raises(NotDerivable, match="no value is known for"):
-        ask(motor("armature", "speed"), evaluate={"J": "1"})
+
+
+def test_symbols_may_be_left_without_a_value() -> None:
+    found = ask(motor("armature", "speed"), evaluate={"J": "2", "K_m": "10", "L_a": "1", "R_a": "4"})
+    assert found.evaluated["A"] == [["-b/2", 5], ["-K_b", -4]]
+    assert "poles" not in found.evaluated

@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from derive.algebra.numeric import scalar_number
+from derive.algebra.readable import readable
+from derive.algebra.scalar import Scalar
 from derive.algebra.terms import Style
+from derive.algebra.text import text
 from derive.control.elimination import Solution, solve
-from derive.control.rational import Polynomial, Rational
+from derive.control.rational import Polynomial, Rational, S, names_in
 from derive.control.roots import as_json, isolated, roots
 from derive.control.system import System
-from derive.derivation import Derivation
+from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     Approximate,
     Expr,
     Number,
+    Power,
     Product,
     Sum,
     Symbol,
@@ -25,6 +30,7 @@ from derive.expression import (
     number,
     walk,
 )
+from derive.kinds.checks import law
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
 
@@ -63,12 +69,17 @@ class Plant:
 
     def numeric(self, rational: Rational) -> Rational:
         """At the point. Raises NotDerivable where a name has no value."""
-        value = rational.at({**self.problem.names, **self.point})
+        value = self.there(rational)
         if missing := sorted(value.symbols()):
             raise NotDerivable(f"no value is known for {', '.join(missing)}: give it under evaluate")
+        return value
+
+    def there(self, rational: Rational) -> Rational:
+        """At the point, which may leave names without a value."""
+        value = rational.at({**self.problem.names, **self.point})
         if not value.den:
             raise NotDerivable("the denominator is zero at these values")
-        return value
+        return value.reduced() if value.num and value.symbols() else value
 
 
 def plant(problem: Problem, source: str | None, point: Place | None, typed: Iterable[Expr] = ()) -> Plant:
@@ -85,6 +96,19 @@ def plant(problem: Problem, source: str | None, point: Place | None, typed: Iter
     return Plant(problem, solution, Rational.of(solution.ratio), style, values)
 
 
+def delay_steps(system: System) -> Iterator[Step]:
+    """The fractions that stand for delays."""
+    for place, delay in enumerate(system.delays, 1):
+        facts = {"typed": delay.typed, "order": delay.order, "last": Power(S, number(2 * delay.order))}
+        yield Step(f"delay_{place}", (delay.fraction,), "delay", facts)
+
+
+def delay_claims(system: System) -> Iterator[Claim]:
+    for delay in system.delays:
+        claim = f"the fraction has the series of {text(delay.typed)} up to s^{2 * delay.order}"
+        yield law(claim, delay.agrees())
+
+
 def asked(problem: Problem, kind: str, **options: Any) -> Derivation:
     """The derivation of a question: the sheet's own, whatever it is evaluated at, if the sheet asks it."""
     for name, given in (*problem.questions, *problem.derived):
@@ -94,9 +118,20 @@ def asked(problem: Problem, kind: str, **options: Any) -> Derivation:
 
 
 def transfer_json(rational: Rational) -> dict[str, Any]:
-    """{"num", "den", "poles", "zeros"} of a numeric transfer function, common factors kept."""
-    num, den = rational.numbers()
-    return {"num": num or [0.0], "den": den, "poles": poles_json(rational), "zeros": zeros_json(rational)}
+    """{"num", "den", "poles", "zeros"} of a transfer function; the first two where symbols are left."""
+    values = {"num": mixed(rational.num) or [0.0], "den": mixed(rational.den)}
+    if rational.symbols():
+        return values
+    return {**values, "poles": poles_json(rational), "zeros": zeros_json(rational)}
+
+
+def mixed(coefficients: Iterable[Scalar]) -> list[float | str]:
+    """Each as a float, or as text in the symbols that have no value."""
+    return [_float_or_text(k) if k else 0.0 for k in coefficients]
+
+
+def _float_or_text(value: Scalar) -> float | str:
+    return text(readable(value)) if names_in([value]) else scalar_number(value, {})
 
 
 def poles_json(rational: Rational) -> list[Any]:

@@ -174,19 +174,18 @@ def _evaluated(found: Closed, options: Options) -> tuple[dict[str, Any], dict[st
     if options.evaluate is None:
         return {}, {"numeric": None}
     solved = found.plant
-    numeric, whole = solved.numeric(found.reduced), solved.numeric(found.transfer)
-    controller = solved.numeric(found.loop.controller)
-    poles = roots(numeric.den)
-    zeros = roots(numeric.num) if numeric.num else ()
-    values = {
-        "C": transfer_json(controller),
-        "T": transfer_json(numeric),
-        "poles": poles_json(numeric),
-        "zeros": zeros_json(numeric),
-    }
-    return values, {
+    numeric, controller = solved.there(found.reduced), solved.there(found.loop.controller)
+    functions = {"C": transfer_json(controller), "T": transfer_json(numeric)}
+    told = {
         "numeric": (solved.named("T"), numeric.expr(solved.style)),
         "point": point_chains(options.evaluate, solved.problem.where),
+    }
+    if numeric.symbols():
+        return functions, told
+    whole = solved.numeric(found.transfer)
+    poles, zeros = roots(numeric.den), roots(numeric.num) if numeric.num else ()
+    return {**functions, "poles": poles_json(numeric), "zeros": zeros_json(numeric)}, {
+        **told,
         "poles": tuple(map(root_tree, poles)),
         "zeros": tuple(map(root_tree, zeros)),
         "verdict": verdict(whole.den),

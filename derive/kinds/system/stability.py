@@ -8,7 +8,7 @@ from typing import Any
 from derive.algebra.kernels import root
 from derive.algebra.numeric import scalar_number
 from derive.algebra.operations import operations
-from derive.algebra.polynomials import coefficients, known_sign
+from derive.algebra.polynomials import coefficients, known_sign, odd_part
 from derive.algebra.readable import readable
 from derive.algebra.scalar import Scalar
 from derive.algebra.text import text
@@ -33,6 +33,7 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._options import ControllerField
 from derive.kinds.system._plant import (
+    mixed,
     point_chains,
     poles_json,
     root_tree,
@@ -226,9 +227,17 @@ def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], dict[s
     if options.evaluate is None:
         return {}, {"numeric": None}
     solved = answer.plant
-    numeric = solved.numeric(Rational((), answer.final))
-    poles = roots(numeric.den)
+    numeric = solved.there(Rational((), answer.final))
     place = {**solved.problem.names, **solved.point}
+    rows = _rows_at(answer, place)
+    array = {"routh": rows} if rows else {}
+    told = {
+        "numeric": (_delta(answer), collected(numeric.den, solved.style)),
+        "point": point_chains(options.evaluate, {}),
+    }
+    if numeric.symbols():
+        return {**array, "conditions": _left(answer, place)}, told
+    poles = roots(numeric.den)
     met = [each > 0 for each in signs_at(answer.conditions, place)]
     values: dict[str, Any] = {
         "conditions": met,
@@ -236,22 +245,30 @@ def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], dict[s
         "stable": verdict(numeric.den) == "stable",
         "unstable_poles": right_of_axis(poles),
     }
-    rows = _rows_at(answer, place)
-    return ({"routh": rows} if rows else {}) | values, {
-        "numeric": (_delta(answer), collected(numeric.den, solved.style)),
-        "point": point_chains(options.evaluate, {}),
+    return {**array, **values}, {
+        **told,
         "poles": tuple(map(root_tree, poles)),
         "at_point": verdict(numeric.den),
         "failing": tuple(each for each, holds in zip(answer.written, met, strict=True) if not holds),
     }
 
 
-def _rows_at(answer: Answer, place: Mapping[Expr, Expr]) -> list[list[float]] | None:
+def _left(answer: Answer, place: Mapping[Expr, Expr]) -> list[bool | str]:
+    """Each condition as far as it is decided there, else as an inequality in the symbols left."""
+    signs = [known_sign(each, answer.positive) for each in at(answer.conditions, place)]
+    left = _written(answer, [odd_part(each, answer.positive) for each in at(answer.conditions, place)])
+    return [
+        f"{text(c.left)} {c.sign} {text(c.right)}" if known is None else known > 0
+        for c, known in zip(left, signs, strict=True)
+    ]
+
+
+def _rows_at(answer: Answer, place: Mapping[Expr, Expr]) -> list[list[float | str]] | None:
     """The array in numbers; None where it needs its special cases there."""
     try:
         rows = [at(row.entries, place) for row in answer.array.rows]
     except ZeroDivisionError:
         return None
-    if names_in(k for row in rows for k in row):  # the small number
+    if answer.array.epsilon in names_in(k for row in rows for k in row):
         return None
-    return [[scalar_number(k, {}) if k else 0.0 for k in row] for row in rows]
+    return [mixed(row) for row in rows]

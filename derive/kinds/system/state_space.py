@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import Any
 
-from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numeric import matrix_numbers
 from derive.algebra.readable import readable, readable_matrix
 from derive.control.elimination import without
 from derive.control.hidden import hidden
-from derive.control.rational import Rational
+from derive.control.rational import names_in
 from derive.control.rational import written as collected
 from derive.control.roots import as_json, roots
 from derive.control.states import ORDERS, Law
 from derive.control.states import written as written_form
 from derive.control.system import System
 from derive.derivation import Derivation, Step
-from derive.errors import NotDerivable
 from derive.expression import (
     Expr,
     Product,
@@ -32,7 +29,16 @@ from derive.kinds.checks import links
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.system._plant import Plant, asked, point_chains, root_tree, verdict
+from derive.kinds.system._plant import (
+    Plant,
+    asked,
+    delay_claims,
+    delay_steps,
+    mixed,
+    point_chains,
+    root_tree,
+    verdict,
+)
 from derive.kinds.system._state_checks import characteristic_of, claims_of
 from derive.kinds.system._states import MATRICES, Answer, answered, readable_form
 
@@ -69,7 +75,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     steps = tuple(_steps(answer))
     definitions = _definitions(answer)
     results = {name: problem.final(readable_form(answer, name)) for name in MATRICES}
-    claims = (*links(steps, {**problem.names, **definitions}), *claims_of(answer))
+    claims = (*links(steps, {**problem.names, **definitions}), *delay_claims(system), *claims_of(answer))
     evaluated, numbers = _evaluated(answer, options)
     return Derivation(
         "state-space", steps, results, claims, definitions, evaluated, uses=base,
@@ -83,6 +89,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
 def _steps(answer: Answer) -> Iterator[Step]:
     if answer.is_physical:
         if not any(kind == "transfer-function" for kind, _ in answer.plant.problem.questions):
+            yield from delay_steps(answer.plant.system)
             yield from _given(answer.plant)
         for rule, laws in (("algebraic", answer.space.algebraic), ("rate", answer.space.rates)):
             yield from (_law(answer, each, rule) for each in laws)
@@ -183,25 +190,22 @@ def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], dict[s
     if options.evaluate is None:
         return {}, {"numeric": ()}
     solved = answer.plant
-    solved.numeric(Rational(answer.transfer.num, answer.transfer.den))  # says which names have no value
+    solved.there(answer.transfer)  # says where there is none
     names = {**solved.problem.names, **solved.point}
-    numeric = {name: _at(answer, name, names) for name in MATRICES}
-    characteristic = characteristic_of(numeric["A"])
-    poles = roots(characteristic)
-    values = {name: matrix_numbers(matrix, {}) for name, matrix in numeric.items()}
-    return {**values, "poles": [as_json(pole) for pole in poles]}, {
+    numeric = {name: normal_matrix(readable_form(answer, name), names) for name in MATRICES}
+    values: dict[str, Any] = {name: [mixed(row) for row in matrix.rows] for name, matrix in numeric.items()}
+    told = {
         "numeric": tuple(
             (solved.named(name), readable_matrix(numeric[name], solved.style)) for name in MATRICES
         ),
         "point": point_chains(options.evaluate, solved.problem.where),
+    }
+    characteristic = characteristic_of(numeric["A"])
+    if names_in(characteristic):
+        return values, told
+    poles = roots(characteristic)
+    return {**values, "poles": [as_json(pole) for pole in poles]}, {
+        **told,
         "poles": tuple(map(root_tree, poles)),
         "verdict": verdict(characteristic),
     }
-
-
-def _at(answer: Answer, name: str, names: Mapping[Expr, Expr]) -> ScalarMatrix:
-    """A matrix at the point. Raises NotDerivable where a name has no value."""
-    found = normal_matrix(readable_form(answer, name), names)
-    if missing := sorted({each for k in found.entries for each in k.generators()} - {"pi"}):
-        raise NotDerivable(f"no value is known for {', '.join(missing)}: give it under evaluate")
-    return found

@@ -9,7 +9,7 @@ from pydantic import Field
 
 from derive.algebra.operations import operations
 from derive.control.elimination import Elimination, without
-from derive.control.rational import Rational, written
+from derive.control.rational import written
 from derive.control.roots import roots
 from derive.control.system import System
 from derive.derivation import Claim, Derivation, Step
@@ -21,6 +21,8 @@ from derive.kinds.problem import Problem
 from derive.kinds.system._oracle import agrees
 from derive.kinds.system._plant import (
     Plant,
+    delay_claims,
+    delay_steps,
     plant,
     point_chains,
     poles_json,
@@ -62,6 +64,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
 
 def _steps(solved: Plant) -> Iterator[Step]:
     system, solution = solved.system, solved.solution
+    yield from delay_steps(system)
     for place, equation in enumerate(system.equations, 1):
         yield Step(f"equation_{place}", (equation.left, equation.right), "given")
     for signal in solution.zero:
@@ -140,6 +143,7 @@ def _facts(solved: Plant) -> dict[str, Any]:
 
 def _claims(solved: Plant) -> Iterator[Claim]:
     rational = solved.rational
+    yield from delay_claims(solved.system)
     if rational.proper:
         yield law("G is proper: its denominator has at least the degree of its numerator", rational.proper)
     yield law("G times its denominator is its numerator", _multiplies(solved))
@@ -156,13 +160,17 @@ def _evaluated(solved: Plant, options: Options) -> tuple[dict[str, Any], dict[st
     """What goes to the JSON, and what the words print."""
     if options.evaluate is None:
         return {}, {"numeric": None}
-    numeric: Rational = solved.numeric(solved.rational.reduced())
-    poles = roots(numeric.den)
-    values = {"G": transfer_json(numeric), "poles": poles_json(numeric), "zeros": zeros_json(numeric)}
-    zeros = roots(numeric.num) if numeric.num else ()
-    return values, {
+    numeric = solved.there(solved.rational.reduced())
+    told = {
         "numeric": (solved.named("G"), numeric.expr(solved.style)),
         "point": point_chains(options.evaluate, solved.problem.where),
+    }
+    if numeric.symbols():
+        return {"G": transfer_json(numeric)}, told
+    poles, zeros = roots(numeric.den), roots(numeric.num) if numeric.num else ()
+    values = {"G": transfer_json(numeric), "poles": poles_json(numeric), "zeros": zeros_json(numeric)}
+    return values, {
+        **told,
         "poles": tuple(map(root_tree, poles)),
         "zeros": tuple(map(root_tree, zeros)),
         "verdict": verdict(numeric.den),

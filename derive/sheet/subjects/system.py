@@ -2,43 +2,111 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from typing import Annotated
 
 from pydantic import Field
 
-from derive.control.system import System
-from derive.errors import SheetErrors
-from derive.expression import Symbol, free_symbols
+from derive.algebra.text import text
+from derive.control.delays import delay_of, found_in, replaced
+from derive.control.system import Equation, System
+from derive.control.transcendental import Function, transcendental
+from derive.errors import FormulaError, SheetError, SheetErrors
+from derive.expression import Call, Matrix, Symbol, free_symbols, walk
 from derive.kinds.fields import EquationField, Name, OptionsModel
-from derive.sheet.faults import did_you_mean
+from derive.sheet.faults import did_you_mean, formula_fault
 from derive.sheet.source import At
 from derive.sheet.subjects.registry import Known
 
-HARMLESS = frozenset({"disturbance"})  # zero where it is not asked about
+# A disturbance is zero where it is not asked about; fractions for delays stand in the equations that every kind has.
+HARMLESS = frozenset({"disturbance", "delay"})
+
+
+class Approximation(OptionsModel):
+    """`pade`: the order of the fraction that takes the place of a delay e^(-T s)."""
+
+    pade: Annotated[int, Field(ge=1, le=6)]
 
 
 class Given(OptionsModel):
-    """The equations, and which of their signals drives, is observed, disturbs."""
+    """The equations, and which of their signals drives, is observed, disturbs; `delay` says what takes the
+    place of a delay."""
 
     equations: Annotated[list[EquationField], Field(min_length=1, max_length=100)]
     input: Name
     output: Name
     disturbance: Name | None = None
+    delay: Approximation | None = None
 
 
 def build(given: Given, at: At, known: Known) -> System:
-    """The system. Raises SheetErrors where a signal is in none of the equations."""
+    """The system. Raises SheetErrors where a signal is in none of the equations, and where s stands in what
+    is no ratio of polynomials."""
     sides = [side for equation in given.equations for side in (equation.left, equation.right)]
-    names = frozenset().union(*(free_symbols(side) for side in sides)) - {"s"}
-    signals = {"input": given.input, "output": given.output, "disturbance": given.disturbance}
-    faults = [
-        at.fault(f"{signal} is in none of the equations", (role,), did_you_mean(signal, names))
-        for role, signal in signals.items()
-        if signal is not None and signal not in names
-    ]
-    if given.input == given.output:
-        faults.append(at.fault("input and output are the same signal", ("output",)))
+    delays = found_in(Matrix((tuple(sides),)), given.delay.pade) if given.delay else ()
+    equations = tuple(Equation(replaced(e.left, delays), replaced(e.right, delays)) for e in given.equations)
+    faults = [*_signal_faults(given, at), *_function_faults(equations, given, at)]
+    if given.delay and not delays:
+        faults.append(at.fault("no equation holds a delay", ("delay",), "write one as exp(-T*s)"))
     if faults:
         raise SheetErrors(faults)
     disturbance = Symbol(given.disturbance) if given.disturbance else None
-    return System(tuple(given.equations), Symbol(given.input), Symbol(given.output), disturbance)
+    return System(equations, Symbol(given.input), Symbol(given.output), disturbance, delays=delays)
+
+
+def _signal_faults(given: Given, at: At) -> Iterator[SheetError]:
+    sides = [side for equation in given.equations for side in (equation.left, equation.right)]
+    names = frozenset().union(*(free_symbols(side) for side in sides)) - {"s"}
+    signals = {"input": given.input, "output": given.output, "disturbance": given.disturbance}
+    for role, signal in signals.items():
+        if signal is not None and signal not in names:
+            yield at.fault(f"{signal} is in none of the equations", (role,), did_you_mean(signal, names))
+    if given.input == given.output:
+        yield at.fault("input and output are the same signal", ("output",))
+
+
+# -- functions of s -----------------------------------------------------------------------------------
+
+
+def _function_faults(equations: Sequence[Equation], given: Given, at: At) -> Iterator[SheetError]:
+    """The first in each equation."""
+    for place, (equation, typed) in enumerate(zip(equations, given.equations, strict=True)):
+        route = ("equations", place)
+        found = next(
+            (each for side in (equation.left, equation.right) for each in transcendental(side)), None
+        )
+        if found is not None:
+            written, offset = _written(found, typed, at.value(route))
+            yield formula_fault(_fault(found, written, offset), at, route)
+
+
+def _fault(found: Function, written: str, offset: int) -> FormulaError:
+    if delay_of(found) is None:
+        hint = "put a ratio of polynomials in its place that is near to it where the system works"
+        return FormulaError(f"{written} is no ratio of polynomials in s", offset, hint)
+    hint = "add `delay: {pade: 2}` beside equations: to put a fraction of second order in its place"
+    return FormulaError(f"{written} is a delay, and no ratio of polynomials in s", offset, hint)
+
+
+def _written(found: Function, equation: Equation, typed: object) -> tuple[str, int]:
+    """A function as it was typed, and where: it is the n-th of its name in the equation."""
+    plain = text(found).replace("**", "^")
+    if not isinstance(typed, str) or not isinstance(found, Call):
+        return plain, 0
+    nodes = [node for side in (equation.left, equation.right) for node in walk(side)]
+    before = nodes[: next((place for place, node in enumerate(nodes) if node is found), 0)]
+    count = sum(isinstance(node, Call) and node.function == found.function for node in before)
+    offset = typed.find(f"{found.function}(")
+    for _ in range(count):
+        offset = typed.find(f"{found.function}(", offset + 1)
+    return (_balanced(typed[offset:]), offset) if offset >= 0 else (plain, 0)
+
+
+def _balanced(typed: str) -> str:
+    """Up to the parenthesis that closes the first."""
+    depth = 0
+    for place, letter in enumerate(typed):
+        depth += (letter == "(") - (letter == ")")
+        if letter == ")" and not depth:
+            return typed[: place + 1]
+    return typed
