@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -17,6 +18,7 @@ from derive.sheet.load import load_sheet
 from derive.sheet.model import Problem, Question, Sheet
 from derive.writing import Progress, render, write
 
+ODD = re.compile(r"[^\w.-]+")
 NAMESAKES = "rename one, or build them into different folders with --output"
 Warn = Callable[[SheetError], None]
 
@@ -52,7 +54,7 @@ def _namesakes(paths: Sequence[Path]) -> list[SheetError]:
     return [
         SheetError(f"{path}: its pages would have the names of those of {other}", None, NAMESAKES)
         for path in paths
-        if (other := first.setdefault(path.stem, path)) != path
+        if (other := first.setdefault(_folder_name(path.stem), path)) != path
     ]
 
 
@@ -87,7 +89,7 @@ def each(items: Sequence[Any], work: Callable[[Any], Any], say: Callable[[Any], 
 
 def assemble(sheet: Sheet, solutions: bool = True) -> Document:
     """The sheet with its answers, ready to be printed. Raises SheetErrors where there is no answer."""
-    folder = _name(sheet, solutions)
+    folder = _folder_name(_name(sheet, solutions))
     pages = each(sheet.problems, lambda problem: _page(sheet, problem, folder, solutions), lambda _: None)
     return Document(
         title=sheet.title,
@@ -97,6 +99,7 @@ def assemble(sheet: Sheet, solutions: bool = True) -> Document:
         date=sheet.date,
         language=sheet.language,
         notation=_notation(sheet),
+        name=_name(sheet, solutions),
         figures=folder,
         solutions=solutions,
     )
@@ -125,7 +128,7 @@ def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool) -> Probl
 def _figure(problem: Problem, working: Working, folder: str) -> tuple[str | None, Figure | None]:
     """Where the picture of a problem stands, and what is drawn there if its author left that to us."""
     if isinstance(problem.figure, Path):
-        return f"{folder}/{problem.figure.name}", None
+        return _picture(problem, problem.figure, folder), None
     if not problem.figure:
         return None, None
     from derive.kinds.figures import figure_of
@@ -135,6 +138,20 @@ def _figure(problem: Problem, working: Working, folder: str) -> tuple[str | None
     except NotDerivable as error:
         hint = "give the path of a picture beside the sheet, or leave figure: out"
         raise SheetErrors([SheetError(f"no figure can be drawn: {error}", problem.place, hint)]) from error
+
+
+def _picture(problem: Problem, given: Path, folder: str) -> str:
+    """Where the picture that an author gave stands. Raises SheetErrors where no page could show it."""
+    from derive.render.author_pictures import NoPicture, drawn
+
+    try:
+        drawn(given)
+    except NoPicture as error:
+        hint = "give it as PNG, JPEG or SVG"
+        raise SheetErrors(
+            [SheetError(f"{given.name} is no picture that can be printed: {error}", problem.figure_at, hint)]
+        ) from error
+    return figure_path(folder, problem.number, given.suffix.lower())
 
 
 def _default_text(sheet: Sheet, problem: Problem, question: Question, answer: Derivation) -> str:
@@ -220,6 +237,11 @@ def _evaluated(answer: Derivation, question: Question, where: Mapping[str, Any])
             f"the answer has no real value at this point ({error})", question.place, "choose another point"
         )
     raise SheetErrors([fault])
+
+
+def _folder_name(name: str) -> str:
+    """The folder of pictures beside a page: a name that links and LaTeX take as it is."""
+    return ODD.sub("-", name)
 
 
 def _name(sheet: Sheet, solutions: bool) -> str:

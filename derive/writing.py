@@ -58,7 +58,7 @@ def write(
             if set(formats) - {"json"}:
                 _place(sheet, document, folder, _picture_kinds(formats, pdf_engine))
             for kind in formats:
-                page = folder / f"{document.figures}.{kind}"
+                page = folder / f"{document.name}.{kind}"
                 try:
                     _make(document, kind, page, pdf_engine)
                     pages.append(page)
@@ -99,15 +99,24 @@ def _place(sheet: Sheet, document: Document, folder: Path, kinds: tuple[str, ...
     for path, text in document.files().items():
         (folder / path).parent.mkdir(exist_ok=True)
         (folder / path).write_text(text, encoding="utf-8")
-    for problem in sheet.problems:
-        if isinstance(problem.figure, Path):
-            (folder / document.figures).mkdir(exist_ok=True)
-            copyfile(problem.figure, folder / document.figures / problem.figure.name)
+    for problem, page in zip(sheet.problems, document.problems, strict=True):
+        if isinstance(problem.figure, Path) and page.figure:
+            _copy(problem.figure, folder / page.figure, kinds)
     if kinds and (plots := document.plots()):
         from derive.render.figures import draw
 
         for path, plot in plots.items():
             draw(plot, folder / path, kinds)
+
+
+def _copy(picture: Path, target: Path, kinds: tuple[str, ...]) -> None:
+    """The picture of an author, for LaTeX as a PDF where it is an SVG."""
+    target.parent.mkdir(exist_ok=True)
+    copyfile(picture, target)
+    if target.suffix == ".svg" and "pdf" in kinds:
+        from derive.render.author_pictures import drawn
+
+        target.with_suffix(".pdf").write_bytes(drawn(picture, "pdf"))
 
 
 def _make(document: Document, kind: str, target: Path, pdf_engine: str) -> None:

@@ -58,7 +58,8 @@ class ProblemPage:
 
 @dataclass(frozen=True, slots=True)
 class Document:
-    """A sheet, with or without its solutions. `figures` is the folder of its pictures, seen from the page."""
+    """A sheet, with or without its solutions. `name` is that of its pages, without suffix; `figures` the
+    folder of its pictures, seen from the page."""
 
     title: str
     problems: tuple[ProblemPage, ...]
@@ -67,6 +68,7 @@ class Document:
     date: str = ""
     language: str = "en"
     notation: Notation = field(default_factory=Notation)
+    name: str = ""
     figures: str = ""
     solutions: bool = True
 
@@ -93,6 +95,10 @@ class Document:
             for name, text in worked.derivation.files.items()
         }
 
+    def pictures(self) -> tuple[str, ...]:
+        """The pictures that authors gave, by their paths relative to the page."""
+        return tuple(page.figure for page in self.problems if page.figure and not page.drawing)
+
     def plots(self) -> dict[str, Figure]:
         """Every plot of the page by the path of its picture, relative to the page and without suffix."""
         subjects = {
@@ -113,9 +119,9 @@ def file_path(folder: str, problem: int, question: int, name: str) -> str:
     return str(PurePosixPath(folder, f"problem_{problem}_{question}_{name}"))
 
 
-def figure_path(folder: str, problem: int) -> str:
-    """Where the drawing of a subject is kept: `week4/problem-2-figure.svg`."""
-    return str(PurePosixPath(folder, f"problem-{problem}-figure.svg"))
+def figure_path(folder: str, problem: int, suffix: str = ".svg") -> str:
+    """Where the picture of a problem is kept: `week4/problem-2-figure.svg`."""
+    return str(PurePosixPath(folder, f"problem-{problem}-figure{suffix}"))
 
 
 def plot_path(folder: str, problem: int, question: int, name: str) -> str:

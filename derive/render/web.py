@@ -7,6 +7,7 @@ from os import pathsep
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from derive.render.author_pictures import drawn
 from derive.render.document import Document
 from derive.render.figures import draw
 from derive.render.page import render_markdown
@@ -49,6 +50,11 @@ def write_docx(document: Document, target: Path) -> None:
         for path, plot in document.plots().items():
             draw(plot, Path(folder, path), ("png",))
             markdown = markdown.replace(f"{path}.svg", f"{path}.png")
+        for path in document.pictures():
+            if path.endswith(".svg"):
+                Path(folder, path).parent.mkdir(exist_ok=True)
+                Path(folder, path).with_suffix(".png").write_bytes(drawn(target.parent / path))
+                markdown = markdown.replace(path, f"{path.removesuffix('.svg')}.png")
         found = f"--resource-path={folder}{pathsep}{target.parent}"
         arguments = ["--shift-heading-level-by=-1", found]
         target.write_bytes(pandoc(markdown, "docx", arguments, metadata(document)))

@@ -110,7 +110,7 @@ def _problem(at: At, data: Any, number: int, outer: Known) -> Problem:
     where = at.place()
     return Problem(
         number, name, subject, asked, where, given.title, given.text, figure, known.where,
-        known.assumptions, strange,
+        known.assumptions, strange, at.place(("figure",)),
     )  # fmt: skip
 
 

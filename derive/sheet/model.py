@@ -47,8 +47,8 @@ class Question:
 class Problem:
     """A subject and the questions about it. `subject` is a frozen value of mechanics or control.
 
-    `figure` is True to draw the subject, or the path of a picture. `where` and `assumptions` include
-    those of the sheet; `warnings` are what is strange about the subject.
+    `figure` is True to draw the subject, or the path of a picture; it stands at `figure_at`. `where` and
+    `assumptions` include those of the sheet; `warnings` are what is strange about the subject.
     """
 
     number: int
@@ -62,6 +62,7 @@ class Problem:
     where: Mapping[str, Expr] = field(default_factory=dict)
     assumptions: Mapping[str, str] = field(default_factory=dict)
     warnings: tuple[SheetError, ...] = ()
+    figure_at: Place | None = None
 
 
 @dataclass(frozen=True, slots=True)
