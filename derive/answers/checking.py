@@ -19,6 +19,7 @@ from derive.answers.points import shown, unknowns
 from derive.answers.published import Published
 from derive.answers.reading import Reader
 from derive.answers.solutions import Solutions, put_in
+from derive.answers.spoken import heard, is_spoken
 from derive.derivation import Branch
 from derive.errors import SheetError
 from derive.expression import Expr, Matrix, Symbol, free_symbols
@@ -55,6 +56,8 @@ class Compared(Asked):
         result = self.derived[name]
         if _is_branches(result):
             return self._read_solutions(name, typed, reader, result)
+        if is_spoken(result):
+            return typed
         if not isinstance(result, TREES):
             reader.fault(f"'{name}' is nothing that can be compared", (name,), "leave it out")
             return None
@@ -89,6 +92,9 @@ class Compared(Asked):
         result = self.derived[name]
         if _is_branches(result):
             yield from self._solutions(name, published, result)
+            return
+        if is_spoken(result):
+            yield self._check(name, (), heard(published, result), str(published), str(result), "")
             return
         at, terms = self._at_point(published, result), self.terms_of(name)
         result, terms = (at, replace(terms, evaluated=True)) if at is not None else (result, terms)

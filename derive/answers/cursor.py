@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from derive.algebra.quantities import Quantity
-from derive.answers.letters import GREEK_NAMES, Letters
+from derive.answers.letters import GREEK_NAMES, Letters, squeeze
 from derive.answers.tokens import Token
 from derive.errors import FormulaError
 from derive.expression import Number
@@ -62,7 +62,7 @@ class Cursor:
         return tuple(token.text for token in self.tokens[self.at : self.at + count])
 
     def starts_angle(self) -> bool:
-        return self.next.kind == "command" and self.next.text in GREEK_NAMES
+        return self.next.kind == "command" and squeeze(self.next.text) in GREEK_NAMES
 
     def unexpected(self, hint: str = "") -> FormulaError:
         token = self.next

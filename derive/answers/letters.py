@@ -18,13 +18,8 @@ _GREEK = (
     " psi omega Gamma Delta Theta Lambda Xi Sigma Upsilon Phi Psi Omega"
 )
 GREEK_NAMES = frozenset(_GREEK.split(" "))
-VARIANTS = {
-    "vartheta": "theta",
-    "varphi": "phi",
-    "varepsilon": "epsilon",
-    "varrho": "rho",
-    "varsigma": "sigma",
-}
+VARIANTS = ("theta", "phi", "epsilon", "rho", "sigma", "kappa")  # \\varphi is \\phi unless there are both
+_VARIANT = re.compile(rf"var(?=(?:{'|'.join(VARIANTS)}))")
 _INDEXED = re.compile(r"([A-Za-z]+)_?(\d+)")
 _STEMS = ("theta", "q")  # which an index alone stands for, before other Greek letters
 
@@ -51,7 +46,7 @@ class Letters:
         """The angle an index stands for: theta1 or q1, else the only Greek letter of that index."""
         found: dict[str, list[str]] = {}
         for name in self.known:
-            match = _INDEXED.fullmatch(name)
+            match = _INDEXED.fullmatch(squeeze(name))
             if match and (match[1] in _STEMS or match[1] in GREEK_NAMES):
                 found.setdefault(match[2], []).append(name)
         chosen = {index: _angle(names) for index, names in found.items()}
@@ -111,8 +106,8 @@ class Letters:
 
 
 def squeeze(name: str) -> str:
-    """Letters, digits and ^ only: theta_1 and theta1 are one name."""
-    return re.sub(r"[_,\s]", "", name)
+    """Letters, digits and ^ only, without variants: theta_1, vartheta1 and theta1 are one name."""
+    return _VARIANT.sub("", re.sub(r"[_,\s]", "", name))
 
 
 def _angle(names: list[str]) -> str:

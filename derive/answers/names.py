@@ -6,7 +6,7 @@ from abc import abstractmethod
 
 from derive.algebra.quantities import Quantity, called
 from derive.answers.cursor import Cursor
-from derive.answers.letters import GREEK_NAMES, TRIG
+from derive.answers.letters import GREEK_NAMES, TRIG, squeeze
 from derive.answers.scripts import Scripted, scripted
 from derive.answers.tokens import Kind, Token
 from derive.errors import FormulaError
@@ -112,7 +112,7 @@ class NameReader(Cursor):
         """c_1, s_{12}, c_{1+2}, c_\\theta; \\theta_{12} for a sum of angles. None for any other name."""
         if name.accent:
             return None
-        if name.stem in ("theta", "q") and name.lower.isdigit():
+        if squeeze(name.stem) in ("theta", "q") and name.lower.isdigit():
             return self.letters.summed(name.lower)
         function = TRIG.get(name.stem)
         if function is None or not name.lower:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from derive.answers.letters import VARIANTS
 from derive.answers.tokens import Token
 from derive.errors import FormulaError
 
@@ -103,10 +102,10 @@ def _stem(found: Sequence[Token], at: int) -> tuple[str, str, int]:
         inner, after = group(found, at + 1)
         return _plain(inner), "", after
     if token.kind == "command":
-        return VARIANTS.get(token.text, token.text), "", at + 1
+        return token.text, "", at + 1
     raise FormulaError(f"'{token.text}' cannot stand here", token.offset)
 
 
 def _plain(inner: Sequence[Token]) -> str:
     kept = (t for t in inner if t.text not in ("{", "}", "_") and t.text not in FONTS)
-    return "".join(VARIANTS.get(t.text, t.text) for t in kept)
+    return "".join(t.text for t in kept)
