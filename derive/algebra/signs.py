@@ -31,3 +31,26 @@ def _sign(polynomial: fmpq_mpoly, home: Ring, positive: Collection[str]) -> int 
             return None
         found.add(1 if coefficient > 0 else -1)
     return found.pop() if len(found) == 1 else None
+
+
+def signed(value: Scalar, positive: Collection[str]) -> Scalar:
+    """With |x| replaced by x where x is known to be positive."""
+    home = value.ring
+    for place, root in enumerate(home.roots):
+        if root.name.startswith("abs("):
+            inside = Scalar(home, home.polynomial(root.radicand).sqrt())
+            sign = sign_of(inside, positive)
+            if sign is not None:
+                value = _replaced(value, place, inside * sign)
+    return value
+
+
+def _replaced(value: Scalar, place: int, by: Scalar) -> Scalar:
+    """With the square root at a place replaced, which stands to the first power at most."""
+    root = by.ring.gen(by.ring.names[place])
+    parts = [value.numerator, *([value.denominator] if value.denominator is not None else [])]
+    found = []
+    for part in parts:
+        slope = part.derivative(place)
+        found.append(Scalar(by.ring, part - slope * root) + Scalar(by.ring, slope) * by)
+    return found[0] if len(found) == 1 else found[0] / found[1]

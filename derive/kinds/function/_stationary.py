@@ -83,6 +83,11 @@ class Point:
         return all(isinstance(each, Scalar) for each in self.solution.values.values())
 
 
+def is_flat_saddle(point: Point) -> bool:
+    """Whether it rises along one direction, falls along another and is flat along a third."""
+    return point.kind == "saddle" and _is_zero(point.minors[-1])
+
+
 def points(task: Task, found: Case) -> tuple[Point, ...]:
     """The distinct ones, with what each of them is."""
     distinct: list[Solution] = []
@@ -137,6 +142,8 @@ def _point(task: Task, solution: Solution) -> Point:
     rest = [k for k in range(len(task.variables)) if k not in chosen]
     minors = _minors(task, at, (*chosen, *rest))
     kind = classified(minors, len(task.g), task.positive)
+    if kind == "undecided" and _rises_and_falls(task, at):
+        kind = "saddle"
     return Point(solution, multipliers, value, minors, kind)
 
 
@@ -222,6 +229,34 @@ def classified(minors: Sequence[Value], m: int, positive: Collection[str] = ()) 
     if not possible:
         return "saddle"
     return "conditional" if None in signs else possible[0]
+
+
+def _rises_and_falls(task: Task, at: Mapping[str, Value]) -> bool:
+    """Whether the second derivatives along the constraints have eigenvalues of both signs, some being zero.
+
+    These are the roots of sum_j e_j (-x)^(n - j), all real, with e_j the sum of the bordered minors of j
+    variables: by Descartes, as many are positive and negative as the coefficients change their sign.
+    """
+    rows = [[put_in(entry, at) for entry in row] for row in bordered_hessian(task).rows]
+    m, n = len(task.g), len(task.variables)
+    sums = [_sum_of_minors(rows, m, size) for size in range(m, n + 1)]
+    signs = [_sign(each, task.positive) for each in sums]
+    turned = [sign if sign is None or k % 2 == 0 else -sign for k, sign in enumerate(signs)]
+    return _changes(signs) and _changes(turned)
+
+
+def _sum_of_minors(rows: Sequence[Sequence[Value]], m: int, size: int) -> Value:
+    """Of the border with every choice of so many variables."""
+    places = ((*range(m), *kept) for kept in combinations(range(m, len(rows)), size))
+    found = [_det([[rows[i][j] for j in place] for i in place]) for place in places]
+    if all(isinstance(each, Scalar) for each in found):
+        return sum((each for each in found if isinstance(each, Scalar)), Scalar.of(0))
+    return sum(map(as_ball, found), arb(0))
+
+
+def _changes(signs: Sequence[int | None]) -> bool:
+    """Whether known signs differ."""
+    return {1, -1} <= set(signs)
 
 
 def patterns(m: int, count: int) -> dict[str, list[int]]:

@@ -31,7 +31,7 @@ from derive.kinds.checks import SECOND_ROUTE, law, links, random_points
 from derive.kinds.function._extremes import extremes, reach
 from derive.kinds.function._naming import function_name, multiplier_names
 from derive.kinds.function._newton import NEAR, stationary
-from derive.kinds.function._stationary import Point, Task, bordered_hessian, patterns, points
+from derive.kinds.function._stationary import Point, Task, bordered_hessian, is_flat_saddle, patterns, points
 from derive.kinds.function._telling import divided_by, is_enclosed, told
 from derive.kinds.function._writing import written
 from derive.kinds.problem import Problem
@@ -88,7 +88,7 @@ def worked(kind: str, function: Function, problem: Problem) -> Derivation:
         "enclosed": is_enclosed([p.solution for p in found]),
         "singular": any(p.kind == "singular" for p in found),
         "count_word": COUNTS[len(function.variables)],
-        "odd": len(function.constraints) % 2 == 1,
+        "odd": len(function.constraints) % 2 == 1, "flat": any(map(is_flat_saddle, found)),
         "global": [each for each in said if each.startswith("global")], **_values(found, said, problem),
     }  # fmt: skip
     return Derivation(kind, steps, {"solutions": solutions}, claims, definitions, facts=facts)

@@ -16,7 +16,19 @@ from derive.algebra.polynomials import known_sign, numerator
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.algebra.terms import Alphabet
 from derive.errors import NotDerivable
-from derive.expression import Approximate, Call, Expr, add, atan2, multiply, negate, number, walk
+from derive.expression import (
+    Approximate,
+    Call,
+    Expr,
+    Symbol,
+    add,
+    atan2,
+    multiply,
+    negate,
+    number,
+    subtract,
+    walk,
+)
 from derive.kinds.function._writing import written
 from derive.kinds.problem import Problem
 
@@ -179,6 +191,9 @@ def _angle(c: Scalar | arb, s: Scalar | arb, positive: Collection[str], problem:
         cosine_of, sine_of = fixed_trig(turns)
         if cosine_of == c and sine_of == s:
             return problem.readable(Scalar.symbol(PI) * turns)
+    if c.ring.roots and not s.ring.roots and (side := known_sign(c, positive)) is not None:
+        from_sine = Call("asin", (written(s, problem),))
+        return from_sine if side > 0 else subtract(Symbol(PI), from_sine)
     sign = known_sign(s, positive)
     if sign is None:
         return atan2(written(s, problem), written(c, problem))

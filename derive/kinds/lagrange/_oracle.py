@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from flint import arb, ctx
 
 from derive.algebra.precise import BITS, precise, slope
-from derive.expression import Expr, free_symbols
+from derive.expression import ZERO, Expr, free_symbols
 from derive.mechanics.lagrangian import TIME, LagrangianSystem
 
 Numbers = dict[str, arb]
@@ -31,6 +31,14 @@ class Differences:
         with ctx.workprec(BITS):
             point = {name: arb(value) for name, value in at.items()}
             return [float(self._left_side(k, point).mid()) for k in range(len(self.system.coordinates))]
+
+    def left_over(self, at: Mapping[str, float]) -> list[float]:
+        """The left sides less the forces of the sheet."""
+        forces = dict(self.system.forces)
+        with ctx.workprec(BITS):
+            known = self._completed({name: arb(value) for name, value in at.items()})
+            pushes = [float(precise(forces.get(q, ZERO), known).mid()) for q in self.system.coordinates]
+        return [left - push for left, push in zip(self.left_sides(at), pushes, strict=True)]
 
     def _left_side(self, k: int, at: Numbers) -> arb:
         q, along = self.system.coordinates[k], self.system.rates[k]

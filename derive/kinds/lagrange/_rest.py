@@ -10,16 +10,33 @@ from derive.derivation import Derivation
 from derive.expression import Expr, Symbol, free_symbols
 from derive.kinds.lagrange._model import Model
 from derive.kinds.problem import Problem, expressions
-from derive.mechanics.lagrangian import LagrangianSystem
+from derive.mechanics.lagrangian import TIME
 
 
-def inputs_of(system: LagrangianSystem) -> tuple[str, ...]:
-    """Names that stand in the generalised forces and nowhere else, in their order."""
+def inputs_of(model: Model) -> tuple[str, ...]:
+    """Names that stand in the generalised forces and nowhere else, in their order. A symbol declared positive
+    is a parameter, and so is the coefficient of a rate, or of the coordinate that its force drives: friction
+    and springs."""
+    system, problem = model.system, model.problem
     elsewhere = [*expressions(system.bodies), system.kinetic, system.potential, system.dissipation]
     elsewhere += system.gravity
     taken = frozenset().union(*map(free_symbols, elsewhere), system.coordinates, system.rates)
-    found = [name for _, tree in system.forces for name in sorted(free_symbols(tree) - taken)]
-    return tuple(dict.fromkeys(found))
+    taken |= {TIME, *problem.where} | {n for n, what in problem.assumptions.items() if what == "positive"}
+    found = dict.fromkeys(name for _, tree in system.forces for name in sorted(free_symbols(tree) - taken))
+    return tuple(name for name in found if not _is_coefficient(model, name))
+
+
+def _is_coefficient(model: Model, name: str) -> bool:
+    """Whether it multiplies a rate or the coordinate of its own force, or stands in a function of time."""
+    for q, force in model.forces.items():
+        for powers, _ in force.ring.terms(force.numerator):
+            letters = [force.ring.letters(generator) for generator, _ in powers]
+            if not any(name in each for each in letters):
+                continue
+            beside = {generator for generator, _ in powers}
+            if beside & {q, *model.system.rates} or any({name, TIME} <= each for each in letters):
+                return True
+    return False
 
 
 def there(model: Model, value: Scalar, at: Mapping[Expr, Expr]) -> Scalar:

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from itertools import combinations
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import derivative
+from derive.algebra.numeric import number
 from derive.algebra.polynomials import known_sign, odd_part
 from derive.algebra.scalar import Scalar
+from derive.algebra.signs import signed
 from derive.algebra.text import text
 from derive.derivation import Branch, Claim, Derivation, Step, Table
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Approximate, Symbol, walk
+from derive.expression import ZERO, Approximate, Expr, Symbol, free_symbols, walk
 from derive.kinds.checks import SECOND_ROUTE, law, links, random_points
+from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.lagrange._angles_found import Found, solved
 from derive.kinds.lagrange._model import Model
@@ -39,11 +43,15 @@ STABLE, UNSTABLE, OPEN = "stable", "unstable", "stability not decided by the ter
 
 
 class Options(OptionsModel):
-    """None."""
+    """`inputs`: values of inputs that are not zero, such as a force that pushes all the time."""
+
+    inputs: Evaluation = None
 
 
 def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Derivation:
-    """Every rate and input zero; stable where the potential energy is least (Goldstein et al., section 6.1).
+    """Every rate zero, and every input without a value; stable where the potential energy is least.
+
+    Goldstein et al., Classical Mechanics, section 6.1.
 
     Raises NotDerivable under constraints, and where the equations have no exact or isolated solution.
     """
@@ -51,7 +59,8 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
         raise NotDerivable("under constraints no equilibria are looked for; take coordinates that are free")
     model = Model(system, problem)
     positive = {n for n, what in problem.assumptions.items() if what == "positive"} | surely_positive(model)
-    left = _at_rest(model)
+    given = _inputs(model, options)
+    left = _at_rest(model, given)
     found = solved([each for each in left if each], system.coordinates, positive, problem)
     stiffness = ScalarMatrix.of([derivative(row, q) for q in system.coordinates] for row in left)
     said = [_said(model, each, stiffness, positive) for each in found]
@@ -62,12 +71,13 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     branches = tuple(_branch(system, each, words) for each, words in zip(found, said, strict=True))
     claims = (
         *links(steps, problem.names),
-        *(_put_back(model, left, each, k) for k, each in enumerate(found, 1)),
-        _second_route(model, found),
+        *(_put_back(model, left, each, k, positive) for k, each in enumerate(found, 1) if _exact(each)),
+        _second_route(model, found, given),
     )
     facts: dict[str, Any] = {
         "coordinates": tuple(map(Symbol, system.coordinates)),
-        "inputs": tuple(map(Symbol, inputs_of(system))),
+        "inputs": tuple(name for name, value in given.items() if value == ZERO),
+        "given": tuple((name, value) for name, value in given.items() if value != ZERO),
         "table": _table(system, branches), "count": len(found), "single": len(system.coordinates) == 1,
         "free": [Symbol(q) for q in dict.fromkeys(q for each in found for q in each.free)],
         "angles": any(isinstance(node, Symbol) and node.name == "pi" for b in branches
@@ -78,11 +88,23 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     )
 
 
-def _at_rest(model: Model) -> list[Scalar]:
-    """The left sides less the forces, with every rate and every input zero."""
+def _inputs(model: Model, options: Options) -> dict[Symbol, Expr]:
+    """The inputs with their values, zero unless given. Raises NotDerivable for a name that is none."""
+    given = dict(options.inputs or ())
+    names = inputs_of(model)
+    forces = frozenset().union(*(free_symbols(tree) for _, tree in model.system.forces))
+    if unknown := sorted(given.keys() - forces):
+        raise NotDerivable(f"{unknown[0]} under inputs: is none of the inputs ({', '.join(names)})")
+    return {Symbol(name): given.get(name, ZERO) for name in dict.fromkeys((*names, *given))}
+
+
+def _at_rest(model: Model, given: Mapping[Symbol, Expr]) -> list[Scalar]:
+    """The left sides less the forces, with every rate zero and the inputs as given."""
     system = model.system
-    nothing = (*system.rates, *inputs_of(system))
+    nothing = (*system.rates, *(name.name for name, value in given.items() if value == ZERO))
     found = [without(model.rest[k] - model.forces[q], nothing) for k, q in enumerate(system.coordinates)]
+    held = dict[Expr, Expr]({name: value for name, value in given.items() if value != ZERO})
+    found = [there(model, each, held) for each in found] if held else found
     if any(TIME in each.letters() for each in found):
         raise NotDerivable("the forces change with the time: the system has no state of rest")
     return found
@@ -119,9 +141,17 @@ def _stability(model: Model, found: Found, stiffness: ScalarMatrix, positive: se
     if len(minors) == 1 and signs[0] is None:
         part = _written(model, minors[0], positive)
         return f"stable if {part} > 0, unstable if {part} < 0{neutral}"
-    diagonal = [_sign(K[k, k], found, positive) for k in range(len(K.rows))]
-    falls = -1 in diagonal or signs[-1] == -1
+    falls = any(_sign(minor, found, positive) == -1 for minor in _principal_minors(K))
     return UNSTABLE if falls and not _gyroscopic(model) else OPEN
+
+
+def _principal_minors(K: ScalarMatrix) -> Iterator[Scalar]:
+    """The determinants of the rows and columns of every choice; none is negative where K is positive
+    semidefinite (Horn and Johnson, Matrix Analysis, section 7.2)."""
+    n = len(K.rows)
+    for size in range(1, n + 1):
+        for kept in combinations(range(n), size):
+            yield ScalarMatrix(tuple(K.rows[k] for k in kept)).columns(*kept).det()
 
 
 def _gyroscopic(model: Model) -> bool:
@@ -161,34 +191,29 @@ def _table(system: LagrangianSystem, branches: tuple[Branch, ...]) -> Table:
     return Table((*map(Symbol, system.coordinates), ""), rows)
 
 
-def _put_back(model: Model, left: list[Scalar], found: Found, k: int) -> Claim:
-    claim = f"equilibrium {k} satisfies every equation"
-    if _exact(found):
-        return law(claim, not any(_put_in(model, each, found) for each in left))
-    return Claim(claim, "floating point", True)
+def _put_back(model: Model, left: list[Scalar], found: Found, k: int, positive: set[str]) -> Claim:
+    holds = not any(signed(_put_in(model, each, found), positive) for each in left)
+    return law(f"equilibrium {k} satisfies every equation", holds)
 
 
-def _second_route(model: Model, found: list[Found]) -> Claim:
-    """Held there, no force is needed: by differences of the Lagrangian, for parameters that allow it."""
+def _second_route(model: Model, found: list[Found], given: Mapping[Symbol, Expr]) -> Claim:
+    """Held there, no more force is needed: by differences of the Lagrangian, for parameters that allow it."""
     system, problem = model.system, model.problem
     differences, holds = Differences(system, problem.where), True
-    still: Mapping[str, float] = dict.fromkeys(
-        (*system.rates, *system.accelerations, *inputs_of(system)), 0.0
-    )
+    still: Mapping[str, float] = dict.fromkeys((*system.rates, *system.accelerations), 0.0)
     names = sorted(problem.symbols | {TIME, *system.coordinates})
     for at in random_points(names, 2):
         for each in found:
-            known = completed({**at, **still}, problem.where)
+            known = {**completed({**at, **still}, problem.where)}
+            known |= {name.name: number(value, known) for name, value in given.items()}
             for place in _places(each, known):
-                lefts = differences.left_sides({**known, **place})
+                lefts = differences.left_over({**known, **place})
                 holds &= all(abs(left) < NEARLY * (1 + max(map(abs, known.values())) ** 4) for left in lefts)
     return Claim("held there, the system needs no force", SECOND_ROUTE, holds)
 
 
 def _places(found: Found, known: Mapping[str, float]) -> Iterator[dict[str, float]]:
     """The coordinates in floats, where they are real."""
-    from derive.algebra.numeric import number
-
     try:
         yield {q: number(tree, known) for q, tree in found.values.items()}
     except (ValueError, ZeroDivisionError):

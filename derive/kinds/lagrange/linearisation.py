@@ -78,7 +78,7 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
             "with constraints only coordinates that are free can be linearised; eliminate the others"
         )
     model = Model(system, problem)
-    inputs = options.inputs if options.inputs is not None else inputs_of(system)
+    inputs = options.inputs if options.inputs is not None else inputs_of(model)
     at = _state(options, system, inputs)
     _require_rest(model, at)
     linear = _linear(model, at, inputs)
@@ -228,13 +228,7 @@ def _agree(
     moving = (*system.coordinates, *system.rates, *system.accelerations, *linear.inputs)
 
     def leftover(sign: int) -> list[float]:
-        here = {**rest, **{name: rest[name] + sign * SMALL * point[name] for name in moving}}
-        lefts = differences.left_sides(here)
-        forces = dict(system.forces)
-        pushes = [
-            value_of(forces.get(q, ZERO), completed(here, model.problem.where)) for q in system.coordinates
-        ]
-        return [left - push for left, push in zip(lefts, pushes, strict=True)]
+        return differences.left_over({**rest, **{n: rest[n] + sign * SMALL * point[n] for n in moving}})
 
     slope = [(a - b) / (2 * SMALL) for a, b in zip(leftover(1), leftover(-1), strict=True)]
     return close(slope, _linear_side(model, linear, rest, point), LEFT_OVER)

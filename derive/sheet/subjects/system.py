@@ -18,7 +18,7 @@ from derive.sheet.faults import did_you_mean, formula_fault
 from derive.sheet.source import At
 from derive.sheet.subjects.registry import Known
 
-# A disturbance is zero where it is not asked about; fractions for delays stand in the equations that every kind has.
+# A disturbance is zero where it is not asked about; fractions for delays stand in the equations already.
 HARMLESS = frozenset({"disturbance", "delay"})
 
 
