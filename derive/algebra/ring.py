@@ -24,6 +24,7 @@ from functools import cache, cached_property, lru_cache, reduce
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
 from derive.algebra.angles import PI, Form, combination, first_quarter, letters_of
+from derive.algebra.bounds import spend
 from derive.algebra.opaque import Opaque
 from derive.algebra.rationals import Rational, to_flint
 
@@ -304,7 +305,9 @@ def carry(polynomial: fmpq_mpoly, source: Ring, target: Ring) -> fmpq_mpoly:
     moved = images(source, target)
     if moved is None:
         return polynomial.project_to_context(target.context)
-    return target.reduce(polynomial.compose(*moved, ctx=target.context))
+    composed = polynomial.compose(*moved, ctx=target.context)
+    spend(len(composed))
+    return target.reduce(composed)
 
 
 def _carried_term(polynomial: fmpq_mpoly, source: Ring, target: Ring) -> fmpq_mpoly:

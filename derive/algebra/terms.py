@@ -13,6 +13,7 @@ from functools import lru_cache
 from typing import TypeAlias
 
 from derive.algebra.angles import PI, RADIAN, Form, is_fixed
+from derive.algebra.bounds import A_TERM_READ, spend
 from derive.algebra.opaque import ITSELF, Opaque
 from derive.algebra.rationals import Rational, lowest, of_flint
 from derive.algebra.ring import Ring
@@ -177,6 +178,7 @@ class Alphabet:
 
 def terms_of(scalar: Scalar, alphabet: Alphabet) -> Terms:
     """The numerator's terms."""
+    spend(A_TERM_READ * len(scalar.numerator))
     home = scalar.ring
     used = [i for i, degree in enumerate(scalar.numerator.degrees()) if degree > 0]
     atoms = sorted((*_atom(home, i, alphabet), i) for i in used)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, fields, is_dataclass
 from functools import cached_property
 from typing import Any, get_args
 
-from derive.algebra.bounds import count
+from derive.algebra.bounds import count, one_answer
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, normal, normal_matrix
 from derive.algebra.readable import readable, readable_matrix
@@ -54,7 +54,8 @@ class Problem:
         key = (kind, options)
         if key not in self.derived:
             try:
-                derivation = load(self.name, kind).derive(self.subject, options, self)
+                with one_answer():
+                    derivation = load(self.name, kind).derive(self.subject, options, self)
             except RecursionError as error:  # a name that is defined by itself
                 raise NotDerivable(
                     "a name of the sheet, such as D or C, is also a name of this answer; "

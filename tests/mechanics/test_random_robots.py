@@ -34,6 +34,7 @@ def _no_bounds() -> Iterator[None]:
     """Some random arms are longer than any page could hold."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(bounds, "MOST_PRODUCTS", 10**12)
+        patch.setattr(bounds, "MOST_IN_PRODUCT", 10**12)
         yield
 
 
