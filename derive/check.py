@@ -17,7 +17,7 @@ from derive.kinds.problem import Problem as Working
 from derive.sheet.model import Problem, Question, Sheet
 from derive.writing import Progress
 
-POINTS = 4  # that the subject of an inverse problem reaches
+POINTS = 12  # that the subject of an inverse problem reaches
 NOT_COMPARED = "it was not compared: see the fault"
 
 

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from derive.answers.comparing import Terms
 from derive.answers.letters import Letters
 from derive.answers.points import RATES, Names, Point, Sampling
 from derive.answers.reading import Locate, Route
+from derive.answers.terms import Terms
 from derive.derivation import Branch, Derivation
 from derive.errors import Place
 from derive.expression import Approximate, Expr, Symbol, column, free_symbols

@@ -10,21 +10,12 @@ from itertools import islice
 
 from flint import arb
 
-from derive.answers.comparing import (
-    AGREES,
-    ENOUGH,
-    ROUNDED,
-    TRIED,
-    Finding,
-    Terms,
-    digits_note,
-    proved,
-    room,
-    unproved,
-)
+from derive.answers.comparing import AGREES, proved, unproved
 from derive.answers.diagnosing import diagnose
 from derive.answers.points import Names, Point, apart, distance, shown, turning, unknowns, value_at
 from derive.answers.regions import proved_around
+from derive.answers.rounding import ROUNDED, digits_note, room
+from derive.answers.terms import ENOUGH, TRIED, Finding, Terms
 from derive.expression import PI, Call, Degrees, Expr, Symbol, walk
 
 Solution = Mapping[str, Expr]

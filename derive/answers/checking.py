@@ -11,7 +11,7 @@ from typing import Any
 from derive.algebra.text import text
 from derive.answers.asked import Asked
 from derive.answers.branches import Sets, Solution, angles_among, chosen, written
-from derive.answers.comparing import Finding, Terms, Verdict, compare
+from derive.answers.comparing import compare
 from derive.answers.diagnosing import SHAPE, TRANSPOSED, diagnose
 from derive.answers.findings import Check, as_typed
 from derive.answers.moved import moved, same, transposed, turned
@@ -20,6 +20,7 @@ from derive.answers.published import Published
 from derive.answers.reading import Reader
 from derive.answers.solutions import Solutions, put_in
 from derive.answers.spoken import heard, is_spoken
+from derive.answers.terms import Finding, Terms, Verdict
 from derive.derivation import Branch
 from derive.errors import SheetError
 from derive.expression import Expr, Matrix, Symbol, free_symbols

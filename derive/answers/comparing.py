@@ -1,88 +1,33 @@
 """Whether a published scalar is the derived one: proved by normal form, or refuted by a point.
 
 `differs` is said only where both have values at a point and these surely differ; what neither can decide is
-`undecided`. A decimal of three digits or more stands for all numbers that are rounded to it, and any decimal
-does where the sheet asks for numbers.
+`undecided`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Sequence
+from dataclasses import replace
 from fractions import Fraction
-from typing import Literal, TypeAlias
 
 from flint import arb
 
 from derive.algebra.normal import normal, walk_over
 from derive.answers.budget import ROOTS, parts_of, too_many_turns
-from derive.answers.points import (
-    Names,
-    Point,
-    Sampling,
-    apart,
-    distance,
-    has_none_at,
-    turning,
-    unknowns,
-    value_at,
-)
+from derive.answers.points import Names, apart, has_none_at
 from derive.answers.regions import proved_around
+from derive.answers.rounding import ROUNDED, rounded
+from derive.answers.terms import Finding, Terms, values, where_both_are
 from derive.errors import FormulaError, NotDerivable
-from derive.expression import (
-    Approximate,
-    Call,
-    Degrees,
-    Expr,
-    Number,
-    Power,
-    Symbol,
-    children,
-    walk,
-    with_value,
-)
-from derive.expression import replace as replaced
+from derive.expression import Approximate, Call, Expr, Number, Power, Symbol, children, walk
 
-Verdict: TypeAlias = Literal["equal", "differs", "undecided"]
 UNDECIDED = (NotDerivable, FormulaError, ValueError, ZeroDivisionError, OverflowError, RecursionError)
-TRIED = 60  # points, until
-ENOUGH = 8  # of them give real values
 MOST_ROOTS = 5  # different roots and inverse functions in a tree whose normal form is asked for
 MOST_NODES = 200
 TIGHT = 1e-9  # relative: as near as a number in floating point is known
-DIGITS = 3  # of a decimal that counts as rounded
-
-
-@dataclass(frozen=True)
-class Terms:
-    """On what terms two scalars are compared: what names stand for in each, and where to look."""
-
-    published: Names
-    derived: Names
-    sampling: Sampling = field(default_factory=Sampling)
-    angle: bool = False  # up to whole turns
-    evaluated: bool = False  # in numbers, at a point of the sheet's
-    own: Names = field(default_factory=dict)  # those names that the published solution gives a value itself
-
-    @property
-    def names(self) -> tuple[Names, Names]:
-        return self.published, self.derived
-
-    def points(self, left: Expr, right: Expr, odd: bool = False) -> Iterator[Point]:
-        names = unknowns(left, self.published) | unknowns(right, self.derived)
-        signed = turning((left,), self.published) | turning((right,), self.derived)
-        sampling = replace(self.sampling, signed=self.sampling.signed | signed)
-        yield from (sampling.odd if odd else sampling.usual)(names, TRIED)
-
-
-@dataclass(frozen=True)
-class Finding:
-    """A verdict; where it differs a point, and the values there (None where there is none)."""
-
-    verdict: Verdict
-    witness: Point = field(default_factory=dict)
-    values: tuple[float | None, float | None] | None = None
-    note: str = ""
+COMPUTED = "to the digits computed"
+AGREES = "they agree wherever it was tried, which is no proof"
+TURNS = "they agree wherever it was tried; an angle is too large a multiple of another for a proof"
 
 
 def compare(published: Expr, derived: Expr, terms: Terms) -> Finding:
@@ -97,9 +42,7 @@ def compare(published: Expr, derived: Expr, terms: Terms) -> Finding:
         return found
     if _is_rounded(derived) and _gap(found.values) < TIGHT:
         return Finding("equal", note=COMPUTED)
-    if proved_around(
-        published, derived, terms.names, _where_both_are(published, derived, terms), terms.angle
-    ):
+    if proved_around(published, derived, terms.names, where_both_are(published, derived, terms), terms.angle):
         return Finding("equal")
     return replace(found, note=found.note or unproved(published, derived, terms))
 
@@ -182,7 +125,7 @@ def _turned(published: Expr, derived: Expr, theirs: Names, ours: Names) -> bool:
 def _looked_up(published: Expr, derived: Expr, terms: Terms) -> Finding:
     """What values at points tell. A finding that is undecided has values where some were compared."""
     best, agreed, bare = None, None, None
-    for point, theirs, ours in _values(published, derived, terms):
+    for point, theirs, ours in values(published, derived, terms):
         if ours is None:
             continue
         if theirs is None:
@@ -200,29 +143,9 @@ def _looked_up(published: Expr, derived: Expr, terms: Terms) -> Finding:
     return best or _signs(published, derived, terms) or agreed or Finding("undecided")
 
 
-def _values(
-    published: Expr, derived: Expr, terms: Terms, odd: bool = False
-) -> Iterator[tuple[Point, arb | None, arb | None]]:
-    """Values at points until enough have both."""
-    both = 0
-    for point in terms.points(published, derived, odd):
-        theirs = value_at(published, terms.published, point)
-        ours = value_at(derived, terms.derived, point)
-        yield point, theirs, ours
-        both += theirs is not None and ours is not None
-        if both == ENOUGH:
-            return
-
-
-def _where_both_are(published: Expr, derived: Expr, terms: Terms) -> list[Point]:
-    """The points at which both have values."""
-    found = _values(published, derived, terms)
-    return [point for point, theirs, ours in found if theirs is not None and ours is not None]
-
-
 def _signs(published: Expr, derived: Expr, terms: Terms) -> Finding | None:
     """Undecided, with the reason, where they agree for positive parameters and differ for others."""
-    for point, theirs, ours in _values(published, derived, terms, odd=True):
+    for point, theirs, ours in values(published, derived, terms, odd=True):
         if theirs is not None and ours is not None and _apart(theirs, ours, derived, terms):
             names = sorted(name for name in point if point[name] < 0 and name not in terms.sampling.signed)
             listed = ", ".join(names)
@@ -247,79 +170,3 @@ def _gap(values: tuple[float | None, float | None] | None) -> float:
         return 0.0
     size = max(abs(values[0]), abs(values[1])) or 1.0
     return abs(values[0] - values[1]) / size
-
-
-# -- decimals that are rounded --------------------------------------------------------------------
-
-ROUNDED = "to the digits given"
-COMPUTED = "to the digits computed"
-TOO_FEW = "agrees to the digits given, which are few"
-AGREES = "they agree wherever it was tried, which is no proof"
-TURNS = "they agree wherever it was tried; an angle is too large a multiple of another for a proof"
-
-
-def rounded(published: Expr, derived: Expr, terms: Terms) -> str:
-    """Whether rounding explains all of the difference: a note, or nothing."""
-    compared = 0
-    for theirs, ours, most in _with_room(published, derived, terms):
-        if distance(theirs, ours, terms.angle) > most * 1.000001:
-            return ""
-        compared += 1
-    return digits_note(published, terms) if compared else ""
-
-
-def digits_note(published: Expr, terms: Terms) -> str:
-    """What can be said of numbers that are right as they are rounded; nothing where none is."""
-    given = [digits(node) for node in _decimals(published, terms)]
-    if not given:
-        return ""
-    return TOO_FEW if min(given) < DIGITS and not terms.evaluated else ROUNDED
-
-
-def _with_room(published: Expr, derived: Expr, terms: Terms) -> Iterator[tuple[arb, arb, float]]:
-    """Both values at points, and how far the first may be off because its decimals are rounded."""
-    if not _decimals(published, terms):
-        return
-    for point, theirs, ours in _values(published, derived, terms):
-        if theirs is not None and ours is not None:
-            yield theirs, ours, room(published, theirs, terms, point)
-
-
-def room(published: Expr, value: arb, terms: Terms, point: Point) -> float:
-    """How much the value at a point may change by half a unit in the last place of each decimal."""
-    return sum((_moved(published, node, value, terms, point) for node in _decimals(published, terms)), 0.0)
-
-
-def _decimals(published: Expr, terms: Terms) -> set[Number | Degrees]:
-    """The numbers that count as rounded: decimals, also in degrees, of two digits at least in a formula."""
-    nodes = {part for part in parts_of(published, terms.own) if isinstance(part, Number | Degrees)}
-    least = 1 if terms.evaluated else DIGITS - 1
-    return {node for node in nodes if _is_decimal(node) and digits(node) >= least}
-
-
-def _is_decimal(node: Number | Degrees) -> bool:
-    return node.decimal if isinstance(node, Number) else _places(node) > 0
-
-
-def _moved(published: Expr, decimal: Number | Degrees, value: arb, terms: Terms, point: Point) -> float:
-    last = Fraction(1, 2 * 10 ** _places(decimal))
-    other: dict[Expr, Expr] = {decimal: with_value(decimal, decimal.value + last)}
-    own = {name: replaced(tree, other) for name, tree in terms.own.items()}
-    moved = value_at(replaced(published, other), {**terms.published, **own}, point)
-    return abs(float((moved - value).mid())) if moved is not None else 0.0
-
-
-def digits(node: Number | Degrees) -> int:
-    """Significant digits of a decimal, zeros at its end included; of 0.00 those after the point."""
-    places = _places(node)
-    return (
-        len(str(abs(node.value.numerator * 10**places // node.value.denominator))) if node.value else places
-    )
-
-
-def _places(node: Number | Degrees) -> int:
-    """Digits after the point as typed, or as many as the value has."""
-    places, scaled = 0, node.value
-    while scaled.denominator != 1 and places < 40:
-        places, scaled = places + 1, scaled * 10
-    return max(places, node.places)

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
 from itertools import islice
 
 from flint import arb
 
-from derive.answers.comparing import Terms
 from derive.answers.points import Point, apart, unknowns, value_at
+from derive.answers.terms import Terms
 from derive.expression import (
     PI,
     Call,
@@ -74,10 +74,25 @@ class Tested:
 
 def diagnose(published: Expr, derived: Expr, terms: Terms) -> str:
     """The first repair that makes a published scalar equal, or an empty text."""
-    tested = Tested(terms, tuple(islice(_derived_values(published, derived, terms), POINTS)))
+    tested = Tested(terms, _tested_at(published, derived, terms))
     repairs = _repairs(published, derived, unknowns(derived, terms.derived))
     most = min(MOST, 10 + MOST_NODES // (1 + sum(1 for _ in walk(published))))
     return next((name for name, tree in islice(repairs, most) if tested.fits(tree)), "")
+
+
+def _tested_at(published: Expr, derived: Expr, terms: Terms) -> tuple[tuple[Point, arb], ...]:
+    """A few points, one of them where the answer is wrong."""
+    unchanged = Tested(terms, ())
+    found: list[tuple[Point, arb]] = []
+    shown = False
+    for point, ours in _derived_values(published, derived, terms):
+        wrong = not replace(unchanged, points=((point, ours),)).fits(published)
+        if len(found) < POINTS - 1 or (wrong and not shown):
+            found.append((point, ours))
+            shown = shown or wrong
+        if shown and len(found) >= POINTS:
+            break
+    return tuple(found)
 
 
 def _derived_values(published: Expr, derived: Expr, terms: Terms) -> Iterator[tuple[Point, arb]]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from derive.algebra.text import text
-from derive.answers.comparing import Verdict
+from derive.answers.terms import Verdict
 from derive.errors import Place
 from derive.expression import MINUS_ONE, Expr, Number, Product, Symbol, replace, walk
 

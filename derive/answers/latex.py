@@ -24,7 +24,8 @@ from derive.algebra.quantities import (
     summed,
 )
 from derive.answers.cursor import OPENING
-from derive.answers.grids import MAX_ENTRIES, GridReader
+from derive.answers.functions import RECIPROCALS, FunctionReader
+from derive.answers.grids import MAX_ENTRIES
 from derive.answers.letters import Letters
 from derive.answers.names import FUNCTIONS
 from derive.answers.rates import rate_at
@@ -36,20 +37,13 @@ from derive.expression import PI, Degrees, Expr, Matrix, Number, Symbol
 MAX_NESTING = 40
 NUMBERED = "could be a factor or the number of the equation"
 ALONE = "write the answer alone"
-INVERSES = {"cos": "acos", "sin": "asin", "tan": "atan"}
-RECIPROCALS = {"sec": "cos", "csc": "sin", "cot": "tan"}
 TRANSPOSED = ("T", "top", "intercal", "t")
 NO_FACTORS = frozenset(("end", "rvert", "circ", "degree", "cdot", "times", "div", "pm", "mp", "over"))
 FRACTIONS = ("frac", "dfrac", "tfrac", "cfrac")
-
-
-NOT_A_PART = {
-    "ne": "is not", "neq": "is not", "le": "is at most", "leq": "is at most", "ge": "is at least",
-    "geq": "is at least", "lt": "is less", "gt": "is greater", "to": "leads to", "Rightarrow": "leads to",
-    "implies": "leads to", "iff": "is the same as", "Leftrightarrow": "is the same as", "therefore": "so",
-    "propto": "is proportional to", "forall": "for all", "dots": "and so on", "ldots": "and so on",
-    "cdots": "and so on", "vdots": "and so on", "ddots": "and so on",
-}  # fmt: skip
+RELATIONS = frozenset(
+    {"ne", "neq", "le", "leq", "ge", "geq", "lt", "gt", "to", "Rightarrow", "implies", "iff"}
+    | {"Leftrightarrow", "therefore", "propto", "forall", "dots", "ldots", "cdots", "vdots", "ddots"}
+)
 
 
 def read_latex(found: Sequence[Token], letters: Letters) -> tuple[Expr, Expr | None]:
@@ -63,7 +57,7 @@ def read_latex(found: Sequence[Token], letters: Letters) -> tuple[Expr, Expr | N
         raise FormulaError("the answer is nested too deeply", 0) from error
 
 
-class _Parser(GridReader):
+class _Parser(FunctionReader):
     """One pass over the tokens of one answer."""
 
     def nested(self, found: tuple[Token, ...]) -> Expr:
@@ -266,10 +260,8 @@ class _Parser(GridReader):
             raise FormulaError(
                 f"\\{name} stands for two answers", token.offset, "give each of them on its own"
             )
-        if name in NOT_A_PART and not self.letters.find(name):
-            raise FormulaError(
-                f"\\{name} ('{NOT_A_PART[name]}') is no part of a formula", token.offset, ALONE
-            )
+        if name in RELATIONS and not self.letters.find(name):
+            raise FormulaError(f"\\{name} is no part of a formula", token.offset, ALONE)
         return self.named(self.scripted())
 
     def styled(self) -> Quantity:
@@ -307,72 +299,3 @@ class _Parser(GridReader):
         if index == 2:
             return called("sqrt", (inside,), token.offset)
         return raised(inside, Quantity(Number(1 / index)), token.offset)
-
-    # -- functions --------------------------------------------------------------------------------
-
-    def function(self, name: str, token: Token) -> Quantity:
-        """A function of what follows; cos^2 x is a square, cos^{-1} x the inverse."""
-        function, exponent = FUNCTIONS.get(name, name), None
-        if self.next.kind == "sign" and self.next.text == "^":
-            self.take()
-            exponent = self.argument_group()
-        if function == "atan" and self.next.text == "_" and group_text(self.tokens, self.at + 1) == "2":
-            function = "atan2"  # as SymPy prints it
-            self.take()
-            self.skip_group()
-        if function == "atan2":
-            return self.atan2(name, token)
-        argument = self.argument()
-        if exponent is not None and rational(exponent.expr) == -1 and function in INVERSES:
-            return called(INVERSES[function], (argument,), token.offset)
-        if function in RECIPROCALS:
-            value = divided(
-                Quantity(Number(Fraction(1))),
-                called(RECIPROCALS[function], (argument,), token.offset),
-                token.offset,
-            )
-        else:
-            value = called(function, (argument,), token.offset)
-        return value if exponent is None else raised(value, exponent, token.offset)
-
-    def atan2(self, name: str, token: Token) -> Quantity:
-        opened = self.next
-        if opened.text not in OPENING:
-            raise FormulaError("atan2 takes two arguments", token.offset, "write atan2(y, x)")
-        self.take()
-        first = self.sum()
-        if self.next.text != ",":
-            raise FormulaError("atan2 takes two arguments", token.offset, "write atan2(y, x)")
-        self.take()
-        second = self.sum()
-        self.close(opened, OPENING[opened.text])
-        y, x = (second, first) if self.letters.xy and name != "atan2" else (first, second)
-        return called("atan2", (y, x), token.offset)
-
-    def argument(self) -> Quantity:
-        """What a function applies to: a group, or numbers and one name."""
-        token = self.next
-        if token.kind == "sign" and token.text in "([{|":
-            return self.atom()
-        if token.kind == "sign" and token.text == "-":
-            self.take()
-            return negated(self.argument())
-        if not self.starts():
-            raise self.unexpected("a function needs its argument")
-        total = self.factor()
-        while rational(total.expr) is not None and not isinstance(total.expr, Degrees) and self.starts():
-            if self.next.kind not in ("word", "command") or self.next.text in FUNCTIONS:
-                return total
-            total = multiplied(total, self.factor(), token.offset)
-        if self.belongs(total.expr):
-            total = multiplied(total, self.factor(), token.offset)
-        return total
-
-    def belongs(self, angle: Expr) -> bool:
-        """Whether the next name is part of the angle still: omega t, n theta."""
-        token = self.next
-        if not isinstance(angle, Symbol):
-            return False
-        after = self.tokens[min(self.at + 1, len(self.tokens) - 1)].text
-        time = token.kind == "word" and token.text == "t" and after not in ("_", "^")
-        return time or (len(angle.name) == 1 and self.starts_angle())

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from derive.answers.comparing import Terms, proved
+from derive.answers.comparing import proved
 from derive.answers.diagnosing import COLUMNS, ROWS, TRANSPOSED
+from derive.answers.terms import Terms
 from derive.expression import Expr, Matrix
 
 MOST = 12  # rows or columns

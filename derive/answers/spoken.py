@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, TypeGuard
 
-from derive.answers.comparing import Finding
+from derive.answers.terms import Finding
 
 AS_THEY_STAND = "words are compared as they stand"
 

@@ -7,8 +7,8 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from itertools import groupby
 
-from derive.answers.comparing import Verdict
 from derive.answers.findings import Check
+from derive.answers.terms import Verdict
 
 WIDEST = 100  # columns of an expression that is quoted whole
 ORDER: tuple[Verdict, ...] = ("equal", "differs", "undecided")

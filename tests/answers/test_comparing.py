@@ -9,11 +9,12 @@ import pytest
 from ruamel.yaml import YAML
 
 from derive.algebra.numeric import number
-from derive.answers.comparing import Terms, compare
+from derive.answers.comparing import compare
 from derive.answers.diagnosing import diagnose
 from derive.answers.letters import Letters
 from derive.answers.points import Sampling
 from derive.answers.reading import read_text
+from derive.answers.terms import Terms
 
 NAMES = frozenset({"theta1", "theta2", "theta1_dot", "theta2_dot", "a1", "a2", "m", "g"})
 LETTERS = Letters(NAMES, own=NAMES)
