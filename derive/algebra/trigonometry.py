@@ -46,7 +46,8 @@ def _atom(home: Ring, exponents: tuple[int, ...]) -> str:
     """A product of powers of letters by its text, `w*t^2`; one that holds functions as itself."""
     powers = [(n, int(e)) for n, e in zip(home.names, exponents, strict=True) if e]
     if all(n in home.symbols and not isinstance(n, Opaque) for n, _ in powers):
-        return "*".join(n if e == 1 else f"{n}^{e}" for n, e in powers) or RADIAN
+        # by the alphabet, which is the same in every ring
+        return "*".join(n if e == 1 else f"{n}^{e}" for n, e in sorted(powers)) or RADIAN
     return _whole(Scalar(home, home.context.from_dict({exponents: 1})))
 
 

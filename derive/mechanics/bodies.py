@@ -68,6 +68,11 @@ class Body:
     about: Literal["com", "origin"] = "com"
 
 
+def coordinates(body: Body) -> tuple[Expr, ...]:
+    """Those of the com; none where it is "center"."""
+    return () if body.com == "center" else body.com
+
+
 Six: TypeAlias = tuple[Expr, Expr, Expr, Expr, Expr, Expr]
 
 

@@ -14,7 +14,8 @@ from derive.algebra.normal import Names, normal
 from derive.algebra.ring import Ring, ring
 from derive.algebra.scalar import Scalar
 from derive.expression import Symbol, walk
-from derive.mechanics.bodies import moments
+from derive.mechanics.bodies import coordinates, moments
+from derive.mechanics.coupling import Coupling, angle_sums, coupling
 from derive.mechanics.dh import moves
 from derive.mechanics.drives import reflected
 from derive.mechanics.frame_tree import pose_of
@@ -50,13 +51,15 @@ class Line:
 @dataclass(frozen=True, slots=True)
 class Chain:
     """T_local[i] takes frame i+1 to frame i; T[i] frame i to the base, T[n] the last row's, the base
-    motion included. T_tool is the pose of the end-effector. joints[i] and lines[i] belong to row i+1."""
+    motion included. T_tool is the pose of the end-effector. joints[i] and lines[i] belong to row i+1;
+    where there is a `coupling` they tell of the row with the star, and not all that its variable moves."""
 
     T_local: tuple[ScalarMatrix, ...]
     T: tuple[ScalarMatrix, ...]
     T_tool: ScalarMatrix
     joints: tuple[Joint | None, ...]
     lines: tuple[Line | None, ...]
+    coupling: Coupling | None = None
 
     @property
     def variables(self) -> tuple[str, ...]:
@@ -107,11 +110,16 @@ def chain(robot: Robot, names: Names | None = None) -> Chain:
     rows = [_row(moves(link, robot), link, names) for link in robot.links]
     base, tool = composed(robot.base, names), tool_pose(robot, names)
     parts = [base, *(part for row in rows for part in row.parts), tool]
-    home = _home(parts, _sums(rows), parameters(robot))
+    sums = angle_sums(robot, names) if robot.coupled else _sums(rows)
+    home = _home(parts, sums, parameters(robot))
     T_local = tuple(row.local(home) for row in rows)
     T = _products(base.into(home), T_local)
     joints = tuple(row.joint for row in rows)
-    return Chain(T_local, T, T[-1] @ tool.into(home), joints, tuple(map(_line, T, joints)))
+    end = T[-1] if robot.home is None else T[-1] @ pose_of(robot.home, names)
+    return Chain(
+        T_local, T, T[-1] @ tool.into(home), joints, tuple(map(_line, T, joints)),
+        coupling(robot, T, end, names),
+    )  # fmt: skip
 
 
 def _line(T: ScalarMatrix, joint: Joint | None) -> Line | None:
@@ -141,7 +149,8 @@ def _home(matrices: Sequence[ScalarMatrix], sums: tuple[Form, ...], names: Itera
     """All symbols at once, so that few rings are made on the way."""
     rings = list(dict.fromkeys(matrix.ring for matrix in matrices))
     symbols = [name for each in rings for name in each.symbols]
-    return reduce(Ring.union, rings, ring(angles=sums).with_symbols([*symbols, *names]))
+    angles = reduce(lambda home, form: home if home.trig(form) else home.with_angle(form), sums, ring())
+    return reduce(Ring.union, rings, angles.with_symbols([*symbols, *names]))
 
 
 def parameters(robot: Robot) -> tuple[str, ...]:
@@ -149,8 +158,7 @@ def parameters(robot: Robot) -> tuple[str, ...]:
     trees = list(gravity_of(robot))
     for link in robot.links:
         if link.body:
-            com = () if link.body.com == "center" else link.body.com
-            trees += [link.body.mass, *com, *moments(link.body)]
+            trees += [link.body.mass, *coordinates(link.body), *moments(link.body)]
         trees.append(reflected(link.motor))
     nodes = (node for tree in trees for node in walk(tree))
     return tuple(dict.fromkeys(node.name for node in nodes if isinstance(node, Symbol)))

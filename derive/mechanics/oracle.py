@@ -2,19 +2,24 @@
 with the symbolic derivations.
 
 Poses by Rodrigues' formula, Jacobians by differences, torques by Newton's and Euler's equations for
-each body. Arrays: T 4 by 4, vectors of 3, q of n.
+each body, whose accelerations come by differences where joints are coupled. Arrays: T 4 by 4, vectors of
+3, q of n.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, TypeAlias, get_args
+
+from flint import arb
 
 from derive.algebra.numeric import Point, number
+from derive.algebra.precise import precise
 from derive.expression import Expr, Symbol, free_symbols
 from derive.mechanics.bodies import Body, moments
 from derive.mechanics.dh import moves
+from derive.mechanics.displacements import Configuration, Placed, joint_forces, many_digits, velocities
 from derive.mechanics.drives import friction_force, reflected
 from derive.mechanics.frames import ByMatrix
 from derive.mechanics.motion import Motion, Move
@@ -25,6 +30,8 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
+TREES = get_args(Expr)
+Value: TypeAlias = Callable[[Expr, Any], Any]  # of a tree at a point
 STEP = 1e-6  # of differences; their error is about 1e-10
 
 
@@ -34,6 +41,7 @@ class Oracle:
 
     robot: Robot
     where: Mapping[str, Expr]
+    value: Value = number  # or one that gives more digits
 
     def at(self, point: Point) -> Point:
         """The point with the values of `where` added; those the point does not decide are left out."""
@@ -45,18 +53,18 @@ class Oracle:
 
     def local(self, point: Point) -> list[Array]:
         """T from each row to the one before."""
-        return [compose(moves(link, self.robot), point) for link in self.robot.links]
+        return [self._compose(moves(link, self.robot), point) for link in self.robot.links]
 
     def poses(self, point: Point) -> list[Array]:
         """T_00, T_01, ..., T_0n, base motion included."""
-        found = [compose(self.robot.base, point)]
+        found = [self._compose(self.robot.base, point)]
         for T in self.local(point):
             found.append(found[-1] @ T)
         return found
 
     def tool(self, point: Point) -> Array:
         """T of the end-effector."""
-        return self.poses(point)[-1] @ self.home(point) @ compose(self.robot.tool, point)
+        return self.poses(point)[-1] @ self.home(point) @ self._compose(self.robot.tool, point)
 
     def home(self, point: Point) -> Array:
         """T of the end-effector of a chain of screws while its joints are at zero."""
@@ -66,45 +74,72 @@ class Oracle:
             case None:
                 return np.eye(4)
             case Motion(made):
-                return compose(made, point)
+                return self._compose(made, point)
             case ByMatrix(matrix):
-                T, size = np.eye(4), len(matrix.rows)
-                T[:size, :size] = [[number(entry, point) for entry in row] for row in matrix.rows]
+                entries = np.array([[self.value(entry, point) for entry in row] for row in matrix.rows])
+                T, size = np.eye(4, dtype=entries.dtype), len(matrix.rows)
+                T[:size, :size] = entries
                 return T
 
-    def jacobian(self, point: Point, frame: int, offset: Sequence[float]) -> Array:
-        """J (6 by n) by central differences: of a point fixed in a frame (n+1: the tool's)."""
+    def _compose(self, sequence: tuple[Move, ...], point: Any) -> Array:
+        return compose(sequence, point, self.value)
+
+    def jacobian(self, point: Point, frame: int, offset: Sequence[float | Expr]) -> Array:
+        """J (6 by n) by central differences: of a point given in a frame (n+1: the tool's)."""
         import numpy as np
 
-        def pose(at: Point) -> Array:
-            return self.tool(at) if frame > len(self.robot.links) else self.poses(at)[frame]
+        precisely = replace(self, value=precise)
 
-        R = pose(point)[:3, :3]
-        columns = []
-        for name in self.robot.variables:
-            ahead, behind = (pose({**point, name: point[name] + h}) for h in (STEP, -STEP))
-            rate = (ahead - behind) / (2 * STEP)
-            S = rate[:3, :3] @ R.T
-            v = rate[:3, :3] @ np.array(offset) + rate[:3, 3]
-            columns.append([*v, S[2, 1], S[0, 2], S[1, 0]])
-        return np.array(columns).T
+        def pose(at: Configuration) -> Array:
+            """That of the frame, moved on to the point."""
+            T = precisely.tool(at) if frame > len(self.robot.links) else precisely.poses(at)[frame]
+            there = [precise(x, at) if isinstance(x, TREES) else arb(x) for x in offset]
+            return np.column_stack([T[:3, :3], T[:3, :3] @ there + T[:3, 3]])
+
+        with many_digits(point) as at:
+            return velocities(pose, at, self.robot.variables)
 
     def torques(self, point: Point) -> Array:
         """tau (n) by the motion of each body; rates and accelerations in the point by their names."""
         import numpy as np
 
         at = self.at(point)
+        own = []
+        for name, link in ((link.variable, link) for link in self.robot.links if link.variable):
+            rotor = number(reflected(link.motor), at) * at[f"{name}_ddot"]
+            own.append(rotor + number(friction_force(link.friction, name), at))
+        return np.array(own) + self._of_bodies(at)
+
+    def _of_bodies(self, at: Point) -> Array:
+        """tau (n) without rotors and friction."""
+        import numpy as np
+
+        if self.robot.coupled or self.robot.shifting:
+            return self._by_displacements(at)
         motion = _Sweep(self, at).bodies()
         torques = []
-        for name, link in ((link.variable, link) for link in self.robot.links if link.variable):
-            axis, origin, first, revolute = next(j for j in motion.joints if j[0] == name)[1:]
-            total = number(reflected(link.motor), at) * at[f"{name}_ddot"]
-            total += number(friction_force(link.friction, name), at)
-            for i, (c, F, N) in motion.loads.items():
-                if i >= first:
-                    total += axis @ (N + np.cross(c - origin, F) if revolute else F)
-            torques.append(total)
-        return np.array(torques)
+        for _, axis, origin, first, revolute in motion.joints:
+            loads = (load for i, load in motion.loads.items() if i >= first)
+            torques.append(sum(axis @ (N + np.cross(c - origin, F) if revolute else F) for c, F, N in loads))
+        return np.array(torques, dtype=float)
+
+    def _by_displacements(self, point: Point) -> Array:
+        """The same where a variable moves more than its own row."""
+        import numpy as np
+
+        with many_digits(point) as at:
+            gravity = np.array([precise(part, at) for part in gravity_of(self.robot)])
+            return joint_forces(replace(self, value=precise).placed, at, self.robot.variables, gravity)
+
+    def placed(self, point: Any) -> list[Placed]:
+        """Where the bodies are."""
+        poses, found = self.poses(point), []
+        for i, link in enumerate(self.robot.links, 1):
+            if link.body:
+                c = com_of(link.body, poses[i - 1], poses[i], point, self.value)
+                I = inertia_of(link.body, point, self.value)
+                found.append(Placed(self.value(link.body.mass, point), c, poses[i][:3, :3], I))
+        return found
 
 
 @dataclass(frozen=True, slots=True)
@@ -172,33 +207,46 @@ class _Sweep:
         import numpy as np
 
         w, alpha, acc, reference = motion
-        mass = number(body.mass, self.point)
-        if body.com == "center":
-            c = (before[:3, 3] + T[:3, 3]) / 2
-        else:
-            c = T[:3, :3] @ np.array([number(x, self.point) for x in body.com]) + T[:3, 3]
-        xx, yy, zz, xy, yz, xz = (number(x, self.point) for x in moments(body))
-        I = T[:3, :3] @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ T[:3, :3].T
+        mass, c = number(body.mass, self.point), com_of(body, before, T, self.point)
+        I = T[:3, :3] @ inertia_of(body, self.point) @ T[:3, :3].T
         r = c - reference
         acceleration = acc + np.cross(alpha, r) + np.cross(w, np.cross(w, r))
         return c, mass * (acceleration - gravity), I @ alpha + np.cross(w, I @ w)
 
 
-def compose(sequence: tuple[Move, ...], point: Point) -> Array:
+def com_of(body: Body, before: Array, T: Array, point: Any, value: Value = number) -> Array:
+    """The com (3, base frame) of the link at T, the one before it at `before`."""
+    import numpy as np
+
+    if body.com == "center":
+        return np.array((before[:3, 3] + T[:3, 3]) / 2)
+    return np.array(T[:3, :3] @ np.array([value(x, point) for x in body.com]) + T[:3, 3])
+
+
+def inertia_of(body: Body, point: Any, value: Value = number) -> Array:
+    """I about the com in the link's own axes (3 by 3)."""
+    import numpy as np
+
+    xx, yy, zz, xy, yz, xz = (value(x, point) for x in moments(body))
+    return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+
+
+def compose(sequence: tuple[Move, ...], point: Any, value: Value = number) -> Array:
     """T of moves about current axes."""
     import numpy as np
 
-    T = np.eye(4)
+    T: Array = np.eye(4)
     for move in sequence:
-        T = T @ elementary(move, point)
+        T = T @ elementary(move, point, value)
     return T
 
 
-def elementary(move: Move, point: Point) -> Array:
+def elementary(move: Move, point: Any, value: Value = number) -> Array:
     """T of one move: Rodrigues' formula, or a shift."""
     import numpy as np
 
-    k, by, T = _direction(move, point), number(move.by, point), np.eye(4)
+    k, by = _direction(move, point, value), value(move.by, point)
+    T = np.eye(4, dtype=np.array(by).dtype)
     if move.kind == "translate":
         T[:3, 3] = by * k
         return T
@@ -207,15 +255,14 @@ def elementary(move: Move, point: Point) -> Array:
     return T
 
 
-def _direction(move: Move, point: Point) -> Array:
+def _direction(move: Move, point: Any, value: Value = number) -> Array:
     import numpy as np
 
     if isinstance(move.axis, str):
         unit: Array = np.eye(3)["xyz".index(move.axis)]
         return unit
-    k = np.array([number(part, point) for part in move.axis])
-    length = float(np.linalg.norm(k))
-    return np.array(k / length)
+    k = np.array([value(part, point) for part in move.axis])
+    return np.array(k / np.sqrt(k @ k))
 
 
 def _names(expr: Expr) -> set[Symbol]:

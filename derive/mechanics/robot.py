@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
-from derive.expression import ZERO, Expr, Symbol, negate
-from derive.mechanics.bodies import Body
+from derive.expression import ZERO, Expr, Symbol, free_symbols, negate, walk
+from derive.mechanics.bodies import Body, coordinates, moments
 from derive.mechanics.drives import Friction, Motor
 from derive.mechanics.frames import ByMatrix
 from derive.mechanics.motion import Axis, Motion, Move
@@ -87,6 +88,31 @@ class Robot:
     def variables(self) -> tuple[str, ...]:
         """The joint variables in order."""
         return tuple(link.variable for link in self.links if link.variable)
+
+    @property
+    def coupled(self) -> bool:
+        """Whether a joint variable stands in more than one place of the rows, the base and the tool."""
+        nodes = (node for tree in self._motions() for node in walk(tree) if isinstance(node, Symbol))
+        return sum(node.name in self.variables for node in nodes) > len(self.variables)
+
+    @property
+    def shifting(self) -> bool:
+        """Whether a joint variable stands in the com or the inertia of a body."""
+        bodies = [link.body for link in self.links if link.body]
+        trees = (tree for body in bodies for tree in (*moments(body), *coordinates(body)))
+        return any(not free_symbols(tree).isdisjoint(self.variables) for tree in trees)
+
+    def _motions(self) -> Iterator[Expr]:
+        """What the rows, the base and the tool turn and slide by."""
+        for link in self.links:
+            match link.row:
+                case DHRow(theta, d, a, alpha):
+                    yield from (theta, d, a, alpha)
+                case FreeRow(made):
+                    yield from (move.by for move in made)
+                case ScrewRow(by=by):
+                    yield by
+        yield from (move.by for move in (*self.base, *self.tool))
 
 
 def gravity_of(robot: Robot) -> tuple[Expr, Expr, Expr]:

@@ -6,19 +6,20 @@ v = q x w + h w, and S = (w, 0) of a slide along w; linear part first, as in a J
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import normal
+from derive.algebra.normal import Names, normal
 from derive.algebra.scalar import Scalar
 from derive.expression import ZERO, Expr, Matrix, Symbol
-from derive.mechanics.chain import chain, tool_pose
+from derive.mechanics.chain import Chain, chain, tool_pose
+from derive.mechanics.coupling import Coupling
 from derive.mechanics.dh import screw
 from derive.mechanics.frames import ByMatrix
 from derive.mechanics.motion import Axis
 from derive.mechanics.poses import composed, skew, unit_vector
-from derive.mechanics.robot import Link, Robot, ScrewRow
+from derive.mechanics.robot import JointType, Link, Robot, ScrewRow
 
 Read = Callable[[Scalar], Expr]
 UNITS: tuple[tuple[tuple[int, int, int], Axis], ...] = (((1, 0, 0), "x"), ((0, 1, 0), "y"), ((0, 0, 1), "z"))
@@ -70,16 +71,37 @@ def screw_form(robot: Robot, read: Read) -> Robot:
         return robot
     still: dict[Expr, Expr] = {Symbol(name): ZERO for name in robot.variables}
     found = chain(robot, still)
-    links = []
+    links = tuple(
+        _coupled_links(robot, found.coupling, still, read) if found.coupling else _links(robot, found, read)
+    )
+    return Robot(robot.name, robot.convention, links, home=ByMatrix(written(found.T_tool, read)))
+
+
+def _links(robot: Robot, found: Chain, read: Read) -> Iterator[Link]:
     for i, joint in found.moving:
-        link = robot.links[i - 1]
-        axis, point = found.axis(i), found.point(i)
-        x, y, z = (read(part) for part in point.entries)
-        row = ScrewRow(
-            named_axis(axis, read), (x, y, z), Symbol(joint.variable), slide=joint.type == "prismatic"
-        )
-        links.append(Link(row, link.joint, joint.variable))
-    return Robot(robot.name, robot.convention, tuple(links), home=ByMatrix(written(found.T_tool, read)))
+        slides = joint.type == "prismatic"
+        row = _row(found.axis(i), found.point(i), Symbol(joint.variable), slides, read)
+        yield Link(row, robot.links[i - 1].joint, joint.variable)
+
+
+def _coupled_links(robot: Robot, coupling: Coupling, still: Names, read: Read) -> Iterator[Link]:
+    """One for each motion of a row, by what it has moved since all joint variables were zero; the motion
+    that has the star keeps its variable."""
+    starred = set(robot.variables)
+    for drive in coupling.drives:
+        start = normal(drive.by, still)
+        by = read(normal(drive.by) - start) if start else drive.by
+        row = _row(drive.axis, drive.point, by, drive.slides, read)
+        joint: JointType = "prismatic" if drive.slides else "revolute"
+        own = robot.links[drive.i - 1] if 0 < drive.i <= len(robot.links) else None
+        variable = own.variable if own and own.joint == joint and own.variable in starred else None
+        starred.discard(variable or "")
+        yield Link(row, joint, variable)
+
+
+def _row(axis: ScalarMatrix, point: ScalarMatrix, by: Expr, slides: bool, read: Read) -> ScrewRow:
+    x, y, z = (read(part) for part in point.entries)
+    return ScrewRow(named_axis(axis, read), (x, y, z), by, slide=slides)
 
 
 def named_axis(axis: ScalarMatrix, read: Read) -> Axis:

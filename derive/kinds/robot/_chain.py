@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.derivation import Derivation, Step
 from derive.expression import Expr, Matrix, Symbol
 from derive.kinds.problem import Problem
+from derive.kinds.robot._couplings import drive_names
 from derive.mechanics.chain import Chain, chain
 from derive.mechanics.oracle import Oracle
 from derive.mechanics.poses import position_part, rotation_part
@@ -60,15 +62,29 @@ def axis_and_point(found: Chain, robot: Robot, i: int) -> tuple[ScalarMatrix, Sc
 def axis_steps(problem: Problem, found: Chain, last: int) -> tuple[Step, ...]:
     """z and o of every joint up to frame `last`, each vector once."""
     steps: dict[str, Step] = {}
-    for i, _ in found.moving:
+    for i, name, value in _vectors(found, problem.subject):
         if i <= last:
-            values = axis_and_point(found, problem.subject, i)
-            for name, value in zip(axis_names(found, problem.subject, i), values, strict=True):
-                facts = {"joint": i, "from": name.name[2:]}
-                steps.setdefault(
-                    name.name, Step(name.name, (name, problem.readable_matrix(value)), "extract", facts)
-                )
+            facts = {"joint": i, "from": name.name[2:]}
+            steps.setdefault(
+                name.name, Step(name.name, (name, problem.readable_matrix(value)), "extract", facts)
+            )
     return tuple(steps.values())
+
+
+def _vectors(found: Chain, robot: Robot) -> Iterator[tuple[int, Symbol, ScalarMatrix]]:
+    """(row, name, value) of each axis and each point on one."""
+    if found.coupling is None:
+        for i, _ in found.moving:
+            pairs = zip(axis_names(found, robot, i), axis_and_point(found, robot, i), strict=True)
+            yield from ((i, name, value) for name, value in pairs)
+        return
+    for drive in found.coupling.drives:
+        axis, point = drive_names(found, robot, drive)
+        yield drive.i, axis, drive.axis
+        if not drive.slides:
+            frame = point.name.removeprefix("o_")
+            origin = position_part(found.T[int(frame)]) if point.name.startswith("o_") else drive.point
+            yield drive.i, point, origin
 
 
 def closing(step: Step, result: Expr) -> Step:

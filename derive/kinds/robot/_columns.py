@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.readable import readable
 from derive.derivation import Step
-from derive.expression import ZERO, Expr, Matrix, Product, Symbol, add, cross, subtract
+from derive.expression import ZERO, Expr, Matrix, Product, Sum, Symbol, add, cross, subtract
 from derive.kinds.naming import fits
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL, axis_names, end_frame, pose_name
+from derive.kinds.robot._couplings import drive_blocks, gamma_of, phi_of
 from derive.mechanics.chain import Chain
+from derive.mechanics.jacobian import MovingPoint, motions_jacobian
 from derive.mechanics.robot import Robot
 
 MOST_BLOCKS = 3  # columns; more would not stand side by side
@@ -28,12 +32,42 @@ def column_blocks(found: Chain, robot: Robot, i: int, point: Symbol, last: int) 
 
 
 def jacobian_steps(
-    problem: Problem, found: Chain, J: ScalarMatrix, name: Symbol, point: Symbol, last: int
+    problem: Problem, found: Chain, point: MovingPoint, name: Symbol, at: Symbol
+) -> tuple[Step, ...]:
+    """The Jacobian `name` of a point, which is called `at`, from its columns; how a point moves in its own
+    frame is added at the end."""
+    if point.drift is None:
+        return _rigid_steps(problem, found, point, name, at)
+    own = ScalarMatrix.stacked([point.drift, ScalarMatrix.zeros(*point.drift.shape)])
+    rigid = Symbol(f"{name.name}_r")
+    steps = _rigid_steps(problem, found, replace(point, drift=None), rigid, at)
+    total = Sum((rigid, problem.readable_matrix(own)))
+    whole = Step(name.name, (name, total, problem.readable_matrix(point.jacobian(found))), "jacobian")
+    return (*steps[:-1], replace(steps[-1], rule="rigid-jacobian"), whole)
+
+
+def _rigid_steps(
+    problem: Problem, found: Chain, point: MovingPoint, name: Symbol, at: Symbol
+) -> tuple[Step, ...]:
+    """Of a point that is fixed in its frame; of coupled joints by the chain rule, J = J_phi Gamma."""
+    robot, coupling, J = problem.subject, found.coupling, point.jacobian(found)
+    if coupling is None:
+        return _column_steps(
+            problem, J, name, [column_blocks(found, robot, i, at, point.last) for i, _ in found.moving]
+        )
+    motions = Symbol(f"{name.name}_{phi_of(problem).name}")
+    blocks = [drive_blocks(found, robot, drive, at, point.last) for drive in coupling.drives]
+    value = motions_jacobian(coupling, point.position, point.last)
+    steps = _column_steps(problem, value, motions, blocks)
+    chain = (name, Product((motions, gamma_of(problem))), problem.readable_matrix(J))
+    return (*steps[:-1], replace(steps[-1], rule="motions-jacobian"), Step(name.name, chain, "jacobian"))
+
+
+def _column_steps(
+    problem: Problem, J: ScalarMatrix, name: Symbol, blocks: list[tuple[Expr, Expr]]
 ) -> tuple[Step, ...]:
     """J as a block matrix and written out; column by column where it is too wide for that. Where nothing
     turns there are no blocks to tell, but the columns themselves."""
-    robot = problem.subject
-    blocks = [column_blocks(found, robot, i, point, last) for i, _ in found.moving]
     written = problem.readable_matrix(J)
     if all(angular == ZERO for _, angular in blocks):
         return (Step(name.name, (name, written), "jacobian-columns"),)

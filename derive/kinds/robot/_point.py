@@ -14,6 +14,7 @@ from derive.expression import ZERO, Expr, Product, Sum, Symbol, column
 from derive.kinds.fields import OptionsModel, Point
 from derive.kinds.problem import Problem
 from derive.mechanics.chain import Chain
+from derive.mechanics.jacobian import MovingPoint, drift
 from derive.mechanics.poses import position_part, rotation_part
 
 
@@ -28,7 +29,8 @@ class PointOn(OptionsModel):
 @dataclass(frozen=True, slots=True)
 class Tracked:
     """A point: its name, its position (3 by 1, base frame), the last row that moves it, the frame it
-    is fixed in (rows + 1 for the tool's) and where there (3 trees), and how its position is found."""
+    is given in (rows + 1 for the tool's) and where there (3 trees), and how its position is found; `drift`
+    (3 by n) is how it moves in that frame."""
 
     name: Symbol
     position: ScalarMatrix
@@ -37,6 +39,15 @@ class Tracked:
     offset: tuple[Expr, Expr, Expr]
     step: Step
     definitions: dict[Expr, Expr]
+    drift: ScalarMatrix | None = None
+
+    @property
+    def moving(self) -> MovingPoint:
+        return MovingPoint(self.position, self.last, self.drift)
+
+    def jacobian(self, chain: Chain) -> ScalarMatrix:
+        """J (6 by n)."""
+        return self.moving.jacobian(chain)
 
 
 def tracked(problem: Problem, chain: Chain, point: PointOn | None) -> Tracked:
@@ -52,7 +63,8 @@ def tracked(problem: Problem, chain: Chain, point: PointOn | None) -> Tracked:
     name = Symbol("o_e" if whole else f"o_{frame}")
     position = position_part(chain.T_tool if whole else chain.T[frame])
     step = Step(name.name, (name, problem.readable_matrix(position)), "extract", {"frame": frame})
-    return Tracked(name, position, frame, rows + 1 if whole else frame, at, step, {name: step.result})
+    last = rows + 1 if whole else frame
+    return Tracked(name, position, last, last, at, step, {name: step.result})
 
 
 def _offset(problem: Problem, chain: Chain, frame: int, at: tuple[Expr, Expr, Expr]) -> Tracked:
@@ -68,4 +80,5 @@ def _offset(problem: Problem, chain: Chain, frame: int, at: tuple[Expr, Expr, Ex
         o: problem.readable_matrix(position_part(T)),
         R: problem.readable_matrix(rotation_part(T)),
     }
-    return Tracked(name, position, frame, frame, at, step, definitions)
+    moving = drift(chain, rotation_part(T), p)
+    return Tracked(name, position, frame, frame, at, step, definitions, moving)

@@ -71,7 +71,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         law("D = D^T", D == D.T),
         *_second_routes(problem, results),
     )
-    facts = {"shapes": bool(named), "big": big, "numbers": ("D",)}
+    drifts = any(body.at.drift for body in bodies)
+    facts = {"shapes": bool(named), "big": big, "drifts": drifts, "numbers": ("D",)}
     return Derivation(
         "inertia-matrix",
         steps,

@@ -22,7 +22,6 @@ from derive.kinds.robot._columns import jacobian_steps
 from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.kinds.robot._velocity.analytic import analytic
 from derive.mechanics.chain import Chain
-from derive.mechanics.jacobian import jacobian
 from derive.mechanics.poses import rotation_part, skew
 from derive.mechanics.robot import Robot
 
@@ -71,8 +70,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     found = chain_of(problem)
     point = tracked(problem, found, options.point)
     axes = problem.ask("joint-axes")
-    J = jacobian(found, point.position, point.last)
-    columns = jacobian_steps(problem, found, J, Symbol("J"), point.name, point.last)
+    J = point.jacobian(found)
+    columns = jacobian_steps(problem, found, point.moving, Symbol("J"), point.name)
     own_point = () if point.name in axes.definitions else (point.step,)
     written = problem.readable_matrix(J)
     result = problem.final(written)
@@ -154,6 +153,8 @@ def _facts(found: Chain, point: Tracked) -> dict[str, object]:
         "revolute": [number(i) for joint, i in moving if joint.type != "prismatic"],
         "helical": [number(i) for joint, i in moving if joint.pitch],
         "prismatic": [number(i) for joint, i in moving if joint.type == "prismatic"],
+        "coupled": found.coupling is not None,
+        "drifts": point.drift is not None,
         "still": [number(i) for i, _ in found.moving if i > point.last],
     }
 
@@ -173,8 +174,7 @@ def _second_route(problem: Problem, point: Tracked, J: ScalarMatrix) -> Claim:
     oracle = oracle_of(problem)
 
     def differences(at: Mapping[str, float]) -> Any:
-        known = oracle.at(at)
-        return oracle.jacobian(known, point.frame, [numeric.number(part, known) for part in point.offset])
+        return oracle.jacobian(oracle.at(at), point.frame, point.offset)
 
     return agreement(
         "J agrees with differences of the poses",

@@ -13,6 +13,7 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import axis_steps, chain_of, oracle_of, pose_name
 from derive.kinds.robot._columns import pose_steps
+from derive.kinds.robot._couplings import motion_steps
 from derive.mechanics.chain import Chain
 from derive.mechanics.robot import Robot
 
@@ -21,6 +22,7 @@ RESULTS = {
     "o_0, o_1, ...": "the origins of their frames, points on the axes (3 by 1)",
     "k_1, k_2, ...": "the axis of a joint that is that of no frame (3 by 1)",
     "p_1, p_2, ...": "a point on such an axis (3 by 1)",
+    "phi, Gamma": "of coupled joints: what the rows move by (m by 1), and its partial derivatives (m by n)",
 }
 EXAMPLE = """\
 title: The axes of a planar arm
@@ -42,12 +44,15 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     found = chain_of(problem)
     poses = problem.ask("forward-kinematics")
     last = len(robot.links)
-    axes = axis_steps(problem, found, last)
-    steps = (*pose_steps(problem, found, last), *axes)
+    axes = axis_steps(problem, found, last + 1)
+    motions = motion_steps(problem, found.coupling) if found.coupling else ()
+    frames = pose_steps(problem, found, last)
+    steps = (*frames, *axes, *motions)
     definitions: dict[Expr, Expr] = {**poses.definitions}
     definitions |= {pose_name(i): problem.readable_matrix(found.T[i]) for i in range(1, last + 1)}
-    definitions |= named_results(steps)
-    results = {step.name: problem.final(step.result) for step in axes}
+    definitions |= named_results((*frames, *axes))
+    definitions |= {step.chain[0]: step.result for step in motions if step.rule != "law"}
+    results = {step.name: problem.final(step.result) for step in (*axes, *motions) if step.rule != "law"}
     claims = (*links(steps, {**problem.names, **definitions}), *_second_route(problem, found))
     return Derivation("joint-axes", steps, results, claims, definitions, uses=(poses,))
 

@@ -28,7 +28,9 @@ from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import axis_names, chain_of, closing, oracle_of
+from derive.kinds.robot._couplings import drive_names, gamma_of, phi_of
 from derive.mechanics.chain import Chain
+from derive.mechanics.jacobian import jacobian, motions_jacobian
 from derive.mechanics.poses import inverse_pose, position_part, rotation_part, skew
 from derive.mechanics.robot import Robot
 
@@ -64,12 +66,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """Column i is the screw of joint i where the joints before it have carried it, (o_i x z_i, z_i) or
     (z_i, 0); in the body, J_b = Ad(T^-1) J_s (Lynch and Park, section 5.1)."""
     found = chain_of(problem)
-    J = ScalarMatrix.beside([twist(found, i) for i, _ in found.moving])
+    J = space_jacobian(found)
     if options.frame == "space":
         uses = problem.ask("joint-axes")
-        written = problem.readable_matrix(J)
-        chain = (Symbol("J_s"), _blocks(problem, found, robot), written)
-        steps: tuple[Step, ...] = (Step("J_s", chain, "twists"),)
+        steps = _space(problem, found, J)
     else:
         uses = problem.ask("space-jacobian")
         J, steps = _body(problem, found, J)
@@ -95,13 +95,33 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     )
 
 
-def twist(found: Chain, i: int) -> ScalarMatrix:
-    """The twist of joint i in the base frame (6 by 1) in any position of the arm."""
-    joint, z = found.joint(i), found.axis(i)
-    if joint.type == "prismatic":
-        return ScalarMatrix.stacked([z, ScalarMatrix.zeros(3, 1)])
-    v = found.point(i).cross(z)
-    return ScalarMatrix.stacked([v + z.scaled(joint.pitch) if joint.pitch else v, z])
+def space_jacobian(found: Chain) -> ScalarMatrix:
+    """J_s (6 by n): the Jacobian of the point of the last body that just passes the origin."""
+    return jacobian(found, ScalarMatrix.zeros(3, 1), len(found.T))
+
+
+def _space(problem: Problem, found: Chain, J: ScalarMatrix) -> tuple[Step, ...]:
+    """J_s from the twists of the joints; of coupled ones from those of the motions of the rows."""
+    name, written, robot = Symbol("J_s"), problem.readable_matrix(J), problem.subject
+    if found.coupling is None:
+        return (Step("J_s", (name, _blocks(problem, found, robot), written), "twists"),)
+    motions = Symbol(f"J_s_{phi_of(problem).name}")
+    origin = ScalarMatrix.zeros(3, 1)
+    value = problem.readable_matrix(motions_jacobian(found.coupling, origin, len(found.T)))
+    chain = (motions, _motion_blocks(found, robot), value)
+    return (
+        Step(motions.name, chain, "motion-twists"),
+        Step("J_s", (name, Product((motions, gamma_of(problem))), written), "twists"),
+    )
+
+
+def _motion_blocks(found: Chain, robot: Robot) -> Matrix:
+    """The twist of each motion of a row, in the names of its vectors."""
+    columns = []
+    for drive in found.coupling.drives if found.coupling else ():
+        axis, o = drive_names(found, robot, drive)
+        columns.append((axis, NOTHING) if drive.slides else (cross(o, axis), axis))
+    return Matrix(tuple(zip(*columns, strict=True)))
 
 
 def _blocks(problem: Problem, found: Chain, robot: Robot) -> Matrix:
@@ -183,4 +203,5 @@ def _facts(found: Chain) -> dict[str, Any]:
         "turning": [i for i, joint in types if joint.type != "prismatic"],
         "sliding": [i for i, joint in types if joint.type == "prismatic"],
         "helical": [i for i, joint in types if joint.pitch],
+        "coupled": found.coupling is not None,
     }

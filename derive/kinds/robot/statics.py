@@ -18,7 +18,6 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, closing, oracle_of
 from derive.kinds.robot._point import PointOn, tracked
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
-from derive.mechanics.jacobian import jacobian
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import moving_rows
 
@@ -85,7 +84,7 @@ def _rows(options: Options, problem: Problem) -> tuple[str, ...]:
         return options.rows
     found = chain_of(problem)
     point = tracked(problem, found, options.point)
-    linear, angular = moving_rows(jacobian(found, point.position, point.last))
+    linear, angular = moving_rows(point.jacobian(found))
     if options.force is None:
         return linear or angular
     choices = (linear, linear + angular, ("vx", "vy"), ("vx", "vy", "vz"), ("vx", "vy", "wz"), tuple(FORCES))

@@ -15,7 +15,7 @@ from derive.kinds.problem import Problem
 from derive.mechanics.bodies import Body, Moments, PointMass, moments
 from derive.mechanics.chain import Chain
 from derive.mechanics.dynamics import LinkMotion
-from derive.mechanics.jacobian import jacobian
+from derive.mechanics.jacobian import MovingPoint, drift
 from derive.mechanics.poses import position_part, rotation_part
 
 ELEMENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
@@ -32,7 +32,7 @@ class Weighted:
     moments: tuple[Expr, ...]
     named: dict[Expr, Expr]
     motion: LinkMotion
-    J: ScalarMatrix
+    at: MovingPoint  # the com
     I: Symbol  # the name of the inertia matrix about the com
 
     @property
@@ -64,7 +64,8 @@ def _weighted(problem: Problem, found: Chain, i: int, body: Body, index: str, le
     com = _com(found, i, body)
     T = found.T[i]
     position = position_part(T) + rotation_part(T) @ com
-    J = jacobian(found, position, i)
+    at = MovingPoint(position, i, drift(found, rotation_part(T), com))
+    J = at.jacobian(found)
     home = J.ring.with_symbols(name.name for name in named if isinstance(name, Symbol))
     J, R = J.into(home), rotation_part(T).into(home)
     inertia = ScalarMatrix.of([normal(written[k]) for k in row] for row in ((0, 3, 5), (3, 1, 4), (5, 4, 2)))
@@ -76,7 +77,7 @@ def _weighted(problem: Problem, found: Chain, i: int, body: Body, index: str, le
         R,
         inertia.into(home),
     )
-    return Weighted(i, body, com, written, named, motion, J, Symbol(f"{letter}{i}"))
+    return Weighted(i, body, com, written, named, motion, at, Symbol(f"{letter}{i}"))
 
 
 def _moments(problem: Problem, body: Body, index: str) -> tuple[tuple[Expr, ...], dict[Expr, Expr]]:

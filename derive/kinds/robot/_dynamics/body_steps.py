@@ -34,7 +34,7 @@ def com_steps(problem: Problem, found: Chain, body: Weighted) -> tuple[Step, ...
 def com_jacobian_steps(problem: Problem, found: Chain, body: Weighted) -> tuple[Step, ...]:
     """J_c1 (6 by n) in the names of its vectors and written out."""
     i = body.i
-    return jacobian_steps(problem, found, body.J, Symbol(f"J_c{i}"), Symbol(f"o_c{i}"), i)
+    return jacobian_steps(problem, found, body.at, Symbol(f"J_c{i}"), Symbol(f"o_c{i}"))
 
 
 def inertia_steps(problem: Problem, bodies: tuple[Weighted, ...]) -> tuple[Step, ...]:

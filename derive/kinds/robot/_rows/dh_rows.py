@@ -65,8 +65,10 @@ class Rows:
         before = self.convention == "modified"
         headings = [Indexed(name, (_index(before and name in ("a", "alpha")),)) for name in COLUMNS]
         lines = [
-            (number(i), *(_starred(entry, joint) for entry in values(row)))
-            for i, (row, joint) in enumerate(zip(self.rows, self.variables, strict=True), 1)
+            (number(i), *_starred(row, variable, joint))
+            for i, (row, variable, joint) in enumerate(
+                zip(self.rows, self.variables, self.joints, strict=True), 1
+            )
         ]
         return Table((Symbol("i"), *headings), tuple(lines))
 
@@ -104,5 +106,11 @@ def _index(before: bool) -> Expr:
     return Sum((Symbol("i"), MINUS_ONE)) if before else Symbol("i")
 
 
-def _starred(entry: Expr, variable: str | None) -> Expr:
-    return entry if variable is None else replace(entry, {Symbol(variable): Symbol(f"{variable}*")})
+def _starred(row: DHRow, variable: str | None, joint: JointType) -> tuple[Expr, Expr, Expr, Expr]:
+    """The row, its variable with a star where it is the joint's."""
+    if variable is None:
+        return values(row)
+    star: dict[Expr, Expr] = {Symbol(variable): Symbol(f"{variable}*")}
+    if joint == "prismatic":
+        return row.theta, replace(row.d, star), row.a, row.alpha
+    return replace(row.theta, star), row.d, row.a, row.alpha

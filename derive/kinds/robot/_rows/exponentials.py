@@ -7,10 +7,22 @@ from functools import reduce
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import normal
+from derive.algebra.normal import derivative, normal
 from derive.algebra.numeric import matrix_numbers, number
 from derive.derivation import Claim, Step
-from derive.expression import ZERO, Call, Expr, Indexed, Matrix, Product, Symbol, column, cross, multiply
+from derive.expression import (
+    ZERO,
+    Call,
+    Expr,
+    Indexed,
+    Matrix,
+    Product,
+    Symbol,
+    column,
+    cross,
+    free_symbols,
+    multiply,
+)
 from derive.expression import add as total
 from derive.kinds.checks import agreement, law
 from derive.kinds.naming import with_named_entries
@@ -145,10 +157,12 @@ class Exponentials:
         """Each matrix is the exponential: it solves dE/dq = [S] E, and agrees with the series."""
         found = []
         for screw in self.screws:
-            E, name = screw.exponential, self.robot.links[screw.i - 1].variable or ""
-            rate = normal(screw.row.by).diff(name)
-            law_of = f"dE_{screw.i}/d{name} = {'-' if rate == -1 else ''}[S_{screw.i}] E_{screw.i}"
-            found.append(law(law_of, E.diff(name) == (screw.bracket @ E).scaled(rate)))
+            E, by = screw.exponential, screw.row.by
+            for name in sorted(free_symbols(by) & set(self.problem.subject.variables)):
+                rate = derivative(normal(by), name)
+                size = "" if rate == 1 else "-" if rate == -1 else f"dphi_{screw.i}/d{name} "
+                law_of = f"dE_{screw.i}/d{name} = {size}[S_{screw.i}] E_{screw.i}"
+                found.append(law(law_of, E.diff(name) == (screw.bracket @ E).scaled(rate)))
             found.append(self._series(screw))
         return found
 
@@ -167,6 +181,7 @@ class Exponentials:
         """What the words need."""
         return {
             "by_screws": True,
+            "coupled": self.problem.subject.coupled,
             "home": self.M.name,
             "letters": {letter: f"{name}_i" for letter, name in self.letters.items()},
             "turn": self._law(),

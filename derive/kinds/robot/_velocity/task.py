@@ -14,7 +14,6 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.mechanics.chain import Chain
-from derive.mechanics.jacobian import jacobian
 from derive.mechanics.task import ROWS, rows_of, task_rows
 
 RowName = Literal["vx", "vy", "vz", "wx", "wy", "wz"]
@@ -71,11 +70,8 @@ class Task:
         """J in numbers by differences of the poses: the second route (an array, m by n)."""
         import numpy as np
 
-        from derive.algebra.numeric import number
-
         oracle = oracle_of(self.problem)
-        known = oracle.at(at)
-        whole = oracle.jacobian(known, self.point.frame, [number(part, known) for part in self.point.offset])
+        whole = oracle.jacobian(oracle.at(at), self.point.frame, self.point.offset)
         return np.array([whole[ROWS.index(row)] for row in self.rows])
 
 
@@ -87,7 +83,7 @@ def task_of(problem: Problem, rows: tuple[str, ...], point: PointOn | None = Non
     if len(set(rows)) < len(rows):
         raise NotDerivable("a row is given twice")
     where = tracked(problem, found, point)
-    J = jacobian(found, where.position, where.last)
+    J = where.jacobian(found)
     chosen = rows or task_rows(J)
     if not chosen:
         raise NotDerivable("no joint moves this point")

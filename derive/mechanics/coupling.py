@@ -1,0 +1,125 @@
+"""Coupled joints: joint variables that move more than a row of their own.
+
+In a parallelogram row 3 turns by q3 - q2, on a screw spindle a row turns by q1 and slides by p q1. The
+motions phi of such an arm (what its rows turn and slide by, one after the other) are functions of the
+joint variables q. Their rates are Gamma qdot with Gamma = dphi/dq, and by the chain rule the Jacobian of
+the variables is that of the motions times Gamma.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from derive.algebra.angles import Form
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import Names, derivative, normal
+from derive.algebra.trigonometry import linear_form
+from derive.errors import NotDerivable
+from derive.expression import Expr, free_symbols
+from derive.mechanics.dh import moves
+from derive.mechanics.motion import Move
+from derive.mechanics.poses import pose, position_part, rotation_part, unit_vector
+from derive.mechanics.robot import Robot
+
+
+@dataclass(frozen=True, slots=True)
+class Drive:
+    """Move `k` (from 0) of row `i`, by `by`: about `axis` through `point`, or along it where it `slides`
+    (3 by 1 each, base frame). The moves of the base are those of row 0, those of the tool of row n + 1."""
+
+    i: int
+    k: int
+    slides: bool
+    axis: ScalarMatrix
+    point: ScalarMatrix
+    by: Expr
+
+
+@dataclass(frozen=True, slots=True)
+class Coupling:
+    """The moves that joint variables drive, from base to tip, and Gamma (m by n), their partial derivatives
+    by the variables."""
+
+    drives: tuple[Drive, ...]
+    gamma: ScalarMatrix
+
+    @property
+    def independent(self) -> bool:
+        """Whether the moves go as they like: a linear map of the joint variables that has an inverse."""
+        square = self.gamma.shape[0] == self.gamma.shape[1]
+        return (
+            square
+            and all(entry.constant is not None for entry in self.gamma.entries)
+            and bool(self.gamma.det())
+        )
+
+
+def stages(robot: Robot) -> Iterator[tuple[int, tuple[Move, ...]]]:
+    """(row, its moves), the base as row 0 and the tool as the row after the last."""
+    yield 0, robot.base
+    yield from ((i, moves(link, robot)) for i, link in enumerate(robot.links, 1))
+    yield len(robot.links) + 1, robot.tool
+
+
+def driven(move: Move, robot: Robot) -> bool:
+    """Whether a joint variable stands in it."""
+    return not free_symbols(move.by).isdisjoint(robot.variables)
+
+
+def coupling(
+    robot: Robot, T: tuple[ScalarMatrix, ...], end: ScalarMatrix, names: Names | None = None
+) -> Coupling | None:
+    """The coupling of an arm whose frames stand at T (4 by 4 each, from frame 0) and whose tool starts at
+    `end`; None where every variable moves its own row alone."""
+    if not robot.coupled:
+        return None
+    starts = (ScalarMatrix.identity(4), *T[:-1], end)
+    found = tuple(
+        drive
+        for start, (i, made) in zip(starts, stages(robot), strict=True)
+        for drive in _of_row(robot, start, i, made, names)
+    )
+    rates = [[derivative(normal(drive.by), name) for name in robot.variables] for drive in found]
+    return Coupling(found, ScalarMatrix.of(rates))
+
+
+def _of_row(
+    robot: Robot, start: ScalarMatrix, i: int, made: tuple[Move, ...], names: Names | None
+) -> Iterator[Drive]:
+    reached = start
+    for k, move in enumerate(made):
+        if driven(move, robot):
+            axis = rotation_part(reached) @ ScalarMatrix.column(unit_vector(move.axis, names))
+            yield Drive(i, k, move.kind == "translate", axis, position_part(reached), move.by)
+        reached = reached @ pose(move, names)
+
+
+def angle_sums(robot: Robot, names: Names | None = None) -> tuple[Form, ...]:
+    """The angle of each driven turn, added to those before it where the axes are parallel: the absolute
+    angles of a parallelogram arm. Angles that are no linear forms of the joint variables start anew."""
+    forms: list[Form] = []
+    total, axis = Form.of({}), None
+    carried = ScalarMatrix.identity(3)  # the fixed rotation since the last driven turn
+    for move in (move for _, made in stages(robot) for move in made if move.kind == "rotate"):
+        if not driven(move, robot):
+            carried = carried @ rotation_part(pose(move, names))
+            continue
+        own = ScalarMatrix.column(unit_vector(move.axis, names))
+        here = carried @ own
+        sign = 0 if axis is None else 1 if axis == here else -1 if axis == -here else 0
+        angle = _form(move.by, robot)
+        total = angle + total.scaled(sign)
+        forms += [total, angle]
+        axis, carried = own, ScalarMatrix.identity(3)
+    return tuple(form for form in forms if form.parts)
+
+
+def _form(by: Expr, robot: Robot) -> Form:
+    """Its part in the joint variables, nothing where that is not linear."""
+    try:
+        form = linear_form(normal(by))
+    except NotDerivable:
+        return Form.of({})
+    moving = {atom: n for atom, n in form.parts if not set(robot.variables).isdisjoint(atom.split("*"))}
+    return Form.of(moving) if set(moving) <= set(robot.variables) else Form.of({})
