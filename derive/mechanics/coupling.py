@@ -38,11 +38,12 @@ class Drive:
 
 @dataclass(frozen=True, slots=True)
 class Coupling:
-    """The moves that joint variables drive, from base to tip, and Gamma (m by n), their partial derivatives
-    by the variables."""
+    """The moves that joint variables drive, from base to tip; Gamma (m by n), their partial derivatives by the
+    variables; and the angles that turn, alone and added up over parallel axes."""
 
     drives: tuple[Drive, ...]
     gamma: ScalarMatrix
+    angles: tuple[Form, ...]
 
     @property
     def independent(self) -> bool:
@@ -81,7 +82,7 @@ def coupling(
         for drive in _of_row(robot, start, i, made, names)
     )
     rates = [[derivative(normal(drive.by), name) for name in robot.variables] for drive in found]
-    return Coupling(found, ScalarMatrix.of(rates))
+    return Coupling(found, ScalarMatrix.of(rates), angle_sums(robot, names))
 
 
 def _of_row(

@@ -35,9 +35,9 @@ class Knowledge:
         wanted = tuple(variables)
         turning = [j.variable for _, j in chain.moving if j.type == "revolute" and j.variable in wanted]
         slides = [j.variable for _, j in chain.moving if j.type == "prismatic" and j.variable in wanted]
-        coupled = _is_coupled(chain)
-        runs = _linked(chain.T_tool.ring, turning) if coupled else _runs(chain.T_tool.ring, turning)
-        return Knowledge(tuple(runs), tuple(slides), coupled=coupled)
+        coupling = chain.coupling
+        runs = _linked(coupling.angles, turning) if coupling else _runs(chain.T_tool.ring, turning)
+        return Knowledge(tuple(runs), tuple(slides), coupled=coupling is not None)
 
     @property
     def joints(self) -> tuple[str, ...]:
@@ -134,20 +134,10 @@ def _runs(home: Ring, turning: list[str]) -> Iterator[Form]:
         yield Form(tuple((name, Fraction(1 if n > 0 else -1)) for name, n in form.parts))
 
 
-def _is_coupled(chain: Chain) -> bool:
-    """Whether a row moves by a variable that is not its own."""
-    rows = zip(chain.T_local, chain.joints, strict=True)
-    return any(
-        name != (joint and joint.variable) and any(entry.diff(name) for entry in T.entries)
-        for T, joint in rows
-        for name in chain.variables
-    )
-
-
-def _linked(home: Ring, turning: list[str]) -> Iterator[Form]:
+def _linked(angles: Iterable[Form], turning: list[str]) -> Iterator[Form]:
     """The joints that stand together in angles, in order: their axes are parallel."""
     groups: list[set[str]] = []
-    for held in [{name} for name in turning] + [set(turning) & {a for a, _ in f.parts} for f in home.angles]:
+    for held in [{name} for name in turning] + [set(turning) & {a for a, _ in f.parts} for f in angles]:
         joined = [group for group in groups if group & held]
         groups = [group for group in groups if not group & held] + [held.union(*joined)]
     for group in sorted(filter(None, groups), key=lambda group: min(map(turning.index, group))):
