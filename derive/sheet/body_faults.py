@@ -9,18 +9,21 @@ from derive.algebra.signs import sign_of
 from derive.errors import NotDerivable, SheetError
 from derive.expression import Expr, Symbol
 from derive.mechanics.bodies import Moments, PointMass
+from derive.mechanics.dh import moves
 from derive.mechanics.plausible import impossible_inertia
-from derive.mechanics.robot import Link
+from derive.mechanics.poses import composed, position_part, rotation_part
+from derive.mechanics.robot import Link, Robot
 from derive.sheet.source import At
 from derive.sheet.subjects.registry import Known
 
 
-def body_faults(links: Sequence[Link], at: At, known: Known) -> Iterator[SheetError]:
+def body_faults(robot: Robot, at: At, known: Known) -> Iterator[SheetError]:
     """Negative masses and rotors, inertias about a point they cannot be about, drives without a joint."""
-    for index, link in enumerate(links):
+    for index, link in enumerate(robot.links):
         route = ("links", index)
-        if link.body and link.body.com == "center" and link.joint == "prismatic":
-            message = f"joint {index + 1} moves the middle between the origins along link {index + 1}"
+        if link.body and link.body.com == "center" and _middle_moves(link, robot):
+            n = index + 1
+            message = f"joint {n} moves the middle between the origins in the frame of link {n}"
             yield at.fault(message, (*route, "com"), "write com: as a point of the link, as [0, 0, -l/2]")
         yield from _about_what(link, at, index)
         if link.body and _sign(link.body.mass, known) == -1:
@@ -48,6 +51,14 @@ def body_warnings(links: Sequence[Link], at: At, known: Known) -> Iterator[Sheet
         if reason:
             message = f"no body has the inertia of link {index + 1}: {reason}"
             yield at.fault(message, ("links", index, "inertia"), "the sheet is built all the same")
+
+
+def _middle_moves(link: Link, robot: Robot) -> bool:
+    """Whether the middle between the origins is no point of the link: where the joint slides, and where a
+    link turns about the end that is its own origin, as in modified rows with a length."""
+    T = composed(moves(link, robot))
+    back = rotation_part(T).T @ position_part(T)
+    return any(back.diff(name) for name in robot.variables)
 
 
 def _about_what(link: Link, at: At, index: int) -> Iterator[SheetError]:

@@ -94,7 +94,7 @@ ROBOT = """robot:
     name: An arm
     convention: modified
     links:
-    - {theta: theta1* + 90 deg, d: 0, a: L, alpha: 0, mass: m, com: center, inertia: point}
+    - {theta: theta1* + 90 deg, d: 0, a: 0, alpha: 0, mass: m, com: center, inertia: point}
     - {theta: 0, d: d2*, a: 0, alpha: 0, mass: 2*m, com: [0, 0, 1], inertia: {box: [L, L/10, L/10]}}
     - {motion: [{rotate: z, by: q3*}, {translate: x, by: 1 m}],
        mass: m, com: center, inertia: {rod: L, axis: x}}

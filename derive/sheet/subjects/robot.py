@@ -54,7 +54,8 @@ def build(given: Given, at: At, known: Known) -> Robot:
     negative mass."""
     faults = [*_star_faults(given, at, known), *_repeated(given, at), *_half_bodies(given, at)]
     links = tuple(_link(row) for row in given.links)
-    faults += [*_mixed(given, at), *body_faults(links, at, known)]
+    rows = Robot(given.name, given.convention, links)
+    faults += [*_mixed(given, at), *body_faults(rows, at, known)]
     if faults:
         raise SheetErrors(faults)
     return Robot(
