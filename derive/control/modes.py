@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, reduce
 from operator import mul
@@ -17,6 +17,7 @@ from derive.errors import NotDerivable
 
 BITS = 256  # of the working precision, at first
 CLEAR = 100  # bits by which errors are smaller than the curve
+ENOUGH = 40  # bits by which what an expansion leaves out is smaller
 NEAR = 2.0  # |pole| * radius up to which a mode is expanded about the middle of an interval
 ORDER = 20  # of that expansion, at least
 
@@ -57,10 +58,12 @@ class Mode:
 
 @dataclass(frozen=True)
 class Curve:
-    """The sum of modes. Everything is enclosed: a ball certainly holds what it stands for."""
+    """The sum of modes. Everything is enclosed: a ball certainly holds what it stands for. `order` is that of
+    expansions, `bits` the working precision it should be evaluated with."""
 
     modes: tuple[Mode, ...]
     order: int = ORDER
+    bits: int = BITS
 
     @staticmethod
     def of_step(num: Sequence[Scalar], den: Sequence[Scalar]) -> Curve:
@@ -75,20 +78,28 @@ class Curve:
                 modes = tuple(_modes(top, bottom, roots))
                 error, size = _error(modes), _size(modes)
                 if not top or error < size * arb(2) ** -CLEAR:
-                    return Curve(modes, _order(modes, size))
+                    lost = _lost(modes, size)
+                    return Curve(modes, _order(lost), CLEAR + ENOUGH + math.ceil(lost))
             bits *= 2
         raise NotDerivable(f"poles lie so close together that {MOST_BITS} bits do not give the response")
 
     @cached_property
+    def _exponentials(self) -> tuple[acb_poly, ...]:
+        return tuple(_exponential(mode.pole, self.order) for mode in self.modes)
+
+    @cached_property
     def slope(self) -> Curve:
-        return Curve(tuple(mode.slope() for mode in self.modes), self.order)
+        return self._of(mode.slope() for mode in self.modes)
 
     def scaled(self, by: arb) -> Curve:
-        return Curve(tuple(Mode(mode.pole, mode.factor * by) for mode in self.modes), self.order)
+        return self._of(Mode(mode.pole, mode.factor * by) for mode in self.modes)
 
     def without_constant(self) -> Curve:
         """Without what stays: a stable curve less its steady state."""
-        return Curve(tuple(mode for mode in self.modes if mode.pole != 0), self.order)
+        return self._of(mode for mode in self.modes if mode.pole != 0)
+
+    def _of(self, modes: Iterable[Mode]) -> Curve:
+        return Curve(tuple(modes), self.order, self.bits)
 
     def at(self, time: arb) -> arb:
         return sum((mode.at(time).real for mode in self.modes), arb(0))
@@ -103,13 +114,13 @@ class Curve:
         middle, radius = (left + right) / 2, (right - left) / 2
         near = acb_poly([acb(0)])
         total = left_over = arb(0)
-        for mode in self.modes:
+        for mode, exponential in zip(self.modes, self._exponentials, strict=True):
             reach = float((abs(mode.pole) * radius).mid())
             if reach > NEAR:
                 total = total + mode.at(arb(middle, radius)).real
                 continue
             there = mode.factor(acb_poly([acb(middle), acb(1)])) * (mode.pole * middle).exp()
-            near = near + there * _exponential(mode.pole, self.order)
+            near = near + there * exponential
             left_over = left_over + _rest(there, radius, reach, self.order)
         value = near(acb(arb(0, radius))).real + total
         return value + arb(0, left_over.abs_upper())
@@ -186,10 +197,15 @@ def _size(modes: Sequence[Mode]) -> arb:
     return sum((mode.size(_scale(mode)) for mode in modes), arb(0))
 
 
-def _order(modes: Sequence[Mode], size: arb) -> int:
+def _lost(modes: Sequence[Mode], size: arb) -> float:
+    """Bits by which the modes exceed the curve, and cancel."""
+    largest = sum((_spread_of(mode) for mode in modes), arb(0))
+    return math.log2(float((largest / size).mid())) if largest > size else 0.0
+
+
+def _order(lost: float) -> int:
     """Terms of an expansion after which the rest is small against the curve."""
-    largest = sum((_spread_of(mode) for mode in modes), arb(0)) / size
-    order, wanted = ORDER, 40 + (math.log2(float(largest.mid())) if largest > 1 else 0.0)
+    order, wanted = ORDER, ENOUGH + lost
     while math.lgamma(order + 2) / math.log(2) - (order + 1) * math.log2(NEAR) < wanted:
         order += 2
     return order

@@ -10,7 +10,7 @@ from fractions import Fraction
 from flint import arb, ctx, fmpq
 
 from derive.algebra.scalar import Scalar
-from derive.control.modes import BITS, Curve
+from derive.control.modes import Curve
 from derive.control.roots import number_ball, sign
 from derive.control.searching import first_above, highest, last_outside
 from derive.errors import NotDerivable
@@ -46,7 +46,7 @@ class StepResponse:
 
     def at(self, time: float) -> float:
         """y there."""
-        with ctx.workprec(2 * BITS):
+        with ctx.workprec(self.curve.bits):
             return float(self.curve.at(arb(time)))
 
 
@@ -56,7 +56,7 @@ def step_response(num: Sequence[Scalar], den: Sequence[Scalar]) -> StepResponse:
     Raises NotDerivable where poles are not told apart, and where a response swings too often to be searched.
     """
     curve = Curve.of_step(num, den)
-    with ctx.workprec(2 * BITS):
+    with ctx.workprec(curve.bits):
         poles = [complex(mode.pole) for mode in curve.modes[1:]]
         if curve.modes[0].factor.degree() > 0 or any(pole.real >= 0 for pole in poles):
             return StepResponse(curve, *_sampled(curve, _horizon(curve)), None)

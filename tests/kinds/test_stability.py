@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import random
+from fractions import Fraction
 from typing import Any
 
 import numpy
@@ -10,6 +12,7 @@ import pytest
 from derive.algebra.grammar import parse, parse_equation
 from derive.algebra.normal import normal
 from derive.control.motor import motor
+from derive.control.rational import polynomial
 from derive.control.system import Equation, System
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
@@ -143,3 +146,31 @@ def test_what_is_refused() -> None:
         ask(plain("s^9 + a"))
     with pytest.raises(NotDerivable, match="symmetric to the origin"):
         ask(plain("s^6 + s^5 + 3*s^4 + 3*s^3 + 3*s^2 + 2*s + 1"))  # Gantmacher, chapter XV
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_margins_are_decided_exactly(seed: int) -> None:
+    """Polynomials made of factors whose roots are known, on the axis too, some coefficients as symbols."""
+    draw = random.Random(seed)
+    whole, right, axis = normal(parse("1")), 0, []
+    for _ in range(draw.randint(2, 4)):
+        q = Fraction(draw.randint(1, 40), draw.choice((1, 2, 5, 10)))
+        kind = draw.choice(("left", "left", "axis", "axis", "right", "pair"))
+        factor = {"left": f"s + {q}", "axis": f"s^2 + {q}", "right": f"s - {q}", "pair": f"s^2 + s + {q}"}[
+            kind
+        ]
+        whole, right = whole * normal(parse(factor)), right + (kind == "right")
+        axis += [q] * (kind == "axis")
+    terms, place = [], {}
+    for power, k in enumerate(reversed(polynomial(whole))):
+        name = f"a_{power}"
+        free = draw.random() < 0.3 and k.constant not in (None, 1)
+        terms.append(f"{name if free else k.constant or 0}*s^{power}")
+        place |= {name: str(k.constant)} if free else {}
+    found = ask(plain(" + ".join(terms)), evaluate=place or True)
+    stable = not right and not axis
+    assert found.evaluated["stable"] is stable
+    assert all(found.evaluated["conditions"]) is stable
+    assert found.evaluated["unstable_poles"] == right
+    swings = not right and len(set(axis)) == len(axis)
+    assert found.facts["at_point"] == ("stable" if stable else "oscillator" if swings else "unstable")

@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from itertools import combinations
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import derivative
 from derive.algebra.numeric import number
-from derive.algebra.polynomials import known_sign, odd_part
 from derive.algebra.scalar import Scalar
 from derive.algebra.signs import signed
-from derive.algebra.text import text
 from derive.derivation import Branch, Claim, Derivation, Step, Table
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Approximate, Expr, Symbol, free_symbols, walk
+from derive.expression import ZERO, Expr, Symbol, free_symbols, walk
 from derive.kinds.checks import SECOND_ROUTE, law, links, random_points
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
@@ -23,6 +20,8 @@ from derive.kinds.lagrange._angles_found import Found, solved
 from derive.kinds.lagrange._model import Model
 from derive.kinds.lagrange._oracle import Differences
 from derive.kinds.lagrange._rest import equations, inputs_of, surely_positive, there
+from derive.kinds.lagrange._stiffness import is_exact, put_in
+from derive.kinds.lagrange._stiffness import said as said_of
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
 from derive.mechanics.lagrangian import TIME, LagrangianSystem, without
@@ -39,7 +38,6 @@ problems:
   find: equilibria
 """
 NEARLY = 1e-9
-STABLE, UNSTABLE, OPEN = "stable", "unstable", "stability not decided by the terms of second order"
 
 
 class Options(OptionsModel):
@@ -63,7 +61,7 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     left = _at_rest(model, given)
     found = solved([each for each in left if each], system.coordinates, positive, problem)
     stiffness = ScalarMatrix.of([derivative(row, q) for q in system.coordinates] for row in left)
-    said = [_said(model, each, stiffness, positive) for each in found]
+    said = [said_of(model, each, stiffness, positive) for each in found]
     steps = (
         *(Step(f"rest_{k}", (problem.readable(each), ZERO), "law") for k, each in enumerate(left, 1) if each),
         Step("K", (Symbol("K"), problem.readable_matrix(stiffness)), "stiffness"),
@@ -71,7 +69,7 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     branches = tuple(_branch(system, each, words) for each, words in zip(found, said, strict=True))
     claims = (
         *links(steps, problem.names),
-        *(_put_back(model, left, each, k, positive) for k, each in enumerate(found, 1) if _exact(each)),
+        *(_put_back(model, left, each, k, positive) for k, each in enumerate(found, 1) if is_exact(each)),
         _second_route(model, found, given),
     )
     facts: dict[str, Any] = {
@@ -110,77 +108,6 @@ def _at_rest(model: Model, given: Mapping[Symbol, Expr]) -> list[Scalar]:
     return found
 
 
-def _put_in(model: Model, value: Scalar, found: Found) -> Scalar:
-    return there(model, value, {Symbol(q): tree for q, tree in found.values.items()})
-
-
-def _exact(found: Found) -> bool:
-    return not any(isinstance(node, Approximate) for tree in found.values.values() for node in walk(tree))
-
-
-def _said(model: Model, found: Found, stiffness: ScalarMatrix, positive: set[str]) -> str:
-    """Stable where K is positive definite there; the condition, where parameters decide."""
-    needs = [f"{_written(model, each, positive)} >= 0" for each in found.real_if]
-    said = _stability(model, found, stiffness, positive) if _exact(found) else OPEN
-    return said + "".join(f" where {each}" for each in dict.fromkeys(needs))
-
-
-def _stability(model: Model, found: Found, stiffness: ScalarMatrix, positive: set[str]) -> str:
-    """Of the coordinates that are not free; along a free one with zeros in K the state is neutral."""
-    whole = ScalarMatrix.of([_put_in(model, entry, found) for entry in row] for row in stiffness.rows)
-    names = model.system.coordinates
-    kept = [k for k, q in enumerate(names) if q not in found.free or any(whole.rows[k])]
-    K = ScalarMatrix(tuple(whole.rows[k] for k in kept)).columns(*kept) if kept else whole
-    if K != K.T:
-        return OPEN
-    minors = [K.block(slice(k), slice(k)).det() for k in range(1, len(K.rows) + 1)]
-    signs = [_sign(minor, found, positive) for minor in minors]
-    neutral = "".join(f", neutral along {q}" for k, q in enumerate(names) if k not in kept)
-    if all(sign == 1 for sign in signs):
-        return STABLE + neutral
-    if len(minors) == 1 and signs[0] is None:
-        part = _written(model, minors[0], positive)
-        return f"stable if {part} > 0, unstable if {part} < 0{neutral}"
-    falls = any(_sign(minor, found, positive) == -1 for minor in _principal_minors(K))
-    return UNSTABLE if falls and not _gyroscopic(model) else OPEN
-
-
-def _principal_minors(K: ScalarMatrix) -> Iterator[Scalar]:
-    """The determinants of the rows and columns of every choice; none is negative where K is positive
-    semidefinite (Horn and Johnson, Matrix Analysis, section 7.2)."""
-    n = len(K.rows)
-    for size in range(1, n + 1):
-        for kept in combinations(range(n), size):
-            yield ScalarMatrix(tuple(K.rows[k] for k in kept)).columns(*kept).det()
-
-
-def _gyroscopic(model: Model) -> bool:
-    """Whether forces linear in the rates do no work, as in a turning frame: they may hold a system on a
-    hill (Kelvin, Tait and Chetaev)."""
-    system = model.system
-    G = ScalarMatrix.of(
-        [without(derivative(left, along), system.rates) for along in system.rates] for left in model.rest
-    )
-    return bool(G - G.T)
-
-
-def _sign(value: Scalar, found: Found, positive: set[str]) -> int | None:
-    """The sign; what makes the solution real is positive too."""
-    known = known_sign(value, positive)
-    if known is not None:
-        return known
-    part = odd_part(value, positive)
-    for each in found.real_if:
-        given = odd_part(each, positive)
-        if part == given or part == -given:
-            return 1 if part == given else -1
-    return None
-
-
-def _written(model: Model, value: Scalar, positive: set[str]) -> str:
-    return text(model.problem.readable(odd_part(value, positive)))
-
-
 def _branch(system: LagrangianSystem, found: Found, when: str) -> Branch:
     values = {q: found.values.get(q, Symbol(q)) for q in system.coordinates}
     return Branch(values, when)
@@ -192,7 +119,7 @@ def _table(system: LagrangianSystem, branches: tuple[Branch, ...]) -> Table:
 
 
 def _put_back(model: Model, left: list[Scalar], found: Found, k: int, positive: set[str]) -> Claim:
-    holds = not any(signed(_put_in(model, each, found), positive) for each in left)
+    holds = not any(signed(put_in(model, each, found), positive) for each in left)
     return law(f"equilibrium {k} satisfies every equation", holds)
 
 

@@ -1,0 +1,137 @@
+"""Whether a system comes back to a state of rest: by the stiffness there, exactly where it is exact."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import derivative
+from derive.algebra.numeric import matrix_numbers, number
+from derive.algebra.polynomials import known_sign, odd_part
+from derive.algebra.scalar import Scalar
+from derive.algebra.text import text
+from derive.expression import Approximate, Symbol, walk
+from derive.kinds.lagrange._angles_found import Found
+from derive.kinds.lagrange._model import Model
+from derive.kinds.lagrange._rest import there
+from derive.kinds.values_at import completed
+from derive.mechanics.lagrangian import without
+
+ROUNDED = 1e-6  # of the largest stiffness: one that is smaller may be zero
+STABLE, UNSTABLE, OPEN = "stable", "unstable", "stability not decided by the terms of second order"
+
+
+def put_in(model: Model, value: Scalar, found: Found) -> Scalar:
+    return there(model, value, {Symbol(q): tree for q, tree in found.values.items()})
+
+
+def is_exact(found: Found) -> bool:
+    return not any(isinstance(node, Approximate) for tree in found.values.values() for node in walk(tree))
+
+
+def said(model: Model, found: Found, stiffness: ScalarMatrix, positive: set[str]) -> str:
+    """Stable where K is positive definite there; the condition, where parameters decide."""
+    needs = [f"{_written(model, each, positive)} >= 0" for each in found.real_if]
+    if is_exact(found):
+        words = _stability(model, found, stiffness, positive)
+    else:
+        words = _stability_in_numbers(model, found, stiffness)
+    return words + "".join(f" where {each}" for each in dict.fromkeys(needs))
+
+
+def _stability(model: Model, found: Found, stiffness: ScalarMatrix, positive: set[str]) -> str:
+    """Of the coordinates that are not free; along a free one with zeros in K the state is neutral."""
+    whole = ScalarMatrix.of([put_in(model, entry, found) for entry in row] for row in stiffness.rows)
+    names = model.system.coordinates
+    kept = [k for k, q in enumerate(names) if q not in found.free or any(whole.rows[k])]
+    K = ScalarMatrix(tuple(whole.rows[k] for k in kept)).columns(*kept) if kept else whole
+    if K != K.T:
+        return OPEN
+    minors = [K.block(slice(k), slice(k)).det() for k in range(1, len(K.rows) + 1)]
+    signs = [_sign(minor, found, positive) for minor in minors]
+    neutral = "".join(f", neutral along {q}" for k, q in enumerate(names) if k not in kept)
+    if (driven := _driven(model, found, positive)) is not None:
+        return driven
+    if all(sign == 1 for sign in signs):
+        return STABLE + neutral
+    if any(_sign(minor, found, positive) == -1 for minor in _principal_minors(K)):
+        return OPEN if _gyroscopic(model) else UNSTABLE
+    if 0 in signs:
+        return OPEN
+    left = [minor for minor, sign in zip(minors, signs, strict=True) if sign is None]
+    parts = dict.fromkeys(_written(model, each, positive) for each in left)
+    return _conditional([*parts], model) + neutral
+
+
+def _driven(model: Model, found: Found, positive: set[str]) -> str | None:
+    """Where forces along the rates feed energy in instead of taking it; None where they are not known to."""
+    pairs = [(model.rest[k] - model.forces[q]) for k, q in enumerate(model.system.coordinates)]
+    still = model.system.rates
+    C = ScalarMatrix.of([without(derivative(each, along), still) for along in still] for each in pairs)
+    C = ScalarMatrix.of([put_in(model, entry, found) for entry in row] for row in C.rows)
+    if not any(_sign(minor, found, positive) == -1 for minor in _principal_minors(C + C.T)):
+        return None
+    return UNSTABLE if len(still) == 1 else OPEN
+
+
+def _stability_in_numbers(model: Model, found: Found, stiffness: ScalarMatrix) -> str:
+    """Of rounded coordinates, where rounding does not decide it."""
+    import numpy
+
+    if found.free or stiffness != stiffness.T:
+        return OPEN
+    try:
+        point = {q: number(tree, {}) for q, tree in found.values.items()}
+        K = numpy.array(matrix_numbers(stiffness, completed(point, model.problem.where)))
+    except KeyError:  # symbols decide
+        return OPEN
+    eigenvalues = numpy.linalg.eigvalsh(K)
+    clear = ROUNDED * numpy.abs(K).max()
+    if eigenvalues.min() > clear:
+        return STABLE
+    return UNSTABLE if eigenvalues.min() < -clear and not _gyroscopic(model) else OPEN
+
+
+def _conditional(parts: list[str], model: Model) -> str:
+    """Where parameters decide the signs of leading minors."""
+    said = "stable if " + " and ".join(f"{part} > 0" for part in parts)
+    if _gyroscopic(model):
+        return said
+    return said + (f", unstable if {parts[0]} < 0" if len(parts) == 1 else ", unstable if one is negative")
+
+
+def _principal_minors(K: ScalarMatrix) -> Iterator[Scalar]:
+    """The determinants of the rows and columns of every choice; none is negative where K is positive
+    semidefinite (Horn and Johnson, Matrix Analysis, section 7.2)."""
+    n = len(K.rows)
+    for size in range(1, n + 1):
+        for kept in combinations(range(n), size):
+            yield ScalarMatrix(tuple(K.rows[k] for k in kept)).columns(*kept).det()
+
+
+def _gyroscopic(model: Model) -> bool:
+    """Whether forces linear in the rates do no work, as in a turning frame: they may hold a system on a
+    hill (Kelvin, Tait and Chetaev)."""
+    system = model.system
+    G = ScalarMatrix.of(
+        [without(derivative(left, along), system.rates) for along in system.rates] for left in model.rest
+    )
+    return bool(G - G.T)
+
+
+def _sign(value: Scalar, found: Found, positive: set[str]) -> int | None:
+    """The sign; what makes the solution real is positive too."""
+    known = known_sign(value, positive)
+    if known is not None:
+        return known
+    part = odd_part(value, positive)
+    for each in found.real_if:
+        given = odd_part(each, positive)
+        if part == given or part == -given:
+            return 1 if part == given else -1
+    return None
+
+
+def _written(model: Model, value: Scalar, positive: set[str]) -> str:
+    return text(model.problem.readable(odd_part(value, positive)))
