@@ -3,7 +3,8 @@
 A ring keeps a fixed angle as its author gave it, cos(35 deg), and knows only c^2 + s^2 = 1 of it; a root of
 a sum of roots, sqrt(3 + 2 sqrt(2)), is a generator of its own, though it is 1 + sqrt(2). What stands before
 each product of the other generators is a number, and is asked for by itself: first in ball arithmetic, which
-refutes; then with its nested roots removed one by one; at last as a sum of waves (`derive.algebra.waves`).
+refutes. Then angles that are sums of others are written out, for all numbers at once; what is left of one is
+freed of its nested roots one by one, and at last seen as a sum of waves (`derive.algebra.waves`).
 
 With r^2 = u a number is a + b r. Where it is zero, so is a^2 - b^2 u, which no longer holds r; and where that
 is zero, one of a + b r and a - b r is: the other one is refuted, or both a and b r are zero.
@@ -17,6 +18,7 @@ from functools import lru_cache
 from flint import fmpq_mpoly
 
 from derive.algebra.constants import ball, holds_zero, number_places
+from derive.algebra.fixed_sums import independent
 from derive.algebra.ring import Ring
 from derive.algebra.waves import cancels
 
@@ -31,10 +33,10 @@ def vanishes(polynomial: fmpq_mpoly, home: Ring) -> bool:
     degrees, doubtful = polynomial.degrees(), _doubtful(home)
     if not any(degrees[place] > 0 for place in doubtful):
         return False
-    numbers = _numbers(polynomial, home)
-    return not any(_refuted(number, home) for number in numbers) and all(
-        _is_zero(number, home) for number in numbers
-    )
+    if any(_refuted(number, home) for number in _numbers(polynomial, home)):
+        return False
+    polynomial, home = independent(polynomial, home)
+    return all(_is_zero(number, home) for number in _numbers(polynomial, home))
 
 
 @lru_cache(maxsize=1024)
