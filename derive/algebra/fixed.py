@@ -33,14 +33,21 @@ def square_root(value: Fraction) -> Scalar:
 
 
 def form_trig(form: Form) -> Pair:
-    """(cosine, sine) of a form: multiples of 15 degrees and a fixed angle in radians are apart from each
-    other, any other fixed part belongs to what moves."""
-    turns, rest = form.of_atom(PI), form.without(PI)
-    if rest.moving.parts and not _simple(turns):
-        return trig(rest + Form.of({PI: turns - 2 * round(turns / 2)}))
-    if not rest.parts:
+    """(cosine, sine) of a form."""
+    kept = with_offset(form)
+    turns = (form + kept.scaled(-1)).of_atom(PI)
+    if not kept.parts:
         return fixed_trig(turns)
-    return added(trig(rest), fixed_trig(turns)) if turns else trig(rest)
+    return added(trig(kept), fixed_trig(turns)) if turns else trig(kept)
+
+
+def with_offset(form: Form) -> Form:
+    """What moves, and the offset that stays with it: theta + 25 deg is one angle; multiples of 15 degrees,
+    which have roots for their sines, stand apart, and so do fixed angles in degrees that nothing moves."""
+    turns, rest = form.of_atom(PI), form.without(PI)
+    if not rest.moving.parts or _simple(turns):
+        return rest
+    return rest + Form.of({PI: turns - 2 * round(turns / 2)})
 
 
 @lru_cache(maxsize=256)

@@ -9,10 +9,12 @@ from functools import reduce
 from typing import TypeVar
 
 from derive.algebra.angles import Form
+from derive.algebra.fixed import with_offset
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, normal
 from derive.algebra.ring import Ring, ring
 from derive.algebra.scalar import Scalar
+from derive.algebra.trigonometry import linear_form
 from derive.expression import Symbol, walk
 from derive.mechanics.bodies import coordinates, moments
 from derive.mechanics.coupling import Coupling, angle_sums, coupling
@@ -25,6 +27,7 @@ from derive.mechanics.robot import JointType, Link, Robot, ScrewRow, gravity_of
 
 Part = TypeVar("Part")
 ZERO_PITCH = Scalar.of(0)
+NOTHING = Form(())
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,10 +96,12 @@ def _existing(part: Part | None, i: int) -> Part:
 
 @dataclass(frozen=True, slots=True)
 class _Row:
-    """The motions of a row in three parts (4 by 4): before its joint's, that one, and after it."""
+    """The motions of a row in three parts (4 by 4): before its joint's, that one, and after it. `turned` is
+    what stands in the angle of a revolute joint beside its variable, about its axis."""
 
     parts: tuple[ScalarMatrix, ScalarMatrix, ScalarMatrix]
     joint: Joint | None
+    turned: Form = NOTHING
 
     def local(self, home: Ring) -> ScalarMatrix:
         """Frame i-1 to frame i."""
@@ -171,10 +176,12 @@ def _row(row: tuple[Move, ...], link: Link, names: Names | None) -> _Row:
     k = acting(row, link.variable)
     before, own, after = (composed(part, names) for part in (row[:k], row[k : k + 1], row[k + 1 :]))
     axis = ScalarMatrix.column(unit_vector(row[k].axis, names))
-    if normal(row[k].by).diff(link.variable) == -1:
-        axis = -axis  # to turn about z by -q is to turn about -z by q
+    by = normal(row[k].by)
+    if by.diff(link.variable) == -1:
+        axis, by = -axis, -by  # to turn about z by -q is to turn about -z by q
     pitch = normal(link.row.pitch, names) if isinstance(link.row, ScrewRow) else ZERO_PITCH
-    return _Row((before, own, after), Joint(link.variable, link.joint, before, axis, pitch))
+    turned = with_offset(linear_form(by)).fixed if link.joint == "revolute" else NOTHING
+    return _Row((before, own, after), Joint(link.variable, link.joint, before, axis, pitch), turned)
 
 
 def acting(row: tuple[Move, ...], variable: str) -> int:
@@ -194,7 +201,7 @@ def _sums(rows: Sequence[_Row]) -> tuple[Form, ...]:
             carried = carried @ before @ own @ after
             continue
         here = carried @ before @ joint.axis
-        angle = Form.of({joint.variable: 1})
+        angle = Form.of({joint.variable: 1}) + row.turned
         sign = 1 if axis == here else -1 if axis == -here else 0
         forms.append(
             forms[-1] + angle.scaled(sign * _side(forms[-1])) if axis is not None and sign else angle
@@ -205,4 +212,4 @@ def _sums(rows: Sequence[_Row]) -> tuple[Form, ...]:
 
 def _side(form: Form) -> Fraction:
     """The sign of the last angle of a sum, for antiparallel axes."""
-    return Fraction(1) if form.parts[-1][1] > 0 else Fraction(-1)
+    return Fraction(1) if form.moving.parts[-1][1] > 0 else Fraction(-1)
