@@ -22,6 +22,10 @@ layers:
 test:
     pytest
 
+# The tests with the lowest versions that pyproject.toml allows
+lowest *tests:
+    .ci/lowest {{tests}}
+
 # Rebuild the golden pages after a change that is meant
 golden:
     pytest tests/test_golden.py --update-golden

@@ -7,6 +7,7 @@ from math import gcd, lcm
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
+from derive.algebra.factorisation import factored
 from derive.algebra.rationals import Rational, of_flint, over, to_flint
 from derive.algebra.terms import Alphabet, Monomial, Terms, divided, terminates
 
@@ -46,7 +47,7 @@ def is_irreducible(terms: Terms) -> bool:
 def factors_of(terms: Terms) -> tuple[Rational, list[tuple[Terms, int]]]:
     """(number, irreducible factors with their powers) of terms without a common monomial."""
     atoms = sorted({atom for monomial in terms for atom, _ in monomial})
-    number, factors = _polynomial(terms, atoms).factor()
+    number, factors = factored(_polynomial(terms, atoms))
     found = [(_terms(factor, atoms), int(power)) for factor, power in factors]
     scale = of_flint(number)
     for place, (first, power) in enumerate(found):

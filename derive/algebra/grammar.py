@@ -76,6 +76,8 @@ def parse_equation(
     if parser.next.text != "=":
         raise parser.unexpected(hint="an equation is written left = right")
     parser.take()
+    if parser.next.text == "=":
+        raise parser.unexpected(hint="an equation has one =")
     return left.expr, parser.whole()
 
 

@@ -14,6 +14,7 @@ from functools import cached_property, reduce
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
+from derive.algebra.factorisation import factored
 from derive.algebra.ring import Ring
 
 
@@ -98,7 +99,7 @@ class HalfAngles:
 
     def factors(self, halved: Halved) -> tuple[object, list[tuple[Halved, int]]]:
         """(number, irreducible factors with their powers); u^2 + v^2 = 1 is left out."""
-        number, found = halved.part.factor()
+        number, found = factored(halved.part)
         factors = []
         for part, power in found:
             if any(part == self._one(k) for k in self._counted):

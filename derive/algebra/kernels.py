@@ -12,6 +12,7 @@ from flint import fmpq_mpoly
 
 from derive.algebra.angles import Form
 from derive.algebra.constants import ball, holds_zero, is_number
+from derive.algebra.factorisation import factored, square_free
 from derive.algebra.fixed import square_root
 from derive.algebra.opaque import Opaque
 from derive.algebra.rationals import Rational, to_flint
@@ -30,7 +31,7 @@ def root(of: Scalar) -> Scalar:
     if of.denominator is not None:
         bottom = Scalar(of.ring, of.denominator)
         return root(Scalar(of.ring, of.ring.reduce(of.numerator * of.denominator))) / absolute(bottom)
-    content, factors = of.numerator.factor_squarefree()
+    content, factors = square_free(of.numerator)
     outside, inside = Scalar.of(1), of.ring.constant(as_fraction(content))
     for factor, power in factors:
         outside = outside * absolute(Scalar(of.ring, of.ring.reduce(factor))) ** (power // 2)
@@ -47,7 +48,7 @@ def absolute(of: Scalar) -> Scalar:
     sign = _sign(of)
     if sign is not None:
         return of * sign
-    content, factors = of.numerator.factor()
+    content, factors = factored(of.numerator)
     parts = [_irreducible(Scalar(of.ring, of.ring.reduce(factor))) ** power for factor, power in factors]
     return reduce(mul, parts, Scalar.of(abs(as_fraction(content))))
 

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from flint import arb
 
+from derive.algebra.factorisation import factored
 from derive.algebra.numeric import scalar_number
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.algebra.signs import sign_of
@@ -49,7 +50,7 @@ def monomials(polynomial: Scalar) -> list[Scalar]:
 
 def factors(polynomial: Scalar, names: Collection[str]) -> list[Scalar]:
     """The distinct irreducible factors that hold any of the names."""
-    _, found = polynomial.numerator.factor()
+    _, found = factored(polynomial.numerator)
     parts = (Scalar(polynomial.ring, factor) for factor, _ in found)
     return [part for part in parts if holds(part, names)]
 
@@ -96,7 +97,7 @@ def _positive(value: Scalar, positive: Collection[str]) -> set[str]:
 
 
 def _by_factors(polynomial: Scalar, positive: Collection[str]) -> int | None:
-    content, found = polynomial.numerator.factor()
+    content, found = factored(polynomial.numerator)
     sign = 1 if as_fraction(content) > 0 else -1
     for factor, power in found:
         if power % 2:
@@ -112,7 +113,7 @@ def odd_part(value: Scalar, positive: Collection[str] = ()) -> Scalar:
     whole = numerator(value)
     if value.denominator is not None:
         whole = whole * Scalar(value.ring, value.denominator)
-    content, found = whole.numerator.factor()
+    content, found = factored(whole.numerator)
     total = Scalar.of(1 if as_fraction(content) > 0 else -1)
     for factor, power in found:
         part = Scalar(value.ring, factor)

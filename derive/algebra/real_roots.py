@@ -9,6 +9,7 @@ from math import isqrt
 
 from flint import arb, ctx, fmpq, fmpq_poly
 
+from derive.algebra.factorisation import square_free
 from derive.algebra.fixed import square_root
 from derive.algebra.kernels import root
 from derive.algebra.polynomials import (
@@ -109,7 +110,7 @@ def either_root(square: Scalar) -> Scalar:
     if (simpler := _denested(square)) is not None:
         return simpler
     bottom = square.ring.one if square.denominator is None else square.denominator
-    content, found = square.ring.reduce(square.numerator * bottom).factor_squarefree()
+    content, found = square_free(square.ring.reduce(square.numerator * bottom))
     outside = 1 / Scalar(square.ring, bottom)
     inside = Scalar.of(as_fraction(content))
     for factor, power in found:

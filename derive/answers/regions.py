@@ -18,6 +18,7 @@ from operator import mul
 from flint import fmpq_mpoly
 
 from derive.algebra.angles import PI, RADIAN, Form
+from derive.algebra.factorisation import factored
 from derive.algebra.kernels import root
 from derive.algebra.normal import Names, Walk
 from derive.algebra.pairs import multiple
@@ -63,7 +64,7 @@ class Around(Walk):
         if self.sign(of) < 0:
             raise NotDerivable("the root of a negative number")
         outside, left = self._sines(of)
-        content, factors = left.factor()
+        content, factors = factored(left)
         parts = [outside, root(Scalar.of(abs(as_fraction(content))))]
         for factor, power in factors:
             positive = self.absolute(Scalar(of.ring, of.ring.reduce(factor)))

@@ -9,6 +9,7 @@ from typing import Literal, TypeAlias
 
 from flint import fmpq_mpoly
 
+from derive.algebra.factorisation import factored
 from derive.algebra.polynomials import coefficients, known_sign, monomials
 from derive.algebra.readable import readable
 from derive.algebra.scalar import Scalar, as_fraction, common_ring
@@ -80,11 +81,11 @@ class _Known:
     def _factors(self, value: Scalar) -> tuple[int, list[fmpq_mpoly], list[fmpq_mpoly]]:
         """The sign of what has a known one, the factors that change their sign, and those to an even power,
         which must only not be zero; one below is not zero anyway."""
-        top, above = value.numerator.factor()
+        top, above = factored(value.numerator)
         sign = 1 if as_fraction(top) > 0 else -1
         below: list[tuple[fmpq_mpoly, int]] = []
         if value.denominator is not None:
-            bottom, below = value.denominator.factor()
+            bottom, below = factored(value.denominator)
             sign = sign if as_fraction(bottom) > 0 else -sign
         odd, even = [], []
         for factor, power in [*above, *((each, -int(power)) for each, power in below)]:
@@ -204,7 +205,7 @@ def _implies(closer: Bound, other: Bound) -> bool:
 
 def written(condition: Scalar, style: Style) -> Condition:
     """The inequality as a person writes it: a b > K, K < 6; a product against zero."""
-    _, factors = condition.numerator.factor()
+    _, factors = factored(condition.numerator)
     if sum(int(power) for _, power in factors) != 1:
         return Condition(readable(condition, style), ">", ZERO)
     plus, minus = _parted(condition)

@@ -13,6 +13,7 @@ from functools import reduce
 from itertools import pairwise
 from operator import mul
 
+from derive.algebra.factorisation import square_free
 from derive.algebra.kernels import root
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar, as_fraction
@@ -115,7 +116,7 @@ def _size(square: Scalar) -> Scalar:
     """The root of a square; lengths are taken as positive, so that of a^2 is a."""
     if square.constant is not None or square.denominator is not None or not square:
         return root(square)
-    content, factors = square.numerator.factor_squarefree()
+    content, factors = square_free(square.numerator)
     if any(power % 2 for _, power in factors):
         return root(square)
     front = root(Scalar.of(as_fraction(content)))

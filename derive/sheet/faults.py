@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from difflib import get_close_matches
+from collections.abc import Iterable, Set
+from difflib import SequenceMatcher, get_close_matches
 from functools import cache
 from typing import Any
 
@@ -11,6 +11,7 @@ from pydantic import TypeAdapter, ValidationError
 
 from derive.errors import FormulaError, SheetError
 from derive.sheet.cut import before, cut_fault, cut_off
+from derive.sheet.model_schema import model_schema
 from derive.sheet.source import At, Route
 
 MOST = 100  # faults of one value that are told one by one
@@ -69,12 +70,16 @@ def untold(count: int, at: At) -> list[SheetError]:
 
 
 def did_you_mean(typed: str, known: Iterable[str], what: str = "") -> str:
-    """A hint: the closest of the known names, or all of them."""
-    names = sorted(set(known))
-    close = get_close_matches(typed, names, n=1, cutoff=0.6)
-    if close:
-        return f"did you mean {close[0]}?"
-    return f"{what or 'one of'}: {', '.join(names)}" if names else ""
+    """A hint: the closest of the known names (the first of those that are equally close), or all of them."""
+    names = sorted(known, reverse=True) if isinstance(known, Set) else list(dict.fromkeys(known))
+    if close := get_close_matches(typed, names, n=3, cutoff=0.6):
+        best = _likeness(close[0], typed)
+        return f"did you mean {next(name for name in names if _likeness(name, typed) == best)}?"
+    return f"{what or 'one of'}: {', '.join(sorted(names))}" if names else ""
+
+
+def _likeness(name: str, typed: str) -> float:
+    return SequenceMatcher(None, name, typed).ratio()
 
 
 def formula_fault(error: FormulaError, at: At, route: Route = ()) -> SheetError:
@@ -86,10 +91,11 @@ def formula_fault(error: FormulaError, at: At, route: Route = ()) -> SheetError:
 
 
 def _cut_at_comma(at: At, route: Route) -> bool:
-    """Whether YAML ended the formula at a comma, as in {beta: atan2(3, 4)}."""
+    """Whether YAML ended the formula at a comma and what closes it comes later, as in {b: atan2(3, 4)}."""
     place, text = at.place(route), at.value(route)
     after = place.text[place.column - 1 + len(text) :].lstrip() if isinstance(text, str) else ""
-    return after.startswith(",")
+    rest = after.partition("(")[0]
+    return after.startswith(",") and ")" in rest
 
 
 class _Entry:
@@ -190,26 +196,43 @@ class _Entry:
             if self.context.get("field_type") == "Tuple":
                 return self.at.fault(f"{most} values are wanted here, not {given}", self.route)
             return self.at.fault(f"at most {most} can stand here, not {given}", self.route)
+        if said == "" and (form := self._form()):
+            return form
         wanted = WANTED.get(self.type.split("_")[0], "")
         place = self.route if said == "" else self._owner()
         return self.at.fault(said or wanted or self.message.lower(), place, key=place != self.route)
 
+    def _form(self) -> SheetError | None:
+        """Where keys or a list are wanted: which keys, and how many values."""
+        branches = _branches(_schema(self.adapter), self.route)
+        if self.type in ("model_type", "model_attributes_type"):
+            required: list[str] = next((keys for branch in branches if (keys := branch.get("required"))), [])
+            hint = f"write {{{', '.join(f'{key}: ...' for key in required)}}}" if required else ""
+            return self.at.fault("keys with values are wanted here", self.route, hint)
+        if self.type == "tuple_type":
+            counts = {len(branch.get("prefixItems", ())) for branch in branches} - {0}
+            if len(counts) == 1:
+                several = f"[{', '.join(['...'] * counts.pop())}]"
+                return self.at.fault("a list is wanted here", self.route, f"write {several}")
+        return None
+
     def _known_keys(self, route: Route) -> list[str]:
         """The keys that the value there could have, found in the JSON Schema."""
-        schema = _schema(self.adapter)
-        branches = [schema]
-        for step in route:
-            branches = [part for branch in branches for part in _parts(schema, branch, step)]
-        keys: dict[str, None] = {}
-        for branch in branches:
-            for flat in _flat(schema, branch):
-                keys.update(dict.fromkeys(flat.get("properties", {})))
-        return list(keys)
+        branches = _branches(_schema(self.adapter), route)
+        return list(dict.fromkeys(key for branch in branches for key in branch.get("properties", {})))
+
+
+def _branches(schema: dict[str, Any], route: Route) -> list[dict[str, Any]]:
+    """What the value there could be."""
+    branches = [schema]
+    for step in route:
+        branches = [part for branch in branches for part in _parts(schema, branch, step)]
+    return [flat for branch in branches for flat in _flat(schema, branch)]
 
 
 @cache
 def _schema(adapter: TypeAdapter[Any]) -> dict[str, Any]:
-    return adapter.json_schema()
+    return model_schema(adapter)
 
 
 def _flat(schema: dict[str, Any], branch: dict[str, Any]) -> list[dict[str, Any]]:

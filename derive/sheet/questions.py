@@ -16,6 +16,8 @@ from derive.sheet.model import Question
 from derive.sheet.source import At
 from derive.sheet.subjects.registry import Known
 
+MANY = 12  # kinds, which are not listed in a hint
+
 
 def questions(at: At, data: dict[str, Any], subject: str, known: Known) -> tuple[Question, ...]:
     """The questions under `questions:`. Raises SheetErrors."""
@@ -88,13 +90,17 @@ def _kind(at: At, data: dict[str, Any], subject: str) -> ModuleType | None:
     typed = data.get("find")
     if not isinstance(typed, str):
         return None
+    several = [part.strip() for part in typed.split(",")]
+    if len(several) > 1 and all(part in registry.kinds_of(subject) for part in several):
+        hint = f"write questions: [{', '.join(f'{{find: {part}}}' for part in several)}]"
+        raise SheetErrors([at.fault("one question asks for one kind", ("find",), hint)])
     try:
         return registry.load(subject, typed)
     except KeyError:
         kinds = registry.kinds_of(subject)
-        hint = did_you_mean(typed, kinds)
-        listed = f"kinds for {subject}: {', '.join(kinds)}"
-        hint = f"{hint} ({listed})" if hint.startswith("did") else listed
+        close = did_you_mean(typed, kinds)
+        few = f"kinds for {subject}: {', '.join(kinds)}"
+        hint = close if close.startswith("did") else few if len(kinds) < MANY else "'derive kinds' lists them"
         fault = at.fault(f"there is no kind '{typed}' for {subject}", ("find",), hint)
         raise SheetErrors([fault]) from None
 

@@ -8,6 +8,7 @@ from pydantic import TypeAdapter
 
 from derive.kinds import registry as kinds
 from derive.sheet.given import GivenAsked, GivenProblem, GivenQuestion, GivenSheet
+from derive.sheet.model_schema import model_schema
 from derive.sheet.subjects import registry as subjects
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
@@ -55,6 +56,6 @@ def _closed(properties: dict[str, Any], required: list[str]) -> dict[str, Any]:
 
 def _schema(model: Any, definitions: dict[str, Any]) -> dict[str, Any]:
     """The schema of a model; what it refers to goes to the definitions of the whole."""
-    schema = TypeAdapter(model).json_schema()
+    schema = model_schema(TypeAdapter(model))
     definitions.update(schema.pop("$defs", {}))
     return schema

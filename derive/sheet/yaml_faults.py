@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 from derive.errors import Place, SheetError
 from derive.sheet.characters import QUOTES
 
 # What the parser says -> what is wrong, what to write instead. The first that fits is taken.
+TEX = "a formula is written a/2, sqrt(2), theta1; a text in single quotes: 'of $\\theta_1$'"
 MEANINGS = (
     ("mapping values are not allowed", "a second colon in one line", "put the text in quotes, or after '|'"),
     ("'\\t'", "a tab is used to indent", "indent with blanks"),
@@ -42,6 +44,8 @@ def explain(error: Exception, path: Path, lines: tuple[str, ...]) -> SheetError:
     line, column = mark.line, mark.column
     text = lines[line] if line < len(lines) else ""
     place = Place(str(path), line + 1, column + 1, text)
+    if re.search(r"\\[A-Za-z]", text[:column]) and "expected ',' or" in said:
+        return SheetError("TeX in braces needs quotes around it", place, TEX)
     for sign, message, hint in MEANINGS:
         if sign in said:
             return SheetError(message, place, hint)

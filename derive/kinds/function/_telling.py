@@ -7,6 +7,7 @@ from typing import Any
 
 from flint import arb
 
+from derive.algebra.factorisation import factored
 from derive.algebra.polynomial_moves import Move
 from derive.algebra.polynomial_systems import Case, Solution
 from derive.algebra.polynomials import coefficients
@@ -91,7 +92,7 @@ def divided_by(case: Case, problem: Problem) -> list[Expr]:
 
 
 def _put(found: dict[str, Expr], value: Scalar, problem: Problem) -> None:
-    _, parts = value.numerator.factor()
+    _, parts = factored(value.numerator)
     for part, _power in parts:
         tree = problem.readable(Scalar(value.ring, part))
         found.setdefault(repr(tree), tree)
