@@ -7,6 +7,7 @@ addition theorem, and this is the short way of seeing it.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import lru_cache
 from itertools import combinations, product
 from math import lcm
@@ -19,6 +20,7 @@ from derive.algebra.ring import Pair, Ring, ring
 
 Sum: TypeAlias = tuple[int, tuple[tuple[Form, int], ...]]  # quarter turns, and angles with their signs
 Key: TypeAlias = tuple[int, ...]
+Images: TypeAlias = tuple[fmpq_mpoly, ...]
 
 
 def independent(polynomial: fmpq_mpoly, home: Ring) -> tuple[fmpq_mpoly, Ring]:
@@ -30,24 +32,31 @@ def independent(polynomial: fmpq_mpoly, home: Ring) -> tuple[fmpq_mpoly, Ring]:
 
 
 @lru_cache(maxsize=1024)
-def _independent(home: Ring) -> tuple[Ring, tuple[fmpq_mpoly, ...]]:
+def _independent(home: Ring) -> tuple[Ring, Images]:
     """The ring, and where the generators of `home` go there."""
-    inside = {name for root in home.roots for powers, _ in root.radicand for name, _ in powers}
     kept: list[Form] = []
     sums: dict[Form, Sum] = {}
     for form in home.angles:
         if not form.moving.parts:
-            found = None if f"cos({form})" in inside or f"sin({form})" in inside else _sum(form, kept)
+            found = _sum(form, kept)
             if found is None:
                 kept.append(form)
             else:
                 sums[form] = found
-    target = ring(home.roots, tuple(form for form in home.angles if form not in sums), home.symbols)
     if not sums:
         return home, ()
+    target = ring((), tuple(form for form in home.angles if form not in sums), home.symbols)
+    for root in reversed(home.roots):
+        inside = home.polynomial(root.radicand).compose(*_images(home, sums, target), ctx=target.context)
+        target = target.with_root(replace(root, radicand=target.terms(target.reduce(inside))))
+    return target, _images(home, sums, target)
+
+
+def _images(home: Ring, sums: dict[Form, Sum], target: Ring) -> Images:
+    """Zero for the roots that have no place yet."""
     pairs = [_pair(form, sums, target) for form in home.angles]
-    return target, (
-        *(target.gen(root.name) for root in home.roots),
+    return (
+        *(target.gen(root.name) if root.name in target.index else target.zero for root in home.roots),
         *(sine for _, sine in pairs),
         *(cosine for cosine, _ in pairs),
         *map(target.gen, home.symbols),
