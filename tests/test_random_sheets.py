@@ -114,3 +114,18 @@ def _values(formulas: Any, at: Point) -> Any:
     if isinstance(formulas, list):
         return [_values(entry, at) for entry in formulas]
     return np.real(plain.value(formulas, at))
+
+
+def test_eleven_joints(tmp_path: Path) -> None:
+    """c_1,1,11 and c_1,11,1 are two symbols; run together they were one, and the last torque was wrong."""
+    heavy = {"mass": "m", "com": ["0.1", 0, 0], "inertia": [0, 0, "0.2"]}
+    light = {"mass": 0, "com": [0, 0, 0], "inertia": "point"}
+    rows = [
+        {"theta": f"q{i}*", "d": 0, "a": "0.3", "alpha": 0, **(heavy if i in (1, 11) else light)}
+        for i in range(1, 12)
+    ]
+    drawn = Drawn({"convention": plain.STANDARD, "links": rows, "gravity": [0, "-g", 0]})
+    drawn.variables, drawn.letters = [f"q{i}" for i in range(1, 12)], {"m": 1.3, "g": 9.81}
+    at = point(Dice(random.Random("eleven")), drawn)
+    found = answers(drawn.robot, "robot", [{"find": "dynamics", "evaluate": at}], 11, tmp_path)
+    agree(found["dynamics"], "tau", plain.torques(drawn.robot, drawn.variables, at), at, 11)
