@@ -84,6 +84,8 @@ def robot(dice: Dice, joints: int, bodies: bool) -> Drawn:
         row = _free_row(dice, drawn, i) if dice.roll.random() < 0.15 else _dh_row(dice, drawn, i)
         if bodies:
             row |= _body(dice, drawn, i)
+            if row["com"] == "center" and not _has_center(row, drawn.robot["convention"]):
+                row["com"] = [0, 0, "0.15"]
         drawn.robot["links"].append(row)
     for place in ("base", "tool"):
         if dice.roll.random() < 0.25:
@@ -95,6 +97,11 @@ def robot(dice: Dice, joints: int, bodies: bool) -> Drawn:
         drawn.robot["gravity"] = dice.one([0, 0, "-g"], [0, "-g", 0], ["9.81", 0, 0], [0, "-9.81", 0])
         drawn.letters["g"] = 9.81
     return drawn
+
+
+def _has_center(row: dict[str, Any], convention: str) -> bool:
+    """Whether the middle to the origin before is a point of the link."""
+    return "theta" in row and convention == STANDARD and _is_star(row["theta"]) and "q" not in str(row["d"])
 
 
 def _dh_row(dice: Dice, drawn: Drawn, i: int) -> dict[str, Any]:
@@ -308,9 +315,7 @@ def torques(arm: dict[str, Any], variables: list[str], at: Point) -> Array:
     turned = [_difference(lambda q: inertia(arm, variables, q), at, name) for name in variables]
     D_dot = sum(rate * change for rate, change in zip(rates, turned, strict=True))
     force = np.array([rates @ change @ rates for change in turned]) / 2
-    return (
-        inertia(arm, variables, at) @ accelerations + D_dot @ rates - force + weight(arm, variables, at)
-    )
+    return inertia(arm, variables, at) @ accelerations + D_dot @ rates - force + weight(arm, variables, at)
 
 
 def _difference(function: Callable[[Point], Array], at: Point, name: str) -> Array:
