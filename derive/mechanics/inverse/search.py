@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import combinations, groupby
 from typing import TypeAlias
 
 from derive.algebra.angles import Form
+from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar
 from derive.mechanics.inverse.budget import Budget
 from derive.mechanics.inverse.equation import Equation, Place, View
@@ -74,7 +76,7 @@ class Stage:
 
     def rows(self, known: Knowledge, form: Form) -> list[Row]:
         """Every equation that holds this angle alone."""
-        return dict(_Looking(self, known, (), Budget()).rows).get(form, [])
+        return _Looking(self, known, (), Budget()).rows_of(form)
 
     def slides(self, known: Knowledge, name: str) -> list[Slide]:
         """Every equation that holds this displacement alone."""
@@ -93,9 +95,16 @@ class _Looking:
 
     def __init__(self, stage: Stage, known: Knowledge, used: Collection[Place], budget: Budget) -> None:
         self.stage, self.known, self.used, self.budget = stage, known, used, budget
-        self.rows: list[tuple[Form, list[Row]]] = [
-            (form, sorted(self._rows(form), key=self._length)) for form in self.known.sought()
-        ]
+        self.homes: dict[tuple[Form | None, Ring], Ring] = {}
+
+    @cached_property
+    def rows(self) -> list[tuple[Form, list[Row]]]:
+        """Of every angle that is sought, the equations that hold it alone."""
+        return [(form, self.rows_of(form)) for form in self.known.sought()]
+
+    def rows_of(self, form: Form) -> list[Row]:
+        """The equations that hold one angle alone, short ones first."""
+        return sorted(self._rows(form), key=self._length)
 
     def pair(self) -> TwoEquations | None:
         pairs = (pair for form, rows in self.rows for pair in self._pairs(form, rows))
@@ -181,7 +190,10 @@ class _Looking:
     def _within(self, value: Scalar, form: Form | None) -> Scalar:
         """In the known angles and this one."""
         self.budget.spend(len(value.numerator))
-        return value.into(self.known.home(form, value.ring))
+        key = form, value.ring
+        if key not in self.homes:
+            self.homes[key] = self.known.home(form, value.ring)
+        return value.into(self.homes[key])
 
     def slide(self) -> Slide | None:
         found = [

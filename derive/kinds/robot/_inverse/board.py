@@ -10,10 +10,10 @@ from derive.algebra.normal import normal, trig_of
 from derive.algebra.scalar import Scalar
 from derive.algebra.text import text
 from derive.derivation import Step
-from derive.expression import Call, Expr, Symbol, negate
+from derive.expression import Call, Expr, Symbol, free_symbols, negate
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.moves import Definition, Item, Move, Option
-from derive.kinds.robot._inverse.trees import leaves, minus, ordered, starts_negative
+from derive.kinds.robot._inverse.trees import leaves, minus, ordered, starts_negative, unsigned
 from derive.mechanics.inverse.goal import Goal
 
 LONG = 3  # names and numbers in an expression; a longer one gets a name of its own
@@ -72,6 +72,12 @@ class Board:
         written = [text(self.known_as(value) or self.tree(value)) for value in values]
         signs = [each.count("-") + each.startswith("-") for each in written]
         return sum(2 ** (len(signs) - place) * count for place, count in enumerate(signs))
+
+    def may_vanish(self, *trees: Expr) -> list[Expr]:
+        """Those of these that rest on the pose, each once and without its sign: a length does not vanish."""
+        lengths = self.problem.symbols - set(self.problem.subject.variables)
+        found = dict.fromkeys(unsigned(tree) for tree in trees if not free_symbols(tree) <= lengths)
+        return list(found)
 
     def angle(self, form: Form) -> Expr:
         """theta2 + theta3 as it is printed in its cosine."""

@@ -54,7 +54,7 @@ class Solutions:
         whole = [self._whole(taken) for taken in self.chosen]
         names = set(self.joints)
         short = not all(
-            size(value) <= READABLE and not _holds(value, names)
+            size(value) <= READABLE and not _holds(value, names) and not _nested(value)
             for values in whole
             for value in values.values()
         )
@@ -264,6 +264,12 @@ def _holds(tree: Expr, names: set[str]) -> bool:
     if isinstance(tree, Symbol):
         return tree.name in names
     return any(_holds(part, names) for part in children(tree))
+
+
+def _nested(tree: Expr, inside: bool = False) -> bool:
+    """Whether a root stands inside a root."""
+    root = isinstance(tree, Call) and tree.function == "sqrt"
+    return (root and inside) or any(_nested(part, inside or root) for part in children(tree))
 
 
 def _flat(tree: Expr) -> Expr:

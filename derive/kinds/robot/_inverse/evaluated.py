@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise, product
 from typing import Any
@@ -28,7 +28,8 @@ from derive.mechanics.oracle import Oracle
 
 REACHED = 1e-6  # in lengths of the arm
 ROUNDED = 5e-3  # how far R^T R of a rotation typed with three digits may be from one
-SMALL = 1e-7  # of a coefficient
+SMALL = 1e-7  # of a coefficient, which rounding may leave
+EXACTLY = 1e-13
 ROTATION = tuple(f"r{i}{j}" for i, j in product((1, 2, 3), repeat=2))
 
 
@@ -68,8 +69,10 @@ def evaluated(
     size = _size(oracle_of(problem), _anything(point, problem))
     at = AtPoint(solutions, items, chain, plan, size, max(SMALL, 4 * rounding))
 
-    def leaves(k: int, pins: Mapping[int, float], usual: float) -> Iterator[Leaf]:
-        return at.leaves(solutions.chosen[k], point, pins, usual)
+    exactly = replace(at, small=EXACTLY, meeting=EXACTLY)
+
+    def leaves(k: int, pins: Mapping[int, float], usual: float, exact: bool) -> Iterator[Leaf]:
+        return (exactly if exact else at).leaves(solutions.chosen[k], point, pins, usual)
 
     return at_point(leaves, solutions.conditions, chain, goal, problem, point, rounding)
 
@@ -86,7 +89,7 @@ def at_point(
     size = _size(oracle, wanted)
     settled = Settled(oracle, goal, chain.variables, slides, leaves, wanted, size, REACHED + 10 * rounding)
     found = settled.solutions(len(conditions))
-    real = [any(leaf.values for leaf in leaves(k, {}, 0.0)) for k in range(len(conditions))]
+    real = [any(leaf.values for leaf in leaves(k, {}, 0.0, False)) for k in range(len(conditions))]
     return Evaluated(
         {"solutions": told(found, conditions, real, len(chain.variables) < goal.size)},
         out_of_reach=not any(real),

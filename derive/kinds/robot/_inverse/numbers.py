@@ -27,6 +27,7 @@ from derive.mechanics.inverse.trigonometric import OneEquation, Row, TwoEquation
 
 USABLE = 1e-4  # of a determinant or a coefficient: above, other equations determine an angle
 MEETING = 1e-9  # of a^2 + b^2 - c^2 against a^2 + b^2: below, the two solutions are one
+MOST_ROWS = 16  # of other equations, short ones first
 NOT_REAL = (ValueError, ZeroDivisionError)
 Values = dict[str, float]
 Numbers = tuple[float, float, float]  # a, b, c of a cos q + b sin q = c
@@ -54,7 +55,7 @@ class State:
 @dataclass(frozen=True)
 class AtPoint:
     """A plan and its moves at a pose. `size` is a length of the arm, which coefficients are measured by;
-    `small` is what counts as zero of them."""
+    `small` is what counts as zero of them, `meeting` likewise of a^2 + b^2 - c^2 against a^2 + b^2."""
 
     solutions: Solutions
     items: tuple[Item, ...]
@@ -62,6 +63,7 @@ class AtPoint:
     plan: Plan
     size: float
     small: float
+    meeting: float = MEETING
 
     def leaves(
         self, taken: Mapping[int, Option], point: Mapping[str, float], pins: Mapping[int, float], usual: float
@@ -153,7 +155,7 @@ class AtPoint:
             case _:
                 return None
         square = a * a + b * b
-        return math.atan2(b * c, a * c) if abs(square - c * c) < MEETING * square else None
+        return math.atan2(b * c, a * c) if abs(square - c * c) < self.meeting * square else None
 
     def _by_others(self, number: int, known: Values) -> list[float] | None:
         rows, slides = self._others(number)
@@ -171,7 +173,7 @@ class AtPoint:
             if isinstance(found, Slide | Reach):
                 self._looked_up[number] = [], stage.slides(before, found.slide)
             else:
-                self._looked_up[number] = stage.rows(before, found.angle), []
+                self._looked_up[number] = stage.rows(before, found.angle)[:MOST_ROWS], []
         return self._looked_up[number]
 
     @cached_property

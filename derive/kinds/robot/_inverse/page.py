@@ -151,6 +151,7 @@ class Page:
         return {
             "decoupled": True,
             "centre": bool(decoupling.centre),
+            "turned": bool(decoupling.turn),
             "at_end": not decoupling.wrist.centre,
             "wrist_joints": list(rows),
             "rotation_before": Symbol(f"R_{rows[0] - 1}^0"),

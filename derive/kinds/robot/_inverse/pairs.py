@@ -79,7 +79,7 @@ def _direction(board: Board, found: TwoEquations, first: Sides, second: Sides) -
     sign, earlier = board.sign_of(found.first.a) if ratio is not None else (0, ())
     if ratio is None or not sign:
         value = atan2(over(c2, b), over(c1, a))
-        return (Option(value),), {"unless": [each for each in (a, b) if not isinstance(each, Number)]}
+        return (Option(value),), {"unless": board.may_vanish(a, b)}
     plain = _given_angle(board, found)
     if plain is not None:
         return (Option(plain),), {"unless": [], "by_name": True}

@@ -183,7 +183,7 @@ def _evaluated(
     x, y = (point[name] for name in goal.names)
     folded = max(math.hypot(x, y), abs(a_1 - a_2)) < SMALL * (a_1 + a_2)
 
-    def leaves(k: int, pins: Mapping[int, float], usual: float) -> Iterator[Leaf]:
+    def leaves(k: int, pins: Mapping[int, float], usual: float, exact: bool) -> Iterator[Leaf]:
         """Folded back on its base, the arm may point anywhere."""
         if folded:
             theta_1 = pins.get(0, usual)

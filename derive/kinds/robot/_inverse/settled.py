@@ -13,9 +13,11 @@ from derive.kinds.robot._inverse.numbers import Leaf, Values
 from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.oracle import Oracle
 
-Leaves: TypeAlias = Callable[[int, Mapping[int, float], float], Iterable[Leaf]]  # branch, pins, what is usual
-PINS = (0.0, *(math.radians(n) for k in range(1, 36) for n in (5 * k, -5 * k)), math.pi)
-STEP = 0.01  # by which a free unknown is moved to see what goes with it
+Leaves: TypeAlias = Callable[[int, Mapping[int, float], float, bool], Iterable[Leaf]]
+GRID = math.radians(10)
+PINS = (0.0, *(n * GRID for k in range(1, 18) for n in (k, -k)), math.pi)
+NEAR, SECTIONS, GOLDEN = 0.3, 55, (math.sqrt(5) - 1) / 2
+STEPS = (0.1, -0.1, 0.01, -0.01)  # by which a free unknown is moved to see what goes with it
 MOVED = 1e-4  # of a joint: that went with it
 SNAP = 1e-7  # radians or metres from zero or a right angle, which only rounding leaves
 EXACT = 1e-9  # by how much a rounder value may miss the pose more
@@ -41,8 +43,9 @@ class Solution:
 
 @dataclass(frozen=True)
 class Settled:
-    """`wanted` are the values of every name, `tolerance` how far off an end-effector may stand (in lengths of
-    the arm, `size`)."""
+    """`leaves` gives the values of a branch by its number, the moves that are pinned, to what others are
+    pinned where they are open, and whether only what vanishes exactly counts as open. `wanted` are the values
+    of every name, `tolerance` how far off an end-effector may stand (in lengths of the arm, `size`)."""
 
     oracle: Oracle
     goal: Goal
@@ -67,13 +70,35 @@ class Settled:
         return found
 
     def _reaching(self, k: int) -> list[Leaf]:
-        """Where an unknown is open but not every value of it will do, the first that does."""
-        for usual in PINS:
-            leaves = list(self.leaves(k, {}, usual))
-            there = [leaf for leaf in leaves if self.reaches(leaf)]
-            if there or not any(leaf.pinned for leaf in leaves):
+        """Those of a branch. Where an unknown is open but not every value of it will do, the first that does;
+        where it is open in its own equations only, the values that the others leave it."""
+        there = list(self.leaves(k, {}, 0.0, False))
+        pinned = any(leaf.pinned for leaf in there)
+        attempts = [(0.0, False), (0.0, True), *((usual, False) for usual in PINS if pinned)]
+        for usual, exact in attempts:
+            if there := [*filter(self.reaches, self.leaves(k, {}, usual, exact))]:
                 return there
-        return []
+        return list(self._isolated(k)) if pinned else []
+
+    def _isolated(self, k: int) -> Iterator[Leaf]:
+        for usual in self._nearest(k):
+            yield from filter(self.reaches, self.leaves(k, {}, usual, False))
+
+    def _nearest(self, k: int) -> Iterator[float]:
+        """Where the end-effector comes nearest as what is open goes around: by golden sections between the
+        pins."""
+
+        def off(usual: float) -> float:
+            return min(
+                (self.misses(leaf.values) for leaf in self.leaves(k, {}, usual, False) if leaf.values),
+                default=math.inf,
+            )
+
+        around = sorted(PINS)
+        tried = [off(usual) for usual in around]
+        for place, here in enumerate(tried):
+            if here < NEAR and here <= tried[place - 1] and here < tried[(place + 1) % len(tried)]:
+                yield lowest(off, around[place] - GRID, around[place] + GRID)
 
     def reaches(self, leaf: Leaf) -> bool:
         return bool(leaf.values) and self.misses(leaf.values) < self.tolerance
@@ -92,15 +117,17 @@ class Settled:
     def _rounded(self, values: Values) -> Values:
         """Angles in (-pi, pi]; zero and right angles as such where that reaches the pose as well."""
         turned = {name: value if name in self.slides else wrapped(value) for name, value in values.items()}
-        rounder = {name: self._rounder(name, value) for name, value in turned.items()}
-        if rounder != turned and self.misses(rounder) > self.misses(turned) + EXACT:
-            return turned
-        return {name: value if name in self.slides else wrapped(value) for name, value in rounder.items()}
-
-    def _rounder(self, name: str, value: float) -> float:
-        quarters = 0 if name in self.slides else round(value / (math.pi / 2))
-        near = quarters * (math.pi / 2)
-        return near if abs(value - near) < SNAP else value + 0.0  # no negative zero
+        least = self.misses(turned) + EXACT
+        for name, value in turned.items():
+            slide = name in self.slides
+            near = 0.0 if slide else wrapped(rounder(value))
+            if (
+                value != near
+                and abs(gap(value, near, slide)) < SNAP
+                and self.misses({**turned, name: near}) <= least
+            ):
+                turned[name] = near
+        return {name: value + 0.0 for name, value in turned.items()}  # no negative zero
 
     def _same(self, one: Values, other: Values) -> bool:
         return all(abs(gap(one[n], other[n], n in self.slides)) < SAME for n in self.joints)
@@ -131,9 +158,9 @@ class Settled:
 
     def _moved(self, k: int, leaf: Leaf, number: int, value: float) -> Values | None:
         """The nearest solution with one of the pinned unknowns moved."""
-        for step in (STEP, -STEP):
+        for step in STEPS:
             pins = {**leaf.pinned, number: value + step}
-            there = [each.values for each in self.leaves(k, pins, 0.0) if self.reaches(each)]
+            there = [each.values for each in self.leaves(k, pins, 0.0, False) if self.reaches(each)]
             if there:
                 return min(there, key=lambda each: self._apart(each, leaf.values))
         return None
@@ -149,7 +176,21 @@ class Settled:
             for sign, operator in ((1, "+"), (-1, "-")):
                 before, after = (each[one] + sign * each[other] for each in (here, there))
                 if abs(gap(after, before, False)) < SAME + 2 * self.tolerance:
-                    yield f"{one} {operator} {other}", self._rounder("", wrapped(before))
+                    yield f"{one} {operator} {other}", rounder(wrapped(before))
+
+
+def lowest(value: Callable[[float], float], low: float, high: float) -> float:
+    """Where a function with one minimum between two places is least, by golden sections."""
+    for _ in range(SECTIONS):
+        left, right = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+        low, high = (low, right) if value(left) < value(right) else (left, high)
+    return (low + high) / 2
+
+
+def rounder(angle: float) -> float:
+    """Zero or a right angle where it is very near to one."""
+    near = round(angle / (math.pi / 2)) * (math.pi / 2)
+    return near if abs(angle - near) < SNAP else angle
 
 
 def wrapped(angle: float) -> float:

@@ -10,7 +10,20 @@ from typing import Any
 from derive.algebra.angles import Form
 from derive.algebra.normal import normal, trig_of
 from derive.algebra.text import text
-from derive.expression import ONE, ZERO, Expr, add, atan2, cos, is_negative, negate, sin, sqrt, subtract
+from derive.expression import (
+    ONE,
+    ZERO,
+    Expr,
+    Number,
+    add,
+    atan2,
+    cos,
+    is_negative,
+    negate,
+    sin,
+    sqrt,
+    subtract,
+)  # fmt: skip
 from derive.kinds.robot._inverse.board import Board, Draft
 from derive.kinds.robot._inverse.moves import Move, Option
 from derive.kinds.robot._inverse.trees import length, minus, over, signed, square, times, total, unsigned
@@ -110,7 +123,9 @@ def _alone(
     for sign in SIGNS:
         when = f"{text(q if even else cos(q))} {'>' if sign > 0 else '<'} 0"
         value, page = (signed(sign, size or sqrt(subtract(ONE, square(each)))) for each in (u, own))
-        options.append(Option(_angle(u, value, even), sign, when))
+        options += _options(draft.board, row, trees, sign, when) or [
+            Option(_angle(u, value, even), sign, when)
+        ]
         shown.append(Option(_angle(own, page, even), sign, when))
         trig[sign] = {own: u, other: value}
     facts = {
@@ -120,6 +135,21 @@ def _alone(
         **extra,
     }
     return draft.move(angle, q, options, facts, shown, trig)
+
+
+def _options(board: Board, row: Row, trees: Trees, sign: int, when: str) -> list[Option]:
+    """Without a fraction, for each sign of the coefficient, where those are known: a cos q = c is
+    q = atan2(sqrt(a^2 - c^2), c) for a positive a."""
+    even = row.b == 0
+    a, c = trees[0] if even else trees[1], trees[2]
+    positive, earlier = board.sign_of(row.a if even else row.b)
+    if not positive or isinstance(a, Number):
+        return []
+    root = signed(sign, sqrt(subtract(square(a), square(c))))
+    values = [(each, _angle(c if positive * each > 0 else minus(c), root, even)) for each in SIGNS]
+    if not earlier:
+        return [Option(value, sign, when) for each, value in values if each > 0]
+    return [Option(value, sign, when, earlier, each) for each, value in values]
 
 
 def _angle(own: Expr, other: Expr, even: bool) -> Expr:

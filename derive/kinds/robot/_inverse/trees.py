@@ -50,10 +50,15 @@ def minus(tree: Expr) -> Expr:
 
 
 def ordered(tree: Expr) -> Expr:
-    """A sum with what is subtracted at its end."""
-    if isinstance(tree, Sum):
-        return Sum(tuple(sorted(tree.terms, key=is_negative)))
-    return tree
+    """A sum with what is subtracted at its end; of a sum with a minus in front that begins with one, the
+    opposite."""
+    match tree:
+        case Sum(terms):
+            return Sum(tuple(sorted(terms, key=is_negative)))
+        case Product((first, Sum(terms))) if first == MINUS_ONE and any(map(is_negative, terms)):
+            return ordered(Sum(tuple(map(minus, terms))))
+        case _:
+            return tree
 
 
 def unsigned(tree: Expr) -> Expr:
