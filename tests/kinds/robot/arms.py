@@ -237,7 +237,7 @@ ARMS = {
         (("theta1*", "d1", "a1", "90 deg"), ("theta2*", "0", "a2", "0"),
          ("theta3* - theta2", "0", "a3", "0"), ("-theta3", "0", "a4", "-90 deg"),
          ("theta4*", "d5", "0", "0")),
-        "pose", 4, partial=True,
+        "pose", 4,
     ),
     "parallelogram with a wrist": Arm(
         (("theta1*", "d1", "a1", "-90 deg"), ("theta2* - 90 deg", "0", "a2", "0"),

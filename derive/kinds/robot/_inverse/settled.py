@@ -115,19 +115,20 @@ class Settled:
     # -- what is listed ---------------------------------------------------------------------------
 
     def _rounded(self, values: Values) -> Values:
-        """Angles in (-pi, pi]; zero and right angles as such where that reaches the pose as well."""
+        """Angles in (-pi, pi]; zero and right angles as such where that reaches the pose as well, all
+        together or each by itself."""
         turned = {name: value if name in self.slides else wrapped(value) for name, value in values.items()}
+        near = {name: self._near(name, value) for name, value in turned.items()}
         least = self.misses(turned) + EXACT
-        for name, value in turned.items():
-            slide = name in self.slides
-            near = 0.0 if slide else wrapped(rounder(value))
-            if (
-                value != near
-                and abs(gap(value, near, slide)) < SNAP
-                and self.misses({**turned, name: near}) <= least
-            ):
-                turned[name] = near
+        for change in (near, *({name: value} for name, value in near.items())):
+            if change.items() - turned.items() and self.misses({**turned, **change}) <= least:
+                turned |= change
         return {name: value + 0.0 for name, value in turned.items()}  # no negative zero
+
+    def _near(self, name: str, value: float) -> float:
+        if name in self.slides:
+            return 0.0 if abs(value) < SNAP else value
+        return wrapped(rounder(value))
 
     def _same(self, one: Values, other: Values) -> bool:
         return all(abs(gap(one[n], other[n], n in self.slides)) < SAME for n in self.joints)
