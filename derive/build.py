@@ -174,6 +174,9 @@ def answered(question: Question, working: Working) -> Derivation:
         derivation = working.answer(question.find, question.options)
     except NotDerivable as error:
         raise SheetErrors([SheetError(str(error), question.place)]) from error
+    except Exception as error:  # an accident of ours: where it was is told with it
+        error.add_note(f"{question.place}: ")
+        raise
     failed = next((claim for claim in _claims(derivation) if not claim.holds), None)
     if failed:
         message = f"the answer failed its own check: {failed.claim} (by {failed.by})"

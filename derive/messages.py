@@ -47,7 +47,8 @@ def guarded() -> Iterator[None]:
         if (behind := _behind(error)) is not None:
             _refused(behind)
         summary = (str(error).splitlines() or [""])[0]
-        click.echo(f"derive failed, and should not have: {type(error).__name__}: {summary}", err=True)
+        where = getattr(error, "__notes__", [""])[0]
+        click.echo(f"{where}derive failed, and should not have: {type(error).__name__}: {summary}", err=True)
         click.echo(f"{REPORT}; DERIVE_DEBUG=1 shows where", err=True)
         sys.exit(1)
 

@@ -172,6 +172,15 @@ def test_the_unexpected_is_an_apology(folder: Path, monkeypatch: pytest.MonkeyPa
     assert "Traceback" not in done.output
 
 
+def test_an_accident_says_at_which_question(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def broken(*_: object) -> None:
+        raise KeyError("x")
+
+    monkeypatch.setattr(pipeline.Working, "answer", broken)
+    monkeypatch.delenv("DERIVE_DEBUG", raising=False)
+    assert run("week1.yaml").stderr.startswith("week1.yaml:6:9: derive failed, and should not have: KeyError")
+
+
 def test_kinds() -> None:
     assert "dh-table" in run("kinds").stdout
     one = run("kinds", "dh-table").stdout

@@ -135,8 +135,10 @@ def _minors(problem: Problem, D: Matrix) -> list[list[float]]:
     import numpy as np
 
     arm = oracle(problem)
-    values = [np.array(numbers(D, arm.at(at))) for at in physical_points(arm, problem.symbols, POINTS)]
-    sizes = range(1, len(D.rows) + 1)
+    points = physical_points(arm, problem.symbols, POINTS)
+    count = len(D.rows)
+    values = [np.array(numbers(D, arm.at(at))).reshape(count, count) for at in points]  # flat for one joint
+    sizes = range(1, count + 1)
     return [[float(np.linalg.det(value[:k, :k])) for k in sizes] for value in values]
 
 

@@ -66,11 +66,14 @@ def _weighted(problem: Problem, found: Chain, i: int, body: Body, index: str, le
     position = position_part(T) + rotation_part(T) @ com
     at = MovingPoint(position, i, drift(found, rotation_part(T), com))
     J = at.jacobian(found)
-    home = J.ring.with_symbols(name.name for name in named if isinstance(name, Symbol))
-    J, R = J.into(home), rotation_part(T).into(home)
     inertia = ScalarMatrix.of([normal(written[k]) for k in row] for row in ((0, 3, 5), (3, 1, 4), (5, 4, 2)))
+    mass = normal(body.mass)
+    home = J.ring.with_symbols(name.name for name in named if isinstance(name, Symbol))
+    for ring in (T.ring, position.ring, inertia.ring, mass.ring):
+        home = home.union(ring)
+    J, R = J.into(home), rotation_part(T).into(home)
     motion = LinkMotion(
-        normal(body.mass).into(home),
+        mass.into(home),
         position.into(home),
         J.block(slice(0, 3), slice(None)),
         J.block(slice(3, 6), slice(None)),
