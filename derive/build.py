@@ -174,6 +174,9 @@ def answered(question: Question, working: Working) -> Derivation:
         derivation = working.answer(question.find, question.options)
     except NotDerivable as error:
         raise SheetErrors([SheetError(str(error), question.place)]) from error
+    except (OverflowError, ZeroDivisionError) as error:
+        message = f"a number of this answer is too large, or divided by zero ({error})"
+        raise SheetErrors([SheetError(message, question.place, "check the values of the sheet")]) from error
     except Exception as error:  # an accident of ours: where it was is told with it
         error.add_note(f"{question.place}: ")
         raise

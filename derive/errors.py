@@ -64,6 +64,10 @@ class NotReal(NotDerivable, ValueError):
     """A number that is not real: the square root of -4."""
 
 
+class TooLarge(NotDerivable, OverflowError):
+    """A number that no floating-point number can stand for: exp(1000)."""
+
+
 class DivisionByZero(NotDerivable, ZeroDivisionError):
     """A division by an expression that is zero whatever its symbols are."""
 

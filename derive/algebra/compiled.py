@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
-from derive.algebra.numeric import FUNCTIONS, Point, real_power
+from derive.algebra.numeric import FUNCTIONS, Point, quotient
 from derive.errors import NotDerivable
 from derive.expression import (
     Approximate,
@@ -73,9 +73,9 @@ def _operation(expr: Expr) -> Operation:
         case Product():
             return lambda _, parts: math.prod(parts)
         case Quotient():
-            return lambda _, parts: parts[0] / parts[1]
+            return lambda _, parts: quotient(parts[0], parts[1])
         case Power():
-            return lambda _, parts: real_power(parts[0], parts[1])
+            return lambda _, parts: FUNCTIONS["pow"](*parts)
         case Call("sqrt"):
             return lambda _, parts: _root(parts[0])
         case Call(function) if function in FUNCTIONS:

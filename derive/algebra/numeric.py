@@ -11,7 +11,7 @@ from flint import fmpq, fmpq_mpoly
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.opaque import ITSELF, Opaque
 from derive.algebra.scalar import Scalar
-from derive.errors import NotDerivable, NotReal
+from derive.errors import DivisionByZero, NotDerivable, NotReal, TooLarge
 from derive.expression import (
     Approximate,
     Call,
@@ -29,26 +29,44 @@ from derive.expression import (
 Point: TypeAlias = Mapping[str, float]
 
 
-def real_power(base: float, exponent: float) -> float:
-    """base^exponent. Raises NotReal for a fraction of a power of a negative number."""
-    value = base**exponent
-    if isinstance(value, complex):
-        raise NotReal(f"{base:g} to the power of {exponent:g} is not real")
-    return float(value)
+def _real(name: str, function: Callable[..., float]) -> Callable[..., float]:
+    """The function, with words for where it has no value or none that fits into a float."""
+
+    def value(*at: float) -> float:
+        said = f"{name} of {', '.join(f'{each:g}' for each in at)}"
+        try:
+            found = function(*at)
+        except ValueError as error:
+            raise NotReal(f"{said} is not real") from error
+        except OverflowError as error:
+            raise TooLarge(f"{said} is too large a number") from error
+        except ZeroDivisionError as error:
+            raise DivisionByZero(f"{said} is infinite") from error
+        if isinstance(found, complex):
+            raise NotReal(f"{said} is not real")
+        return float(found)
+
+    return value
+
+
+def quotient(top: float, bottom: float) -> float:
+    if bottom == 0:
+        raise DivisionByZero("a division by zero")
+    return top / bottom
 
 
 FUNCTIONS: dict[str, Callable[..., float]] = {
-    "pow": real_power,
+    "pow": _real("a power", pow),
     "cos": math.cos,
     "sin": math.sin,
     "tan": math.tan,
-    "sqrt": math.sqrt,
+    "sqrt": _real("sqrt", math.sqrt),
     "atan2": math.atan2,
-    "acos": math.acos,
-    "asin": math.asin,
+    "acos": _real("acos", math.acos),
+    "asin": _real("asin", math.asin),
     "atan": math.atan,
-    "exp": math.exp,
-    "log": math.log,
+    "exp": _real("exp", math.exp),
+    "log": _real("log", math.log),
     "abs": abs,
     "max": max,
     "sign": lambda x: float((x > 0) - (x < 0)),
@@ -74,9 +92,9 @@ def number(expr: Expr, point: Point) -> float:
         case Product(factors):
             return math.prod(number(factor, point) for factor in factors)
         case Quotient(top, bottom):
-            return number(top, point) / number(bottom, point)
+            return quotient(number(top, point), number(bottom, point))
         case Power(base, exponent):
-            return real_power(number(base, point), number(exponent, point))
+            return FUNCTIONS["pow"](number(base, point), number(exponent, point))
         case Call(function, arguments) if function in FUNCTIONS:
             return float(FUNCTIONS[function](*(number(a, point) for a in arguments)))
         case _:
@@ -124,7 +142,7 @@ def generator_numbers(value: Scalar, point: Point) -> list[float]:
     for root in reversed(home.roots):
         if root.name in used:
             square = Scalar(home, home.polynomial(root.radicand))
-            table[root.name] = real_power(scalar_number(square, point), 1 / root.degree)
+            table[root.name] = FUNCTIONS["pow"](scalar_number(square, point), 1 / root.degree)
     return [table.get(name, 0.0) for name in home.names]
 
 

@@ -9,6 +9,8 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import comb, log10
 
+from derive.algebra.domain import always_zero, undefined
+from derive.algebra.rationals import decimal_places
 from derive.algebra.spelling import INVERSE, TRIGONOMETRIC
 from derive.algebra.units import ANGLE, LENGTH, PLAIN, Dimension, Unit, agree, power, spoken, times
 from derive.errors import FormulaError
@@ -70,6 +72,8 @@ def divided(left: Quantity, right: Quantity, at: int) -> Quantity:
     """left / right. Raises FormulaError for a division by zero."""
     if rational(right.expr) == 0:
         raise FormulaError("a division by zero", at)
+    if isinstance(right.expr, Sum) and always_zero(right.expr):
+        raise FormulaError("a division by an expression that is always zero", at, "check its signs")
     dimension = _combined(left.dimension, right.dimension, -1)
     return _joined(Quotient(left.expr, right.expr), dimension, left, right, left.terms * right.terms, at)
 
@@ -86,7 +90,8 @@ def raised(base: Quantity, exponent: Quantity, at: int) -> Quantity:
     size = max(1, int(abs(value))) if value is not None else 1
     terms = comb(base.terms + size - 1, size)
     dimension = _raised_dimension(base.dimension, value)
-    return _joined(Power(base.expr, exponent.expr), dimension, base, exponent, terms, at)
+    found = _joined(Power(base.expr, exponent.expr), dimension, base, exponent, terms, at)
+    return _defined(found, at)
 
 
 def negated(quantity: Quantity) -> Quantity:
@@ -105,7 +110,14 @@ def called(function: str, arguments: tuple[Quantity, ...], at: int) -> Quantity:
         raise FormulaError("atan2 of two quantities of different units", at)
     expr = Call(function, tuple(argument.expr for argument in arguments))
     dimension = _call_dimension(function, arguments[0].dimension)
-    return _joined(expr, dimension, arguments[0], arguments[-1], 1, at)
+    return _defined(_joined(expr, dimension, arguments[0], arguments[-1], 1, at), at)
+
+
+def _defined(quantity: Quantity, at: int) -> Quantity:
+    """The quantity. Raises FormulaError where it is no real number."""
+    if quantity.numeric and (reason := undefined(quantity.expr)):
+        raise FormulaError(reason, at)
+    return quantity
 
 
 def measured(quantity: Quantity, unit: Unit, at: int) -> Quantity:
@@ -199,11 +211,8 @@ def _split(expr: Expr) -> tuple[tuple[Expr, ...], Expr]:
 
 def _converted(value: Fraction, typed: Expr) -> Number:
     """A number in SI units; where a conversion made it a fraction, a decimal if it ends: 100 mm is 0.1."""
-    rest = value.denominator
-    for prime in (2, 5):
-        while rest % prime == 0:
-            rest //= prime
-    return Number(value, _is_decimal(typed) or (rest == 1 < value.denominator), places=_places(value, typed))
+    ends = value.denominator > 1 and decimal_places(value) is not None
+    return Number(value, _is_decimal(typed) or ends, places=_places(value, typed))
 
 
 def _places(value: Fraction, typed: Expr) -> int:

@@ -28,3 +28,12 @@ def of_flint(value: fmpq) -> Rational:
 def to_flint(value: Rational) -> fmpq:
     """Python's rational as FLINT's."""
     return fmpq(value.numerator, value.denominator)
+
+
+def decimal_places(value: Rational) -> int | None:
+    """How many places a decimal fraction needs for this number; None where it never ends."""
+    rest, needed = value.denominator, [0, 0]
+    for k, prime in enumerate((2, 5)):
+        while rest % prime == 0:
+            rest, needed[k] = rest // prime, needed[k] + 1
+    return max(needed) if rest == 1 else None

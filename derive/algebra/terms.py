@@ -15,7 +15,7 @@ from typing import TypeAlias
 from derive.algebra.angles import PI, RADIAN, Form, is_fixed
 from derive.algebra.bounds import A_TERM_READ, spend
 from derive.algebra.opaque import ITSELF, Opaque
-from derive.algebra.rationals import Rational, lowest, of_flint
+from derive.algebra.rationals import Rational, decimal_places, lowest, of_flint
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar
 from derive.algebra.trigonometry import angle_of
@@ -227,8 +227,12 @@ def put(terms: Terms, monomial: Monomial, coefficient: Rational) -> None:
 
 
 def terminates(value: Rational) -> bool:
-    """Whether it is a decimal fraction of at most eight places."""
-    return value.denominator > 1 and (value * 10**8).denominator == 1
+    """Whether it is better written as a decimal: where that ends, and after eight places at the latest or
+    with fewer digits than the fraction has."""
+    places = decimal_places(value)
+    if value.denominator == 1 or places is None:
+        return False
+    return places <= 8 or places < len(f"{abs(value.numerator)}{value.denominator}")
 
 
 def frozen(terms: Mapping[Monomial, Rational]) -> frozenset[tuple[Monomial, Rational]]:

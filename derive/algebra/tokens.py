@@ -10,7 +10,7 @@ from typing import Literal
 from derive.errors import FormulaError
 
 MAX_TEXT = 2000
-MAX_DIGITS = 40
+MAX_DIGITS = 1000
 MAX_EXPONENT = 99
 
 _GREEK_NAMES = (

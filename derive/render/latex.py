@@ -272,7 +272,8 @@ def _numerator(entry: Expr) -> Expr | None:
 
 def _number(value: Fraction, decimal: bool) -> tuple[str, int]:
     written = fraction_latex(value, decimal)
-    return written, SUM if value < 0 else PRODUCT if "frac" in written else ATOM
+    loose = "frac" in written or "cdot" in written
+    return written, SUM if value < 0 else PRODUCT if loose else RAISED if "^" in written else ATOM
 
 
 def _function_name(function: str) -> str:

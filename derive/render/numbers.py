@@ -5,7 +5,10 @@ from __future__ import annotations
 from fractions import Fraction
 from math import isfinite
 
+from derive.algebra.rationals import decimal_places
+
 SMALLEST_PLAIN, LARGEST_PLAIN = -3, 5  # powers of ten printed without an exponent
+MOST_ZEROS = 6  # at the end of a decimal number without an exponent, or behind its point
 ZERO_BELOW = 1e-12  # what rounding leaves of a zero
 
 
@@ -20,12 +23,25 @@ def fraction_latex(value: Fraction, decimal: bool = False) -> str:
 
 
 def _terminating(value: Fraction) -> str:
-    """The decimal fraction equal to a rational, or "" where there is none of decent length."""
-    for places in range(13):
-        scaled = value * 10**places
-        if scaled.denominator == 1:
-            return f"{float(value):.{places}f}" if abs(value) < 10**12 else str(int(value))
-    return ""
+    """The decimal fraction equal to a rational, with every digit it has; "" where it never ends."""
+    places = decimal_places(value)
+    if places is None:
+        return ""
+    digits = str(abs(value.numerator) * 10**places // value.denominator)
+    sign, zeros = "-" if value < 0 else "", len(digits) - len(digits.rstrip("0"))
+    if places - len(digits) >= MOST_ZEROS or (places == 0 and zeros > MOST_ZEROS):
+        return sign + _scientific(digits.rstrip("0"), len(digits) - 1 - places)
+    if not places:
+        return sign + digits
+    digits = digits.zfill(places + 1)
+    return f"{sign}{digits[:-places]}.{digits[-places:]}"
+
+
+def _scientific(digits: str, exponent: int) -> str:
+    if digits == "1":
+        return f"10^{{{exponent}}}"
+    mantissa = f"{digits[0]}.{digits[1:]}" if len(digits) > 1 else digits
+    return rf"{mantissa} \cdot 10^{{{exponent}}}"
 
 
 def rounded_latex(value: float, digits: int) -> str:
