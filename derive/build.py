@@ -40,7 +40,7 @@ def build(
     if faults := _namesakes(paths):
         raise SheetErrors(faults)
     sheets = load_all(paths, progress)
-    for warning in (found for sheet in sheets for each in sheet.problems for found in each.warnings):
+    for warning in (found for sheet in sheets for found in sheet.warnings):
         warn(warning)
     documents = derive_all(sheets, not problems, progress)
     if output is None:

@@ -36,7 +36,7 @@ def check(paths: Sequence[Path], progress: Progress = lambda _: None, warn: Warn
     Raises SheetErrors with the faults of all the sheets, and where there is no answer to check.
     """
     sheets = load_all(paths, progress)
-    for warning in (found for sheet in sheets for problem in sheet.problems for found in problem.warnings):
+    for warning in (found for sheet in sheets for found in sheet.warnings):
         warn(warning)
     found = []
     for sheet in sheets:

@@ -40,7 +40,7 @@ class SheetErrors(Exception):
     outcome = "nothing was written"
 
     def __init__(self, errors: Iterable[SheetError]) -> None:
-        self.errors = tuple(sorted(errors, key=_position))
+        self.errors = tuple(sorted(errors, key=position))
         if not self.errors:  # what is without faults must not be left out as if it had some
             raise ValueError("no fault was given")
         super().__init__(f"{len(self.errors)} fault(s)")
@@ -72,6 +72,7 @@ class DivisionByZero(NotDerivable, ZeroDivisionError):
     """A division by an expression that is zero whatever its symbols are."""
 
 
-def _position(error: SheetError) -> tuple[str, int, int]:
+def position(error: SheetError) -> tuple[str, int, int]:
+    """The order of the files and of the places in them."""
     place = error.place
     return (place.file, place.line, place.column) if place else ("", 0, 0)

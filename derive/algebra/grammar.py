@@ -12,6 +12,7 @@ metres where a length is wanted and two masses elsewhere; where either could be 
 
 from __future__ import annotations
 
+from derive.algebra.doubtful import meant_unit
 from derive.algebra.phrases import Phrase, unit_phrase
 from derive.algebra.quantities import (
     Quantity,
@@ -204,8 +205,7 @@ class _Parser:
         if token.text in self.names:
             return
         if token.text in OTHER_UNITS:
-            hint = f"the units are {', '.join(UNITS)}"
-            raise FormulaError(f"the unit {token.text} is not known", token.offset, hint)
+            raise FormulaError(f"the unit {token.text} is not known", token.offset, meant_unit(token.text))
         if not self.units and token.text in UNITS and len(token.text) > 1:
             raise FormulaError(f"no unit can stand here: {token.text}", token.offset, "give a plain number")
 

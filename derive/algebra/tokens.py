@@ -10,7 +10,8 @@ from typing import Literal
 from derive.errors import FormulaError
 
 MAX_TEXT = 2000
-MAX_DIGITS = 1000
+MAX_DIGITS = 40  # before the point
+MAX_PLACES = 1000  # behind it
 MAX_EXPONENT = 99
 
 _GREEK_NAMES = (
@@ -91,7 +92,7 @@ def _read(text: str, at: int) -> list[Token]:
 
 
 def _number(text: str, at: int) -> Token:
-    end = _digits(text, at)
+    whole = end = _digits(text, at)
     if text[end : end + 1] == ".":
         end = _digits(text, end + 1)
     mantissa = end
@@ -99,7 +100,7 @@ def _number(text: str, at: int) -> Token:
         sign = end + 1 + (text[end + 1 : end + 2] in ("+", "-"))
         if (after := _digits(text, sign)) > sign:
             end = after
-    if mantissa - at > MAX_DIGITS:
+    if whole - at > MAX_DIGITS or mantissa - whole > MAX_PLACES:
         raise FormulaError(f"a number of more than {MAX_DIGITS} digits", at, "shorten it")
     if end - mantissa > 5 or (end > mantissa and abs(int(text[mantissa + 1 : end])) > MAX_EXPONENT):
         raise FormulaError(f"a power of ten beyond {MAX_EXPONENT}", mantissa, "use a smaller exponent")

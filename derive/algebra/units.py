@@ -73,6 +73,18 @@ _OTHER_UNITS = """
     meter meters metre metres kN mN Nm mA mV kV kohm mH kHz kW
 """
 OTHER_UNITS = frozenset(_OTHER_UNITS.split())
+# What to write for some of them.
+INSTEAD = {
+    **dict.fromkeys(("degree", "degrees"), "deg"),
+    **dict.fromkeys(("radian", "radians"), "rad"),
+    **dict.fromkeys(("meter", "meters", "metre", "metres"), "m"),
+    **dict.fromkeys(("sec", "second", "seconds"), "s"),
+    **dict.fromkeys(("centimeter", "centimeters", "centimetre", "centimetres"), "cm"),
+    **dict.fromkeys(("millimeter", "millimeters", "millimetre", "millimetres"), "mm"),
+    **dict.fromkeys(("kilogram", "kilograms", "kilos"), "kg"),
+    **dict.fromkeys(("newton", "newtons"), "N"),
+    "Nm": "N m",
+}
 ANGLE_UNITS = frozenset({"deg", "rad"})
 # Units that are also the usual names of quantities: mass m, gravity g, Laplace s, current A.
 LETTERS = frozenset(name for name in UNITS if len(name) == 1)

@@ -20,6 +20,7 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema, core_schema
 
+from derive.algebra.doubtful import Doubt, doubtful_angle, words_like_units
 from derive.algebra.grammar import parse, parse_equation, parse_starred
 from derive.algebra.spelling import ARGUMENTS
 from derive.algebra.tokens import tokens
@@ -76,7 +77,18 @@ class _Reader:
     def read(self, typed: Any, info: ValidationInfo) -> Any:
         if isinstance(typed, TREES):
             return typed
-        return parse(text_of(typed), dimension=self.dimension, names=declared(info))
+        return self._checked(
+            typed, parse(text_of(typed), dimension=self.dimension, names=declared(info)), info
+        )
+
+    def _checked(self, typed: Any, tree: Expr, info: ValidationInfo) -> Expr:
+        """The tree; what is strange about it is said."""
+        if self.dimension is not None:
+            for word in words_like_units(text_of(typed)):
+                doubt(word, info)
+        if self.dimension == ANGLE and (strange := doubtful_angle(text_of(typed), tree)):
+            doubt(strange, info)
+        return tree
 
 
 class _StarredReader(_Reader):
@@ -85,7 +97,19 @@ class _StarredReader(_Reader):
     def read(self, typed: Any, info: ValidationInfo) -> Any:
         if isinstance(typed, Starred):
             return typed
-        return Starred(*parse_starred(text_of(typed), dimension=self.dimension, names=declared(info)))
+        tree, variable = parse_starred(text_of(typed), dimension=self.dimension, names=declared(info))
+        return Starred(self._checked(typed, tree, info), variable)
+
+
+def doubt(strange: Doubt, info: ValidationInfo) -> None:
+    """Says what is strange about a value. Where warnings are gathered it is counted at first; once their
+    places are wanted it is raised, as a FormulaError (see `derive.sheet.checked`)."""
+    context = info.context or {}
+    if strange.word in declared(info) or not context.get("lonely", bool)(strange.word):
+        return
+    if context.get("telling"):
+        raise FormulaError(strange.message, strange.offset, strange.hint)
+    context.setdefault("doubts", []).append(strange.message)
 
 
 def declared(info: ValidationInfo) -> frozenset[str]:

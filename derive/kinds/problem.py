@@ -140,11 +140,15 @@ class Problem:
 
 def expressions(value: Any) -> Iterator[Expr]:
     """Every tree inside a frozen subject."""
-    if isinstance(value, TREES):
-        yield value
-    elif isinstance(value, tuple):
+    return (part for part in parts(value) if isinstance(part, TREES))
+
+
+def parts(value: Any) -> Iterator[Any]:
+    """Every value inside a frozen subject, trees whole."""
+    yield value
+    if isinstance(value, tuple):
         for part in value:
-            yield from expressions(part)
-    elif is_dataclass(value):
+            yield from parts(part)
+    elif is_dataclass(value) and not isinstance(value, TREES):
         for each in fields(value):
-            yield from expressions(getattr(value, each.name))
+            yield from parts(getattr(value, each.name))

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from typing import Any
 
 from pydantic import TypeAdapter, ValidationError
 
-from derive.errors import SheetErrors
+from derive.errors import SheetError, SheetErrors
 from derive.sheet.faults import retell
 from derive.sheet.source import At
 
@@ -21,10 +21,24 @@ def checked(
     `names` are the declared symbols; `more` are further keys that are allowed beside.
     """
     adapter = _adapter(kind)
+    doubts: list[str] = []
+    context = {"names": names, "doubts": doubts, "lonely": at.source.lonely}
     try:
-        return adapter.validate_python(data, context={"names": names})
+        found = adapter.validate_python(data, context=context)
     except ValidationError as error:
         raise SheetErrors(retell(error, at, adapter, more)) from error
+    if doubts:
+        at.source.doubts.extend(_doubts(adapter, at, data, context))
+    return found
+
+
+def _doubts(adapter: TypeAdapter[Any], at: At, data: Any, context: Mapping[str, Any]) -> Iterator[SheetError]:
+    """What is strange about data that fit. Its place is known to errors alone, so it is read once more with
+    the doubts raised."""
+    try:
+        adapter.validate_python(data, context={**context, "telling": True})
+    except ValidationError as error:
+        yield from (told for told in retell(error, at, adapter) if told.message in context["doubts"])
 
 
 @cache

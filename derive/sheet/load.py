@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from derive.errors import SheetError, SheetErrors
+from derive.errors import SheetError, SheetErrors, position
 from derive.kinds.figures import DRAWN
 from derive.sheet.checked import checked
 from derive.sheet.cut import cut_fault, cut_off
+from derive.sheet.doubts import POINTS, angles_of, doubts_about
 from derive.sheet.faults import MOST, did_you_mean, untold
 from derive.sheet.given import PROBLEM_KEYS, GivenProblem, GivenSheet
 from derive.sheet.honoured import ignored
@@ -58,7 +59,14 @@ def sheet_of(at: At) -> Sheet:
         given.language,
         given.marks,
         notation,
+        _warnings(at, problems),
     )
+
+
+def _warnings(at: At, problems: list[Problem]) -> tuple[SheetError, ...]:
+    """All that is strange about a sheet, in the order of the file."""
+    strange = (warning for problem in problems for warning in problem.warnings)
+    return tuple(sorted(_distinct([*at.source.doubts, *strange]), key=position))
 
 
 def _problems(at: At, known: Known, faults: list[SheetError]) -> list[Problem]:
@@ -101,7 +109,9 @@ def _problem(at: At, data: Any, number: int, outer: Known) -> Problem:
         faults.extend(ignored(asked, name, typed, place))
         subject = registry.load(name).build(typed, place, known)
         faults.extend(_unmet(asked, name, subject, place))
-        strange = _strange(name, subject, place, known)
+        strange = (*_strange(name, subject, place, known), *_doubts(at, data, subject))
+        if place.source is not at.source:
+            strange = (*place.source.doubts, *strange)
     except SheetErrors as errors:
         faults.extend(errors.errors)
     if faults or given is None:
@@ -161,6 +171,18 @@ def _strange(name: str, subject: Any, place: At, known: Known) -> tuple[SheetErr
     """What is strange about a subject, though it can be worked with."""
     warnings = getattr(registry.load(name), "warnings", None)
     return tuple(warnings(subject, place, known)) if warnings else ()
+
+
+def _doubts(at: At, data: dict[str, Any], subject: Any) -> Iterator[SheetError]:
+    """What is strange about the values given to angles of the subject."""
+    angles = angles_of(subject)
+    entries = data.get("questions")
+    asked = [at / "questions" / k for k in range(len(entries))] if isinstance(entries, list) else [at]
+    yield from doubts_about(At(at.source), "where", angles)
+    yield from doubts_about(at, "where", angles)
+    for question in asked:
+        for key in POINTS:
+            yield from doubts_about(question, key, angles)
 
 
 def _known(at: At, given: GivenSheet | GivenProblem, outer: Known) -> Known:

@@ -67,7 +67,7 @@ class Problem:
 
 @dataclass(frozen=True, slots=True)
 class Sheet:
-    """A whole sheet; `marks` says whether marks are printed."""
+    """A whole sheet; `marks` says whether marks are printed. `warnings` are all that is strange about it."""
 
     path: Path
     title: str
@@ -78,3 +78,4 @@ class Sheet:
     language: str = "en"
     marks: bool = True
     notation: Notation = Notation()
+    warnings: tuple[SheetError, ...] = ()

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeAlias
 
@@ -30,6 +31,15 @@ class Source:
     data: Any
     spots: Mapping[Route, Spot]
     lines: tuple[str, ...]
+    doubts: list[SheetError] = field(default_factory=list, compare=False)  # met while it was understood
+
+    def lonely(self, word: str) -> bool:
+        """Whether a word stands only directly behind numbers in this file, as a unit does."""
+        if not word:
+            return True
+        text = "\n".join(self.lines)
+        everywhere = re.findall(rf"(?<!\w){re.escape(word)}(?!\w)|\d{re.escape(word)}(?!\w)", text)
+        return len(everywhere) == len(re.findall(rf"[\d.]\s*{re.escape(word)}(?!\w)", text))
 
     def place(self, line: int, column: int) -> Place:
         """A place by line and column from 0."""

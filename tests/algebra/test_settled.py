@@ -61,7 +61,7 @@ def test_the_addition_theorem(p: Fraction, q: Fraction) -> None:
 
 def test_division_by_what_is_zero() -> None:
     with pytest.raises(ZeroDivisionError):
-        normal(formula("1/(cos(36 deg) - (1 + sqrt(5))/4)"))
+        1 / normal(formula("cos(36 deg) - (1 + sqrt(5))/4"))
 
 
 @pytest.mark.parametrize(
