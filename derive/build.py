@@ -9,8 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from derive.derivation import Claim, Derivation, Figure
-from derive.errors import NotDerivable, SheetError, SheetErrors
+from derive.errors import NotDerivable, Place, SheetError, SheetErrors
+from derive.expression import free_symbols
 from derive.kinds.problem import Problem as Working
+from derive.kinds.problem import expressions
 from derive.kinds.registry import module_name
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked, figure_path
 from derive.render.notation import Notation
@@ -119,7 +121,7 @@ def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool) -> Probl
     questions = []
     for question, answer in zip(problem.questions, answers, strict=True):
         order = tuple(_order(answer, asked, printed, working.name)) if solutions else ()
-        page = _question(sheet, question, answer if solutions else None, order, problem.where)
+        page = _question(sheet, question, answer if solutions else None, order, working)
         questions.append(replace(page, text=page.text or _default_text(sheet, problem, question, answer)))
     figure, drawing = _figure(problem, working, folder)
     return ProblemPage(problem.number, tuple(questions), problem.title, problem.text, figure, drawing)
@@ -216,10 +218,10 @@ def _question(
     question: Question,
     answer: Derivation | None,
     order: tuple[Worked, ...],
-    where: Mapping[str, Any],
+    working: Working,
 ) -> QuestionPage:
     if answer and question.evaluate is not None and not (answer.evaluated or answer.files):
-        answer = _evaluated(answer, question, where)
+        answer = _evaluated(answer, question, working)
     marks = question.marks if sheet.marks else None
     at = question.evaluate or {}
     return QuestionPage(
@@ -227,12 +229,16 @@ def _question(
     )
 
 
-def _evaluated(answer: Derivation, question: Question, where: Mapping[str, Any]) -> Derivation:
+def _evaluated(answer: Derivation, question: Question, working: Working) -> Derivation:
     """The answer with its results in numbers at the point its author gave. Raises SheetErrors."""
-    from derive.kinds.values_at import NOT_REAL, point_of, values_at
+    from derive.kinds.values_at import NOT_REAL, Here, values_at
 
+    given = question.evaluate or {}
+    here = Here.of(given, working.where, working.style)
+    if fault := _misspelt(given, answer, working, question.place):
+        raise SheetErrors([fault])
     try:
-        return replace(answer, evaluated=values_at(answer, point_of(question.evaluate or {}, where)))
+        return replace(answer, evaluated=values_at(answer, here))
     except KeyError as error:
         name = error.args[0]
         fault = SheetError(
@@ -248,6 +254,19 @@ def _evaluated(answer: Derivation, question: Question, where: Mapping[str, Any])
 def _folder_name(name: str) -> str:
     """The folder of pictures beside a page: a name that links and LaTeX take as it is."""
     return ODD.sub("-", name)
+
+
+def _misspelt(
+    given: Mapping[str, Any], answer: Derivation, working: Working, place: Place
+) -> SheetError | None:
+    """A name with a value that stands nowhere, where one without a value is spelt almost so: theta_1."""
+    held = frozenset[str]().union(*map(free_symbols, expressions(tuple(answer.results.values()))))
+    known = held | working.symbols | working.where.keys()
+    spelt = {name.replace("_", "").lower(): name for name in sorted(known - given.keys())}
+    for name in given:
+        if name not in known and (meant := spelt.get(name.replace("_", "").lower())):
+            return SheetError(f"no {name} stands in this answer", place, f"did you mean {meant}?")
+    return None
 
 
 def _name(sheet: Sheet, solutions: bool) -> str:

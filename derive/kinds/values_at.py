@@ -1,23 +1,25 @@
-"""The results of a derivation in floats at a point, in the shapes they have in the JSON."""
+"""The results of a derivation at a point, in the shapes they have in the JSON: floats, and trees where
+symbols are left."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any
 
-from derive.algebra.numeric import Point, number, number_rows, numbers
+from derive.algebra.numeric import Point, number
+from derive.algebra.terms import Style
 from derive.derivation import Branch, Derivation, Result
-from derive.expression import Expr, Matrix, free_symbols
+from derive.expression import Expr, Matrix, Symbol, free_symbols
+from derive.kinds.partly import put_in
 
 NOT_REAL = (ValueError, ZeroDivisionError, OverflowError)
 
 
 def point_of(at: Mapping[str, Expr], where: Mapping[str, Expr]) -> Point:
-    """A value for each name of `evaluate`, and for those of `where` that follow from them.
-
-    Raises KeyError where a value of `evaluate` has a symbol in it.
-    """
-    return completed({name: number(value, {}) for name, value in at.items()}, where)
+    """A value for each name of `evaluate` and of `where` that has one; those that rest on others after
+    them. Names whose value is not decided are left out."""
+    return completed({}, {**where, **at})
 
 
 def completed(point: Point, where: Mapping[str, Expr]) -> Point:
@@ -30,45 +32,78 @@ def completed(point: Point, where: Mapping[str, Expr]) -> Point:
     return found
 
 
-def values_at(derivation: Derivation, point: Point) -> dict[str, Any]:
-    """Every result in floats; those a fact `numbers` does not name only where the point decides them.
+@dataclass(frozen=True, slots=True)
+class Here:
+    """A point as its author gave it, values of `where` included: trees by name, and the floats they come to
+    where they are decided. `partly` is False where nothing was given: then everything must be decided."""
 
-    Raises KeyError for a symbol without a value; ValueError, ZeroDivisionError or OverflowError where a
-    result other than a branch has no real value there.
+    values: Mapping[Expr, Expr]
+    point: Point
+    partly: bool = True
+    style: Style = field(default_factory=Style)
+
+    @staticmethod
+    def of(at: Mapping[str, Expr], where: Mapping[str, Expr], style: Style) -> Here:
+        given = {**where, **at}
+        values: dict[Expr, Expr] = {Symbol(name): value for name, value in given.items()}
+        return Here(values, point_of(at, where), bool(at), style)
+
+    def scalar(self, expr: Expr) -> Any:
+        """A float where everything has a value; else a tree in the symbols left. Raises KeyError where that
+        is not wanted."""
+        if not self.partly or free_symbols(expr) <= self.point.keys():
+            return number(expr, self.point)
+        found = put_in(expr, self.values, self.style)
+        return found if free_symbols(found) else number(found, {})
+
+    def numbers(self, expr: Expr, rows: bool = False) -> Any:
+        """The same of a scalar or a matrix; a column is a flat list unless it is to be `rows`."""
+        if not isinstance(expr, Matrix):
+            return self.scalar(expr)
+        if expr.shape[1] == 1 and not rows:
+            return [self.scalar(entry) for (entry,) in expr.rows]
+        return [[self.scalar(entry) for entry in row] for row in expr.rows]
+
+
+def values_at(derivation: Derivation, here: Here) -> dict[str, Any]:
+    """Every result at the point; those a fact `numbers` does not name only where the point decides them.
+
+    Raises KeyError for a symbol without a value where nothing was given; ValueError, ZeroDivisionError or
+    OverflowError where a result other than a branch has no real value there.
     """
     wanted = derivation.facts.get("numbers", tuple(derivation.results))
     found = {}
     for name, result in derivation.results.items():
         try:
-            found[name] = _result(derivation, name, result, point)
+            found[name] = _result(derivation, name, result, here)
         except (KeyError, *NOT_REAL):
             if name in wanted:
                 raise
     return found
 
 
-def _result(derivation: Derivation, name: str, result: Result, point: Point) -> Any:
+def _result(derivation: Derivation, name: str, result: Result, here: Here) -> Any:
     if name in derivation.matrices and isinstance(result, Matrix):
-        return number_rows(result, point)
-    return _value(result, point)
+        return here.numbers(result, rows=True)
+    return _value(result, here)
 
 
-def _value(result: Result | Branch | tuple[Expr, ...], point: Point) -> Any:
+def _value(result: Result | Branch | tuple[Expr, ...], here: Here) -> Any:
     match result:
         case Branch():
-            return _branch(result, point)
+            return _branch(result, here)
         case tuple():
-            return [_value(part, point) for part in result]
-        case float() | int() | str():
+            return [_value(part, here) for part in result]
+        case float() | int() | str() | dict():
             return result
         case _:
-            return numbers(result, point)
+            return here.numbers(result)
 
 
-def _branch(branch: Branch, point: Point) -> dict[str, Any]:
+def _branch(branch: Branch, here: Here) -> dict[str, Any]:
     """A branch that is not real at the point says so."""
     try:
-        values = {name: _value(value, point) for name, value in branch.values.items()}
+        values = {name: _value(value, here) for name, value in branch.values.items()}
     except NOT_REAL:
         return {"when": branch.when, "real": False}
     return {**values, "when": branch.when}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import Any
+from typing import Any, get_args
 
 from derive.algebra.grammar import parse
 from derive.algebra.units import ANY
@@ -18,6 +18,7 @@ from derive.render.notation import Notation
 from derive.render.skin import Skin, environment
 from derive.render.words import chain_links
 
+TREES = get_args(Expr)
 WHOLE_BELOW = 10**6
 ABOUT = ("when", "real", "free", "fixed", "true_at")  # a branch, beside its values
 IMAGINARY = Symbol("j")
@@ -78,6 +79,9 @@ def _entry(value: Any) -> Expr | None:
 
 def numeric(value: Any) -> Expr | None:
     """An evaluated value as a tree; None for what is not a number, a vector, a matrix or a quotient."""
+    if isinstance(value, TREES):
+        tree: Expr = value
+        return tree
     match value:
         case bool() | str() | None:
             return None

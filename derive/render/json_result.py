@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, get_args
 
 from derive.algebra.text import text
 from derive.derivation import Branch, Claim, Derivation, Result
 from derive.expression import Expr, Matrix
 from derive.render.document import Document, ProblemPage, QuestionPage
 
+TREES = get_args(Expr)
 Plain = str | float | list[Any] | dict[str, Any]
 
 
@@ -43,8 +44,18 @@ def _derivation(derivation: Derivation) -> dict[str, Any]:
         if key not in written:
             written[key] = plain(result, name in derivation.matrices)
         results[name] = written[key]
-    evaluated = {"evaluated": dict(derivation.evaluated)} if derivation.evaluated else {}
+    evaluated = {"evaluated": _numbers(dict(derivation.evaluated))} if derivation.evaluated else {}
     return {"results": results, **evaluated}
+
+
+def _numbers(value: Any) -> Any:
+    """Evaluated values as they are; what symbols are left in as a text."""
+    match value:
+        case dict():
+            return {name: _numbers(part) for name, part in value.items()}
+        case list():
+            return [_numbers(part) for part in value]
+    return text(value) if isinstance(value, TREES) else value
 
 
 def _claims(question: QuestionPage) -> Iterator[Claim]:

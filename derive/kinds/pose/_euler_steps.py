@@ -43,7 +43,7 @@ from derive.kinds.pose._angles import fixed_angle, known_angle, turns_of
 from derive.kinds.pose._given import Given
 from derive.kinds.pose._roots import shortened
 from derive.kinds.problem import Problem
-from derive.kinds.values_at import completed
+from derive.kinds.values_at import point_of
 from derive.mechanics.elementary import factor_name
 from derive.mechanics.euler import SIGNS, Direction, Euler, Sign, Singular
 
@@ -242,10 +242,13 @@ class Work:
 
 
 def branches_at(place: Place | None, work: Work, solutions: tuple[Branch, ...]) -> dict[str, Any]:
-    """The solutions in floats at a point; the case that does not occur there is not real. A free angle
-    is chosen zero."""
-    point = completed({name: number(value, {}) for name, value in place or ()}, work.problem.where)
-    R = numbers(work.problem.readable_matrix(work.R), point)
+    """The solutions in floats at a point, nothing where symbols are left; the case that does not occur there
+    is not real. A free angle is chosen zero."""
+    point = point_of(dict(place or ()), work.problem.where)
+    try:
+        R = numbers(work.problem.readable_matrix(work.R), point)
+    except KeyError:
+        return {}
     pair = (work.euler.first.sine, work.euler.first.cosine)
     singular = sum(R[entry.row][entry.col] ** 2 for entry in pair) < NEARLY_SINGULAR**2
     here = R[work.euler.middle.row][work.euler.middle.col]

@@ -75,7 +75,7 @@ def joined(spans: Sequence[Span], working: Working, orders: int) -> Iterator[Cla
 
 
 def in_floats(spans: Sequence[Span], evaluate: Place | None, problem: Problem) -> Course | None:
-    """The course, where every value is known. Raises NotDerivable that names one that is not."""
+    """The course, where every value is known. Raises NotDerivable where it is none."""
     try:
         point = point_of({n: v for n, v in evaluate or () if n != "t"}, problem.where)
         found = tuple(
@@ -86,10 +86,8 @@ def in_floats(spans: Sequence[Span], evaluate: Place | None, problem: Problem) -
             )
             for span in spans
         )
-    except KeyError as error:
-        if evaluate is None:
-            return None
-        raise NotDerivable(f"no value is known for {error.args[0]}; give it one under evaluate:") from error
+    except KeyError:
+        return None
     except (ValueError, ZeroDivisionError) as error:
         raise NotDerivable("there is no such trajectory at the point asked for") from error
     if any(piece.end < piece.start for piece in found):

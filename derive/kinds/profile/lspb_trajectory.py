@@ -26,6 +26,7 @@ from derive.kinds.profile._blends import T_B, A, Blended, V, blended, filled_law
 from derive.kinds.profile._curves import panels
 from derive.kinds.profile._limits import limits_drawn, limits_told
 from derive.kinds.profile._pieces import Span, branch, in_floats, joined, q_at
+from derive.kinds.values_at import point_of
 from derive.kinds.working import Working
 from derive.mechanics.course import Course
 from derive.mechanics.profile import Journey, Profile
@@ -139,7 +140,7 @@ def _evaluated(
 ) -> dict[str, Any]:
     if evaluate is None or course is None:
         return {}
-    point = {name: value_of(value, {}) for name, value in evaluate}
+    point = point_of(dict(evaluate), {})
     return {name: value_of(tree, point) for name, tree in results.items()} | q_at(course, evaluate)
 
 

@@ -103,16 +103,13 @@ def _results(each: Solved) -> dict[str, Result]:
 
 
 def _numbers(profile: Profile, time: Expr | None, options: Options, problem: Problem) -> Found | None:
-    """Every axis in floats; None where something is left open. Raises NotDerivable."""
+    """Every axis in floats; None where something is left open."""
     try:
         point = point_of(dict(options.evaluate or ()), problem.where)
         t_3 = None if time is None else value_of(time, point)
         return tuple(_switching(axis, t_3, point) for axis in profile.axes)
-    except KeyError as error:
-        if options.evaluate is None:
-            return None
-        message = f"no value is known for {error.args[0]}; give it one under evaluate: or where:"
-        raise NotDerivable(message) from error
+    except KeyError:
+        return None
 
 
 def _switching(axis: Axis, time: float | None, point: Mapping[str, float]) -> trapezoid.Switching:

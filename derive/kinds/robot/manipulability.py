@@ -32,7 +32,7 @@ from derive.kinds.robot._chain import closing, oracle_of, scalar_of
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._singular.determinants import determinant, gram_determinant, natural, product_tree
 from derive.kinds.robot._singular.work import seen_from_middle
-from derive.kinds.robot._velocity.ellipsoids import at_point
+from derive.kinds.robot._velocity.ellipsoids import at_point, decided
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.robot import Robot
 from derive.mechanics.singular import minors
@@ -89,9 +89,12 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 
 
 def _at_point(options: Options, problem: Problem, place: Place) -> Derivation:
-    """The ellipsoids at a configuration, on top of the measure found once for all of them."""
+    """The ellipsoids at a configuration, on top of the measure found once for all of them; the measure alone
+    where symbols are left."""
     base = problem.answer("manipulability", options.model_copy(update={"evaluate": None}))
     task = task_of(problem, options.rows, options.point)
+    if not decided(task, place):
+        return base
     found = at_point(task, place)
     w = scalar_of(base, "w")
     size = numeric.number(w, found.place)

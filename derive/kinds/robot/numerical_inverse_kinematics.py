@@ -18,6 +18,7 @@ from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._velocity.task import Task, task_of
+from derive.kinds.values_at import point_of
 from derive.mechanics.iteration import CLOSE, Iteration, Pose, Row, iterate
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import ROWS, moving_rows
@@ -116,7 +117,7 @@ def _task(options: Options, problem: Problem) -> Task:
 
 def _numbers(task: Task, options: Options, problem: Problem) -> dict[str, float]:
     """A value for every name: the start, and what `where` and `evaluate` say."""
-    start = {name: value_of(tree, {}) for name, tree in (*(options.evaluate or ()), *options.start)}
+    start = point_of({**dict(options.evaluate or ()), **dict(options.start)}, problem.where)
     unknown = sorted(set(dict(options.start)) - set(task.found.variables))
     if unknown:
         raise NotDerivable(

@@ -29,6 +29,7 @@ from derive.kinds.robot._chain import chain_of, closing, oracle_of
 from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.kinds.robot._reach.checks import Region, second_route
 from derive.kinds.robot._reach.pictures import cross_section, from_above
+from derive.kinds.values_at import point_of
 from derive.mechanics.chain import Chain
 from derive.mechanics.reach import PlanarArm, SwungArm, moving_joints, planar_arm, swung_arm, turns_freely
 from derive.mechanics.robot import Robot
@@ -242,7 +243,7 @@ def _overreach(problem: Problem, lengths: tuple[Scalar, ...]) -> tuple[Expr, ...
 
 def _pictures(problem: Problem, region: Region, options: Options) -> tuple[Plot, ...]:
     """Where all lengths are numbers."""
-    point = {name: numeric.number(value, {}) for name, value in options.evaluate or ()}
+    point = point_of(dict(options.evaluate or ()), problem.where)
     try:
         known = oracle_of(problem).at(point)
         lengths = [numeric.number(length, known) for length in region.lengths]

@@ -17,6 +17,7 @@ from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, closing, matrix_of, oracle_of, scalar_of
 from derive.kinds.robot._point import tracked
+from derive.kinds.values_at import point_of
 from derive.mechanics.euler import Convention, Euler
 from derive.mechanics.euler_rates import rate_matrix
 from derive.mechanics.oracle import STEP
@@ -95,15 +96,13 @@ def _evaluated(
     """In numbers; the angles are those of the pose at that place."""
     if place is None:
         return {}
-    point = {name: numeric.number(value, {}) for name, value in place}
+    point = point_of(dict(place), problem.where)
     try:
         known = oracle_of(problem).at(point)
         known = {**known, **_angles(problem, euler, frame, known), **point}
         return {"J": numeric.matrix_numbers(asked, known)}
-    except KeyError as error:
-        raise NotDerivable(
-            f"no value is known for {error.args[0]}: give it under evaluate: or where:"
-        ) from error
+    except KeyError:  # some symbols are left: J is told in these
+        return {}
 
 
 def _angles(problem: Problem, euler: Euler, frame: int, known: Mapping[str, float]) -> dict[str, float]:

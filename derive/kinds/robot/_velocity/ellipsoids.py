@@ -10,7 +10,6 @@ from itertools import pairwise
 from typing import Any
 
 from derive.algebra import numeric
-from derive.algebra.numeric import number
 from derive.derivation import Claim, Plot, Result, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Matrix, Symbol, column
@@ -18,6 +17,7 @@ from derive.kinds.checks import SECOND_ROUTE, close
 from derive.kinds.evaluation import Place
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._velocity.task import Task
+from derive.kinds.values_at import point_of
 
 NONE = 1e-9  # a semi-axis that is none, relative to the largest
 CORNERS = 181  # of a drawn ellipse
@@ -81,11 +81,14 @@ def _axis(value: float | str) -> Expr:
     return Approximate(float(value))
 
 
+def decided(task: Task, place: Place) -> bool:
+    """Whether every name that stands in J has a value."""
+    return not place or _used(task) <= _numbers(task, place).keys()
+
+
 def _numbers(task: Task, place: Place) -> dict[str, float]:
-    known = {name: number(value, {}) for name, value in place}
-    known = dict(oracle_of(task.problem).at(known))
-    missing = sorted(_used(task) - set(known))
-    if missing:
+    known = dict(oracle_of(task.problem).at(point_of(dict(place), task.problem.where)))
+    if not place and (missing := sorted(_used(task) - set(known))):
         raise NotDerivable(f"no value is known for {missing[0]}: give it under evaluate: or where:")
     return known
 
