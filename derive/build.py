@@ -11,8 +11,9 @@ from typing import Any
 from derive.derivation import Claim, Derivation, Figure
 from derive.errors import NotDerivable, Place, SheetError, SheetErrors
 from derive.expression import free_symbols
+from derive.kinds.measured import InDecimals
 from derive.kinds.problem import Problem as Working
-from derive.kinds.problem import expressions
+from derive.kinds.problem import expressions, parts
 from derive.kinds.registry import module_name
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked, figure_path
 from derive.render.notation import Notation
@@ -116,13 +117,17 @@ def working_on(problem: Problem) -> Working:
 def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool) -> ProblemPage:
     working = working_on(problem)
     answers = each(problem.questions, lambda question: answered(question, working), lambda _: None)
+    places = max(getattr(part, "rounded", 0) for part in parts(problem.subject))
+    if places:
+        answers = list(map(InDecimals(), answers))
     asked = [answer for answer in answers if solutions]
     printed: list[Derivation] = []
-    questions = []
+    questions: list[QuestionPage] = []
     for question, answer in zip(problem.questions, answers, strict=True):
         order = tuple(_order(answer, asked, printed, working.name)) if solutions else ()
         page = _question(sheet, question, answer if solutions else None, order, working)
-        questions.append(replace(page, text=page.text or _default_text(sheet, problem, question, answer)))
+        text = page.text or _default_text(sheet, problem, question, answer)
+        questions.append(replace(page, text=text, rounded=0 if questions else places))
     figure, drawing = _figure(problem, working, folder)
     return ProblemPage(problem.number, tuple(questions), problem.title, problem.text, figure, drawing)
 

@@ -11,19 +11,22 @@ from derive.mechanics.motion import Motion
 
 @dataclass(frozen=True, slots=True)
 class Observed:
-    """Axes read off a figure: each is a combination (3 coefficients) of the parent's x, y, z."""
+    """Axes read off a figure: each is a combination (3 coefficients) of the parent's x, y, z. `rounded`
+    are the places to which its author rounded them, where the nearest rotation stands for what was typed."""
 
     x: tuple[Expr, Expr, Expr]
     y: tuple[Expr, Expr, Expr]
     z: tuple[Expr, Expr, Expr]
     origin: tuple[Expr, Expr, Expr]
+    rounded: int = 0
 
 
 @dataclass(frozen=True, slots=True)
 class ByMatrix:
-    """A homogeneous transform (4 by 4) or a rotation (3 by 3) written out."""
+    """A homogeneous transform (4 by 4) or a rotation (3 by 3) written out; `rounded` as above."""
 
     matrix: Matrix
+    rounded: int = 0
 
 
 FrameSource: TypeAlias = Observed | ByMatrix | Motion

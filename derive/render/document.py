@@ -30,7 +30,8 @@ class QuestionPage:
 
     `text` and `hint` are the author's Markdown; a `text` of "" prints none. `order` holds what to print
     for it, prerequisites first and only those no earlier question printed; it is empty on a problem sheet.
-    `at` is the point its results are evaluated at.
+    `at` is the point its results are evaluated at. `rounded` are the places of rotations that were given
+    rounded, where that is to be said here.
     """
 
     number: int
@@ -41,6 +42,7 @@ class QuestionPage:
     derivation: Derivation | None = None
     order: tuple[Worked, ...] = ()
     at: Mapping[str, Expr] = field(default_factory=dict)
+    rounded: int = 0
 
 
 @dataclass(frozen=True, slots=True)

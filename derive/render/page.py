@@ -43,6 +43,8 @@ def _answer(document: Document, problem: ProblemPage, question: QuestionPage, sk
     told = [_told(document, problem, question, worked, skin) for worked in question.order]
     if not told and document.solutions:
         told.append(_above(problem, question, skin))
+    if question.rounded and document.solutions:
+        told.insert(0, environment().get_template("words/_rounded.j2").render(places=question.rounded))
     if question.derivation and document.solutions:
         told.append(evaluated_words(question.derivation, question.at, skin, document.notation))
     return "\n\n".join(filter(None, told))

@@ -33,7 +33,9 @@ def failed_product(axes: Sequence[tuple[Expr, Expr, Expr]], where: Mapping[str, 
 
 def _said(product: Scalar) -> str:
     value = product.constant
-    return f" = {value}" if value is not None else " depends on symbols"
+    if value is None:
+        return " depends on symbols"
+    return f" = {value}" if value.denominator < 1000 else f" = {float(value):.8g}"
 
 
 def _dot(a: Vector, b: Vector) -> Scalar:

@@ -6,6 +6,7 @@ from derive.algebra.quantities import rational
 from derive.errors import SheetErrors
 from derive.expression import Expr, Matrix
 from derive.mechanics.frames import ByMatrix
+from derive.sheet.nearest import Axes, nearest_rotation
 from derive.sheet.orthonormal import failed_product
 from derive.sheet.source import At
 from derive.sheet.subjects.registry import Known
@@ -24,8 +25,9 @@ def by_matrix(matrix: list[list[Expr]], whose: str, at: At, known: Known) -> ByM
     rows = tuple(tuple(row) for row in matrix)
     _require_last_row(rows, at)
     columns = [(rows[0][j], rows[1][j], rows[2][j]) for j in range(3)]
-    require_orthonormal(columns, "columns", whose, at, known)
-    return ByMatrix(Matrix(rows))
+    exact, places = orthonormal(columns, "columns", whose, at, known)
+    turned = [(exact[0][i], exact[1][i], exact[2][i], *rows[i][3:]) for i in range(3)]
+    return ByMatrix(Matrix((*turned, *rows[3:])), places)
 
 
 def _require_last_row(rows: tuple[tuple[Expr, ...], ...], at: At) -> None:
@@ -34,10 +36,16 @@ def _require_last_row(rows: tuple[tuple[Expr, ...], ...], at: At) -> None:
         raise SheetErrors([at.fault(message, (3,), "write [0, 0, 0, 1]")])
 
 
-def require_orthonormal(
-    axes: list[tuple[Expr, Expr, Expr]], what: str, whose: str, at: At, known: Known
-) -> None:
-    """Raises SheetErrors with the product that fails."""
+def orthonormal(axes: Axes, what: str, whose: str, at: At, known: Known) -> tuple[Axes, int]:
+    """The axes and 0; or those of the nearest rotation, and the places to which the ones typed were rounded.
+
+    Raises SheetErrors with the product that fails, where they are no rotation.
+    """
     if product := failed_product(axes, known.where):
+        nearest, places = nearest_rotation(axes, known.where)
+        if nearest:
+            return nearest, places
         message = f"the {what} of {whose} are not right-handed and orthonormal: {product}"
-        raise SheetErrors([at.fault(message, (), "check the signs and that every axis has length 1")])
+        hint = "check the signs and that every axis has length 1; rounded numbers need three digits or more"
+        raise SheetErrors([at.fault(message, (), hint)])
+    return axes, 0

@@ -15,7 +15,7 @@ from derive.sheet.source import At
 from derive.sheet.subjects.moves import MoveField, move
 from derive.sheet.subjects.registry import Known
 from derive.sheet.weights import WeightsError, weights
-from derive.sheet.written_pose import by_matrix, require_orthonormal
+from derive.sheet.written_pose import by_matrix, orthonormal
 
 HARMLESS = frozenset({"frame", "in", "origin"})
 
@@ -120,5 +120,5 @@ def _observed(given: ObservedFrame, number: int, parent: int, at: At, known: Kno
             faults.append(at.fault(f"{name}: {error}", (name,), hint + ", or say which frame with 'in:'"))
     if faults:
         raise SheetErrors(faults)
-    require_orthonormal(read, "axes", f"frame {number}", at, known)
-    return Observed(read[0], read[1], read[2], given.origin)
+    turned, places = orthonormal(read, "axes", f"frame {number}", at, known)
+    return Observed(turned[0], turned[1], turned[2], given.origin, places)

@@ -20,7 +20,7 @@ from derive.kinds.robot._inverse.branches import Solutions, plain
 from derive.kinds.robot._inverse.moves import Definition, Item
 from derive.kinds.robot._inverse.numbers import AtPoint, Leaf
 from derive.kinds.robot._inverse.settled import Leaves, Settled, told
-from derive.kinds.values_at import completed
+from derive.kinds.values_at import point_of
 from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.plan import Plan
@@ -105,9 +105,8 @@ def _anything(point: Point, problem: Problem) -> dict[str, float]:
 
 
 def known_at(place: Place, problem: Problem) -> dict[str, float]:
-    """Every name that has a value; one that is given in letters has none."""
-    values = {name: value for name, value in place if not free_symbols(value)}
-    return dict(completed({name: number(value, {}) for name, value in values.items()}, problem.where))
+    """Every name that has a value; one that is given in letters without values has none."""
+    return dict(point_of(dict(place), problem.where))
 
 
 def needed(solutions: Solutions) -> frozenset[str]:
