@@ -82,9 +82,9 @@ class Mechanism:
         return sum((size - each.constraints) * each.pairs for each in self.joints) - size * self.loops
 
 
-def leg_joints(chain: str, count: int) -> tuple[Joints, ...]:
-    """The joints of `count` legs such as UPS, in space."""
-    return tuple(Joints(LETTERS[c], count, 6 - FREEDOMS[LETTERS[c]]) for c in chain)
+def leg_joints(chain: str, count: int, space: Space) -> tuple[Joints, ...]:
+    """The joints of `count` legs such as UPS in space or RRR in the plane."""
+    return tuple(Joints(LETTERS[c], count, LAMBDA[space] - FREEDOMS[LETTERS[c]]) for c in chain)
 
 
 def idle_legs(chain: str) -> int:

@@ -166,7 +166,7 @@ def test_evaluated_mirrors_the_results(tmp_path) -> None:
 
 def test_a_value_that_is_missing(tmp_path) -> None:
     with pytest.raises(SheetErrors) as raised:
-        asked(tmp_path, "find: jacobian\n  evaluate: {theta1: 30 deg}")
+        asked(tmp_path, "find: jacobian\n  evaluate: true")
     assert "no value is known for" in raised.value.errors[0].message
 
 

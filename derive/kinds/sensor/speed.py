@@ -10,7 +10,7 @@ from pydantic import field_validator
 from derive.algebra.numeric import number as at
 from derive.algebra.quantities import rational
 from derive.derivation import Claim, Derivation
-from derive.expression import ONE, Expr, Product, Quotient, Symbol, free_symbols
+from derive.expression import ONE, Call, Expr, Product, Quotient, Symbol, free_symbols
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
 from derive.kinds.fields import Formula, OptionsModel, Time
 from derive.kinds.problem import Problem
@@ -37,16 +37,23 @@ OMEGA = Symbol("omega")
 
 
 class Options(OptionsModel):
-    """`counts` were counted within `period`."""
+    """`counts` were counted within `period`; they are negative where the disc turns backwards."""
 
     counts: Formula
     period: Time
 
-    @field_validator("counts", "period")
+    @field_validator("counts")
+    @classmethod
+    def _is_counted(cls, value: Expr) -> Expr:
+        if rational(value) == 0:
+            raise ValueError("nothing is counted: no speed can be told")
+        return value
+
+    @field_validator("period")
     @classmethod
     def _is_positive(cls, value: Expr) -> Expr:
         if (size := rational(value)) is not None and size <= 0:
-            raise ValueError("this must be positive: something is counted, in some time")
+            raise ValueError("a period must be positive")
         return value
 
 
@@ -60,12 +67,14 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
     working = working.line("omega", Quotient(Product((n, DELTA)), T))
     if gear:
         working = working.line("omega_m", Product((gear, OMEGA)))
-    working = working.line("delta_omega", Quotient(DELTA, T)).line("relative", Quotient(ONE, n))
+    backwards = (rational(problem.final(options.counts)) or 0) < 0
+    size, speed = (Call("abs", (each,)) if backwards else each for each in (n, OMEGA))
+    working = working.line("delta_omega", Quotient(DELTA, T)).line("relative", Quotient(ONE, size))
     results: dict[str, Expr] = {"omega": working.final("omega")}
     if gear:
         results["omega_motor"] = working.final("omega_m")
     results |= {"quantum": working.final("delta_omega"), "relative": working.final("relative")}
-    share = Quotient(Symbol("delta_omega"), OMEGA)
+    share = Quotient(Symbol("delta_omega"), speed)
     last = working.steps[-1]
     steps = (*working.steps[told:-1], replace(last, chain=(share, *last.chain[1:])))
     claims = (

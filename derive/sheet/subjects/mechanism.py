@@ -84,7 +84,7 @@ def _parallel(space: Space, legs: list[GivenLegs]) -> Mechanism:
     """Base, platform, and between them the bodies of each leg."""
     chains = tuple((leg.chain.upper(), leg.count) for leg in legs)
     bodies = 2 + sum((len(chain) - 1) * count for chain, count in chains)
-    joints = tuple(each for chain, count in chains for each in leg_joints(chain, count))
+    joints = tuple(each for chain, count in chains for each in leg_joints(chain, count, space))
     rods = sum(idle_legs(chain) * count for chain, count in chains)
     return Mechanism(space, bodies, joints, rods, chains)
 
@@ -125,15 +125,13 @@ def _leg_faults(given: Given, at: At) -> Iterator[SheetError]:
             yield at.fault(
                 f"'{key}' follows from the legs", (key,), "give either legs: or bodies: and joints:", True
             )
-    if given.space != "spatial":
-        yield at.fault("legs are counted in space", ("space",), "write space: spatial")
+    here = {letter: name for letter, name in LETTERS.items() if name in POSSIBLE[given.space]}
+    letters = ", ".join(f"{letter} {name}" for letter, name in here.items())
     for index, leg in enumerate(given.legs or ()):
-        wrong = [letter for letter in leg.chain.upper() if letter not in LETTERS]
+        wrong = [letter for letter in leg.chain.upper() if letter not in here]
         if wrong:
-            letters = ", ".join(f"{letter} {name}" for letter, name in LETTERS.items())
-            yield at.fault(
-                f"there is no joint {wrong[0]}", ("legs", index, "chain"), f"the letters are {letters}"
-            )
+            what = f"a {given.space} mechanism has no joint {wrong[0]}"
+            yield at.fault(what, ("legs", index, "chain"), f"the letters are {letters}")
 
 
 def _impossible(found: Mechanism, at: At) -> Iterator[SheetError]:

@@ -22,7 +22,19 @@ from derive.algebra.numeric import scalar_number
 from derive.algebra.units import ANGLE, LENGTH, Dimension, power, times
 from derive.algebra.units import TIME as SECONDS
 from derive.errors import FormulaError, NotDerivable, SheetError, SheetErrors
-from derive.expression import ZERO, Degrees, Expr, Symbol, subtract, walk
+from derive.expression import (
+    PI,
+    ZERO,
+    Degrees,
+    Expr,
+    Symbol,
+    free_symbols,
+    multiply,
+    number,
+    rebuild,
+    subtract,
+    walk,
+)
 from derive.kinds.fields import TREES, OptionsModel, Time, declared, text_of
 from derive.mechanics.profile import NO_UNITS, Axis, Journey, Profile, Sort, Units, Via
 from derive.sheet.faults import NO_FORM
@@ -157,6 +169,8 @@ def build(given: Given, at: At, known: Known) -> Profile:
     faults = [*_faults(given, at, known)]
     if faults:
         raise SheetErrors(faults)
+    if _mixes_degrees(given):
+        given = _in_radians(given)
     sort: Sort = next((each.sort for _, each in _measured(given) if each.sort), "")
     if isinstance(given, GivenJourney):
         journey = _journey(given)
@@ -215,6 +229,31 @@ def _journey(given: GivenJourney) -> Journey:
         maybe(given.v_max),
         maybe(given.a_max),
     )
+
+
+def _mixes_degrees(given: Given) -> bool:
+    """Whether some of the angles are in degrees and others in radians: 90 deg at 2 rad/s."""
+    trees = [each.expr for _, each in _measured(given) if each.expr != ZERO]
+    told = {any(isinstance(node, Degrees) for node in walk(tree)) for tree in trees if not free_symbols(tree)}
+    return told == {True, False}
+
+
+def _in_radians(given: Any) -> Any:
+    """The same with degrees as multiples of pi."""
+    if isinstance(given, Measured):
+        return Measured(_turned(given.expr), given.sort)
+    if isinstance(given, list):
+        return [_in_radians(each) for each in given]
+    if isinstance(given, BaseModel):
+        names = type(given).model_fields
+        return given.model_copy(update={name: _in_radians(getattr(given, name)) for name in names})
+    return given
+
+
+def _turned(tree: Expr) -> Expr:
+    if isinstance(tree, Degrees):
+        return multiply(number(tree.value / 180), PI)
+    return rebuild(tree, _turned)
 
 
 def _units(given: Given, sort: Sort, known: Known) -> Units:
