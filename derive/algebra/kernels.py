@@ -86,7 +86,7 @@ def in_single_angles(value: Scalar) -> Scalar:
     """The same over single angles, or over such parts of them as the polynomial needs."""
     used = set(value.generators())
     forms = [form for form in value.ring.angles if {f"cos({form})", f"sin({form})"} & used]
-    if all(len(form.parts) == 1 or not form.moving.parts for form in forms):
+    if all(not form.moving.parts or (len(form.parts) == 1 and form.parts[0][1] > 0) for form in forms):
         return value
     coefficients: dict[str, list[Rational]] = {}
     for form in forms:

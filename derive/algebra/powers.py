@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from math import gcd, lcm
 
 from derive.algebra.fixed import factored
 from derive.algebra.kernels import generator, opaque, root
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.errors import NotReal
 
+MAX_DEGREE = 64  # of a root; beyond it, as in x^1.570796, a power is left as it is
+
 
 def power(base: Scalar, exponent: Scalar) -> Scalar:
     """base^exponent. What can be taken out of the exponent is: x^(7/3) is x^2 x^(1/3), and 2^(1 - 2 x) is
     2/(2^x)^2. Raises NotReal where a number has no such power that is real."""
-    if base.constant == 1 or exponent.denominator is not None:
-        return opaque("pow", (base, exponent)) if base.constant != 1 else base
+    if base.constant == 1:
+        return base
+    if exponent.denominator is not None:
+        times = _content(exponent)
+        return opaque("pow", (base, exponent / times.numerator)) ** times.numerator
     found = Scalar.of(1)
     for powers, coefficient in exponent.numerator.to_dict().items():
         times = as_fraction(coefficient)
@@ -23,8 +29,22 @@ def power(base: Scalar, exponent: Scalar) -> Scalar:
             found = found * opaque("pow", (base, part)) ** times.numerator
         else:
             whole, rest = divmod(times, 1)
-            found = found * base ** int(whole) * _radical(base, rest.denominator) ** rest.numerator
+            found = found * base ** int(whole) * _broken(base, rest)
     return found
+
+
+def _content(exponent: Scalar) -> Fraction:
+    """The greatest number of which all coefficients above the line are multiples, signed as the first."""
+    numbers = [as_fraction(k) for k in exponent.numerator.coeffs()]
+    size = Fraction(gcd(*(k.numerator for k in numbers)), lcm(*(k.denominator for k in numbers)))
+    return size if numbers[0] > 0 else -size
+
+
+def _broken(base: Scalar, exponent: Fraction) -> Scalar:
+    """base^exponent for an exponent between 0 and 1."""
+    if exponent.denominator > MAX_DEGREE:
+        return opaque("pow", (base, Scalar.of(exponent)))
+    return _radical(base, exponent.denominator) ** exponent.numerator
 
 
 def _radical(base: Scalar, degree: int) -> Scalar:

@@ -24,6 +24,7 @@ BITS = 600
 FUNCTIONS: Mapping[str, Callable[..., arb]] = {
     "cos": arb.cos, "sin": arb.sin, "tan": arb.tan, "sqrt": arb.sqrt, "exp": arb.exp, "log": arb.log,
     "acos": arb.acos, "asin": arb.asin, "atan": arb.atan, "atan2": arb.atan2, "abs": abs, "sign": arb.sgn,
+    "pow": arb.__pow__,
 }  # fmt: skip
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from functools import reduce
 from operator import mul
 
@@ -9,14 +10,23 @@ from derive.algebra.angles import RADIAN, Form
 from derive.algebra.fixed import form_trig
 from derive.algebra.kernels import canonical, in_single_angles, root
 from derive.algebra.opaque import ITSELF, Opaque
-from derive.algebra.pairs import Pair
+from derive.algebra.pairs import Pair, added, multiple
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar, as_fraction
 
 
 def trig_of(angle: Scalar) -> Pair:
-    """(cosine, sine) of an angle: of the linear form that it is."""
-    return form_trig(linear_form(angle))
+    """(cosine, sine) of an angle: of the linear form that it is, multiples of inverse functions resolved."""
+    pairs: list[Pair] = []
+    rest = angle
+    for powers, coefficient in angle.ring.terms(angle.numerator) if angle.denominator is None else ():
+        match powers:
+            case ((Opaque(function=name) as inverse, 1),) if (
+                name in RESOLVED and coefficient.denominator == 1
+            ):
+                pairs.append(multiple(RESOLVED[name](*inverse.arguments), int(coefficient)))
+                rest = rest - Scalar.symbol(inverse) * coefficient
+    return reduce(added, pairs, form_trig(linear_form(rest)))
 
 
 def linear_form(angle: Scalar) -> Form:
@@ -74,3 +84,19 @@ def of_direction(y: Scalar, x: Scalar) -> Pair:
     """(cosine, sine) of atan2(y, x)."""
     length = root(x * x + y * y)
     return x / length, y / length
+
+
+def of_cosine(c: Scalar) -> Pair:
+    """(cosine, sine) of acos(c)."""
+    return c, root(1 - c * c)
+
+
+def of_sine(s: Scalar) -> Pair:
+    """(cosine, sine) of asin(s)."""
+    return root(1 - s * s), s
+
+
+RESOLVED: Mapping[str, Callable[..., Pair]] = {
+    "atan2": of_direction, "atan": lambda slope: of_direction(slope, Scalar.of(1)), "acos": of_cosine,
+    "asin": of_sine,
+}  # fmt: skip

@@ -23,11 +23,11 @@ NO_UNITS = Units()
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """A distance to be covered from rest to rest within a velocity and an acceleration."""
+    """A distance to be covered from rest to rest within a velocity, and an acceleration unless it is None."""
 
     distance: Expr
     v_max: Expr
-    a_max: Expr
+    a_max: Expr | None
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,6 +15,7 @@ from derive.sheet.honoured import idle_options
 from derive.sheet.model import Question
 from derive.sheet.source import At
 from derive.sheet.subjects.registry import Known
+from derive.sheet.where import cycle
 
 MANY = 12  # kinds, which are not listed in a hint
 
@@ -74,6 +75,9 @@ def _read(
         faults.extend(idle_options(options, at))
     except SheetErrors as errors:
         faults.extend(errors.errors)
+    if given and isinstance(given.evaluate, dict) and (name := cycle({**known.where, **given.evaluate})):
+        hint = "give it a value, or one in other symbols"
+        faults.append(at.fault(f"the value of {name} leads back to itself", ("evaluate", name), hint))
     if faults or given is None or kind is None:
         raise SheetErrors(faults)
     evaluate = {} if given.evaluate == "true" else given.evaluate

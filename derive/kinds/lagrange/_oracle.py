@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from flint import arb, ctx
 
 from derive.algebra.precise import BITS, precise, slope
+from derive.errors import NotReal
 from derive.expression import ZERO, Expr, free_symbols
 from derive.mechanics.lagrangian import TIME, LagrangianSystem
 
@@ -27,10 +28,13 @@ class Differences:
 
     def left_sides(self, at: Mapping[str, float]) -> list[float]:
         """d/dt dL/dqdot - dL/dq + dD/dqdot at a point that names coordinates, rates, accelerations,
-        parameters and the time."""
+        parameters and the time. Raises NotReal."""
         with ctx.workprec(BITS):
             point = {name: arb(value) for name, value in at.items()}
-            return [float(self._left_side(k, point).mid()) for k in range(len(self.system.coordinates))]
+            found = [self._left_side(k, point) for k in range(len(self.system.coordinates))]
+            if not all(value.is_finite() for value in found):
+                raise NotReal("the Lagrangian is not real here")
+            return [float(value.mid()) for value in found]
 
     def left_over(self, at: Mapping[str, float]) -> list[float]:
         """The left sides less the forces of the sheet."""

@@ -233,9 +233,9 @@ def _second_route(model: Model, lefts: list[Expr]) -> Claim:
     for at in random_points(sorted(problem.symbols | moving), 3 * POINTS):
         try:
             ours = [numeric.number(left, completed(at, problem.where)) for left in lefts]
+            holds &= close(ours, differences.left_sides(at), 1e-9)
         except ValueError:  # no real value here
             continue
-        holds &= close(ours, differences.left_sides(at), 1e-9)
         tried += 1
         if tried == POINTS:
             break

@@ -96,6 +96,8 @@ class _Velocity:
         self.problem, self.varying = problem, varying
         self.name = free_name(problem, "omega", "w", "omega_R")  # omega*t is a common angle
         self.R = rotation_part(T)
+        if not any(self.R.diff(name) for name in varying):
+            raise NotDerivable("no rotation changes with the names it is by, so nothing turns")
         self.rate = self._rate(self.R)
         self.S = self.rate @ self.R.T
         self.omega = ScalarMatrix.column((self.S[2, 1], self.S[0, 2], self.S[1, 0]))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from math import inf
 from typing import Any
 
 from derive.algebra.numeric import number as value_of
@@ -43,7 +44,10 @@ class Solved:
 
     @property
     def least(self) -> Expr:
-        """The shortest time that is possible."""
+        """The shortest time that is possible; where the acceleration has no limit, what it stays above."""
+        if self.axis.a_max is None:
+            working = self.given.working
+            return self.problem.final(working.value(Quotient(self.given.d, self.given.fastest)))
         return (self.fastest or self.outcomes)[0].working.final("t_3")
 
 
@@ -54,7 +58,7 @@ def solved(axis: Axis, time: Expr | None, profile: Profile, problem: Problem) ->
     if time is None:
         return Solved(axis, None, fast, shortest(fast))
     given = begun(problem, axis, time, angular)
-    return Solved(axis, time, given, timed(given), shortest(fast))
+    return Solved(axis, time, given, timed(given), () if axis.a_max is None else shortest(fast))
 
 
 def steps_of(each: Solved, prefix: str = "") -> Iterator[Step]:
@@ -149,7 +153,7 @@ def _agrees(each: Solved, point: Mapping[str, float]) -> bool:
         return value_of(each.problem.final(expr), point)
 
     axis = each.axis
-    way, v_max, a_max = at(axis.distance), at(axis.v_max), at(axis.a_max)
+    way, v_max, a_max = at(axis.distance), at(axis.v_max), inf if axis.a_max is None else at(axis.a_max)
     d = -way if each.given.backwards else way
     if min(d, v_max, a_max) <= 0:
         return True

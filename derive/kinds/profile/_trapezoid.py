@@ -34,7 +34,8 @@ NAMES = ("t_1", "t_2", "t_3", "v", "a")
 
 @dataclass(frozen=True, slots=True)
 class Given:
-    """The names of the distance, the limits and the time, and the working they begin."""
+    """The names of the distance, the limits (that of the acceleration may be none in a given time) and the
+    time, and the working they begin."""
 
     d: Symbol
     fastest: Symbol
@@ -81,8 +82,12 @@ def begun(problem: Problem, axis: Axis, time: Expr | None, angular: bool) -> Giv
     size = bare.value(negate(axis.distance)) if backwards else axis.distance
     d = named("d", size, problem)
     values: dict[Expr, Expr] = {d: size}
-    v_M, a_M = named("v_M", axis.v_max, problem), named("a_M", axis.a_max, problem)
-    values |= {v_M: axis.v_max, a_M: axis.a_max}
+    v_M = named("v_M", axis.v_max, problem)
+    values[v_M] = axis.v_max
+    a_M = Symbol("a_M")
+    if axis.a_max is not None:
+        a_M = named("a_M", axis.a_max, problem)
+        values[a_M] = axis.a_max
     t_3 = Symbol("t_3")
     if time is not None:
         t_3 = named("t_3", time, problem)
@@ -195,7 +200,7 @@ def _keep_time(working: Working, t_3: Symbol) -> Working:
 
 def _checked(outcome: Outcome, given: Given) -> Outcome:
     """Infeasible where the acceleration is beyond its limit; a condition where symbols leave that open."""
-    if outcome.case == "infeasible":
+    if outcome.case == "infeasible" or given.strongest not in given.working.values:
         return outcome
     beyond = outcome.working.sign(subtract(outcome.working.symbol("a"), given.strongest))
     if beyond is None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import inf
 from typing import Any
 
 from derive.algebra.numeric import number as value_of
@@ -113,7 +114,8 @@ def _numbers(profile: Profile, time: Expr | None, options: Options, problem: Pro
 
 
 def _switching(axis: Axis, time: float | None, point: Mapping[str, float]) -> trapezoid.Switching:
-    d, v, a = (value_of(expr, point) for expr in (axis.distance, axis.v_max, axis.a_max))
+    d, v = (value_of(expr, point) for expr in (axis.distance, axis.v_max))
+    a = inf if axis.a_max is None else value_of(axis.a_max, point)
     if d == 0 or v <= 0 or a <= 0:
         raise NotDerivable("a distance that is not zero and positive limits are needed at the point")
     return trapezoid.shortest(abs(d), v, a) if time is None else trapezoid.timed(abs(d), v, a, time)

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal, TypeAlias
 
-from pydantic import Discriminator, Tag, field_validator
+from pydantic import Discriminator, Tag, ValidationInfo, field_validator
 
+from derive.algebra.doubtful import Doubt
 from derive.algebra.quantities import rational
 from derive.expression import Expr
-from derive.kinds.fields import Angle, Formula, Length, OptionsModel, StarredAngle, StarredLength
+from derive.kinds.fields import Angle, Formula, Length, OptionsModel, StarredAngle, StarredLength, doubt
 from derive.mechanics.motion import Axis, Move
 from derive.sheet.faults import NO_FORM
-from derive.sheet.subjects.quaternions import turn_of
+from derive.sheet.subjects.quaternions import length_of, turn_of
 
 Named: TypeAlias = Literal["x", "y", "z"]
 Vector: TypeAlias = tuple[Formula, Formula, Formula]
@@ -82,9 +83,14 @@ class Quaternion(OptionsModel):
 
     @field_validator("quaternion")
     @classmethod
-    def _has_length(cls, parts: tuple[Expr, Expr, Expr, Expr]) -> tuple[Expr, Expr, Expr, Expr]:
+    def _has_length(
+        cls, parts: tuple[Expr, Expr, Expr, Expr], info: ValidationInfo
+    ) -> tuple[Expr, Expr, Expr, Expr]:
         if all(rational(part) == 0 for part in parts):
             raise ValueError("a quaternion of zeros turns nothing into nothing")
+        if (length := length_of(parts)) is not None:
+            message = f"this quaternion has the length {length:.6g}, not 1; it is divided by it"
+            doubt(Doubt(message, 0, "nothing is to be done if only its direction is meant"), info)
         return parts
 
 

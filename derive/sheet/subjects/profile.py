@@ -108,9 +108,12 @@ class GivenAxis(OptionsModel):
     a_max: Push
 
 
-class GivenOne(GivenAxis):
-    """One axis, and the time it is to take, if that is given."""
+class GivenOne(OptionsModel):
+    """One axis, and the time it is to take, if that is given; then its acceleration may have no limit."""
 
+    distance: Stretch
+    v_max: Rate
+    a_max: Push | None = None
     time: Time | None = None
 
 
@@ -204,8 +207,9 @@ def missing(subject: Profile, need: str, at: At) -> list[SheetError]:
     return [at.fault(message, (), f"write {hint}", key=True)] if lacking else []
 
 
-def _axis(given: GivenAxis) -> Axis:
-    return Axis(given.distance.expr, given.v_max.expr, given.a_max.expr)
+def _axis(given: GivenAxis | GivenOne) -> Axis:
+    strongest = None if given.a_max is None else given.a_max.expr
+    return Axis(given.distance.expr, given.v_max.expr, strongest)
 
 
 def _journey(given: GivenJourney) -> Journey:
@@ -302,6 +306,8 @@ def _faults(given: Given, at: At, known: Known) -> Iterator[SheetError]:
             yield at.fault("lengths and angles are mixed in one motion", route, hint)
     if isinstance(given, GivenJourney):
         yield from _wrong_journey(given, at, known)
+    if isinstance(given, GivenOne) and given.a_max is None and given.time is None:
+        yield at.fault("'a_max' is missing", (), "add a_max: ..., or the time it is to take", key=True)
 
 
 def _not_positive(given: Given, at: At, known: Known) -> Iterator[SheetError]:

@@ -7,9 +7,11 @@ from fractions import Fraction
 
 from derive.algebra.numeric import number as value
 from derive.algebra.quantities import rational
+from derive.algebra.rationals import decimal_places
 from derive.expression import (
     Degrees,
     Expr,
+    Number,
     Product,
     Quotient,
     add,
@@ -18,6 +20,7 @@ from derive.expression import (
     number,
     sqrt,
     squared,
+    walk,
 )
 
 NEARLY = 1e-12
@@ -38,6 +41,18 @@ def turn_of(quaternion: tuple[Expr, Expr, Expr, Expr]) -> tuple[tuple[Expr, Expr
         if _is_half_of(degrees, quaternion):
             return (x, y, z), Degrees(degrees)
     return (x, y, z), Product((number(2), atan2(length, w)))
+
+
+def length_of(quaternion: tuple[Expr, Expr, Expr, Expr]) -> float | None:
+    """Its length, where it is a number that is not one to the digits typed."""
+    if any(map(free_symbols, quaternion)):
+        return None
+    decimals = (
+        node for part in quaternion for node in walk(part) if isinstance(node, Number) and node.decimal
+    )
+    places = max((decimal_places(node.value) or 0 for node in decimals), default=15)
+    length = math.hypot(*(value(part, {}) for part in quaternion))
+    return None if abs(length - 1) <= 2 * 10.0**-places else length
 
 
 def _is_half_of(degrees: Fraction, quaternion: tuple[Expr, Expr, Expr, Expr]) -> bool:
