@@ -31,7 +31,7 @@ def nearest_rotation(axes: Sequence[tuple[Expr, Expr, Expr]], where: Mapping[str
     from derive.kinds.values_at import completed
 
     entries = [entry for axis in axes for entry in axis]
-    known, places = completed({}, where), _places(entries)
+    known, places = completed({}, where), typed_places(axes)
     if places < FEWEST or any(free_symbols(entry) - known.keys() for entry in entries):
         return [], 0
     typed = np.array([[number(entry, known) for entry in axis] for axis in axes]).T
@@ -43,7 +43,8 @@ def nearest_rotation(axes: Sequence[tuple[Expr, Expr, Expr]], where: Mapping[str
     return [(R[0][j], R[1][j], R[2][j]) for j in range(3)], places
 
 
-def _places(entries: Sequence[Expr]) -> int:
+def typed_places(axes: Sequence[tuple[Expr, Expr, Expr]]) -> int:
+    """The most places of a decimal number in the axes; 0 where there is none."""
     decimals = [
         node for entry in entries for node in walk(entry) if isinstance(node, Number) and node.decimal
     ]

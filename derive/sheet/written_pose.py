@@ -6,7 +6,7 @@ from derive.algebra.quantities import rational
 from derive.errors import SheetErrors
 from derive.expression import Expr, Matrix
 from derive.mechanics.frames import ByMatrix
-from derive.sheet.nearest import Axes, nearest_rotation
+from derive.sheet.nearest import Axes, nearest_rotation, typed_places
 from derive.sheet.orthonormal import failed_product
 from derive.sheet.source import At
 from derive.sheet.subjects.registry import Known
@@ -46,6 +46,7 @@ def orthonormal(axes: Axes, what: str, whose: str, at: At, known: Known) -> tupl
         if nearest:
             return nearest, places
         message = f"the {what} of {whose} are not right-handed and orthonormal: {product}"
-        hint = "check the signs and that every axis has length 1; rounded numbers need three digits or more"
+        hint = "check the signs and that every axis has length 1"
+        hint += "; rounded numbers need three digits or more" if typed_places(axes) else ""
         raise SheetErrors([at.fault(message, (), hint)])
     return axes, 0
