@@ -46,7 +46,11 @@ def nearest_rotation(axes: Sequence[tuple[Expr, Expr, Expr]], where: Mapping[str
 def typed_places(axes: Sequence[tuple[Expr, Expr, Expr]]) -> int:
     """The most places of a decimal number in the axes; 0 where there is none."""
     decimals = [
-        node for entry in entries for node in walk(entry) if isinstance(node, Number) and node.decimal
+        node
+        for axis in axes
+        for entry in axis
+        for node in walk(entry)
+        if isinstance(node, Number) and node.decimal
     ]
     return max((max(node.places, decimal_places(node.value) or 0) for node in decimals), default=0)
 
