@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
-from derive.control.linear import Form, combined, form_of, term, tree
+from derive.control.linear import Form, combined, one_side, term, tree
 from derive.control.ratios import Ratio
 from derive.control.signals import signals, unknowns
 from derive.control.system import Equation, System
@@ -105,7 +105,7 @@ class _Elimination:
         self.system, self.source, self.zero, self.decimals = system, source, zero, decimals
         kept = [Equation(without(e.left, zero), without(e.right, zero)) for e in system.equations]
         self.equations = kept
-        self.forms = [_one_side(equation, found, decimals) for equation in kept]
+        self.forms = [one_side(equation, found, decimals) for equation in kept]
         self.unknown = [signal for signal in unknowns(system, found) if signal != system.output]
         self.known: dict[Symbol, Form] = {}
         self.left = list(range(len(kept)))
@@ -196,12 +196,6 @@ class _Elimination:
     def _hidden(self, place: int) -> bool:
         """Whether the input also stands in what is put into the equation."""
         return any(self.source in self.known.get(signal, {}) for signal in self.forms[place])
-
-
-def _one_side(equation: Equation, found: tuple[Symbol, ...], decimals: bool) -> Form:
-    """left - right as a form."""
-    left, right = (form_of(side, found, decimals) for side in (equation.left, equation.right))
-    return combined([(Ratio(), left), (-Ratio(), right)], decimals)
 
 
 def _solved_for(signal: Symbol, form: Form, decimals: bool) -> Form:

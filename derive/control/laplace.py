@@ -78,6 +78,10 @@ class Numeric:
         loop = numpy.vstack((numpy.column_stack((matrix, drive)), law))
         return complex(numpy.linalg.solve(loop, numpy.append(numpy.zeros(len(matrix)), strength))[place])
 
+    def matrix(self, s: complex) -> Any:
+        """The coefficients of the unknowns at one s."""
+        return self._equations(s)[0]
+
     def _equations(self, s: complex) -> tuple[Any, Any, int]:
         """(coefficients of the unknowns, of the source, place of the output among the unknowns)."""
         import numpy

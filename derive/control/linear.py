@@ -5,8 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import TypeAlias
 
+from derive.algebra.scalar import Scalar
 from derive.algebra.text import text
+from derive.control.exact import common, divided
+from derive.control.rational import Polynomial, Rational, times
 from derive.control.ratios import Ratio, total
+from derive.control.system import Equation
 from derive.errors import NotDerivable
 from derive.expression import (
     MINUS_ONE,
@@ -42,6 +46,27 @@ def combined(parts: Iterable[tuple[Ratio, Form]], decimals: bool = False) -> For
             collected.setdefault(signal, []).append(scale * coefficient)
     sums = {signal: total(each, decimals) for signal, each in collected.items()}
     return {signal: coefficient for signal, coefficient in sums.items() if coefficient}
+
+
+def one_side(equation: Equation, signals: Iterable[Symbol], decimals: bool = False) -> Form:
+    """left - right as a form."""
+    found = tuple(signals)
+    left, right = (form_of(side, found, decimals) for side in (equation.left, equation.right))
+    return combined([(Ratio(), left), (-Ratio(), right)], decimals)
+
+
+def cleared(form: Form) -> dict[Symbol, Polynomial]:
+    """The coefficients of an equation multiplied by the least that leaves no s below."""
+    fractions = {signal: Rational.of(ratio) for signal, ratio in form.items()}
+    below: Polynomial = (Scalar.of(1),)
+    for fraction in fractions.values():
+        if len(fraction.den) > 1:
+            below = times(below, divided(fraction.den, common(fraction.den, below))[0])
+    return {signal: _over(times(below, each.num), each.den) for signal, each in fractions.items()}
+
+
+def _over(top: Polynomial, bottom: Polynomial) -> Polynomial:
+    return divided(top, bottom)[0]
 
 
 def term(coefficient: Ratio, signal: Expr, decimals: bool = False) -> Expr:

@@ -6,18 +6,17 @@ integrator that the signal comes out of.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice
 from typing import TypeAlias
 
 from derive.algebra.readable import readable
 from derive.algebra.scalar import Scalar
-from derive.control.linear import combined, form_of
-from derive.control.rational import Polynomial, Rational, polynomial
-from derive.control.ratios import Ratio
-from derive.control.signals import LAPLACE, signals, unknowns
-from derive.control.system import Equation, System
+from derive.control.linear import cleared, one_side
+from derive.control.rational import Polynomial
+from derive.control.signals import signals, unknowns
+from derive.control.system import System
 from derive.expression import Symbol, is_negative
 
 Row: TypeAlias = Mapping[Symbol, Polynomial]  # signal -> its coefficient, left - right, no s below
@@ -47,7 +46,7 @@ class Realised:
 def realisations(system: System, decimals: bool) -> Iterator[tuple[Realised, ...]]:
     """Every way to compute each unknown signal by an equation of its own, equations typed solved first."""
     found = signals(system)
-    rows = [_row(equation, found, decimals) for equation in system.equations]
+    rows = [cleared(one_side(equation, found, decimals)) for equation in system.equations]
     shares = islice(_shares(rows, unknowns(system, found), {}), MOST)
     for share in sorted(shares, key=lambda each: _rewritten(system, each)):
         tails = {signal: _zeros(rows[place][signal]) for signal, place in share.items()}
@@ -58,7 +57,7 @@ def realisations(system: System, decimals: bool) -> Iterator[tuple[Realised, ...
 
 
 def _shares(
-    rows: list[Row], left: tuple[Symbol, ...], taken: dict[Symbol, int]
+    rows: Sequence[Row], left: tuple[Symbol, ...], taken: dict[Symbol, int]
 ) -> Iterator[dict[Symbol, int]]:
     """Signals matched with equations that hold them."""
     if not left:
@@ -99,22 +98,3 @@ def _branch(signal: Symbol, coefficient: Polynomial, tail: int) -> Branch:
 def _zeros(coefficients: Polynomial) -> int:
     """How often s divides it."""
     return next(k for k, c in enumerate(reversed(coefficients)) if c)
-
-
-def _row(equation: Equation, found: tuple[Symbol, ...], decimals: bool) -> Row:
-    """left - right, multiplied by every denominator with an s in it."""
-    sides = [form_of(side, found, decimals) for side in (equation.left, equation.right)]
-    form = combined([(Ratio(), sides[0]), (-Ratio(), sides[1])], decimals)
-    values = {signal: Rational.of(ratio).value for signal, ratio in form.items()}
-    below = Scalar.of(1)
-    for value in values.values():
-        below = below * _below(value * below)
-    return {signal: polynomial(value * below) for signal, value in values.items() if value}
-
-
-def _below(value: Scalar) -> Scalar:
-    """The denominator where s is in it, else 1."""
-    if value.denominator is None:
-        return Scalar.of(1)
-    whole = Scalar(value.ring, value.denominator)
-    return whole if LAPLACE.name in whole.generators() else Scalar.of(1)

@@ -8,8 +8,9 @@ from typing import Annotated, Any, TypeAlias
 from pydantic import PlainValidator, ValidationInfo, WithJsonSchema
 
 from derive.control.controllers import FAMILIES, GAINS, Controller, Family
+from derive.control.rational import S
 from derive.errors import FormulaError
-from derive.expression import Expr, Symbol
+from derive.expression import Expr, Symbol, free_symbols
 from derive.kinds.evaluation import formula
 
 AS_WRITTEN = "write it as {PID: {K_p: 20, K_i: 5, K_d: 10}}, or PID for symbolic gains"
@@ -55,7 +56,12 @@ def _letter(family: Family, name: Any) -> str:
 
 def _gain(letter: str, given: Mapping[str, Any], info: ValidationInfo) -> Expr:
     value = given.get(letter)
-    return Symbol(GAINS[letter]) if value is None else formula(value, info)
+    found = Symbol(GAINS[letter]) if value is None else formula(value, info)
+    if S.name in free_symbols(found):
+        raise FormulaError(
+            "a gain holds no s", hint="write a controller that has one as part of the equations"
+        )
+    return found
 
 
 ControllerField: TypeAlias = Annotated[

@@ -3,15 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from fractions import Fraction
+from functools import partial
+from itertools import islice
 
 from derive.algebra.scalar import Scalar
 from derive.control.axis import points
+from derive.control.drawing import parameters
+from derive.control.laplace import Numeric
 from derive.control.rational import at
 from derive.control.roots import roots, sign
 from derive.control.routh import remainder, sign_changes
+from derive.control.signals import signals
 from derive.derivation import Claim
 from derive.expression import Expr, Symbol, number
-from derive.kinds.checks import SECOND_ROUTE, law
+from derive.kinds.checks import SECOND_ROUTE, law, random_points
 from derive.kinds.system._plant import (
     verdict,
 )
@@ -24,6 +30,7 @@ from derive.kinds.system._stability_limit import (
 )
 
 POINTS = 40
+POINTS_OF_MOTION, NEARLY = 2, 1e-7
 MARGINAL = ("integrator", "oscillator")
 
 
@@ -46,7 +53,29 @@ def claims_of(answer: Answer) -> Iterator[Claim]:
         yield Claim(
             "sign changes of the first column: roots on the right", SECOND_ROUTE, answer.changes == right
         )
+    if len(answer.hidden) > 1:
+        claim = "the hidden motion solves the equations without an input"
+        yield Claim(claim, SECOND_ROUTE, all(map(partial(_solves, answer), range(POINTS_OF_MOTION))))
     yield from _at_random(answer)
+
+
+def _solves(answer: Answer, seed: int) -> bool:
+    """Whether the equations as typed are singular at the roots of the hidden factor, at random values."""
+    import numpy
+
+    system = answer.plant.system
+    names = sorted(parameters(system) - {each.name for each in signals(system)} - {"s", "pi"})
+    (point,) = islice(random_points(names, seed + 1), seed, None)
+    place = dict[Expr, Expr]({Symbol(k): number(Fraction(x)) for k, x in point.items()})
+    for root in roots(at(answer.hidden, place)):
+        try:
+            matrix = Numeric.of(system, system.input, point).matrix(root)
+        except ZeroDivisionError:  # s stands in a denominator
+            continue
+        sizes = numpy.linalg.svd(matrix, compute_uv=False)
+        if sizes[-1] > NEARLY * max(1.0, sizes[0]):
+            return False
+    return True
 
 
 def _divides(answer: Answer, limit: Scalar) -> bool:

@@ -11,10 +11,11 @@ from derive.control.loops import Loop
 from derive.control.rational import Rational, written
 from derive.control.ratios import Ratio, total
 from derive.control.roots import roots
+from derive.control.signals import signals
 from derive.control.system import System
 from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
-from derive.expression import ONE, ZERO, Expr, Product, Quotient, Sum, Symbol, walk
+from derive.expression import ONE, ZERO, Expr, Product, Quotient, Sum, Symbol, free_symbols, walk
 from derive.kinds.checks import law, links
 from derive.kinds.evaluation import Evaluation, Place
 from derive.kinds.fields import OptionsModel
@@ -73,6 +74,9 @@ def closed(problem: Problem, controller: Controller, point: Place | None) -> Clo
     ratio = controller.ratio(solved.decimals)
     if not ratio:
         raise NotDerivable("every gain of the controller is zero: nothing drives the system")
+    names = {signal.name for signal in signals(solved.system)}
+    if mistaken := sorted(frozenset().union(*map(free_symbols, controller.gains)) & names):
+        raise NotDerivable(f"{mistaken[0]} is a signal of the system, and cannot be a gain")
     loop = Loop(Rational.of(ratio), solved.rational)
     transfer = loop.closed
     return Closed(solved, controller, loop, transfer, transfer.reduced())
