@@ -7,8 +7,8 @@ from fractions import Fraction
 
 from flint import arb
 
+from derive.algebra.balls import number_sign
 from derive.algebra.factorisation import factored
-from derive.algebra.numeric import scalar_number
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.algebra.signs import sign_of
 from derive.errors import NotDerivable
@@ -78,7 +78,7 @@ def known_sign(value: Scalar, positive: Collection[str] = ()) -> int | None:
     if not value:
         return 0
     try:
-        return 1 if scalar_number(value, {}) > 0 else -1
+        return number_sign(value)
     except KeyError:  # a parameter has no value
         pass
     if (direct := sign_of(value, _positive(value, positive))) is not None:

@@ -10,9 +10,10 @@ from operator import mul
 
 from flint import acb, acb_poly, acb_series, arb, ctx
 
+from derive.algebra.balls import MOST_BITS
 from derive.algebra.scalar import Scalar
 from derive.control.exact import Coefficients, field
-from derive.control.roots import MOST_BITS, Root, isolated, number_ball
+from derive.control.roots import Root, in_ball, isolated
 from derive.errors import NotDerivable
 
 BITS = 256  # of the working precision, at first
@@ -141,8 +142,8 @@ class Curve:
 
 def _modes(top: Coefficients, bottom: Coefficients, roots: Sequence[Root]) -> Iterator[Mode]:
     """The origin first; of each pair the upper one, doubled."""
-    numerator = acb_poly([acb(number_ball(k)) for k in reversed(top)])
-    lead = number_ball(bottom[0])
+    numerator = acb_poly([acb(in_ball(k)) for k in reversed(top)])
+    lead = in_ball(bottom[0])
     for root in sorted(roots, key=lambda root: root.ball != 0):
         if root.ball.imag < 0:
             continue

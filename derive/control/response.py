@@ -9,9 +9,9 @@ from fractions import Fraction
 
 from flint import arb, ctx, fmpq
 
+from derive.algebra.balls import number_ball, number_sign
 from derive.algebra.scalar import Scalar
 from derive.control.modes import Curve
-from derive.control.roots import number_ball, sign
 from derive.control.searching import first_above, highest, last_outside
 from derive.errors import NotDerivable
 
@@ -74,7 +74,7 @@ def _measured(curve: Curve, num: Sequence[Scalar], den: Sequence[Scalar]) -> Ste
     end = away.end(SMALL)
 
     def reached(level: Fraction) -> arb:
-        if sign(start - level) >= 0:
+        if number_sign(start - level) >= 0:
             return arb(0)
         found = first_above(away, _ball(level - 1), end)
         if found is None:
@@ -82,7 +82,7 @@ def _measured(curve: Curve, num: Sequence[Scalar], den: Sequence[Scalar]) -> Ste
         return found
 
     low, high = reached(LOW), reached(HIGH)
-    begins_outside = sign((start - 1) * (start - 1) - BAND * BAND) > 0
+    begins_outside = number_sign((start - 1) * (start - 1) - BAND * BAND) > 0
     settled = last_outside(away, _ball(BAND), begins_outside, end)
     peak, over = highest(away, number_ball(start - 1), SMALL, end)
     exceeds = bool(over > SMALL)

@@ -9,20 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import Any
 
-from flint import acb, acb_poly, arb, ctx, fmpq, fmpq_mpoly
+from flint import acb, acb_poly, arb, ctx, fmpq
 
-from derive.algebra.precise import precise
-from derive.algebra.readable import readable
-from derive.algebra.ring import Ring
+from derive.algebra.balls import BITS, MOST_BITS, number_ball
 from derive.algebra.scalar import Scalar
-from derive.algebra.text import text
 from derive.control.exact import Coefficients, field, square_free, symmetric
 from derive.errors import NotDerivable
 
-BITS, MOST_BITS = 128, 1 << 14  # of the working precision, at first and at most
 ACCURATE = 64  # bits of a root, in its real and in its imaginary part
 
 
@@ -56,42 +51,9 @@ def isolated(coefficients: Sequence[Scalar], bits: int = ACCURATE) -> tuple[Root
     return tuple(sorted(found, key=lambda root: _order(root.value)))
 
 
-def number_ball(value: Any) -> arb:
+def in_ball(value: Any) -> arb:
     """A number of the field of coefficients, at the working precision of FLINT."""
-    if isinstance(value, fmpq):
-        return arb(value)
-    top = _polynomial_ball(value.numerator, value.ring)
-    return top if value.denominator is None else top / _polynomial_ball(value.denominator, value.ring)
-
-
-def _polynomial_ball(polynomial: fmpq_mpoly, home: Ring) -> arb:
-    total = arb(0)
-    for exponents, coefficient in polynomial.terms():
-        term = arb(coefficient)
-        for name, power in zip(home.names, exponents, strict=True):
-            term = term * _generator_ball(home, name, ctx.prec) ** int(power) if power else term
-        total = total + term
-    return total
-
-
-@lru_cache(maxsize=1024)
-def _generator_ball(home: Ring, name: str, bits: int) -> arb:
-    """The value of a generator that is a number, at the working precision of so many bits."""
-    return precise(readable(Scalar(home, home.gen(name))), {})
-
-
-def sign(value: Any) -> int:
-    """1, 0 or -1 of a number of the field, by balls small enough. Raises NotDerivable."""
-    if not value:
-        return 0
-    bits = BITS
-    while bits <= MOST_BITS:
-        with ctx.workprec(bits):
-            ball = number_ball(value)
-            if ball > 0 or ball < 0:
-                return 1 if ball > 0 else -1
-        bits *= 2
-    raise NotDerivable(f"{MOST_BITS} bits do not tell whether {text(readable(value))} is zero")
+    return arb(value) if isinstance(value, fmpq) else number_ball(value)
 
 
 def as_json(root: complex) -> float | dict[str, float]:
@@ -162,7 +124,7 @@ def _square_roots(balls: Sequence[acb]) -> Iterator[acb]:
 def _balls(coefficients: Coefficients) -> list[acb] | None:
     """Disjoint balls with one root each, real ones with an imaginary part that is exactly zero; None where
     the working precision is too low."""
-    polynomial = acb_poly([number_ball(k) for k in reversed(coefficients)])
+    polynomial = acb_poly([in_ball(k) for k in reversed(coefficients)])
     if len(coefficients) == 2:
         return [acb((-polynomial[0] / polynomial[1]).real)]
     try:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from derive.algebra.balls import number_sign
 from derive.algebra.scalar import Scalar
 from derive.control.controllers import Controller
 from derive.control.hidden import hidden
 from derive.control.hurwitz import Condition, conditions, written
 from derive.control.rational import Polynomial, Rational, names_in, shared, times
 from derive.control.rational import written as collected
-from derive.control.roots import roots, sign
+from derive.control.roots import roots
 from derive.control.routh import routh, sign_changes
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
@@ -59,7 +60,7 @@ class Answer:
     @property
     def changes(self) -> int:
         """Sign changes of a first column in numbers."""
-        return sign_changes([sign(entry) for entry in self.array.column])
+        return sign_changes([number_sign(entry) for entry in self.array.column])
 
 
 def answered(problem: Problem, controller: Controller | None, point: Place | None) -> Answer:

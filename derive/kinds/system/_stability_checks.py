@@ -7,12 +7,13 @@ from fractions import Fraction
 from functools import partial
 from itertools import islice
 
+from derive.algebra.balls import number_sign
 from derive.algebra.scalar import Scalar
 from derive.control.axis import points
 from derive.control.drawing import parameters
 from derive.control.laplace import Numeric
 from derive.control.rational import at
-from derive.control.roots import roots, sign
+from derive.control.roots import roots
 from derive.control.routh import remainder, sign_changes
 from derive.control.signals import signals
 from derive.derivation import Claim
@@ -140,4 +141,4 @@ def _changes_at(answer: Answer, place: Mapping[Expr, Expr]) -> int | None:
 
 def signs_at(values: Iterable[Scalar], place: Mapping[Expr, Expr]) -> list[int]:
     """1, 0 or -1 of each at a point, decided exactly."""
-    return [sign(each) for each in at(values, place)]
+    return [number_sign(each) for each in at(values, place)]
