@@ -38,22 +38,43 @@ class Drive:
 
 @dataclass(frozen=True, slots=True)
 class Coupling:
-    """The moves that joint variables drive, from base to tip; Gamma (m by n), their partial derivatives by the
-    variables; and the angles that turn, alone and added up over parallel axes."""
+    """The moves that joint variables drive, from base to tip; Gamma (m by n), their partial derivatives by
+    the variables; and the angles that turn, alone and added up over parallel axes."""
 
     drives: tuple[Drive, ...]
     gamma: ScalarMatrix
     angles: tuple[Form, ...]
 
     @property
-    def independent(self) -> bool:
-        """Whether the moves go as they like: a linear map of the joint variables that has an inverse."""
+    def rows(self) -> tuple[int, ...]:
+        """The rows that move, one for each motion."""
+        return tuple(drive.i for drive in self.drives)
+
+    @property
+    def winds(self) -> bool:
+        """Whether a row turns by several variables, or a variable turns several rows."""
+        pairs = zip(self.drives, self.gamma.rows, strict=True)
+        turning = [tuple(map(bool, row)) for drive, row in pairs if not drive.slides]
+        return any(sum(line) > 1 for line in (*turning, *zip(*turning, strict=True)))
+
+    @property
+    def free(self) -> bool:
+        """Whether each row moves as it likes, in one way: Gamma is constant and has an inverse."""
         square = self.gamma.shape[0] == self.gamma.shape[1]
-        return (
-            square
-            and all(entry.constant is not None for entry in self.gamma.entries)
-            and bool(self.gamma.det())
-        )
+        once = len(set(self.rows)) == len(self.rows)
+        linear = all(entry.constant is not None for entry in self.gamma.entries)
+        return square and once and linear and bool(self.gamma.det())
+
+
+def tangled(coupling: Coupling, variables: tuple[str, ...]) -> str | None:
+    """A joint variable that turns one row and slides another, so that a whole turn of it is no return, or
+    turns one by other than a number of times itself; None where there is none."""
+    for j, name in enumerate(variables):
+        rates = zip(coupling.drives, coupling.gamma.columns(j).entries, strict=True)
+        moved = [(drive.slides, rate.constant is not None) for drive, rate in rates if rate]
+        if len({slides for slides, _ in moved}) > 1 or (False, False) in moved:
+            return name
+    return None
 
 
 def stages(robot: Robot) -> Iterator[tuple[int, tuple[Move, ...]]]:

@@ -18,6 +18,7 @@ from derive.algebra.kernels import root
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.mechanics.chain import Chain
+from derive.mechanics.jacobian import motions_jacobian
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,6 +58,9 @@ def planar_arm(chain: Chain, point: ScalarMatrix, last: int) -> PlanarArm | None
 
 def moving_joints(chain: Chain, point: ScalarMatrix, last: int) -> list[int]:
     """The rows whose joints move the point; a wrist does not move its center."""
+    if chain.coupling:
+        J = motions_jacobian(chain.coupling, point, last)
+        return [i for k, i in enumerate(chain.coupling.rows) if any(J.columns(k).entries[:3])]
     return [i for i, joint in chain.moving if i <= last and point.diff(joint.variable)]
 
 

@@ -34,10 +34,12 @@ class Parameter:
 
 
 def reference(chain: Chain, i: int) -> ScalarMatrix:
-    """The point the ten numbers of link i refer to (3 by 1, base frame): on the axis of a revolute joint,
-    which is the origin o_{i-1} after Denavit and Hartenberg; the origin of the link's frame otherwise."""
+    """The point of link i that its ten numbers refer to (3 by 1, base frame): on the axis of a revolute
+    joint, which is the origin o_{i-1} after Denavit and Hartenberg; the origin of the link's frame otherwise,
+    and where joints are coupled."""
     joint = chain.joints[i - 1]
-    return chain.point(i) if joint and joint.type == "revolute" else position_part(chain.T[i])
+    on_axis = joint is not None and joint.type == "revolute" and chain.coupling is None
+    return chain.point(i) if on_axis else position_part(chain.T[i])
 
 
 def parameters_of(mass: Scalar, com: ScalarMatrix, inertia: ScalarMatrix) -> dict[str, Scalar]:

@@ -42,6 +42,8 @@ def wrist_of(chain: Chain) -> Wrist | None:
     J = jacobian(chain, center, len(chain.T_local))
     arm, hand = rows[0], rows[3] - 1
     linear, angular = slice(0, 3), slice(3, 6)
+    if J.block(linear, angular):  # coupled joints: the last variables move the center as well
+        return None
     return Wrist(
         center,
         frame,

@@ -7,6 +7,7 @@ from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.operations import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Step
+from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol, column
 from derive.kinds.checks import law, links
 from derive.kinds.fields import OptionsModel
@@ -41,7 +42,15 @@ class Options(OptionsModel):
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
-    """Out with the motion, back with the forces (Siciliano et al., section 7.5; Craig, section 6.5)."""
+    """Out with the motion, back with the forces (Siciliano et al., section 7.5; Craig, section 6.5).
+
+    Raises NotDerivable where a row moves by more than its own variable, or a body in its link.
+    """
+    if robot.coupled or robot.shifting:
+        raise NotDerivable(
+            "the recursion takes joints that each move one row, and bodies that are fixed to their links; "
+            "find: dynamics has the equations of motion of this arm"
+        )
     poses, motion = problem.ask("forward-kinematics"), problem.ask("dynamics")
     long = is_long(problem)
     bodies = weighted(problem, chain_of(problem))

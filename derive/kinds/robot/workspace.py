@@ -96,6 +96,7 @@ def _final(problem: Problem, tree: Expr) -> Expr:
 
 
 def _region(problem: Problem, found: Chain, point: Tracked) -> Region:
+    _refuse_coupled(found, point)
     planar = planar_arm(found, point.position, point.last)
     if planar:
         return replace(_annulus(problem, planar), slides=planar.slides)
@@ -106,6 +107,21 @@ def _region(problem: Problem, found: Chain, point: Tracked) -> Region:
         "the workspace is found where all joints that move the point are parallel, and where they are three "
         "revolute ones of which the last two are parallel and square to the first; this arm is neither"
     )
+
+
+def _refuse_coupled(found: Chain, point: Tracked) -> None:
+    """Raises NotDerivable where the rows do not turn as they like, or the point moves in its link."""
+    if point.drift is not None or not _each_its_row(found):
+        raise NotDerivable(
+            "the workspace is found where every row turns freely; in this arm the motion of one is tied to "
+            "that of another"
+        )
+
+
+def _each_its_row(found: Chain) -> bool:
+    """Whether the rows with joints move one by one, as they do where joints are not coupled."""
+    coupling = found.coupling
+    return coupling is None or (coupling.free and coupling.rows == tuple(i for i, _ in found.moving))
 
 
 def _annulus(problem: Problem, arm: PlanarArm) -> Region:

@@ -36,8 +36,9 @@ class Knowledge:
         turning = [j.variable for _, j in chain.moving if j.type == "revolute" and j.variable in wanted]
         slides = [j.variable for _, j in chain.moving if j.type == "prismatic" and j.variable in wanted]
         coupling = chain.coupling
-        runs = _linked(coupling.angles, turning) if coupling else _runs(chain.T_tool.ring, turning)
-        return Knowledge(tuple(runs), tuple(slides), coupled=coupling is not None)
+        if coupling is None or not coupling.winds:
+            return Knowledge(tuple(_runs(chain.T_tool.ring, turning)), tuple(slides))
+        return Knowledge(tuple(_linked(coupling.angles, turning)), tuple(slides), coupled=True)
 
     @property
     def joints(self) -> tuple[str, ...]:

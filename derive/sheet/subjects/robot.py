@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Annotated, Literal
 
 from pydantic import Field
@@ -13,6 +14,7 @@ from derive.expression import Expr, Symbol, walk
 from derive.kinds.fields import Acceleration, OptionsModel, Starred
 from derive.mechanics.robot import DHRow, FreeRow, JointType, Link, Robot, Row
 from derive.sheet.body_faults import body_faults, body_warnings
+from derive.sheet.coupled import coupling_faults, coupling_warnings, opened
 from derive.sheet.source import At, Route
 from derive.sheet.subjects.link import (
     BODY_KEYS,
@@ -54,24 +56,20 @@ def build(given: Given, at: At, known: Known) -> Robot:
     negative mass."""
     faults = [*_star_faults(given, at, known), *_repeated(given, at), *_half_bodies(given, at)]
     links = tuple(_link(row) for row in given.links)
-    rows = Robot(given.name, given.convention, links)
-    faults += [*_mixed(given, at), *body_faults(rows, at, known)]
+    base, tool = (tuple(move(entry) for entry in moves) for moves in (given.base, given.tool))
+    robot = opened(Robot(given.name, given.convention, links, base, tool, given.gravity), known.where)
+    faults += [*_mixed(given, at), *body_faults(robot, at, known), *coupling_faults(robot, at)]
+    if not faults and given.home is not None:
+        robot = replace(robot, home=home_pose(given.home, at / "home", known))
+        faults += coupling_faults(robot, at)
     if faults:
         raise SheetErrors(faults)
-    return Robot(
-        given.name,
-        given.convention,
-        links,
-        tuple(move(entry) for entry in given.base),
-        tuple(move(entry) for entry in given.tool),
-        given.gravity,
-        None if given.home is None else home_pose(given.home, at / "home", known),
-    )
+    return robot
 
 
 def warnings(subject: Robot, at: At, known: Known) -> list[SheetError]:
     """What is strange about the robot, though it can be worked with."""
-    return list(body_warnings(subject.links, at, known))
+    return [*body_warnings(subject.links, at, known), *coupling_warnings(subject, at)]
 
 
 def missing(subject: Robot, need: str, at: At) -> list[SheetError]:
@@ -122,25 +120,31 @@ def _joint(given: LinkField) -> tuple[JointType, str | None]:
 
 def _star_faults(given: Given, at: At, known: Known) -> list[SheetError]:
     found: list[SheetError] = []
+    variables = frozenset(
+        each.variable for row in given.links for _, _, each in _starred(row) if each.variable
+    )
     for index, row in enumerate(given.links):
         stars = [(route, starred) for route, _, starred in _starred(row) if starred.variable]
         if len(stars) > 1:
             hint = "give each joint a row of its own"
             found.append(at.fault("two joint variables in one row", ("links", index, *stars[1][0]), hint))
         elif not stars:
-            found.extend(_forgotten(row, index, at, known))
-    if not found and not any(starred.variable for row in given.links for _, _, starred in _starred(row)):
+            found.extend(_forgotten(row, index, at, known, variables))
+    if not found and not variables:
         found.append(
             at.fault("no joint moves: nothing is starred", ("links",), NO_JOINT.format(name="theta1"))
         )
     return found
 
 
-def _forgotten(row: LinkField, index: int, at: At, known: Known) -> Iterator[SheetError]:
-    """A row without a star where a name reads like its joint variable and is declared nowhere."""
+def _forgotten(
+    row: LinkField, index: int, at: At, known: Known, variables: frozenset[str]
+) -> Iterator[SheetError]:
+    """A row without a star where a name reads like its joint variable, and is declared nowhere and the
+    variable of no other row."""
     for route, _, starred in _starred(row):
         for name in _names(starred.expr):
-            if re.fullmatch(rf"(theta|q|d)_?{index + 1}", name) and name not in known.names:
+            if re.fullmatch(rf"(theta|q|d)_?{index + 1}", name) and name not in known.names | variables:
                 hint = (
                     NO_JOINT.format(name=name) + f"; if it is constant, declare it: symbols: {{{name}: real}}"
                 )

@@ -9,11 +9,12 @@ from derive.algebra.dependence import dependencies
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.scalar import Scalar
-from derive.expression import ZERO, Call, Expr, Indexed, Symbol, column, number
+from derive.errors import NotDerivable
+from derive.expression import ZERO, Call, Expr, Indexed, Symbol, column, free_symbols, number
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
-from derive.kinds.robot._dynamics.drives import moving
+from derive.kinds.robot._dynamics.drives import friction_terms, moving
 from derive.mechanics.chain import Chain
 from derive.mechanics.drives import Friction, reflected
 from derive.mechanics.poses import rotation_part
@@ -42,7 +43,11 @@ class Base:
 
 
 def standard_parameters(problem: Problem) -> tuple[Standard, ...]:
-    """Of bodies, rotors and frictions, those that are not zero and act, in the order of the links."""
+    """Of bodies, rotors and frictions, those that are not zero and act, in the order of the links.
+
+    Raises NotDerivable where a body or the friction of a joint changes with a joint variable.
+    """
+    _refuse_changing(problem)
     found = chain_of(problem)
     gravity = normal_matrix(column(gravity_of(problem.subject)))
     bodies = {body.i: body for body in weighted(problem, found)}
@@ -52,6 +57,16 @@ def standard_parameters(problem: Problem) -> tuple[Standard, ...]:
             parameters += _of_body(found, bodies[i], gravity)
         parameters += _of_rotor(problem, link)
     return (*parameters, *_of_friction(problem))
+
+
+def _refuse_changing(problem: Problem) -> None:
+    robot = problem.subject
+    rubbing = (tree for each in friction_terms(robot) for tree in each)
+    if robot.shifting or any(not free_symbols(tree).isdisjoint(robot.variables) for tree in rubbing):
+        raise NotDerivable(
+            "a joint variable stands in the center of mass, the inertia or the friction of a link, so that "
+            "its parameters are no constants and no regressor has them"
+        )
 
 
 def _of_body(found: Chain, body: Weighted, gravity: ScalarMatrix) -> list[Standard]:

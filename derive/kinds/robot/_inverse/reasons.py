@@ -10,6 +10,7 @@ from derive.errors import NotDerivable
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.mechanics.chain import Chain
+from derive.mechanics.coupling import tangled
 from derive.mechanics.inverse.budget import MOST
 from derive.mechanics.inverse.equation import Equation
 from derive.mechanics.inverse.goal import Goal
@@ -24,6 +25,12 @@ def refuse(chain: Chain, goal: Goal) -> None:
     joint of which it says nothing."""
     if any(joint.type not in ("revolute", "prismatic") for _, joint in chain.moving):
         raise NotDerivable("no closed form found: the arm has a helical joint")
+    if chain.coupling and (name := tangled(chain.coupling, chain.variables)):
+        raise NotDerivable(
+            f"no closed form is sought where a joint variable, here {name}, turns one row and slides "
+            "another, so that its whole turns count, or turns one by other than a number of times itself; "
+            "numerical-inverse-kinematics finds a solution"
+        )
     joints = len(chain.variables)
     if joints > goal.size:
         raise NotDerivable(
