@@ -120,7 +120,7 @@ class Around(Walk):
             case Symbol() if angle in self.names:
                 return self.trig(self.names[angle])
             case Product() | Quotient():
-                times, rest = _multiple(angle)
+                times, rest = self._multiple(angle)
                 if rest is not None and self._has_inverse(rest):
                     return self._times(times, rest)
         return Walk.trig(self, angle)
@@ -128,6 +128,27 @@ class Around(Walk):
     def _direction(self, y: Scalar, x: Scalar) -> tuple[Scalar, Scalar]:
         length = self.root(x * x + y * y)
         return x / length, y / length
+
+    def _multiple(self, angle: Expr) -> tuple[Fraction, Expr | None]:
+        """(3/2, atan(x)) for 3 atan(x)/2; the rest is None where it is no single thing."""
+        if isinstance(angle, Quotient):
+            below = self._constant(angle.denominator)
+            times, rest = self._multiple(angle.numerator)
+            return (times / below, rest) if below else (times, None)
+        if not isinstance(angle, Product):
+            return Fraction(1), angle
+        known = {factor: self._constant(factor) for factor in angle.factors}
+        others = [factor for factor in angle.factors if known[factor] is None]
+        numbers = [value for factor in angle.factors if (value := known[factor]) is not None]
+        times = reduce(mul, numbers, Fraction(1))
+        if len(others) != 1:
+            return times, None
+        more, inner = self._multiple(others[0])
+        return times * more, inner
+
+    def _constant(self, factor: Expr) -> Fraction | None:
+        """The number that a factor is, sin^2 + cos^2 too."""
+        return rational(factor) if self._has_inverse(factor) else self.scalar(factor).constant
 
     def _times(self, times: Fraction, angle: Expr) -> tuple[Scalar, Scalar]:
         if abs(times) > MOST_TURNS:
@@ -237,20 +258,3 @@ def _part(part: str, point: Mapping[str, float]) -> float:
 
 def _atom(name: str, point: Mapping[str, float]) -> float:
     return {PI: math.pi, RADIAN: 1.0}[name] if name in (PI, RADIAN) else point[name]
-
-
-def _multiple(angle: Expr) -> tuple[Fraction, Expr | None]:
-    """(3/2, atan(x)) for 3 atan(x)/2; the rest is None where it is no single thing."""
-    if isinstance(angle, Quotient):
-        below = rational(angle.denominator)
-        times, rest = _multiple(angle.numerator)
-        return (times / below, rest) if below else (times, None)
-    if not isinstance(angle, Product):
-        return Fraction(1), angle
-    others = [factor for factor in angle.factors if rational(factor) is None]
-    numbers = [value for value in map(rational, angle.factors) if value is not None]
-    times = reduce(mul, numbers, Fraction(1))
-    if len(others) != 1:
-        return times, None
-    more, inner = _multiple(others[0])
-    return times * more, inner
