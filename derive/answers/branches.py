@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import islice
 
 from flint import arb
@@ -16,11 +16,13 @@ from derive.answers.points import Names, Point, apart, distance, shown, turning,
 from derive.answers.regions import proved_around
 from derive.answers.rounding import ROUNDED, digits_note, room
 from derive.answers.terms import ENOUGH, TRIED, Finding, Terms
-from derive.expression import PI, Call, Degrees, Expr, Symbol, walk
+from derive.expression import PI, Call, Degrees, Expr, Symbol, free_symbols, walk
 
 Solution = Mapping[str, Expr]
 Numbers = Mapping[str, arb]
 INVERSE = ("atan2", "atan", "acos", "asin")
+FEW = 2  # points, of formulas so long that
+MOST_NODES = 100_000  # of all of them would take too long
 ABSENT = "a solution is missing"
 
 
@@ -74,33 +76,44 @@ class Sets:
         """The derived solution that a published one is, none of the `taken` ones if there is another; None
         where it is none of them."""
         possible = [j for j, ours in enumerate(self.derived) if self.published[k].keys() <= ours.keys()]
-        nearest = sorted(possible, key=lambda j: j in taken)
-        for written in (self.short, self.derived):
-            for j in nearest if any(written) else ():
-                if self._proved(self.published[k], written[j]):
-                    return j, Finding("equal")
-        agreeing = [j for j in possible if self._agrees(k, j)]
-        for j in sorted(agreeing, key=lambda j: j in taken):
-            finding = self._by_values(k, j)
-            if finding.verdict == "equal" or j == sorted(agreeing, key=lambda j: j in taken)[-1]:
-                return j, finding
-        return None, Finding("undecided")
+        possible.sort(key=lambda j: j in taken)
+        compared = [j for j in possible if self._both(k, j)]
+        agreeing = [j for j in compared if all(self._same(k, j, sample) for sample in self._both(k, j))]
+        for j in agreeing + [j for j in possible if j not in compared]:
+            if self._proved(k, j):
+                return j, Finding("equal")
+        findings = [(j, self._by_values(k, j)) for j in agreeing]
+        equal = ((j, finding) for j, finding in findings if finding.verdict == "equal")
+        return next(equal, findings[0] if findings else (None, Finding("undecided")))
 
     # -- by formulas ------------------------------------------------------------------------------
 
-    def _proved(self, theirs: Solution, ours: Solution) -> bool:
-        return all(
-            proved(value, ours[name], self._terms(name, theirs, ours)) for name, value in theirs.items()
-        )
+    @cached_property
+    def own(self) -> tuple[Names, ...]:
+        """What the unknowns of each published solution stand for in it."""
+        return tuple(map(_definitions, self.published))
 
-    def _terms(self, name: str, theirs: Solution, ours: Solution) -> Terms:
+    @cached_property
+    def ours(self) -> tuple[Names, ...]:
+        return tuple(map(_definitions, self.derived))
+
+    def _proved(self, k: int, j: int) -> bool:
+        """By normal form, against the short formulas first."""
+        names = tuple(self.published[k])
+        for short in (True, False) if j < len(self.short) and self.short[j] else (False,):
+            ours = self.short[j] if short else self.derived[j]
+            known = _definitions(ours) if short else self.ours[j]
+            if all(proved(self.published[k][n], ours[n], self._terms(n, k, known)) for n in names):
+                return True
+        return False
+
+    def _terms(self, name: str, k: int, ours: Names) -> Terms:
         """A value may be in terms of other unknowns of its own solution."""
-        own = _definitions(theirs)
         return replace(
             self.terms,
-            published={**self.terms.published, **own},
-            derived={**self.terms.derived, **_definitions(ours)},
-            own=own,
+            published={**self.terms.published, **self.own[k]},
+            derived={**self.terms.derived, **ours},
+            own=self.own[k],
             angle=name in self.angles,
         )
 
@@ -108,45 +121,49 @@ class Sets:
         """What can be said of solutions that agree wherever it was tried: proved around the points, right to
         the digits given, or nothing more than that."""
         theirs, ours = self.published[k], self.derived[j]
-        points = [sample.point for sample in self.samples if sample.published[k] and sample.derived[j]]
+        points = [sample.point for sample in self._both(k, j)]
         notes = []
         for name, value in theirs.items():
-            terms = self._terms(name, theirs, ours)
+            terms = self._terms(name, k, self.ours[j])
             if proved(value, ours[name], terms):
                 continue
             if proved_around(value, ours[name], terms.names, points, terms.angle):
                 continue
             notes.append(digits_note(value, terms) or unproved(value, ours[name], terms))
-        open_ends = [note for note in notes if note != ROUNDED]
-        return (
-            Finding("undecided", note=open_ends[0])
-            if open_ends
-            else Finding("equal", note=notes[0] if notes else "")
-        )
+        doubts = [note for note in notes if note != ROUNDED]
+        return Finding("undecided" if doubts else "equal", note=next(iter([*doubts, *notes]), ""))
 
     # -- by numbers -------------------------------------------------------------------------------
 
     @cached_property
     def samples(self) -> list[Sample]:
-        """Values at points until enough of them give a derived solution."""
+        """Values at points until enough of them give a derived solution; of long formulas fewer do."""
+        size = sum(
+            1 for each in (*self.published, *self.derived) for tree in each.values() for _ in walk(tree)
+        )
+        enough = max(FEW, min(ENOUGH, MOST_NODES // (1 + size)))
         found: list[Sample] = []
         for point in islice(self._points(), TRIED):
-            theirs = tuple(self._numbers(s, self.terms.published, point) for s in self.published)
-            ours = tuple(self._numbers(s, self.terms.derived, point) for s in self.derived)
+            theirs = tuple(map(partial(_numbers, point), self.published, self._known(self.own, 0)))
+            ours = tuple(map(partial(_numbers, point), self.derived, self._known(self.ours, 1)))
             if any(ours):
                 found.append(Sample(point, theirs, ours))
-            if len(found) == ENOUGH:
+            if len(found) == enough:
                 break
         return found
 
-    def _agrees(self, k: int, j: int) -> bool:
-        """Whether they have the same values wherever both have any, and there is such a point."""
-        both = [sample for sample in self.samples if sample.published[k] and sample.derived[j]]
-        return bool(both) and all(self._same(k, j, sample) for sample in both)
+    def _known(self, own: Sequence[Names], side: int) -> list[Names]:
+        return [{**self.terms.names[side], **each} for each in own]
+
+    def _both(self, k: int, j: int) -> list[Sample]:
+        """Where two solutions are real."""
+        return [sample for sample in self.samples if sample.published[k] and sample.derived[j]]
 
     def _same(self, k: int, j: int, sample: Sample) -> bool:
         theirs, ours = sample.published[k], sample.derived[j]
-        return bool(theirs and ours and theirs.keys() <= ours.keys() and not self._different(k, j, sample))
+        if not theirs or not ours or not theirs.keys() <= ours.keys():
+            return False
+        return not any(self._apart(name, k, j, sample) for name in theirs)
 
     def _different(self, k: int, j: int, sample: Sample) -> list[str]:
         """The unknowns that differ by more than rounding explains."""
@@ -157,29 +174,18 @@ class Sets:
         theirs, ours = (sample.published[k] or {})[name], (sample.derived[j] or {})[name]
         if not apart(theirs, ours, name in self.angles, rounded=True):
             return False
-        solution = self.published[k]
-        terms = self._terms(name, solution, self.derived[j])
-        most = room(solution[name], theirs, terms, sample.point)
+        most = room(self.published[k][name], theirs, self._terms(name, k, self.ours[j]), sample.point)
         return distance(theirs, ours, name in self.angles) > most * 1.000001
 
     def _points(self) -> Iterable[Point]:
+        """An unknown of one solution may be free in another."""
         free, signed = set[str](), self.terms.sampling.signed
-        for side, known in ((self.published, self.terms.published), (self.derived, self.terms.derived)):
-            for solution in side:
-                names = {
-                    **known,
-                    **_definitions(solution),
-                }  # an unknown of one solution may be free in another
+        sides = (self.published, self._known(self.own, 0)), (self.derived, self._known(self.ours, 1))
+        for solutions, known in sides:
+            for solution, names in zip(solutions, known, strict=True):
                 free = free.union(*(unknowns(tree, names) for tree in solution.values()))
                 signed |= turning(solution.values(), names)
         return replace(self.terms.sampling, signed=signed).usual(free, TRIED)
-
-    def _numbers(self, solution: Solution, names: Names, point: Point) -> Numbers | None:
-        """The values at a point; None where one of them is not real."""
-        known = {**names, **_definitions(solution)}
-        found = {name: value_at(value, known, point) for name, value in solution.items()}
-        kept = {name: value for name, value in found.items() if value is not None}
-        return kept if len(kept) == len(found) else None
 
     # -- what is told -----------------------------------------------------------------------------
 
@@ -189,12 +195,12 @@ class Sets:
         choice = list(spare) or list(range(len(self.derived)))
         if not choice:
             return Paired(solution, None, Finding("differs", note="there is no solution"))
-        nearest = max(choice, key=lambda j: (self._agreeing(solution, self.derived[j]), -self._gap(k, j)))
+        nearest = max(choice, key=lambda j: (self._agreeing(k, j), -self._gap(k, j)))
         finding = next((found for sample in self.samples if (found := self._shown(k, nearest, sample))), None)
         ours = self.derived[nearest]
         if finding is None:
             return Paired(solution, ours, Finding("undecided", note=self._why(k)))
-        return Paired(solution, ours, finding, self._diagnosis(solution, ours))
+        return Paired(solution, ours, finding, self._diagnosis(k, nearest))
 
     def _gap(self, k: int, j: int) -> float:
         """How far two solutions are apart where both are real."""
@@ -222,14 +228,17 @@ class Sets:
             return AGREES
         return "no point was found where it has real values"
 
-    def _agreeing(self, theirs: Solution, ours: Solution) -> int:
-        return sum(
-            n in ours and proved(value, ours[n], self._terms(n, theirs, ours)) for n, value in theirs.items()
-        )
+    def _agreeing(self, k: int, j: int) -> int:
+        """How many unknowns are surely right."""
+        theirs, ours = self.published[k], self.derived[j]
+        both = self._both(k, j)
+        right = [n for n in theirs if n in ours and not any(self._apart(n, k, j, sample) for sample in both)]
+        return sum(proved(theirs[n], ours[n], self._terms(n, k, self.ours[j])) for n in right)
 
-    def _diagnosis(self, theirs: Solution, ours: Solution) -> str:
-        for name, value in theirs.items():
-            terms = self._terms(name, theirs, ours)
+    def _diagnosis(self, k: int, j: int) -> str:
+        ours = self.derived[j]
+        for name, value in self.published[k].items():
+            terms = self._terms(name, k, self.ours[j])
             if name not in ours or proved(value, ours[name], terms):
                 continue
             if found := diagnose(value, ours[name], terms):
@@ -283,11 +292,18 @@ def _is_angular(node: Expr) -> bool:
     return isinstance(node, Degrees) or node == PI or (isinstance(node, Call) and node.function in INVERSE)
 
 
+def _numbers(point: Point, solution: Solution, names: Names) -> Numbers | None:
+    """The values at a point; None where one of them is not real."""
+    found = {name: value_at(value, names, point) for name, value in solution.items()}
+    kept = {name: value for name, value in found.items() if value is not None}
+    return kept if len(kept) == len(found) else None
+
+
 def _is_special(solution: Solution) -> bool:
     """Whether it leaves an unknown free, as at a singularity; nobody has to publish that."""
-    return any(Symbol(name) in walk(value) for name, value in solution.items())
+    return any(name in free_symbols(value) for name, value in solution.items())
 
 
 def _definitions(solution: Solution) -> dict[Expr, Expr]:
     """The unknowns by their values, those that are free left out."""
-    return {Symbol(n): value for n, value in solution.items() if Symbol(n) not in walk(value)}
+    return {Symbol(name): value for name, value in solution.items() if name not in free_symbols(value)}

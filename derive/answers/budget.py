@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import reduce
+from itertools import islice
 from math import gcd, lcm
 
 from derive.algebra.normal import Names
@@ -19,10 +20,17 @@ ROOTS = ("sqrt", "abs", "atan2", "atan", "acos", "asin")
 
 def affordable(trees: Sequence[Expr], names: Sequence[Names]) -> bool:
     """Whether trees, each under its own names, can be proved equal in a moment."""
-    parts = [part for tree, known in zip(trees, names, strict=True) for part in parts_of(tree, known)]
-    if len(parts) > MOST_NODES or too_many_turns(parts):
+    parts = bounded(trees, names, MOST_NODES)
+    if parts is None or too_many_turns(parts):
         return False
     return len({part for part in parts if isinstance(part, Call) and part.function in ROOTS}) <= MOST_ROOTS
+
+
+def bounded(trees: Sequence[Expr], names: Sequence[Names], most: int) -> list[Expr] | None:
+    """Every node of trees and of what their names stand for; None where there are more than so many."""
+    every = (part for tree, known in zip(trees, names, strict=True) for part in parts_of(tree, known))
+    found = list(islice(every, most + 1))
+    return found if len(found) <= most else None
 
 
 def too_many_turns(parts: Iterable[Expr]) -> bool:

@@ -13,7 +13,7 @@ from fractions import Fraction
 from flint import arb
 
 from derive.algebra.normal import normal, walk_over
-from derive.answers.budget import ROOTS, parts_of, too_many_turns
+from derive.answers.budget import ROOTS, bounded, too_many_turns
 from derive.answers.points import Names, apart, has_none_at
 from derive.answers.regions import proved_around
 from derive.answers.rounding import ROUNDED, rounded
@@ -24,6 +24,7 @@ from derive.expression import Approximate, Call, Expr, Number, Power, Symbol, ch
 UNDECIDED = (NotDerivable, FormulaError, ValueError, ZeroDivisionError, OverflowError, RecursionError)
 MOST_ROOTS = 5  # different roots and inverse functions in a tree whose normal form is asked for
 MOST_NODES = 200
+LONG = 20_000  # nodes of any tree
 TIGHT = 1e-9  # relative: as near as a number in floating point is known
 COMPUTED = "to the digits computed"
 AGREES = "they agree wherever it was tried, which is no proof"
@@ -49,12 +50,8 @@ def compare(published: Expr, derived: Expr, terms: Terms) -> Finding:
 
 def unproved(published: Expr, derived: Expr, terms: Terms) -> str:
     """Why what agrees wherever it was tried is not proved."""
-    parts = [
-        part
-        for tree, names in zip((published, derived), terms.names, strict=True)
-        for part in parts_of(tree, names)
-    ]
-    return TURNS if too_many_turns(parts) else AGREES
+    parts = bounded((published, derived), terms.names, LONG)
+    return TURNS if parts and too_many_turns(parts) else AGREES
 
 
 def proved(published: Expr, derived: Expr, terms: Terms) -> bool:
@@ -89,12 +86,14 @@ def _mean_the_same(tree: Expr, terms: Terms) -> bool:
 def light(trees: Sequence[Expr], names: Sequence[Names]) -> bool:
     """Whether the normal forms of trees are found in a moment: roots within roots take long, angles that are
     large multiples of each other too."""
-    parts = [list(parts_of(tree, known)) for tree, known in zip(trees, names, strict=True)]
-    for found in parts:
-        roots = len({part for part in found if isinstance(part, Call) and part.function in ROOTS})
-        if roots > MOST_ROOTS or (roots > 1 and len(found) > MOST_NODES):
+    found = [bounded([tree], [known], LONG) for tree, known in zip(trees, names, strict=True)]
+    for parts in found:
+        if parts is None:
             return False
-    return not too_many_turns([part for found in parts for part in found])
+        roots = len({part for part in parts if isinstance(part, Call) and part.function in ROOTS})
+        if roots > MOST_ROOTS or (roots > 1 and len(parts) > MOST_NODES):
+            return False
+    return not too_many_turns([part for parts in found if parts for part in parts])
 
 
 def _proved_whole(published: Expr, derived: Expr, terms: Terms) -> bool:

@@ -23,6 +23,8 @@ from derive.expression import PI, Call, Expr, Matrix, Product, Symbol, multiply,
 Route: TypeAlias = tuple[str | int, ...]
 Locate: TypeAlias = Callable[[Route, int], Place]
 LATEX = "\\{}&$"
+BESIDE = re.compile(r"[\w)\]]\s+[\w(\[]|\)[\w(]|(?<![\w.])\d+(?:\.\d+)?[A-Za-z(]")  # factors without a sign
+NUMBER = re.compile(r"\s\(\d+\)\s*$")  # of an equation, or a factor
 LOOSE = "_=,;:.|%"  # in a formula that is no formula of the sheet language, but may be one of a book
 
 
@@ -119,7 +121,7 @@ def read_text(text: str, letters: Letters) -> Published:
 
 def _tight(text: str, tree: Expr, letters: Letters) -> Expr | None:
     """The other reading of a formula with a/b c in it. Raises FormulaError where its end is unclear."""
-    if "/" not in text and not text.endswith(")"):
+    if not ("/" in text and BESIDE.search(text)) and not NUMBER.search(text):
         return None
     try:
         found = read_published(text.replace("**", "^"), letters, _whole_matrix)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import reduce
@@ -23,13 +24,13 @@ from derive.algebra.kernels import root
 from derive.algebra.normal import Names, Walk
 from derive.algebra.pairs import multiple
 from derive.algebra.quantities import rational
-from derive.algebra.ring import Ring
+from derive.algebra.ring import Ring, ring
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.algebra.values import Value
-from derive.answers.budget import affordable
+from derive.answers.budget import affordable, parts_of
 from derive.answers.points import Point
 from derive.errors import FormulaError, NotDerivable
-from derive.expression import Call, Expr, Power, Product, Quotient, Sum, Symbol, is_negative, negate
+from derive.expression import Call, Expr, Power, Product, Quotient, Sum, Symbol, is_negative, negate, walk
 
 NO_PROOF = (NotDerivable, FormulaError, ValueError, ArithmeticError, RecursionError, KeyError)
 ZERO = 1e-9  # as against the size of the terms: a sign that rounding could turn is none
@@ -92,7 +93,20 @@ class Around(Walk):
                 return self.absolute(self.scalar(arguments[0]))
             case "sign":
                 return Scalar.of(self.sign(self.scalar(arguments[0])))
+            case "exp":
+                return self._exponential(arguments[0])
         return Walk._call(self, function, arguments)
+
+    def _exponential(self, of: Expr) -> Value:
+        """exp(2 x - y) as exp(x)^2/exp(y)."""
+        if isinstance(of, Sum):
+            return reduce(mul, (self.scalar(Call("exp", (term,))) for term in of.terms))
+        if is_negative(of):
+            return 1 / self.scalar(Call("exp", (negate(of),)))
+        times, rest = self._multiple(of)
+        if rest is None or times.denominator != 1 or not 1 < times <= MOST_TURNS:
+            return Walk._call(self, "exp", (of,))
+        return self.scalar(Call("exp", (rest,))) ** int(times)
 
     def _power(self, base: Expr, exponent: Expr) -> Value:
         value = rational(exponent)
@@ -123,7 +137,8 @@ class Around(Walk):
                 times, rest = self._multiple(angle)
                 if rest is not None and self._has_inverse(rest):
                     return self._times(times, rest)
-        return Walk.trig(self, angle)
+        c, s = Walk.trig(self, angle)
+        return (c.into(self.home), s.into(self.home)) if _holds(self.home, (c, s)) else (c, s)
 
     def _direction(self, y: Scalar, x: Scalar) -> tuple[Scalar, Scalar]:
         length = self.root(x * x + y * y)
@@ -169,13 +184,14 @@ def proved_around(
     turns. Their values must agree there: a direction alone does not tell an angle from its turns."""
     if not affordable((published, derived), names):
         return False
+    home = _common_angles((published, derived), names)
     known: list[list[tuple[Scalar, int]]] = []
     for point in points:
         at = {name: float(value) for name, value in point.items()}
         if any(_stands(signs, at) for signs in known):
             continue
         asked: list[tuple[Scalar, int]] = []
-        one, other = (Around(each, point=at, asked=asked) for each in names)
+        one, other = (Around(each, home, point=at, asked=asked) for each in names)
         try:
             same = (
                 _directions(published, derived, one, other)
@@ -188,6 +204,25 @@ def proved_around(
             return False
         known.append(asked)
     return bool(known)
+
+
+def _common_angles(trees: tuple[Expr, Expr], names: tuple[Names, Names]) -> Ring:
+    """A ring with the angles of both sides, so that both split a root in the same way: phi/2 beside phi."""
+    rings = [ring()]
+    for tree, known in zip(trees, names, strict=True):
+        for part in parts_of(tree, known):
+            if isinstance(part, Call) and part.function in ("cos", "sin", "tan"):
+                angle = part.arguments[0]
+                if not any(node in known or isinstance(node, Call) for node in walk(angle)):
+                    with suppress(*NO_PROOF):
+                        rings += [each.ring for each in Walk({}).trig(angle)]
+    return reduce(Ring.union, rings)
+
+
+def _holds(home: Ring, pair: tuple[Scalar, Scalar]) -> bool:
+    return all(home.trig(form) is not None for each in pair for form in each.ring.angles) and all(
+        root.name in home.index for each in pair for root in each.ring.roots
+    )
 
 
 def _directions(published: Expr, derived: Expr, one: Around, other: Around) -> bool:
