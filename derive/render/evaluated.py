@@ -6,9 +6,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any, get_args
 
-from derive.algebra.grammar import parse
-from derive.algebra.units import ANY
-from derive.derivation import Derivation
+from derive.derivation import Branch, Derivation
 from derive.expression import Approximate, Expr, Matrix, Number, Product, Quotient, Sum, Symbol, column
 from derive.expression import Power as Raised
 from derive.render.conditions import condition
@@ -43,7 +41,10 @@ def evaluated_words(derivation: Derivation, at: Mapping[str, Expr], skin: Skin, 
     context = {
         "point": [_given(name, value, printer) for name, value in at.items()],
         "display": skin.display(lay_out(tuple(chains))) if chains else "",
-        "branches": [_branch(branch, at, printer, skin) for branch in values.get("solutions", ())],
+        "branches": [
+            _branch(_unknowns(branch, derivation), at, printer, skin)
+            for branch in values.get("solutions", ())
+        ],
         "items": skin.items,
     }
     return environment().get_template("words/_evaluated.j2").render(context).strip()
@@ -59,22 +60,32 @@ def _given(name: str, value: Expr, printer: Printer) -> str:
     return f"${printer.write(Symbol(name))} = {printer.write(value)}${unit}"
 
 
+def _unknowns(branch: Mapping[str, Any], derivation: Derivation) -> dict[str, Any]:
+    """A solution without the names of the working, which the page has above."""
+    working = {
+        name
+        for each in _branches(derivation.results.get("solutions"))
+        for name in each.short.keys() - each.values.keys()
+    }
+    return {name: value for name, value in branch.items() if name not in working}
+
+
+def _branches(result: object) -> tuple[Branch, ...]:
+    parts = result if isinstance(result, tuple) else ()
+    return tuple(part for part in parts if isinstance(part, Branch))
+
+
 def _branch(
     branch: Mapping[str, Any], at: Mapping[str, Expr], printer: Printer, skin: Skin
 ) -> dict[str, Any]:
     """One solution: its equations as inline mathematics, and when it is the one."""
-    values = {name: _entry(value) for name, value in branch.items() if name not in ABOUT}
+    values = {name: numeric(value) for name, value in branch.items() if name not in ABOUT}
     shown = [
         chain_links((Symbol(name), value), printer) for name, value in values.items() if value is not None
     ]
     equations = [f"${first.latex} {second.relation} {second.latex}$" for first, second in shown]
     when = condition(branch.get("when", ""), {*values, *at}, printer, skin.plain)
     return {"when": when, "real": branch.get("real", True), "equations": equations}
-
-
-def _entry(value: Any) -> Expr | None:
-    """A number, or a formula in the letters that are left."""
-    return parse(value, dimension=ANY) if isinstance(value, str) else numeric(value)
 
 
 def numeric(value: Any) -> Expr | None:

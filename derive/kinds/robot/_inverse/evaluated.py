@@ -9,7 +9,6 @@ from itertools import pairwise, product
 from typing import Any
 
 from derive.algebra.numeric import Point, number
-from derive.algebra.text import text
 from derive.derivation import Branch
 from derive.errors import NotDerivable
 from derive.expression import Expr, Number, Symbol, free_symbols, rebuild
@@ -30,6 +29,7 @@ REACHED = 1e-6  # in lengths of the arm
 ROUNDED = 5e-3  # how far R^T R of a rotation typed with three digits may be from one
 SMALL = 1e-7  # of a coefficient, which rounding may leave
 EXACTLY = 1e-13
+FEWEST_PLACES, MOST_PLACES = 3, 8  # of numbers that are taken as rounded
 ROTATION = tuple(f"r{i}{j}" for i, j in product((1, 2, 3), repeat=2))
 
 
@@ -67,14 +67,24 @@ def evaluated(
         return Evaluated(in_letters(solutions.branches, place, problem))
     point, rounding = _with_rotation(point)
     size = _size(oracle_of(problem), _anything(point, problem))
+    typed = _last_digit({name: value for name, value in place if name in goal.names}) / size
     at = AtPoint(solutions, items, chain, plan, size, max(SMALL, 4 * rounding))
+    found = Evaluated({})
+    for here, off in ((at, rounding), (replace(at, meeting=8 * typed), max(rounding, typed))):
+        leaves = _leaves(here, solutions, point)
+        found = at_point(leaves, solutions.conditions, chain, goal, problem, point, off)
+        if not found.out_of_reach or not typed:  # a stretched arm may be out of reach by what was rounded
+            break
+    return found
 
+
+def _leaves(at: AtPoint, solutions: Solutions, point: Point) -> Leaves:
     exactly = replace(at, small=EXACTLY, meeting=EXACTLY)
 
     def leaves(k: int, pins: Mapping[int, float], usual: float, exact: bool) -> Iterator[Leaf]:
         return (exactly if exact else at).leaves(solutions.chosen[k], point, pins, usual)
 
-    return at_point(leaves, solutions.conditions, chain, goal, problem, point, rounding)
+    return leaves
 
 
 def at_point(
@@ -82,7 +92,7 @@ def at_point(
     point: Point, rounding: float = 0.0,
 ) -> Evaluated:  # fmt: skip
     """The solutions at a point, from the values that `leaves` gives for each branch; `rounding` is how far
-    the rotation typed is from one."""
+    what is typed may be off, in lengths of the arm and in elements of R."""
     wanted = _anything(point, problem)
     oracle = oracle_of(problem)
     slides = frozenset(joint.variable for _, joint in chain.moving if joint.type == "prismatic")
@@ -127,6 +137,18 @@ def _size(oracle: Oracle, point: Point) -> float:
     return links + sum(abs(point.get(axis, 0.0)) for axis in "xyz") or 1.0
 
 
+def _last_digit(place: Mapping[str, Expr]) -> float:
+    """Half a unit of the last decimal place of what is typed, where it has some digits and not all that a
+    program prints; else 0."""
+    places = [
+        next((k for k in range(MOST_PLACES + 1) if (value.value * 10**k).denominator == 1), 0)
+        for value in place.values()
+        if isinstance(value, Number)
+    ]
+    most = max(places, default=0)
+    return 0.5 * 10.0**-most if most >= FEWEST_PLACES else 0.0
+
+
 def _with_rotation(point: dict[str, float]) -> tuple[dict[str, float], float]:
     """The point with the rotation that is nearest to the one typed, and how far that is from one."""
     import numpy as np
@@ -147,7 +169,7 @@ def _with_rotation(point: dict[str, float]) -> tuple[dict[str, float], float]:
 
 
 def in_letters(branches: tuple[Branch, ...], place: Place, problem: Problem) -> dict[str, Any]:
-    """What has all its values as numbers, the rest as texts in the letters left."""
+    """What has all its values as numbers, the rest as trees in the letters left."""
     return {"solutions": [_branch_in_letters(branch, dict(place), problem) for branch in branches]}
 
 
@@ -157,7 +179,7 @@ def _branch_in_letters(branch: Branch, place: Mapping[str, Expr], problem: Probl
     for name, formula in (branch.short or branch.values).items():
         value = _put(formula, known, problem)
         if free_symbols(value):
-            found[name] = text(value)
+            found[name] = value
             continue
         try:
             found[name] = number(value, {})
