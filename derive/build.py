@@ -3,22 +3,23 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from derive.derivation import Claim, Derivation, Figure
-from derive.errors import NotDerivable, Place, SheetError, SheetErrors
-from derive.expression import free_symbols
+from derive.errors import NotDerivable, SheetError, SheetErrors
 from derive.kinds.measured import InDecimals
 from derive.kinds.problem import Problem as Working
-from derive.kinds.problem import expressions, parts
+from derive.kinds.problem import parts
 from derive.kinds.registry import module_name
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked, figure_path
 from derive.render.notation import Notation
+from derive.sheet.faults import did_you_mean
 from derive.sheet.load import load_sheet
 from derive.sheet.model import Problem, Question, Sheet
+from derive.sheet.source import At
 from derive.writing import Progress, render, write
 
 ODD = re.compile(r"[^\w.-]+")
@@ -117,6 +118,8 @@ def working_on(problem: Problem) -> Working:
 def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool) -> ProblemPage:
     working = working_on(problem)
     answers = each(problem.questions, lambda question: answered(question, working), lambda _: None)
+    if strange := [*_strange_names(problem, working, answers)]:
+        raise SheetErrors(strange)
     places = max(getattr(part, "rounded", 0) for part in parts(problem.subject))
     if places:
         answers = list(map(InDecimals(), answers))
@@ -130,6 +133,21 @@ def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool) -> Probl
         questions.append(replace(page, text=text, rounded=0 if questions else places))
     figure, drawing = _figure(problem, working, folder)
     return ProblemPage(problem.number, tuple(questions), problem.title, problem.text, figure, drawing)
+
+
+def _strange_names(problem: Problem, working: Working, answers: list[Derivation]) -> Iterator[SheetError]:
+    """Values under `evaluate` for what stands nowhere in the problem."""
+    from derive.kinds.point_names import point_names
+
+    if not any(question.evaluate for question in problem.questions):
+        return
+    names = point_names(working, answers)
+    for question in problem.questions:
+        for name in sorted((question.evaluate or {}).keys() - names):
+            place = question.place
+            if question.answer_at:
+                place = At(question.answer_at.source, question.answer_at.route[:-1]).key(("evaluate", name))
+            yield SheetError(f"'{name}' stands nowhere in this problem", place, did_you_mean(name, names))
 
 
 def _figure(problem: Problem, working: Working, folder: str) -> tuple[str | None, Figure | None]:
@@ -240,8 +258,6 @@ def _evaluated(answer: Derivation, question: Question, working: Working) -> Deri
 
     given = question.evaluate or {}
     here = Here.of(given, working.where, working.style)
-    if fault := _misspelt(given, answer, working, question.place):
-        raise SheetErrors([fault])
     try:
         return replace(answer, evaluated=values_at(answer, here))
     except KeyError as error:
@@ -259,19 +275,6 @@ def _evaluated(answer: Derivation, question: Question, working: Working) -> Deri
 def _folder_name(name: str) -> str:
     """The folder of pictures beside a page: a name that links and LaTeX take as it is."""
     return ODD.sub("-", name)
-
-
-def _misspelt(
-    given: Mapping[str, Any], answer: Derivation, working: Working, place: Place
-) -> SheetError | None:
-    """A name with a value that stands nowhere, where one without a value is spelt almost so: theta_1."""
-    held = frozenset[str]().union(*map(free_symbols, expressions(tuple(answer.results.values()))))
-    known = held | working.symbols | working.where.keys()
-    spelt = {name.replace("_", "").lower(): name for name in sorted(known - given.keys())}
-    for name in given:
-        if name not in known and (meant := spelt.get(name.replace("_", "").lower())):
-            return SheetError(f"no {name} stands in this answer", place, f"did you mean {meant}?")
-    return None
 
 
 def _name(sheet: Sheet, solutions: bool) -> str:
