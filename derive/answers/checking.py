@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from functools import cached_property
@@ -10,7 +10,7 @@ from typing import Any
 
 from derive.algebra.text import text
 from derive.answers.asked import Asked
-from derive.answers.branches import Sets, Solution, angles_among, chosen, written
+from derive.answers.branches import Paired, Sets, Solution, angles_among, chosen, written
 from derive.answers.comparing import compare
 from derive.answers.diagnosing import SHAPE, TRANSPOSED, diagnose
 from derive.answers.findings import Check, as_typed
@@ -23,7 +23,7 @@ from derive.answers.spoken import heard, is_spoken
 from derive.answers.terms import Finding, Terms, Verdict
 from derive.derivation import Branch
 from derive.errors import SheetError
-from derive.expression import Expr, Matrix, Symbol, free_symbols
+from derive.expression import ZERO, Expr, Matrix, Symbol, free_symbols
 from derive.expression import replace as replaced
 from derive.kinds.problem import TREES
 
@@ -97,8 +97,9 @@ class Compared(Asked):
         if is_spoken(result):
             yield self._check(name, (), heard(published, result), str(published), str(result), "")
             return
-        at, terms = self._at_point(published, result), self.terms_of(name)
-        result, terms = (at, replace(terms, evaluated=True)) if at is not None else (result, terms)
+        terms = self.terms_of(name)
+        if self._is_at_point([published.tree]):
+            result, terms = replaced(result, self.point), replace(terms, evaluated=True)
         theirs, ours = alike(published, result)
         if isinstance(theirs.tree, Matrix) and isinstance(ours, Matrix) and theirs.tree.shape == ours.shape:
             yield from self._entries(name, theirs, ours, terms)
@@ -107,13 +108,11 @@ class Compared(Asked):
         else:
             yield self._one(name, (), theirs, ours, terms)
 
-    def _at_point(self, published: Published, result: Expr) -> Expr | None:
-        """The result at the point the question evaluates, where the answer is in numbers: nothing in it
-        depends on what has a value there."""
-        given = {name.name for name in self.point if isinstance(name, Symbol)}
-        if self.evaluate is None or unknowns(published.tree, self.terms.published) & given:
-            return None
-        return replaced(result, self.point)
+    def _is_at_point(self, published: Iterable[Expr]) -> bool:
+        """Whether an answer is in numbers at the point the question evaluates: nothing in it depends on what
+        has a value there."""
+        used = (unknowns(tree, self.terms.published) for tree in published)
+        return self.evaluate is not None and not frozenset().union(*used) & set(self.evaluate)
 
     def terms_of(self, name: str) -> Terms:
         """A step of the working may be in terms of names defined there; a result is not."""
@@ -202,8 +201,10 @@ class Compared(Asked):
     def _solutions(
         self, name: str, readings: list[tuple[Solution, ...]], result: tuple[Branch, ...]
     ) -> Iterator[Check]:
+        values = [tree for several in readings for each in several for tree in each.values()]
+        at_point = self._is_at_point(values)
         derived = [branch.values for branch in result]
-        if self.point:
+        if at_point:
             derived = [{name: replaced(tree, self.point) for name, tree in each.items()} for each in derived]
         known = frozenset(n for each in derived for n in each if self._turns(n))
         sampling = replace(
@@ -211,13 +212,20 @@ class Compared(Asked):
             given=self.reached,
             signed=self.terms.sampling.signed | self.own - self._sizes,
         )
-        terms = replace(self.terms, sampling=sampling, evaluated=self.evaluate is not None)
+        terms = replace(self.terms, sampling=sampling, evaluated=at_point)
         angles = angles_among([*(each for several in readings for each in several), *derived], known)
-        short = () if self.point else tuple(put_in(each.short, each.values) for each in result)
+        short = () if at_point else tuple(put_in(each.short, each.values) for each in result)
         sets = Sets(chosen(readings, derived, terms, angles), derived, terms, angles, short)
         for k, pair in enumerate(sets.paired(), 1):
             theirs, ours = written(pair.published), written(pair.derived, terms.evaluated)
-            yield self._check(name, (k,), pair.finding, theirs, ours, pair.diagnosis)
+            yield self._check(name, (k,), self._honest(pair), theirs, ours, pair.diagnosis)
+
+    def _honest(self, pair: Paired) -> Finding:
+        """Undecided where a solution is in names of the derivation."""
+        theirs, ours = pair.published or {}, pair.derived or {}
+        names = [self._borrowed(value, ours.get(name, ZERO)) for name, value in theirs.items()]
+        listed = ", ".join(sorted(frozenset().union(*names) - theirs.keys()))
+        return Finding("undecided", note=BORROWED.format(names=listed)) if listed else pair.finding
 
     @cached_property
     def _sizes(self) -> frozenset[str]:

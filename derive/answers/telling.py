@@ -35,7 +35,7 @@ def _verdict(told: Sequence[Check]) -> str:
     verdicts = {check.verdict for check in told}
     verdict = next(each for each in ("differs", "undecided", "equal") if each in verdicts)
     notes = sorted({check.note for check in told if check.note and check.verdict == verdict == "equal"})
-    return f"{verdict} {', '.join(notes)}" if notes else verdict
+    return ", ".join([verdict, *notes]).replace("equal, to the digits", "equal to the digits")
 
 
 def _entry(check: Check) -> Iterator[str]:
