@@ -15,6 +15,7 @@ from typing import TypeAlias
 from derive.algebra.angles import PI, RADIAN, Form, is_fixed
 from derive.algebra.bounds import A_TERM_READ, spend
 from derive.algebra.opaque import ITSELF, Opaque
+from derive.algebra.powers import MAX_DEGREE
 from derive.algebra.rationals import Rational, decimal_places, lowest, of_flint
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar
@@ -253,7 +254,8 @@ def raised(base: Expr, power: int) -> Expr:
     if not isinstance(base, Power):
         return Power(base, number(power))
     if isinstance(base.exponent, Number):
-        return Power(base.base, number(base.exponent.value * power))
+        whole = base.exponent.value.denominator <= MAX_DEGREE  # else it is no root, and has no powers either
+        return Power(base.base, number(base.exponent.value * power)) if whole else Power(base, number(power))
     return Power(base.base, multiply(number(power), base.exponent))
 
 

@@ -22,6 +22,7 @@ from pydantic_core import CoreSchema, core_schema
 
 from derive.algebra.doubtful import Doubt, doubtful_angle, words_like_units
 from derive.algebra.grammar import parse, parse_equation, parse_starred
+from derive.algebra.numeric import number
 from derive.algebra.spelling import ARGUMENTS
 from derive.algebra.tokens import tokens
 from derive.algebra.units import (
@@ -40,9 +41,10 @@ from derive.algebra.units import (
 )
 from derive.control.system import Equation
 from derive.errors import FormulaError
-from derive.expression import Expr
+from derive.expression import Expr, free_symbols
 
 TREES = get_args(Expr)
+MANY_TURNS = 1e9  # rad
 
 
 class OptionsModel(BaseModel):
@@ -86,6 +88,8 @@ class _Reader:
         if self.dimension is not None:
             for word in words_like_units(text_of(typed)):
                 doubt(word, info)
+        if self.dimension == ANGLE and not free_symbols(tree) and abs(number(tree, {})) > MANY_TURNS:
+            raise FormulaError("this angle is too large: nothing is left of its sine in floating point")
         if self.dimension == ANGLE and (strange := doubtful_angle(text_of(typed), tree)):
             doubt(strange, info)
         return tree

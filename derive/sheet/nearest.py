@@ -16,6 +16,7 @@ Axes = list[tuple[Expr, Expr, Expr]]
 FEWEST = 3  # places with which a matrix counts as rounded
 FINER = 5  # places more than were typed, to which the nearest rotation is found
 FINEST = 12
+DOUBLE = 1e-14  # what is left of one in floating point, as programs print it
 
 
 def nearest_rotation(axes: Sequence[tuple[Expr, Expr, Expr]], where: Mapping[str, Expr]) -> tuple[Axes, int]:
@@ -35,7 +36,7 @@ def nearest_rotation(axes: Sequence[tuple[Expr, Expr, Expr]], where: Mapping[str
     if places < FEWEST or any(free_symbols(entry) - known.keys() for entry in entries):
         return [], 0
     typed = np.array([[number(entry, known) for entry in axis] for axis in axes]).T
-    rounding = 2 * 10.0**-places  # of a product of two axes, each entry half a unit of its last place off
+    rounding = max(2 * 10.0**-places, DOUBLE)  # of a product of two axes, each entry half a last place off
     if np.abs(typed.T @ typed - np.eye(3)).max() > rounding or np.linalg.det(typed) < 0:
         return [], 0
     U, _, V = np.linalg.svd(typed)

@@ -180,9 +180,12 @@ def _evaluated(found: Closed, options: Options) -> tuple[dict[str, Any], dict[st
     solved = found.plant
     numeric, controller = solved.there(found.reduced), solved.there(found.loop.controller)
     functions = {"C": transfer_json(controller), "T": transfer_json(numeric)}
-    told = {
+    told: dict[str, Any] = {
         "numeric": (solved.named("T"), numeric.expr(solved.style)),
         "point": point_chains(options.evaluate, solved.problem.where),
+        "poles": (),
+        "verdict": "",
+        "hidden": False,
     }
     if numeric.symbols():
         return functions, told

@@ -231,9 +231,12 @@ def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], dict[s
     place = {**solved.problem.names, **solved.point}
     rows = _rows_at(answer, place)
     array = {"routh": rows} if rows else {}
-    told = {
+    told: dict[str, Any] = {
         "numeric": (_delta(answer), collected(numeric.den, solved.style)),
         "point": point_chains(options.evaluate, {}),
+        "poles": (),
+        "at_point": "",
+        "failing": (),
     }
     if numeric.symbols():
         return {**array, "conditions": _left(answer, place)}, told

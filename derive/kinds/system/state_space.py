@@ -194,11 +194,13 @@ def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], dict[s
     names = {**solved.problem.names, **solved.point}
     numeric = {name: normal_matrix(readable_form(answer, name), names) for name in MATRICES}
     values: dict[str, Any] = {name: [mixed(row) for row in matrix.rows] for name, matrix in numeric.items()}
-    told = {
+    told: dict[str, Any] = {
         "numeric": tuple(
             (solved.named(name), readable_matrix(numeric[name], solved.style)) for name in MATRICES
         ),
         "point": point_chains(options.evaluate, solved.problem.where),
+        "poles": (),
+        "verdict": "",
     }
     characteristic = characteristic_of(numeric["A"])
     if names_in(characteristic):

@@ -161,9 +161,11 @@ def _evaluated(solved: Plant, options: Options) -> tuple[dict[str, Any], dict[st
     if options.evaluate is None:
         return {}, {"numeric": None}
     numeric = solved.there(solved.rational.reduced())
-    told = {
+    told: dict[str, Any] = {
         "numeric": (solved.named("G"), numeric.expr(solved.style)),
         "point": point_chains(options.evaluate, solved.problem.where),
+        "poles": (),
+        "verdict": "",
     }
     if numeric.symbols():
         return {"G": transfer_json(numeric)}, told
