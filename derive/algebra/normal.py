@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import reduce
 from operator import add
@@ -19,6 +19,7 @@ from derive.algebra.pairs import added, multiple
 from derive.algebra.powers import power
 from derive.algebra.ring import Ring, ring
 from derive.algebra.scalar import Scalar, common_ring, trig
+from derive.algebra.text import text
 from derive.algebra.trigonometry import of_direction
 from derive.algebra.trigonometry import trig_of as trig_of
 from derive.algebra.values import (
@@ -51,6 +52,7 @@ from derive.expression import (
 )
 
 Names: TypeAlias = Mapping[Expr, Expr]
+NAMESAKE = "the sheet's own '{}' is also a name of this answer; choose another name for it"
 
 
 def normal(expr: Expr, names: Names | None = None) -> Scalar:
@@ -184,13 +186,37 @@ class Walk:
         if expr in self.known:
             return self.known[expr]
         if expr in self.names:
-            value = self.value(self.names[expr])
-        elif isinstance(expr, Indexed):
+            return self._defined(expr)
+        if isinstance(expr, Indexed):
             raise NotDerivable(f"{expr} stands for nothing")
-        else:
-            value = Scalar.symbol(expr.name)
-        self.known[expr] = value
-        return value
+        self.known[expr] = Scalar.symbol(expr.name)
+        return self.known[expr]
+
+    def _defined(self, name: Expr) -> Value:
+        """What a name stands for; first the names in its definition, which may go deep."""
+        path = {name: self._names_in(self.names[name])}
+        while path:
+            last = next(reversed(path))
+            inner = next(path[last], None)
+            if inner is None:
+                self.known[last] = self.value(self.names[last])
+                del path[last]
+            elif inner in path:  # what the answer calls so rests on what the sheet calls so
+                raise NotDerivable(NAMESAKE.format(text(inner)))
+            elif inner not in self.known:
+                path[inner] = self._names_in(self.names[inner])
+        return self.known[name]
+
+    def _names_in(self, expr: Expr) -> Iterator[Expr]:
+        """Those that are defined, outside of sines and cosines."""
+        pending = [expr]
+        while pending:
+            part = pending.pop()
+            if isinstance(part, Symbol | Indexed):
+                if part in self.names:
+                    yield part
+            elif not (isinstance(part, Call) and part.function in ("cos", "sin")):
+                pending.extend(children(part))
 
     def _power(self, base: Expr, exponent: Expr) -> Value:
         times_itself = self.scalar(exponent)
@@ -250,12 +276,18 @@ class Walk:
         return trig_of(self.scalar(angle))
 
     def _has_inverse(self, expr: Expr) -> bool:
-        expr = self.names.get(expr, expr)
-        match expr:
-            case Call(function):
-                return function in ("atan2", "atan", "acos", "asin")
-            case Sum(parts) | Product(parts):
-                return any(map(self._has_inverse, parts))
+        pending, seen = [expr], set[Expr]()
+        while pending:
+            part = pending.pop()
+            if isinstance(part, Symbol | Indexed):
+                if part in self.names and part not in seen:
+                    seen.add(part)
+                    pending.append(self.names[part])
+            elif isinstance(part, Call):
+                if part.function in ("atan2", "atan", "acos", "asin"):
+                    return True
+            elif isinstance(part, Sum | Product):
+                pending.extend(children(part))
         return False
 
 

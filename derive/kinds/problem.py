@@ -10,7 +10,7 @@ from typing import Any, get_args
 
 from derive.algebra.bounds import count, one_answer
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import Names, normal, normal_matrix
+from derive.algebra.normal import NAMESAKE, Names, normal, normal_matrix
 from derive.algebra.readable import readable, readable_matrix
 from derive.algebra.scalar import Scalar
 from derive.algebra.terms import Style
@@ -56,10 +56,9 @@ class Problem:
             try:
                 with one_answer():
                     derivation = load(self.name, kind).derive(self.subject, options, self)
-            except RecursionError as error:  # a name that is defined by itself
+            except RecursionError as error:
                 raise NotDerivable(
-                    "a name of the sheet, such as D or C, is also a name of this answer; "
-                    "choose another for it"
+                    "a formula of this problem is nested too deeply, with the values of its names put in"
                 ) from error
             self.derived[key] = self._distinct(derivation)
         return self.derived[key]
@@ -71,9 +70,7 @@ class Problem:
         own = {name.name for name in derivation.definitions if isinstance(name, Symbol)}
         taken = sorted(own & self.symbols)
         if taken:
-            raise NotDerivable(
-                f"the sheet's own '{taken[0]}' is also a name of this answer; choose another name for it"
-            )
+            raise NotDerivable(NAMESAKE.format(taken[0]))
         return derivation
 
     @cached_property

@@ -26,9 +26,10 @@ def completed(point: Point, where: Mapping[str, Expr]) -> Point:
     """The point with the values of `where` added, those that rest on others after them. Names whose
     value is not decided by the point are left out."""
     found = dict(point)
-    pending = dict(where)
-    while ready := [name for name, value in pending.items() if free_symbols(value) <= {*found, "pi"}]:
-        found.update({name: number(pending.pop(name), found) for name in ready})
+    pending = {name: free_symbols(value) for name, value in where.items()}
+    while ready := [name for name, needed in pending.items() if needed <= found.keys()]:
+        found.update({name: number(where[name], found) for name in ready})
+        pending = {name: needed for name, needed in pending.items() if name not in ready}
     return found
 
 

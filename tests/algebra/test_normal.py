@@ -252,3 +252,15 @@ def test_a_vector_product() -> None:
 def test_decimals_are_exact() -> None:
     assert normal(formula("0.1 + 0.2")) == normal(formula("0.3"))
     assert normal(Number(number("1/3").value)) != normal(formula("0.333333333333333333"))
+
+
+def test_names_defined_by_names_however_many() -> None:
+    names = {Symbol(f"b{k}"): formula(f"b{k - 1} + 1") for k in range(1, 900)}
+    assert normal(formula("b899 b898"), names) == normal(formula("(b0 + 899) (b0 + 898)"))
+    assert normal(formula("cos(b899)"), names) == normal(formula("cos(b0 + 899)"))
+
+
+def test_a_name_that_rests_on_itself_is_named() -> None:
+    names = {Symbol("D"): formula("C + 1"), Symbol("C"): formula("2 D")}
+    with pytest.raises(NotDerivable, match=r"the sheet's own '[CD]' is also a name of this answer"):
+        normal(formula("D + x"), names)
