@@ -94,7 +94,6 @@ def _problem(at: At, data: Any, number: int, outer: Known) -> Problem:
         faults.extend(errors.errors)
     subject: Any = None
     asked: tuple[Question, ...] = ()
-    strange: tuple[SheetError, ...] = ()
     try:
         name = subject_name(at, data)
     except SheetErrors as errors:
@@ -109,13 +108,13 @@ def _problem(at: At, data: Any, number: int, outer: Known) -> Problem:
         faults.extend(ignored(asked, name, typed, place))
         subject = registry.load(name).build(typed, place, known)
         faults.extend(_unmet(asked, name, subject, place))
-        strange = (*_strange(name, subject, place, known), *_doubts(at, data, subject))
-        if place.source is not at.source:
-            strange = (*place.source.doubts, *strange)
     except SheetErrors as errors:
         faults.extend(errors.errors)
     if faults or given is None:
         raise SheetErrors(faults)
+    strange = (*_strange(name, subject, place, known), *_doubts(at, data, subject))
+    if place.source is not at.source:
+        strange = (*place.source.doubts, *strange)
     figure = _figure(at, given.figure, name)
     where = at.place()
     return Problem(
