@@ -30,6 +30,7 @@ class Board:
         self.items: list[Item] = []
         self.named: list[tuple[Symbol, Scalar]] = []
         self.signs: dict[str, int] = {}  # generator -> the move whose sign it has
+        self.sums: list[tuple[Scalar, int]] = []  # likewise of sums
         self.forms: list[Form] = []
         self.steps = 0
 
@@ -103,7 +104,11 @@ class Board:
         return [j for j in self.turning if combination(Form.of({j: 1}), self.forms) is not None]
 
     def sign_of(self, value: Scalar) -> tuple[int, tuple[int, ...]]:
-        """The sign of a single term, and the moves whose signs it has as factors; 0 where it is not known."""
+        """The sign of a term or of a sum, and the moves whose signs it has as factors; 0 where it is not
+        known."""
+        for known, move in self.sums:
+            if value and (ratio := (value / known).constant) is not None:
+                return (1 if ratio > 0 else -1), (move,)
         terms = list(value.numerator.terms())
         if len(terms) != 1 or value.denominator is not None:
             return 0, ()

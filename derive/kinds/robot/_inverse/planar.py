@@ -36,6 +36,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._inverse.evaluated import SMALL, Evaluated, at_point, in_letters, known_at
 from derive.kinds.robot._inverse.numbers import Leaf
+from derive.kinds.robot._inverse.trees import times
 from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.goal import Goal, of_coordinates
 from derive.mechanics.two_link import TwoLink
@@ -122,7 +123,7 @@ class _Writing:
 
     @staticmethod
     def sine(sign: Expr, cosine: Expr) -> Expr:
-        return multiply(sign, sqrt(subtract(ONE, squared(cosine))))
+        return times(sign, sqrt(subtract(ONE, squared(cosine))))
 
     def shoulder(self, c_2: Expr, s_2: Expr) -> Expr:
         """atan2(y, x) - atan2(a_2 s_2, a_1 + a_2 c_2)."""
@@ -135,7 +136,7 @@ class _Writing:
         s = self.sine(sign, u)
         along = add(self.a_1, multiply(self.a_2, self.cosine()))  # a_1 + a_2 c_2
         along = self.problem.readable(normal(along, self.problem.names))
-        inner = atan2(multiply(self.problem.final(self.a_2), s), along)
+        inner = atan2(times(sign, multiply(self.problem.final(self.a_2), self.sine(ONE, u))), along)
         values = {
             self.arm.theta_1: subtract(atan2(self.y, self.x), inner),
             self.arm.theta_2: atan2(s, u),

@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
+from functools import reduce
+from operator import add as add_values
 
 from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.text import text
 from derive.expression import (
     Expr,
     Power,
@@ -26,8 +29,10 @@ from derive.kinds.robot._inverse.moves import Move, Option
 from derive.kinds.robot._inverse.single import solved
 from derive.kinds.robot._inverse.trees import (
     common_denominator,
+    leaves,
     minus,
     multiplied,
+    ordered,
     over,
     square,
     starts_negative,
@@ -72,6 +77,7 @@ def reach(board: Board, found: Reach) -> Move:
     draft, d = Draft(board), Symbol(found.slide)
     squares = [square(side) for side in _known_sides(draft, found.parts)]
     P, Q, D = (board.problem.readable(v) for v in (found.square, found.linear, found.constant))
+    half, middle = found.linear / 2, found.square * Scalar.symbol(found.slide) + found.linear / 2
     draft.add("squares", total(squares), add(times(P, squared(d)), times(Q, d), *terms_of(D)))
     rest = total((*squares, *map(minus, terms_of(D))))
     symmetric = not found.linear
@@ -81,12 +87,19 @@ def reach(board: Board, found: Reach) -> Move:
         values = (size, negate(size))
         names = [f"{d.name} {relation} 0" for relation in "><"]
     else:
-        rest = add(squared(Q), multiply(number(4), P, rest))
-        top = (add(minus(Q), sqrt(rest)), subtract(minus(Q), sqrt(rest)))
-        values = (over(top[0], multiply(number(2), P)), over(top[1], multiply(number(2), P)))
-        names = [f"{which} value of {d.name}" for which in ("first", "second")]
+        h = board.problem.readable(half)
+        known = reduce(add_values, (part.known * part.known for part in found.parts))
+        rest = min(
+            add(square(h), multiply(P, rest)),
+            board.tree(half * half + found.square * (known - found.constant)),
+            key=leaves,
+        )
+        values = (over(ordered(add(minus(h), sqrt(rest))), P), over(subtract(minus(h), sqrt(rest)), P))
+        names = [f"{text(board.tree(middle))} {relation} 0" for relation in "><"]
     options = [Option(v, s, when) for v, s, when in zip(values, SIGNS, names, strict=True)]
     positive = symmetric and board.problem.assumptions.get(d.name) in ("positive", "nonnegative")
+    if not symmetric:
+        board.sums.append((middle, len(board.moves)))
     facts = {"method": "reach", "symmetric": symmetric, "positive": positive, "exists": _doubtful(rest)}
     return draft.move(found.slide, d, options[:1] if positive else options, {**facts, "law": len(squares)})
 

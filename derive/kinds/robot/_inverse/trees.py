@@ -63,7 +63,12 @@ def ordered(tree: Expr) -> Expr:
 
 def unsigned(tree: Expr) -> Expr:
     """Without the sign in front: what is squared needs none."""
-    return minus(tree) if is_negative(tree) else tree
+    return minus(tree) if all_negative(tree) else tree
+
+
+def all_negative(tree: Expr) -> bool:
+    """Whether it is written with a minus in front, of a sum every term."""
+    return all(map(is_negative, tree.terms)) if isinstance(tree, Sum) else is_negative(tree)
 
 
 def terms_of(tree: Expr) -> tuple[Expr, ...]:
@@ -78,6 +83,8 @@ def times(factor: Expr, other: Expr) -> Expr:
         return negate(other)
     if isinstance(factor, Product) and factor.factors[0] == MINUS_ONE:
         return negate(multiply(*factor.factors[1:], other))
+    if isinstance(factor, Sum) and all_negative(factor):
+        return negate(multiply(minus(factor), other))
     return multiply(factor, other)
 
 
@@ -85,7 +92,7 @@ def over(top: Expr, bottom: Expr) -> Expr:
     """A quotient; by one it is the top, and signs move above."""
     if bottom == ONE:
         return top
-    if starts_negative(bottom) and not isinstance(bottom, Sum):
+    if all_negative(bottom):
         return over(minus(top), minus(bottom))
     return Quotient(top, bottom)
 
