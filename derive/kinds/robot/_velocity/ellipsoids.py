@@ -43,7 +43,7 @@ def at_point(task: Task, place: Place) -> Ellipsoids:
     """By the singular values of J (m by n) at the place. Raises NotDerivable for a name without a value."""
     import numpy as np
 
-    here = _numbers(task, place)
+    here = dict.fromkeys(task.problem.symbols, 0.0) | _numbers(task, place)  # a height has no part in J
     J = np.array(numeric.matrix_numbers(task.J, here))
     U, values, _ = np.linalg.svd(J)
     values = np.append(values, np.zeros(len(task.rows) - len(values)))
