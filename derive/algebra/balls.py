@@ -11,7 +11,7 @@ from derive.algebra.readable import readable
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar
 from derive.algebra.text import text
-from derive.errors import NotDerivable
+from derive.errors import NotDerivable, NotReal
 
 BITS, MOST_BITS = 128, 1 << 14  # of the working precision, at first and at most
 
@@ -35,6 +35,8 @@ def number_sign(value: Scalar) -> int:
             if ball > 0 or ball < 0:
                 return 1 if ball > 0 else -1
         bits *= 2
+    if ball.is_nan():
+        raise NotReal(f"{text(readable(value))} is not real")
     raise NotDerivable(f"{MOST_BITS} bits do not tell whether {text(readable(value))} is zero")
 
 

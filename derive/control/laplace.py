@@ -130,4 +130,4 @@ def _horner(coefficients: Sequence[float], s: complex) -> complex:
 
 
 def is_close(left: complex, right: complex, tolerance: float = 1e-8) -> bool:
-    return cmath.isclose(left, right, rel_tol=tolerance, abs_tol=tolerance)
+    return cmath.isclose(left, right, rel_tol=tolerance, abs_tol=tolerance**2)

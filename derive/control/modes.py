@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property, reduce
-from operator import mul
+from functools import cached_property
 
-from flint import acb, acb_poly, acb_series, arb, ctx
+from flint import acb, acb_poly, arb, ctx
 
 from derive.algebra.balls import MOST_BITS
 from derive.algebra.scalar import Scalar
@@ -154,18 +153,24 @@ def _modes(top: Coefficients, bottom: Coefficients, roots: Sequence[Root]) -> It
 
 def _factor(numerator: acb_poly, root: Root, others: Sequence[Root]) -> acb_poly:
     """c_1 + c_2 t + ... + c_m t^(m - 1)/(m - 1)!, with c_k/(s - p)^k in the partial fractions."""
-    count = root.power
-    series = acb_series(_first(numerator(acb_poly([root.ball, acb(1)])), count), prec=count)
-    below = [acb_series([root.ball - other.ball, 1], prec=count) ** other.power for other in others]
-    found = series / reduce(mul, below, acb_series([1], prec=count))
-    taylor = [found[k] for k in range(count)]  # of (s - p)^m Y about p: c_m, ..., c_1
+    about = numerator(acb_poly([root.ball, acb(1)]))
+    taylor = [about[k] for k in range(root.power)]  # of (s - p)^m Y about p: c_m, ..., c_1
+    for other in others:
+        apart = root.ball - other.ball
+        for _ in range(other.power):
+            taylor = _divided(taylor, apart)
     if root.ball.imag == 0:
         taylor = [acb(k.real) for k in taylor]
     return acb_poly([k / math.factorial(power) for power, k in enumerate(reversed(taylor))])
 
 
-def _first(polynomial: acb_poly, count: int) -> list[acb]:
-    return [polynomial[k] for k in range(count)]
+def _divided(series: Sequence[acb], apart: acb) -> list[acb]:
+    """By apart + x."""
+    found, before = [], acb(0)
+    for k in series:
+        before = (k - before) / apart
+        found.append(before)
+    return found
 
 
 # -- how good an expansion has to be ------------------------------------------------------------------

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from flint import arb, ctx, fmpq
+from flint import acb, arb, ctx, fmpq
 
 from derive.algebra.balls import number_ball, number_sign
 from derive.algebra.scalar import Scalar
@@ -48,6 +48,11 @@ class StepResponse:
         """y there."""
         with ctx.workprec(self.curve.bits):
             return float(self.curve.at(arb(time)))
+
+    def transform(self, s: complex) -> complex:
+        """The Laplace transform of y there."""
+        with ctx.workprec(self.curve.bits):
+            return complex(self.curve.transform(acb(s)))
 
 
 def step_response(num: Sequence[Scalar], den: Sequence[Scalar]) -> StepResponse:

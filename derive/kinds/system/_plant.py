@@ -14,6 +14,7 @@ from derive.algebra.text import text
 from derive.control.elimination import Solution, solve
 from derive.control.rational import Polynomial, Rational, S, names_in
 from derive.control.roots import as_json, isolated, roots
+from derive.control.signals import signals
 from derive.control.system import System
 from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
@@ -87,6 +88,8 @@ def plant(problem: Problem, source: str | None, point: Place | None, typed: Iter
 
     Raises NotDerivable.
     """
+    typed = tuple(typed)
+    _require_numbers(problem, point or (), typed)
     trees = [*typed, *(value for _, value in point or ())]
     decimal = any(isinstance(node, Number) and node.decimal for tree in trees for node in walk(tree))
     style = problem.style
@@ -94,6 +97,20 @@ def plant(problem: Problem, source: str | None, point: Place | None, typed: Iter
     solution = solve(problem.subject, Symbol(source) if source else None, style.decimals)
     values: dict[Expr, Expr] = {Symbol(name): value for name, value in point or ()}
     return Plant(problem, solution, Rational.of(solution.ratio), style, values)
+
+
+def _require_numbers(problem: Problem, point: Place, typed: Iterable[Expr]) -> None:
+    """Raises NotDerivable where a value holds s or a signal, and for a name that is nowhere."""
+    system: System = problem.subject
+    moving = {S.name, *(signal.name for signal in signals(system))}
+    for name, value in (*problem.where.items(), *point):
+        if found := sorted(free_symbols(value) & moving):
+            raise NotDerivable(f"{name} stands for what holds {found[0]}: write it out in the equations")
+    sides = (side for equation in system.equations for side in (equation.left, equation.right))
+    known = frozenset[str]().union(*map(free_symbols, (*sides, *typed, *problem.where.values())))
+    for name, _ in point:
+        if name in moving or (name not in known and name not in problem.where):
+            raise NotDerivable(f"{name} under evaluate: is no parameter of the system")
 
 
 def delay_steps(system: System) -> Iterator[Step]:

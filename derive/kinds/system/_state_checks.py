@@ -9,7 +9,7 @@ from derive.algebra.normal import normal
 from derive.algebra.numeric import matrix_numbers, scalar_number
 from derive.algebra.scalar import Scalar
 from derive.control.drawing import parameters
-from derive.control.laplace import Numeric, is_close
+from derive.control.laplace import Numeric, is_close, quotient
 from derive.control.rational import scalar
 from derive.control.routh import remainder
 from derive.control.signals import signals
@@ -36,8 +36,8 @@ def claims_of(answer: Answer) -> Iterator[Claim]:
     left = remainder(characteristic, answer.transfer.den)
     yield law("the denominator of G divides det(s 1 - A): its poles are eigenvalues", not any(left))
     points = tuple(random_points(_parameters(answer.plant.system), POINTS))
-    holds = all(_has_eigenvalues(space.A, characteristic, point) for point in points)
-    yield Claim("det(s 1 - A) by its eigenvalues in numbers", SECOND_ROUTE, holds)
+    holds = all(_is_determinant(space.A, characteristic, point) for point in points)
+    yield Claim("det(s 1 - A) by elimination in complex numbers", SECOND_ROUTE, holds)
     holds = all(_gains_agree(answer, point, complex(0.3 + k, 1.1)) for k, point in enumerate(points))
     yield Claim("the matrices make up the equations solved in complex numbers", SECOND_ROUTE, holds)
 
@@ -47,12 +47,18 @@ def _parameters(system: System) -> list[str]:
     return sorted(parameters(system) - {signal.name for signal in signals(system)} - {"s", "pi"})
 
 
-def _has_eigenvalues(A: ScalarMatrix, characteristic: Sequence[Scalar], point: Mapping[str, float]) -> bool:
+def _is_determinant(A: ScalarMatrix, characteristic: Sequence[Scalar], point: Mapping[str, float]) -> bool:
+    """At a small and at a large s."""
     import numpy
 
-    other = numpy.poly(numpy.array(matrix_numbers(A, point)))
+    whole = numpy.array(matrix_numbers(A, point))
     ours = [scalar_number(k, point) if k else 0.0 for k in characteristic]
-    return bool(numpy.allclose(other, ours, rtol=1e-8, atol=1e-8 * max(map(abs, ours))))
+    size = max(1.0, float(numpy.abs(whole).max(initial=0.0)))
+    places = (scale * complex(0.7, 0.6) for scale in (1.0, size))
+    return all(
+        is_close(quotient(ours, [1.0], s), complex(numpy.linalg.det(s * numpy.eye(len(whole)) - whole)), 1e-7)
+        for s in places
+    )
 
 
 def _gains_agree(answer: Answer, point: Mapping[str, float], s: complex) -> bool:

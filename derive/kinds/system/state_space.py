@@ -16,6 +16,7 @@ from derive.control.states import ORDERS, Law
 from derive.control.states import written as written_form
 from derive.control.system import System
 from derive.derivation import Derivation, Step
+from derive.errors import NotDerivable
 from derive.expression import (
     Expr,
     Product,
@@ -190,7 +191,8 @@ def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], dict[s
     if options.evaluate is None:
         return {}, {"numeric": ()}
     solved = answer.plant
-    solved.there(answer.transfer)  # says where there is none
+    if len(solved.there(answer.transfer).den) < len(answer.transfer.den):
+        raise NotDerivable("the highest coefficient is zero at these values: there are fewer states")
     names = {**solved.problem.names, **solved.point}
     numeric = {name: normal_matrix(readable_form(answer, name), names) for name in MATRICES}
     values: dict[str, Any] = {name: [mixed(row) for row in matrix.rows] for name, matrix in numeric.items()}

@@ -7,14 +7,11 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from flint import acb
-
 from derive.algebra.normal import normal
 from derive.algebra.numeric import scalar_number
 from derive.algebra.readable import readable
 from derive.control.controllers import Controller
-from derive.control.laplace import Numeric, inverted, is_close
-from derive.control.modes import Curve
+from derive.control.laplace import Numeric, inverted
 from derive.control.rational import Rational
 from derive.control.response import BAND, HIGH, StepResponse, step_response
 from derive.control.roots import roots
@@ -219,7 +216,7 @@ def _claims(answer: Answer, options: Options) -> Iterator[Claim]:
     yield law("no sample of the curve contradicts what is read off it", _samples_agree(answer.response))
     transform = _transform(answer, options.controller)
     claim = "the modes have the Laplace transform of the equations, solved in complex numbers"
-    yield Claim(claim, SECOND_ROUTE, _transforms_back(answer.response.curve, transform))
+    yield Claim(claim, SECOND_ROUTE, _transforms_back(answer.response, transform))
     claim = "the curve agrees with the inverted Laplace transform of the equations"
     yield Claim(claim, SECOND_ROUTE, _is_inverse(answer.response, transform))
 
@@ -244,11 +241,12 @@ def _samples_agree(response: StepResponse) -> bool:
     )
 
 
-def _transforms_back(curve: Curve, transform: Callable[[complex], complex]) -> bool:
+def _transforms_back(response: StepResponse, transform: Callable[[complex], complex]) -> bool:
     """At a complex s as large as each pole, by the elementary transforms of the modes."""
-    sizes = {float(abs(mode.pole).mid()) for mode in curve.modes} - {0.0} or {1.0}
+    sizes = {float(abs(mode.pole).mid()) for mode in response.curve.modes} - {0.0} or {1.0}
     points = (size * (0.7 + 0.6j) for size in sorted(sizes)[:POINTS])
-    return all(is_close(complex(curve.transform(acb(s))), transform(s), CLOSE) for s in points)
+    pairs = ((response.transform(s), transform(s)) for s in points)
+    return all(abs(ours - other) <= CLOSE * abs(other) for ours, other in pairs)
 
 
 def _is_inverse(response: StepResponse, transform: Callable[[complex], complex]) -> bool:
