@@ -122,16 +122,18 @@ class Sets:
         the digits given, or nothing more than that."""
         theirs, ours = self.published[k], self.derived[j]
         points = [sample.point for sample in self._both(k, j)]
-        notes = []
+        rounded = ""
         for name, value in theirs.items():
             terms = self._terms(name, k, self.ours[j])
             if proved(value, ours[name], terms):
                 continue
             if proved_around(value, ours[name], terms.names, points, terms.angle):
                 continue
-            notes.append(digits_note(value, terms) or unproved(value, ours[name], terms))
-        doubts = [note for note in notes if note != ROUNDED]
-        return Finding("undecided" if doubts else "equal", note=next(iter([*doubts, *notes]), ""))
+            note = digits_note(value, terms) or unproved(value, ours[name], terms)
+            if note != ROUNDED:
+                return Finding("undecided", note=note)
+            rounded = note
+        return Finding("equal", note=rounded)
 
     # -- by numbers -------------------------------------------------------------------------------
 

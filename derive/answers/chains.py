@@ -9,6 +9,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from derive.algebra.normal import normal
+from derive.answers.abbreviations import writable
 from derive.answers.latex import read_latex
 from derive.answers.letters import Letters
 from derive.answers.published import Published
@@ -30,7 +31,7 @@ def read_published(text: str, letters: Letters, whole: Callable[[Expr], Expr]) -
     definitions = _definitions(rest, letters)
     known = replace(letters, known=letters.known | set(definitions), own=letters.own | set(definitions))
     found = _chain(main, known, lambda part, names: Published(*read_latex(part, names)).each(whole))
-    return found.each(lambda tree: _written_out(tree, definitions, main.offset)) if definitions else found
+    return found.each(lambda tree: _written_out(tree, definitions)) if definitions else found
 
 
 def _chain(statement: Statement, letters: Letters, read: Read) -> Published:
@@ -103,10 +104,10 @@ def _same(meant: Expr | None, value: Expr) -> bool:
         return meant == value
 
 
-def _written_out(tree: Expr, definitions: dict[str, Expr], offset: int) -> Expr:
-    """With the names of the answer replaced. Raises FormulaError where they are defined in a circle."""
-    for _ in range(len(definitions) + 1):
-        if not free_symbols(tree) & set(definitions):
-            return tree
-        tree = replaced(tree, {Symbol(name): value for name, value in definitions.items()})
-    raise FormulaError("these definitions go round in a circle", offset)
+def _written_out(tree: Expr, definitions: dict[str, Expr]) -> Expr:
+    """With the names of the answer replaced. Raises FormulaError where that cannot be."""
+    writable([tree], definitions)
+    values: dict[Expr, Expr] = {Symbol(name): value for name, value in definitions.items()}
+    while free_symbols(tree) & set(definitions):
+        tree = replaced(tree, values)
+    return tree

@@ -8,10 +8,11 @@ from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from typing import Any
 
+from derive.answers.abbreviations import writable
 from derive.answers.letters import Letters
 from derive.answers.published import Published
 from derive.answers.reading import Reader, Route
-from derive.errors import Place, SheetError
+from derive.errors import FormulaError, Place, SheetError
 from derive.expression import Expr, Symbol
 from derive.expression import replace as replaced
 
@@ -55,9 +56,20 @@ class Solutions:
                 self.reader.faults.append(self._no_unknown(key, route))
             elif (read := reader.scalar(value, (*route, key))) is not None:
                 found[name] = read
-        loose = put_in({name: read.tree for name, read in found.items()}, self.names)
-        tight = put_in({name: read.tight or read.tree for name, read in found.items()}, self.names)
-        return (loose,) if tight == loose else (loose, tight)
+        loose = {name: read.tree for name, read in found.items()}
+        tight = {name: read.tight or read.tree for name, read in found.items()}
+        try:
+            several = [self._written_out(values) for values in (loose, tight)]
+        except FormulaError as error:
+            reader.fault(error.message, route)
+            return (loose,)
+        return tuple(several[: 1 + (tight != loose)])
+
+    def _written_out(self, solution: Solution) -> Solution:
+        own = {name: value for name, value in solution.items() if name not in self.names}
+        if own:
+            writable(solution.values(), own)
+        return put_in(solution, self.names)
 
     def _unknown(self, key: str) -> str:
         name = key if key in self.names else self.letters.find(key)

@@ -39,6 +39,16 @@ LETTERS = Letters(NAMES, xy=True, own=NAMES)
         (r"\begin{bmatrix} 1 & a_1 \\ \end{bmatrix}^T", "Matrix([[1], [a1]])"),
         (r"\begin{array}{cc} 1 & 2 \\[1ex] 3 & 4 \end{array}", "Matrix([[1, 2], [3, 4]])"),
         ("θ₁ + φ", "theta1 + phi"),
+        (r"a_1 k \quad \text{where } k = 2 h, \ h = a_2/L", "a1*2*a2/L"),
+        (r"\begin{align} J &= a_1 \\ &\quad + a_2. \end{align}", "a1 + a2"),
+        (r"\boxed{J := a_1} \tag{3} \label{eq:J}", "a1"),
+        (r"a_1 s_{12} = 0", "a1*sin(theta1 + theta2)"),
+        ("a_1 + % first\n a_2 % second", "a1 + a2"),
+        (r"{a_1 \over 2} + \frac{d\theta_1}{\mathrm{d}t}", "a1/2 + theta1_dot"),
+        (r"\left[a_1,\ a_2\right]^\top", "Matrix([[a1], [a2]])"),
+        (r"\operatorname{atan}_{2}{\left(a_{1},a_{2} \right)}", "atan2(a2, a1)"),
+        (r"s\varphi C\theta_1", "sin(phi)*cos(theta1)"),
+        (r"a_1 \in \mathbb{R}, \quad (2.3a)", "a1"),
     ],
 )
 def test_it_is_read(typed: str, meant: str) -> None:
@@ -58,13 +68,35 @@ def test_it_is_read(typed: str, meant: str) -> None:
         "(a_1 + a_2 + L + m + g)^{60}", "9" * 50 + "\\,", "a_1 \\",
         "\\begin{bmatrix} \\begin{bmatrix} 1 \\end{bmatrix} \\end{bmatrix}",
         "__import__('os')", "lambda: 1", "\\input{/etc/passwd}", "\\def\\a{1}", "1/0",
-        "\\frac10",
+        "\\frac10", "a_1 (2)", r"a_1, \quad a_2", r"a_1 \quad \det J = a_2", r"a_1, \quad a_2 = 2",
+        "a_1 % + a_2",
+        r"a_1 \neq 0", r"a_1 k, \quad k = 2 k", r"\theta_1(t)", "a_1 & a_2", r"a_1 \text{ in metres}",
+        "a_1 k_0, " + ", ".join(f"k_{{{i}}} = k_{{{i + 1}}}^2 k_{{{i + 1}}}" for i in range(40)),
     ],
 )  # fmt: skip
 def test_nonsense_is_a_fault(typed: str) -> None:
     with pytest.raises(FormulaError) as caught:
         read_text(typed, LETTERS)
     assert 0 <= caught.value.offset <= len(typed)
+
+
+def test_a_quotient_has_both_its_readings() -> None:
+    for typed in ("a_1/L g", r"a_1 / L\,g", "a1/L g"):
+        read = read_text(typed, LETTERS)
+        assert read.tight is not None
+        assert (text(read.tree), text(read.tight)) == ("a1/L*g", "a1/(L*g)")
+    assert read_text(r"1/2 m g", LETTERS).tight is None
+
+
+def test_a_chain_has_all_its_parts() -> None:
+    read = read_text("J = a_1 + a_2 = L = g", LETTERS)
+    assert text(read.tree) == "g"
+    assert [text(part.tree) for part in read.chain] == ["a1 + a2", "L"]
+
+
+def test_the_names_of_a_derivation_do_not_hide_sines() -> None:
+    letters = Letters(NAMES | {"S_2", "c_112", "c_12"}, own=NAMES)
+    assert text(read_text("S_2 c_12 c_{112}", letters).tree) == "sin(theta2)*cos(theta1 + theta2)*c_112"
 
 
 def test_did_you_mean() -> None:
