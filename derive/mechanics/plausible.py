@@ -33,7 +33,7 @@ def impossible_inertia(body: Body, names: Names, positive: Collection[str] = ())
     if (broken := _broken_triangle(inertia, positive)) is not None:
         return broken
     numbers = all(entry.constant is not None for entry in inertia.entries)
-    if numbers and any(sign_of(minor) == -1 for minor in _minors(_second_moments(inertia))):
+    if numbers and any(sign_of(minor) == -1 for minor in principal_minors(_second_moments(inertia))):
         return f"its principal moments{_principal(inertia)} are not the sides of a triangle"
     if inertia and not normal(body.mass, names):
         return "it has moments of inertia but no mass"
@@ -67,7 +67,7 @@ def _broken_triangle(inertia: ScalarMatrix, positive: Collection[str]) -> str | 
     return None
 
 
-def _minors(matrix: ScalarMatrix) -> Iterator[Scalar]:
+def principal_minors(matrix: ScalarMatrix) -> Iterator[Scalar]:
     """The principal minors of a 3 by 3 matrix, none of them negative where it is positive semidefinite."""
     for size in (1, 2, 3):
         for kept in combinations(range(3), size):

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal, TypeAlias
 
 from pydantic import Discriminator, Field, Tag
 
-from derive.expression import ONE, ZERO
+from derive.expression import ONE, ZERO, Expr
 from derive.kinds.fields import (
     Angle,
     InertiaMoment,
@@ -62,6 +62,8 @@ class SphereShape(OptionsModel):
 
 
 def _inertia_form(value: Any) -> str | None:
+    if isinstance(value, list) and value and isinstance(value[0], list):
+        return "=matrix"
     if isinstance(value, list):
         return "=six" if len(value) > 3 else "=three"
     if isinstance(value, dict):
@@ -76,9 +78,11 @@ def _com_form(value: Any) -> str | None:
 
 
 M: TypeAlias = InertiaMoment
+Row: TypeAlias = tuple[M, M, M]
 InertiaField: TypeAlias = Annotated[
     Annotated[tuple[M, M, M], Tag("=three")]
     | Annotated[tuple[M, M, M, M, M, M], Tag("=six")]
+    | Annotated[tuple[Row, Row, Row], Tag("=matrix")]
     | Annotated[BoxShape, Tag("=box")]
     | Annotated[RodShape, Tag("=rod")]
     | Annotated[CylinderShape, Tag("=cylinder")]
@@ -87,7 +91,7 @@ InertiaField: TypeAlias = Annotated[
     Discriminator(
         _inertia_form,
         custom_error_type=NO_FORM,
-        custom_error_message="an inertia is point, [Ixx, Iyy, Izz] or a shape such as {rod: L, axis: x}",
+        custom_error_message="an inertia is point, [Ixx, Iyy, Izz], a matrix or a shape as {rod: L, axis: x}",
     ),
 ]
 ComField: TypeAlias = Annotated[
@@ -179,6 +183,14 @@ def body(given: Carried) -> Body | None:
     return Body(given.mass, given.com, _inertia(given.inertia), given.about)
 
 
+def whole_matrix(given: Carried) -> tuple[tuple[Expr, Expr, Expr], ...]:
+    """The rows of an inertia that is given as a matrix; none of any other."""
+    match given.inertia:
+        case ((_, _, _), (_, _, _), (_, _, _)) as rows:
+            return rows
+    return ()
+
+
 def motor(given: Carried) -> Motor | None:
     return Motor(given.motor.inertia, given.motor.ratio) if given.motor else None
 
@@ -197,6 +209,8 @@ def _inertia(given: InertiaField) -> Inertia:
             return Cylinder(section.radius, section.length, axis)
         case SphereShape(sphere=radius):
             return Sphere(radius)
+        case ((ixx, ixy, ixz), (_, iyy, iyz), (_, _, izz)):
+            return Moments((ixx, iyy, izz, ixy, iyz, ixz))
         case (ixx, iyy, izz):
             return Moments((ixx, iyy, izz, ZERO, ZERO, ZERO))
         case (ixx, iyy, izz, ixy, iyz, ixz):

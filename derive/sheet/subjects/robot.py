@@ -15,6 +15,7 @@ from derive.kinds.fields import Acceleration, OptionsModel, Starred
 from derive.mechanics.robot import DHRow, FreeRow, JointType, Link, Robot, Row
 from derive.sheet.body_faults import body_faults, body_warnings
 from derive.sheet.coupled import coupling_faults, coupling_warnings, opened
+from derive.sheet.inertia_matrices import matrix_faults
 from derive.sheet.source import At, Route
 from derive.sheet.subjects.link import (
     BODY_KEYS,
@@ -59,6 +60,7 @@ def build(given: Given, at: At, known: Known) -> Robot:
     base, tool = (tuple(move(entry) for entry in moves) for moves in (given.base, given.tool))
     robot = opened(Robot(given.name, given.convention, links, base, tool, given.gravity), known.where)
     faults += [*_mixed(given, at), *body_faults(robot, at, known), *coupling_faults(robot, at)]
+    faults += matrix_faults(given.links, at, known)
     if not faults and given.home is not None:
         robot = replace(robot, home=home_pose(given.home, at / "home", known))
         faults += coupling_faults(robot, at)
