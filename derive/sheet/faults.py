@@ -136,7 +136,7 @@ class _Entry:
         for step in self.location:
             value = self.at.value(route)
             if isinstance(value, dict):
-                inside = step in value and not str(step).startswith("=")
+                inside = step in value
             else:
                 inside = isinstance(value, list) and isinstance(step, int) and step < len(value)
             if inside:

@@ -55,7 +55,8 @@ def _evaluate_form(value: Any) -> str:
 
 
 Evaluate: TypeAlias = Annotated[
-    Annotated[dict[Name, Quantity], Tag("=point")] | Annotated[Literal["true"], Tag("=true")],
+    Annotated[dict[Name, Quantity], Field(max_length=500), Tag("=point")]
+    | Annotated[Literal["true"], Tag("=true")],
     Discriminator(_evaluate_form),
 ]
 
