@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +23,7 @@ from derive.sheet.model import Problem, Question, Sheet
 from derive.sheet.source import At
 from derive.writing import Progress, render, write
 
+MISSPELT = 0.85  # how like a name another is that was meant: theta2 of thetha2, but not of theta3
 ODD = re.compile(r"[^\w.-]+")
 NAMESAKES = "rename one, or build them into different folders with --output"
 Warn = Callable[[SheetError], None]
@@ -46,7 +48,7 @@ def build(
     sheets = load_all(paths, progress)
     for warning in (found for sheet in sheets for found in sheet.warnings):
         warn(warning)
-    documents = derive_all(sheets, not problems, progress)
+    documents = derive_all(sheets, not problems, progress, warn)
     if output is None:
         return tuple(render(document, kind) for document in documents for kind in formats)
     return write(sheets, documents, formats, output, pdf_engine, progress)
@@ -67,11 +69,13 @@ def load_all(paths: Sequence[Path], progress: Progress) -> list[Sheet]:
     return each(paths, load_sheet, lambda path: progress(f"reading {path.name}"))
 
 
-def derive_all(sheets: Sequence[Sheet], solutions: bool, progress: Progress) -> list[Document]:
+def derive_all(
+    sheets: Sequence[Sheet], solutions: bool, progress: Progress, warn: Warn = lambda _: None
+) -> list[Document]:
     """A document for every sheet, each answer derived and verified. Raises SheetErrors."""
     return each(
         sheets,
-        lambda sheet: assemble(sheet, solutions),
+        lambda sheet: assemble(sheet, solutions, warn),
         lambda sheet: progress(f"deriving {sheet.path.stem}"),
     )
 
@@ -91,10 +95,12 @@ def each(items: Sequence[Any], work: Callable[[Any], Any], say: Callable[[Any], 
     return done
 
 
-def assemble(sheet: Sheet, solutions: bool = True) -> Document:
+def assemble(sheet: Sheet, solutions: bool = True, warn: Warn = lambda _: None) -> Document:
     """The sheet with its answers, ready to be printed. Raises SheetErrors where there is no answer."""
     folder = _folder_name(_name(sheet, solutions))
-    pages = each(sheet.problems, lambda problem: _page(sheet, problem, folder, solutions), lambda _: None)
+    pages = each(
+        sheet.problems, lambda problem: _page(sheet, problem, folder, solutions, warn), lambda _: None
+    )
     return Document(
         title=sheet.title,
         problems=tuple(pages),
@@ -115,11 +121,14 @@ def working_on(problem: Problem) -> Working:
     return Working(problem.subject_name, problem.subject, problem.where, problem.assumptions, questions=here)
 
 
-def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool) -> ProblemPage:
+def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool, warn: Warn) -> ProblemPage:
     working = working_on(problem)
     answers = each(problem.questions, lambda question: answered(question, working), lambda _: None)
-    if strange := [*_strange_names(problem, working, answers)]:
-        raise SheetErrors(strange)
+    strange = list(_strange_names(problem, working, answers))
+    if misspelt := [found for found in strange if found.hint]:
+        raise SheetErrors(misspelt)
+    for needless in strange:
+        warn(needless)
     places = max(getattr(part, "rounded", 0) for part in parts(problem.subject))
     if places:
         answers = list(map(InDecimals(), answers))
@@ -136,7 +145,7 @@ def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool) -> Probl
 
 
 def _strange_names(problem: Problem, working: Working, answers: list[Derivation]) -> Iterator[SheetError]:
-    """Values under `evaluate` for what stands nowhere in the problem."""
+    """Values under `evaluate` for what stands nowhere in the problem; with a hint where a name is misspelt."""
     from derive.kinds.point_names import point_names
 
     if not any(question.evaluate for question in problem.questions):
@@ -147,7 +156,16 @@ def _strange_names(problem: Problem, working: Working, answers: list[Derivation]
             place = question.place
             if question.answer_at:
                 place = At(question.answer_at.source, question.answer_at.route[:-1]).key(("evaluate", name))
-            yield SheetError(f"'{name}' stands nowhere in this problem", place, did_you_mean(name, names))
+            hint = did_you_mean(name, names) if _misspelt(name, names) else ""
+            yield SheetError(f"'{name}' stands nowhere in this problem", place, hint)
+
+
+def _misspelt(name: str, names: Collection[str]) -> bool:
+    """Whether one of the names was meant: q1 of q_1, theta2 of thetha2."""
+    plain = name.replace("_", "")
+    return any(each.replace("_", "") == plain for each in names) or bool(
+        get_close_matches(name, names, n=1, cutoff=MISSPELT)
+    )
 
 
 def _figure(problem: Problem, working: Working, folder: str) -> tuple[str | None, Figure | None]:
