@@ -13,7 +13,18 @@ from derive.algebra.numeric import matrix_numbers
 from derive.algebra.scalar import Scalar
 from derive.derivation import Branch, Claim, Derivation, Result, Step
 from derive.errors import NotDerivable
-from derive.expression import Call, Expr, Indexed, Matrix, Product, Symbol, column, multiply, number
+from derive.expression import (
+    Call,
+    Expr,
+    Indexed,
+    Matrix,
+    Product,
+    Symbol,
+    column,
+    free_symbols,
+    multiply,
+    number,
+)
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import Name, OptionsModel
 from derive.kinds.pose.euler_angles import DEFAULTS, known_convention
@@ -90,7 +101,8 @@ def _of_motion(subject: Any, convention: Convention) -> tuple[str, str, str] | N
         return None
     axes = tuple(move.axis for move in subject.moves)
     about = {move.about for move in subject.moves[1:]}
-    names = [move.by.name for move in subject.moves if move.kind == "rotate" and isinstance(move.by, Symbol)]
+    turns = [move.by for move in subject.moves if move.kind == "rotate"]
+    names = [angle.name for angle in turns if isinstance(angle, Symbol) and free_symbols(angle)]  # pi is none
     if axes != convention.axes or about != {convention.about} or len(set(names)) < 3:
         return None
     return names[0], names[1], names[2]
