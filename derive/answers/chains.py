@@ -20,7 +20,7 @@ from derive.errors import FormulaError, NotDerivable
 from derive.expression import ZERO, Expr, Matrix, Symbol, free_symbols
 from derive.expression import replace as replaced
 
-UNREAD = "of its chain of equations only what is in the symbols of the problem"
+UNREAD = "a part of its chain of equations was not read"
 ALONE = "write one answer here; another result stands under its own name in answer:"
 Read = Callable[[Tokens, Letters], Published]
 
@@ -83,7 +83,9 @@ def _definitions(rest: list[Statement], letters: Letters) -> dict[str, Expr]:
         if name in new:
             found[name] = value
         elif not _same(_meant(name, letters), value):
-            raise FormulaError(f"'{name}' is something else in this problem", statement.offset, ALONE)
+            raise FormulaError(
+                f"'{name}' is a name of this problem and stands for itself", statement.offset, ALONE
+            )
     return found
 
 

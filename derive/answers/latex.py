@@ -41,8 +41,8 @@ TRANSPOSED = ("T", "top", "intercal", "t")
 NO_FACTORS = frozenset(("end", "rvert", "circ", "degree", "cdot", "times", "div", "pm", "mp", "over"))
 FRACTIONS = ("frac", "dfrac", "tfrac", "cfrac")
 RELATIONS = frozenset(
-    {"ne", "neq", "le", "leq", "ge", "geq", "lt", "gt", "to", "Rightarrow", "implies", "iff"}
-    | {"Leftrightarrow", "therefore", "propto", "forall", "dots", "ldots", "cdots", "vdots", "ddots"}
+    {"ne", "neq", "le", "leq", "ge", "geq", "lt", "gt", "to"}
+    | {"propto", "forall", "dots", "ldots", "cdots", "vdots", "ddots"}
 )
 
 

@@ -7,7 +7,7 @@ from abc import abstractmethod
 from derive.algebra.quantities import Quantity, called
 from derive.answers.cursor import Cursor
 from derive.answers.letters import GREEK_NAMES, TRIG, squeeze
-from derive.answers.scripts import Scripted, scripted
+from derive.answers.scripts import Scripted, group_text, scripted
 from derive.answers.tokens import Kind, Token
 from derive.errors import FormulaError
 from derive.expression import Call, Expr, Sum, Symbol, negate
@@ -51,12 +51,15 @@ class NameReader(Cursor):
     def split(self, token: Token) -> list[Token]:
         """The names in a word: the whole of it, or from the left the longest the problem knows."""
         subscript = self.tokens[self.at + 1].text == "_"
+        script = group_text(self.tokens, self.at + 2) if subscript else ""
         whole = token.text
         if self.letters.find(whole) or (self.letters.abbreviated(whole) and not subscript):
             return [token]
         pieces: list[Token] = []
         at = 0
         while at < len(whole):
+            if script and self.letters.find(f"{whole[at:]}_{script}"):  # the ZZ_1 of m ZZ_1
+                return [*pieces, Token("word", whole[at:], token.offset + at, token.end)]
             end = next(
                 (stop for stop in range(len(whole), at, -1) if self.letters.find(whole[at:stop])), at + 1
             )

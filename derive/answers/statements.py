@@ -26,6 +26,7 @@ EQUALS = ("equiv", "coloneqq", "coloneq", "triangleq", "approx", "simeq", "doteq
 STACKED = ("stackrel", "overset", "underset")
 TEXTS = ("text", "textrm", "textnormal", "mbox", "mathrm")
 JOINING = ("where", "with", "and", "wherein", "here", "for", "")
+LEADS = ("Rightarrow", "Longrightarrow", "implies", "iff", "Leftrightarrow", "therefore")
 OPENS, CLOSES = ("(", "[", "{"), (")", "]", "}")
 SIGNS = ("+", "-", "*", "/", "=", "^", "_", "&")
 
@@ -138,7 +139,9 @@ def _pieces(found: Tokens) -> list[Tokens]:
         if depth == 0 and token.kind == "row":
             if not _goes_on(found[k + 1 :]):
                 pieces.append([])
-        elif depth == 0 and (token.kind == "gap" or (token.kind == "sign" and token.text in (",", ";", "."))):
+        elif (depth == 0 and token.kind == "command" and token.text in LEADS) or (
+            depth == 0 and (token.kind == "gap" or (token.kind == "sign" and token.text in (",", ";", ".")))
+        ):
             pieces.append([])
         elif depth or token.text != "&":
             pieces[-1].append(token)
