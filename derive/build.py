@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from derive.derivation import Claim, Derivation, Figure
-from derive.errors import NotDerivable, SheetError, SheetErrors
+from derive.errors import NotDerivable, Place, SheetError, SheetErrors
 from derive.kinds.measured import InDecimals
 from derive.kinds.problem import Problem as Working
 from derive.kinds.problem import parts
@@ -145,7 +145,7 @@ def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool, warn: Wa
 
 
 def _strange_names(problem: Problem, working: Working, answers: list[Derivation]) -> Iterator[SheetError]:
-    """Values under `evaluate` for what stands nowhere in the problem; with a hint where a name is misspelt."""
+    """Values under `evaluate` for what stands nowhere in the problem; with a hint where one is misspelt."""
     from derive.kinds.point_names import point_names
 
     if not any(question.evaluate for question in problem.questions):
@@ -156,7 +156,8 @@ def _strange_names(problem: Problem, working: Working, answers: list[Derivation]
             place = question.place
             if question.answer_at:
                 place = At(question.answer_at.source, question.answer_at.route[:-1]).key(("evaluate", name))
-            hint = did_you_mean(name, names) if _misspelt(name, names) else ""
+            close = (*sorted(working.symbols), *sorted(names))  # of equals the author's own
+            hint = did_you_mean(name, close) if _misspelt(name, names) else ""
             yield SheetError(f"'{name}' stands nowhere in this problem", place, hint)
 
 
@@ -216,7 +217,8 @@ def answered(question: Question, working: Working) -> Derivation:
     try:
         derivation = working.answer(question.find, question.options)
     except NotDerivable as error:
-        raise SheetErrors([SheetError(str(error), question.place)]) from error
+        place = _place_of(error.about, question, working)
+        raise SheetErrors([SheetError(str(error), place)]) from error
     except (OverflowError, ZeroDivisionError) as error:
         message = f"a number of this answer is too large, or divided by zero ({error})"
         raise SheetErrors([SheetError(message, question.place, "check the values of the sheet")]) from error
@@ -228,6 +230,17 @@ def answered(question: Question, working: Working) -> Derivation:
         message = f"the answer failed its own check: {failed.claim} (by {failed.by})"
         raise SheetErrors([SheetError(message, question.place, "please report this with the sheet")])
     return derivation
+
+
+def _place_of(about: str, question: Question, working: Working) -> Place:
+    """Where an option of a question stands, or a key of its subject; else the question itself."""
+    answer = question.answer_at
+    if about and answer is not None:
+        asked, problem = At(answer.source, answer.route[:-1]), At(answer.source, answer.route[:2])
+        for at in (asked, problem / working.name):
+            if at.value((about,)) is not None:
+                return at.key((about,))
+    return question.place
 
 
 def _claims(derivation: Derivation) -> Iterator[Claim]:

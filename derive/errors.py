@@ -57,7 +57,12 @@ class FormulaError(ValueError):
 
 
 class NotDerivable(Exception):
-    """What was asked has no answer this program can derive; the message says why."""
+    """What was asked has no answer this program can derive; the message says why. `about` is the option, or
+    the key of the subject, that it is about, where there is one."""
+
+    def __init__(self, message: str = "", about: str = "") -> None:
+        super().__init__(message)
+        self.about = about
 
 
 class NotReal(NotDerivable, ValueError):

@@ -58,7 +58,7 @@ def solve(system: System, source: Symbol | None = None, decimals: bool = False) 
     inputs = [system.input, *filter(None, (system.disturbance,))]
     if source not in inputs:
         names = " and ".join(signal.name for signal in inputs)
-        raise NotDerivable(f"{source.name} is no input of the system: its inputs are {names}")
+        raise NotDerivable(f"{source.name} is no input of the system: its inputs are {names}", "from")
     zero = tuple(signal for signal in inputs if signal != source)
     found = signals(system)
     _count(system, unknowns(system, found))
@@ -87,7 +87,8 @@ def _count(system: System, unknown: tuple[Symbol, ...]) -> None:
     if len(system.equations) != len(unknown):
         names = ", ".join(signal.name for signal in unknown)
         raise NotDerivable(
-            f"{len(system.equations)} equation(s) for {len(unknown)} unknown signal(s) ({names})"
+            f"{len(system.equations)} equation(s) for {len(unknown)} unknown signal(s) ({names})",
+            "equations",
         )
 
 
@@ -128,7 +129,7 @@ class _Elimination:
         able = [place for place in self.left if self.open_in(place)]
         if not able:
             names = ", ".join(signal.name for signal in self.unknown)
-            raise NotDerivable(f"the equations do not determine {names}")
+            raise NotDerivable(f"the equations do not determine {names}", "equations")
         return min(able, key=lambda k: (len(self.open_in(k)), self.source in self.forms[k], -k))
 
     def open_in(self, place: int) -> list[Symbol]:
@@ -181,7 +182,9 @@ class _Elimination:
         (place,) = self.left
         form = self.put_in(self.forms[place])
         if output not in form:
-            raise NotDerivable(f"the equations do not determine {output.name} from {source.name}")
+            raise NotDerivable(
+                f"the equations do not determine {output.name} from {source.name}", "equations"
+            )
         if source not in form:
             chain: tuple[Expr, ...] = (tree(form, self.decimals), ZERO)
             return Elimination(output, place, chain, (), False), Ratio(Ratio().scale * 0)

@@ -46,7 +46,9 @@ def signals(system: System) -> tuple[Symbol, ...]:
     terms = sorted({term for equation in system.equations for term in _terms(equation)}, key=_difficulty)
     readings = list(_first(_readings(start, tuple(terms))))
     if not readings:
-        raise NotDerivable("the equations are not linear in signals: each term needs exactly one of them")
+        raise NotDerivable(
+            "the equations are not linear in signals: each term needs exactly one of them", "equations"
+        )
     best = min(readings, key=lambda reading: _doubt(reading, system))
     names = dict.fromkeys(name for equation in system.equations for name in _in_order(equation))
     return tuple(Symbol(name) for name in names if name in best.signals)

@@ -103,7 +103,7 @@ def _state(options: Options, system: LagrangianSystem, inputs: tuple[str, ...]) 
     given = dict(options.at or ())
     if unknown := given.keys() - set(system.coordinates) - set(inputs):
         names = ", ".join((*system.coordinates, *inputs))
-        raise NotDerivable(f"{min(unknown)} under at: is neither a coordinate nor an input ({names})")
+        raise NotDerivable(f"{min(unknown)} under at: is neither a coordinate nor an input ({names})", "at")
     rest: dict[Expr, Expr] = {Symbol(name): ZERO for name in (*inputs, *system.rates, *system.accelerations)}
     return {**rest, **{Symbol(name): value for name, value in given.items()}}
 
@@ -115,7 +115,8 @@ def _require_rest(model: Model, at: Mapping[Expr, Expr]) -> None:
             written = text(model.problem.readable(left))
             raise NotDerivable(
                 f"this is no state of rest: the equation of {q} leaves {written}, which is not zero; "
-                "give the coordinates, or an input that holds the system, under at:"
+                "give the coordinates, or an input that holds the system, under at:",
+                "at",
             )
 
 

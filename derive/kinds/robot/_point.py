@@ -56,7 +56,9 @@ def tracked(problem: Problem, chain: Chain, point: PointOn | None) -> Tracked:
     at = (ZERO, ZERO, ZERO) if point is None else point.at
     frame = rows if point is None else next((n for n in (point.link, point.frame) if n is not None), rows)
     if frame > rows:
-        raise NotDerivable(f"the point is on link {frame}, but the arm has {rows} row{'s' * (rows != 1)}")
+        raise NotDerivable(
+            f"the point is on link {frame}, but the arm has {rows} row{'s' * (rows != 1)}", "point"
+        )
     if any(part != ZERO for part in at):
         return _offset(problem, chain, frame, at)
     whole = point is None and problem.subject.ends_in_tool

@@ -111,7 +111,9 @@ def _task(options: Options, problem: Problem) -> Task:
     rows = next((each for each in choices if len(each) == size), None)
     if rows is None:
         wanted = " or ".join(str(len(each)) for each in choices)
-        raise NotDerivable(f"a target of {size} coordinates, but the end-effector has {wanted} to be given")
+        raise NotDerivable(
+            f"a target of {size} coordinates, but the end-effector has {wanted} to be given", "target"
+        )
     return task_of(problem, rows)
 
 
@@ -121,11 +123,12 @@ def _numbers(task: Task, options: Options, problem: Problem) -> dict[str, float]
     unknown = sorted(set(dict(options.start)) - set(task.found.variables))
     if unknown:
         raise NotDerivable(
-            f"'{unknown[0]}' under start is no joint variable; they are {_listed(task.found.variables)}"
+            f"'{unknown[0]}' under start is no joint variable; they are {_listed(task.found.variables)}",
+            "start",
         )
     missing = [name for name in task.found.variables if name not in start]
     if missing:
-        raise NotDerivable(f"start gives no value to {_listed(missing)}")
+        raise NotDerivable(f"start gives no value to {_listed(missing)}", "start")
     here = dict(oracle_of(problem).at(start))
     open_names = sorted(problem.symbols - set(here))
     if open_names and _needed(task, open_names):
@@ -149,7 +152,7 @@ def _value(tree: Expr, here: dict[str, float]) -> float:
     try:
         return value_of(tree, here)
     except KeyError as error:
-        raise NotDerivable(f"no value is known for {error.args[0]} in the target") from error
+        raise NotDerivable(f"no value is known for {error.args[0]} in the target", "target") from error
 
 
 def _arm(task: Task, here: dict[str, float]) -> Pose:

@@ -81,7 +81,7 @@ def task_of(problem: Problem, rows: tuple[str, ...], point: PointOn | None = Non
     if not found.variables:
         raise NotDerivable("the arm has no joint variable, so it has no Jacobian")
     if len(set(rows)) < len(rows):
-        raise NotDerivable("a row is given twice")
+        raise NotDerivable("a row is given twice", "rows")
     where = tracked(problem, found, point)
     J = where.jacobian(found)
     chosen = rows or task_rows(J)
