@@ -48,13 +48,14 @@ class Branch:
 
     `short` has the values in terms of names found before them, with these names, in the order in which they
     are evaluated; it is what a result says where the values by themselves are long. `true_at` is False of a
-    branch that need not solve all that is asked.
+    branch that need not solve all that is asked. `facts` are plain values beside it in the results.
     """
 
     values: Mapping[str, Expr]
     when: str
     short: Mapping[str, Expr] = field(default_factory=dict)
     true_at: bool = True
+    facts: Mapping[str, Any] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)

@@ -133,11 +133,11 @@ def generator_numbers(value: Scalar, point: Point) -> list[float]:
     table: dict[str, float] = {}
     for name in home.symbols:
         if name in used:
-            table[name] = math.pi if name == "pi" else _symbol(name, point)
+            table[name] = math.pi if name == "pi" else symbol_number(name, point)
     for form in home.angles:
         c, s = f"cos({form})", f"sin({form})"
         if c in used or s in used:
-            angle = sum(float(n) * _atom(atom, point) for atom, n in form.parts)
+            angle = sum(float(n) * atom_number(atom, point) for atom, n in form.parts)
             table[c], table[s] = math.cos(angle), math.sin(angle)
     for root in reversed(home.roots):
         if root.name in used:
@@ -146,7 +146,7 @@ def generator_numbers(value: Scalar, point: Point) -> list[float]:
     return [table.get(name, 0.0) for name in home.names]
 
 
-def _symbol(name: str, point: Point) -> float:
+def symbol_number(name: str, point: Point) -> float:
     """A letter; or a function that the normal form keeps as it is, `exp(x)`. Raises KeyError."""
     if not isinstance(name, Opaque) or name in point:
         return point[name]
@@ -154,10 +154,10 @@ def _symbol(name: str, point: Point) -> float:
     return values[0] if name.function == ITSELF else float(FUNCTIONS[name.function](*values))
 
 
-def _atom(atom: str, point: Point) -> float:
+def atom_number(atom: str, point: Point) -> float:
     """pi, one radian, an angle, or a product of powers of symbols."""
     if isinstance(atom, Opaque):
-        return _symbol(atom, point)
+        return symbol_number(atom, point)
     value = {"pi": math.pi, "1": 1.0}.get(atom)
     if value is not None:
         return value

@@ -13,13 +13,15 @@ from typing import TypeAlias
 
 from derive.algebra.angles import Form
 from derive.algebra.factors import depends
-from derive.algebra.kernels import root
+from derive.algebra.kernels import absolute, root
 from derive.algebra.normal import Walk
+from derive.algebra.numeric import scalar_number
 from derive.algebra.operations import operations
 from derive.algebra.pairs import Pair
 from derive.algebra.pinned import pinned
-from derive.algebra.scalar import Scalar, trig
+from derive.algebra.scalar import Scalar, as_fraction, trig
 from derive.expression import (
+    MINUS_ONE,
     PI,
     ZERO,
     Call,
@@ -30,6 +32,7 @@ from derive.expression import (
     Symbol,
     add,
     atan2,
+    is_negative,
     multiply,
     negate,
     number,
@@ -38,7 +41,9 @@ from derive.expression import (
 
 Write: TypeAlias = Callable[[Scalar], Expr]
 
+MOST_TERMS = 16  # of an equation whose value can be short enough
 LONGEST = 30  # operations of a value; nobody reads a longer one
+RIGHT = multiply(number("1/2"), PI)
 NOUGHT = (Scalar.of(1), Scalar.of(0))
 HALF_TURN = (Scalar.of(-1), Scalar.of(0))
 QUARTERS = ((Scalar.of(0), Scalar.of(1)), (Scalar.of(0), Scalar.of(-1)))
@@ -57,13 +62,40 @@ class Zero:
     condition: Expr | None = None
 
 
-def zeros(equation: Scalar, variables: tuple[str, ...], write: Write) -> tuple[Zero, ...]:
-    """All zeros by one variable; none where no sub-problem fits, or only with values too long to read.
-    `variables` in order of preference."""
+def zeros(
+    equation: Scalar, variables: tuple[str, ...], write: Write, by: str | None = None
+) -> tuple[Zero, ...] | None:
+    """All zeros by one variable, () where there is none; None where no sub-problem fits, or only with values
+    too long to read. `variables` in order of preference, or the one it has to be."""
+    if never_zero(equation, variables):
+        return ()
     held = [name for name in variables if equation.diff(name)]
-    found = [zero for name in held if (zero := _by(equation, name, held, write))]
-    best: tuple[Zero, ...] = min(found, key=_awkward, default=())
-    return best if all(operations(zero.value) <= LONGEST for zero in best) else ()
+    if not held:
+        return ()
+    ways = (_by(equation, name, held, write) for name in held if by in (None, name))
+    found = [way for way in ways if way is not None]
+    if not found:
+        return None
+    if not all(found):  # one of them is never real
+        return ()
+    best = min(found, key=_awkward)
+    return best if all(operations(zero.value) <= LONGEST for zero in best) else None
+
+
+def never_zero(equation: Scalar, variables: tuple[str, ...]) -> bool:
+    """Whether a number in it is larger than all its sines and cosines can make up for; or it is a sum of
+    squares one of which, of lengths alone, is not zero."""
+    home, terms = equation.ring, equation.numerator.to_dict()
+    moving = {place for place, name in enumerate(home.names) if home.letters(name) & set(variables)}
+    turning = {place for k in range(len(home.angles)) for place in home.pair_index(k)}
+    numbers = [as_fraction(k) for k in terms.values()]
+    even = not any(int(power) % 2 for powers in terms for power in powers)
+    if even and (all(k > 0 for k in numbers) or all(k < 0 for k in numbers)):
+        return any(not any(powers[place] for place in moving) for powers in terms)
+    if any(power and place not in turning for powers in terms for place, power in enumerate(powers)):
+        return False
+    alone = sum(abs(k) for powers, k in zip(terms, numbers, strict=True) if not any(powers))
+    return alone > sum(map(abs, numbers)) - alone
 
 
 def _awkward(zero: tuple[Zero, ...]) -> int:
@@ -72,29 +104,31 @@ def _awkward(zero: tuple[Zero, ...]) -> int:
     return order.index(zero[0].rule)
 
 
-def _by(equation: Scalar, name: str, held: list[str], write: Write) -> tuple[Zero, ...]:
+def _by(equation: Scalar, name: str, held: list[str], write: Write) -> tuple[Zero, ...] | None:
     if any(name in {atom for atom, _ in form.parts} for form in equation.ring.angles):
         return _angle(equation, name, held, write)
     return _slide(equation, name, write)
 
 
-def _slide(equation: Scalar, name: str, write: Write) -> tuple[Zero, ...]:
+def _slide(equation: Scalar, name: str, write: Write) -> tuple[Zero, ...] | None:
     """a q + d = 0."""
     a = equation.diff(name)
     if depends(a, (name,)) or not a:
-        return ()
+        return None
     value = -pinned(equation, name, Scalar.of(0)) / a
     return (Zero(name, write(value), value, "slide"),)
 
 
-def _angle(equation: Scalar, name: str, held: list[str], write: Write) -> tuple[Zero, ...]:
+def _angle(equation: Scalar, name: str, held: list[str], write: Write) -> tuple[Zero, ...] | None:
     """a c + b s + d = 0, in whichever form it is."""
     front, back, side = (pinned(equation, name, at) for at in (NOUGHT, HALF_TURN, QUARTERS[0]))
     a, d = (front - back) / 2, (front + back) / 2
     b = side - d
     c_s = pinned(equation, name, QUARTERS[1])
     if c_s != d - b or not _is_linear(equation, name, (a, b, d)):
-        return ()
+        return None
+    if sum(len(part.numerator) for part in (a, b, d)) > MOST_TERMS:
+        return None
     if d:
         return _with_constant(name, a, b, d, write)
     if not a:
@@ -160,25 +194,73 @@ def _opposite(expr: Expr) -> Expr:
     return add(*map(negate, expr.terms)) if isinstance(expr, Sum) else negate(expr)
 
 
-def _with_constant(name: str, a: Scalar, b: Scalar, d: Scalar, write: Write) -> tuple[Zero, ...]:
-    """a c + b s + d = 0 with d not zero."""
+def _with_constant(name: str, a: Scalar, b: Scalar, d: Scalar, write: Write) -> tuple[Zero, ...] | None:
+    """a c + b s + d = 0 with d not zero; () where no angle is real."""
     if not b and a == d:
         return (Zero(name, PI, HALF_TURN, "turn"),)
     if not b and a == -d:
         return (Zero(name, ZERO, NOUGHT, "turn"),)
+    if not a and b == d:
+        return (Zero(name, negate(RIGHT), QUARTERS[1], "turn"),)
+    if not a and b == -d:
+        return (Zero(name, RIGHT, QUARTERS[0], "turn"),)
     square = a * a + b * b
     inside = square - d * d
-    height = root(inside)
+    if (size := _number(inside)) is not None and size < 0:
+        return ()
+    values = zip((1, -1), _values(a, b, d, square, write), strict=True)
+    return tuple(
+        Zero(name, value, _triangle(a, b, d, square, sign * root(inside)), "triangle", write(inside))
+        for sign, value in values
+    )
+
+
+def _triangle(a: Scalar, b: Scalar, d: Scalar, square: Scalar, height: Scalar) -> Pair:
+    """(cosine, sine) of a value; an arc sine has a cosine above zero, an arc cosine a sine."""
+    if not a:
+        return -height / absolute(b), -d / b
+    if not b:
+        return -d / a, height / absolute(a)
+    return (-a * d - b * height) / square, (-b * d + a * height) / square
+
+
+def _values(a: Scalar, b: Scalar, d: Scalar, square: Scalar, write: Write) -> tuple[Expr, Expr]:
+    """The angle of (b, a) and the spread to both sides of it; an arc sine where there is no cosine."""
+    if not a:
+        first = _ratio("asin", -d, b, write)
+        return _plus(PI, negate(first)), first
+    if not b:
+        spread = _ratio("acos", -d, a, write)
+        return spread, negate(spread)
+    spread = Call("acos", (_over(write(-d), _length(square, write)),))
     middle = atan2(write(b), write(a))
-    spread = Call("acos", (Quotient(write(-d), sqrt(write(square))),))
-    found = []
-    for sign in (1, -1):
-        c, s = (-a * d - sign * b * height) / square, (-b * d + sign * a * height) / square
-        turn = multiply(number(sign), spread if b else _acos(-d / a, write))
-        value = add(middle, turn) if b else turn
-        found.append(Zero(name, value, (c, s), "triangle", write(inside)))
-    return tuple(found)
+    return add(middle, spread), add(middle, negate(spread))
 
 
-def _acos(cosine: Scalar, write: Write) -> Expr:
-    return Call("acos", (write(cosine),))
+def _ratio(function: str, top: Scalar, bottom: Scalar, write: Write) -> Expr:
+    whole = top / bottom
+    inside = write(whole) if whole.denominator is None else _over(write(top), write(bottom))
+    return Call(function, (inside,))
+
+
+def _over(top: Expr, bottom: Expr) -> Expr:
+    """The quotient, one sign in front."""
+    terms = top.terms if isinstance(top, Sum) else (top,)
+    if all(map(is_negative, terms)):
+        return Product((MINUS_ONE, Quotient(_opposite(top), bottom)))
+    return Quotient(top, bottom)
+
+
+def _length(square: Scalar, write: Write) -> Expr:
+    """Its root, lengths taken out of it where nothing else is left."""
+    length = root(square)
+    left = any(name.startswith("sqrt(") for name in length.generators())
+    return sqrt(write(square)) if left else write(length)
+
+
+def _number(value: Scalar) -> float | None:
+    """Where it holds no letters."""
+    try:
+        return scalar_number(value, {})
+    except (KeyError, ValueError):
+        return None

@@ -78,9 +78,9 @@ def plain(result: Result | Branch | tuple[Expr, ...] | dict[str, Any], matrix: b
             return [[plain(entry) for entry in row] for row in rows]
         case Matrix(rows):
             return [plain(entry) for (entry,) in rows]
-        case Branch(values, when, short, true_at):
+        case Branch(values, when, short, true_at, facts):
             shown = {name: plain(value) for name, value in (short or values).items()}
-            return {**shown, "when": when, **({} if true_at else {"true_at": False})}
+            return {**shown, "when": when, **({} if true_at else {"true_at": False}), **facts}
         case dict():
             return result
         case tuple():

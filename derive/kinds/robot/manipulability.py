@@ -34,8 +34,8 @@ from derive.kinds.robot._singular.determinants import determinant, gram_determin
 from derive.kinds.robot._singular.work import seen_from_middle
 from derive.kinds.robot._velocity.ellipsoids import at_point, decided
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
+from derive.mechanics.minors import minors
 from derive.mechanics.robot import Robot
-from derive.mechanics.singular import minors
 from derive.mechanics.zeros import zeros
 
 RESULTS = {
@@ -128,7 +128,8 @@ def _of_minors(task: Task) -> tuple[Factored, Expr, Expr]:
     values = [minor.value for minor in minors(J) if minor.value]
     if not values:
         raise NotDerivable(_zero(task))
-    whole = gram_determinant(problem, J, variables)
+    trees = (product_tree(problem, natural(problem, value, variables)) for value in values)
+    whole = gram_determinant(problem, values, trees)
     if sum(len(value.numerator) for value in values) > SHORT:
         return Factored(Scalar.of(1), ()), whole, sqrt(whole)
     det = natural(problem, sum((value * value for value in values), Scalar.of(0)), variables)
@@ -200,7 +201,7 @@ def _best(task: Task, det: Factored) -> tuple[tuple[Expr, Expr], ...]:
     if not task.square or len(variables) != 1 or len(det.factors) != 1 or det.factors[0][1] != 1:
         return ()
     factor = det.factors[0][0]
-    extremes = zeros(factor.diff(variables[0]), tuple(variables), task.problem.readable)
+    extremes = zeros(factor.diff(variables[0]), tuple(variables), task.problem.readable) or ()
     if not all(_flat(factor, variables[0]) for _ in extremes):
         return ()
     return tuple((Symbol(zero.variable), zero.value) for zero in extremes if zero.rule in ("sine", "cosine"))

@@ -2,22 +2,28 @@
 
 from __future__ import annotations
 
-from derive.derivation import Branch, Derivation, Result
+from derive.derivation import Derivation, Result
 from derive.kinds.checks import links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._singular.checks import checked
 from derive.kinds.robot._singular.facts import facts_of
-from derive.kinds.robot._singular.sets import analysed, branches
+from derive.kinds.robot._singular.saying import branches
+from derive.kinds.robot._singular.sets import Analysed, analysed
 from derive.kinds.robot._singular.work import Work, by_determinant, by_minors, by_wrist
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.robot import Robot
+from derive.mechanics.seen import easiest
+from derive.mechanics.singular import searching
+from derive.mechanics.strata import Strata
 from derive.mechanics.wrist import wrist_of
 
 RESULTS = {
     "det": "the determinant of J, factored; of J J^T or J^T J where J is not square",
-    "solutions": "each singular configuration: the joint variables it fixes, and what it looks like",
+    "solutions": "each set of singular configurations: the joint variables it fixes, what it looks like, and "
+    "the rank at every point of it that lies in no smaller set listed (rank_at_most where that is not known)",
+    "complete": "whether every singular configuration is in one of the sets",
 }
 EXAMPLE = """\
 title: Singularities
@@ -45,16 +51,34 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """
     task = task_of(problem, options.rows, options.point)
     work = _work(task, options)
-    sets = tuple(analysed(problem, part.block, found) for part in work.parts for found in part.sets)
+    sets = _analysed(task, work)
     claims = (*links(work.steps, {**problem.names, **work.definitions}), *work.laws, *checked(task, sets))
-    solutions = branches(problem, sets, work.point)
-    if not all(part.complete for part in work.parts):
-        solutions = (*solutions, Branch({}, "any other configuration where all minors vanish"))
-    results: dict[str, Result] = {"det": problem.final(work.det), "solutions": solutions}
+    results: dict[str, Result] = {
+        "det": problem.final(work.det),
+        "solutions": branches(problem, sets, work.point),
+        "complete": work.complete,
+    }
     return Derivation(
         "singularities", work.steps, results, claims, work.definitions,
         uses=work.uses, facts=facts_of(problem, work, sets),
     )  # fmt: skip
+
+
+def _analysed(task: Task, work: Work) -> tuple[Analysed, ...]:
+    """Every set with its rank, those inside others last."""
+    blocks = {id(place): part.block for part in work.parts for place in part.sets}
+    J = easiest(task.found, task.whole, task.rows, task.point.position)
+    search = Strata(J, searching(task.found, task.problem.readable))
+    found = search.below([place for part in work.parts for place in part.sets], min(J.shape))
+    inner = [
+        each for each in found if any(search.inclusion.strictly(each.locus, other.locus) for other in found)
+    ]
+    outer = [each for each in found if each not in inner]
+    made = [
+        analysed(task.problem, blocks.get(id(each.locus), work.parts[0].block), each, each in inner)
+        for each in (*outer, *inner)
+    ]
+    return tuple(each for each in made if each is not None)
 
 
 def _work(task: Task, options: Options) -> Work:

@@ -22,14 +22,14 @@ def checked(task: Task, sets: Iterable[Analysed]) -> Iterator[Claim]:
     regular = all(_rank(task.numbers(at)) == full for at in random_points(sorted(task.symbols), 3))
     yield Claim("J has full rank at configurations at random", SECOND_ROUTE, regular)
     for each in sets:
+        for zeros in each.places:
+            name = ", ".join(zero.variable for zero in zeros)
+            ranks = [_rank(task.numbers(here)) for here in each.block.seeing.places(zeros)]
+            claim = f"J has rank {each.rank} at the value of {name}"
+            yield Claim(claim, SECOND_ROUTE, all(rank == each.rank for rank in ranks))
         for case in each.cases:
-            places = each.block.seeing.places(case.zeros)
-            left = full - min(each.block.J.shape) + case.rank if case.J is not None else None
-            ranks = [_rank(task.numbers(here)) for here in places]
-            drops = all(rank < full and left in (None, rank) for rank in ranks)
-            name = ", ".join(zero.variable for zero in case.zeros)
-            yield Claim(f"J loses rank at the value of {name}", SECOND_ROUTE, drops)
             if case.J is not None:
+                name = ", ".join(zero.variable for zero in case.zeros)
                 claim = f"rank and null spaces at the value of {name}"
                 yield Claim(claim, SECOND_ROUTE, _spaces(task, each, case))
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Iterable, Sequence
+
 from derive.algebra.factors import Factored, factored
-from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.operations import operations
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.expression import (
@@ -22,7 +24,6 @@ from derive.expression import (
     squared,
 )
 from derive.kinds.problem import Problem
-from derive.mechanics.singular import minors
 
 LARGE = 100  # a coefficient that decimals were multiplied up to
 MOST_EXPANDED = 12  # terms of all minors
@@ -56,7 +57,7 @@ def product_tree(problem: Problem, det: Factored) -> Expr:
     front: list[Expr] = []
     sums: list[Expr] = []
     sign = 1
-    for factor, power in sorted(det.factors, key=lambda pair: len(pair[0].numerator)):
+    for factor, power in sorted(det.factors, key=_place):
         tree = problem.readable(factor)
         if mostly_negative(tree):
             tree, sign = opposite(tree), sign * (-1) ** power
@@ -66,6 +67,12 @@ def product_tree(problem: Problem, det: Factored) -> Expr:
         constant, sign = negate(constant), -sign
     tree = multiply(*_factors(constant), *(f for each in front for f in _factors(each)), *sums)
     return negate(tree) if sign < 0 else tree
+
+
+def _place(pair: tuple[Scalar, int]) -> tuple[int, bool]:
+    """Lengths before sines and cosines, sums last."""
+    factor, _ = pair
+    return len(factor.numerator), any("(" in name for name in factor.generators())
 
 
 def mostly_negative(tree: Expr) -> bool:
@@ -85,11 +92,13 @@ def _factors(tree: Expr) -> tuple[Expr, ...]:
     return tree.factors if isinstance(tree, Product) else (tree,)
 
 
-def gram_determinant(problem: Problem, J: ScalarMatrix, variables: tuple[str, ...]) -> Expr:
+def gram_determinant(problem: Problem, found: Sequence[Scalar], trees: Iterable[Expr]) -> Expr:
     """det(J J^T) or det(J^T J), whichever is smaller: the squares of the minors of full size (Cauchy and
-    Binet), or their sum multiplied out where it is much shorter."""
-    found = [minor.value for minor in minors(J) if minor.value]
-    squares = add(*(_square(product_tree(problem, natural(problem, value, variables))) for value in found))
+    Binet; `trees` as they are written), or their sum multiplied out where it is shorter."""
+    counted = Counter(map(_square, trees))
+    squares = add(
+        *(square if n == 1 else multiply(number(n), *_factors(square)) for square, n in counted.items())
+    )
     if sum(len(value.numerator) for value in found) > MOST_EXPANDED:
         return squares
     expanded = problem.readable(sum((value * value for value in found), Scalar.of(0)))

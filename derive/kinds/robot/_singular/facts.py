@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from math import prod
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.expression import ZERO, Expr, Product, Symbol, transpose
 from derive.kinds.problem import Problem
-from derive.kinds.robot._singular.determinants import mostly_negative, opposite
-from derive.kinds.robot._singular.sets import Analysed, Case, clauses, rooted, written
+from derive.kinds.robot._singular.saying import clauses
+from derive.kinds.robot._singular.sets import Analysed, Case, rooted, written
 from derive.kinds.robot._singular.work import Work
-
-WRIST = 3  # the rank of the other block, which is regular there
 
 
 def facts_of(problem: Problem, work: Work, sets: tuple[Analysed, ...]) -> dict[str, Any]:
-    """The way, and each set with its cases as plain values."""
+    """The way, and each set with its cases as plain values; `inner` are the sets inside others."""
     first = work.parts[0].block
     J, wide = Symbol(first.name), len(first.rows) < len(first.variables)
+    inner = tuple(each for each in sets if each.inner)
     return {
         "way": work.way,
         "rows": tuple(map(Symbol, first.rows)),
@@ -26,9 +27,12 @@ def facts_of(problem: Problem, work: Work, sets: tuple[Analysed, ...]) -> dict[s
         "rates": tuple(_rates(part.block.variables) for part in work.parts),
         "wide": wide,
         "gram": Product((J, transpose(J)) if wide else (transpose(J), J)),
-        "sets": tuple(_set(problem, work, each) for each in sets),
-        "none": not sets and all(part.complete for part in work.parts),
-        "complete": all(part.complete for part in work.parts),
+        "sets": tuple(_set(problem, work, each) for each in sets if not each.inner),
+        "inner": tuple(_inside(each) for each in inner),
+        "exact": all(each.exact for each in sets),
+        "graded": len({each.rank for each in sets}) > 1,
+        "none": not sets and work.complete,
+        "complete": work.complete,
     }
 
 
@@ -40,38 +44,63 @@ def _set(problem: Problem, work: Work, each: Analysed) -> dict[str, Any]:
     cases = tuple(_case(problem, work, each, case) for case in each.cases)
     alike = len(cases) == 2 and not cases[1]["known"] and cases[0]["looks"] == cases[1]["looks"]
     return {
-        "equations": tuple((_positive(equation), ZERO) for equation in each.equations),
+        **_inside(each),
         "cases": cases[:1] if alike else cases,
         "alike": alike,
         "angular": each.block.name == "J_22" or each.block.rows[0][0] == "w",
         "frame": each.block.frame,
-        "places": tuple(value for case in each.cases for value in case.values),
         "conditions": each.cases[0].conditions if each.cases else (),
     }
+
+
+def _inside(each: Analysed) -> dict[str, Any]:
+    """The equations and values of a set: `choices` for each variable where they are independent of each
+    other, `places` for each case where they are not."""
+    choices = _choices(each.cases)
+    free = prod(map(len, choices)) == len(each.cases)
+    return {
+        "equations": (*each.decided, *((equation, ZERO) for equation in each.equations)),
+        "choices": choices if free else (),
+        "places": () if free else tuple(case.values for case in each.cases),
+        "several": len(each.equations) > 1,
+        "told": any(case.J is not None for case in each.cases),
+        "rank": each.rank,
+        "exact": each.exact,
+    }
+
+
+def _choices(cases: Sequence[Case]) -> tuple[tuple[tuple[Expr, Expr], ...], ...]:
+    found: dict[Expr, dict[tuple[Expr, Expr], None]] = {}
+    for case in cases:
+        for pair in case.values:
+            found.setdefault(pair[0], {})[pair] = None
+    return tuple(tuple(pairs) for pairs in found.values())
 
 
 def _case(problem: Problem, work: Work, each: Analysed, case: Case) -> dict[str, Any]:
     shown = case.J is not None and not rooted(case.J)
     J = Symbol(each.block.name)
+    N, R, U = _letters(problem)
     return {
         "places": case.values,
         "looks": clauses(case, each.block, work.point),
         "known": case.J is not None,
         "block": J if each.block.name in ("J_11", "J_22") else None,
-        "whole": case.rank + WRIST,
         "rank": case.rank,
         "J": ((J, written(problem, case.J)),) if shown and case.J is not None else (),
-        "null": _basis(problem, "N", case.null),
-        "range": _basis(problem, "R", case.range if shown else ()),
-        "lost": _basis(problem, "U", case.lost),
+        "null": _basis(problem, N, case.null),
+        "range": _basis(problem, R, case.range if shown else ()),
+        "lost": _basis(problem, U, case.lost),
+        "letters": (N, R, U),
     }
 
 
-def _basis(problem: Problem, name: str, columns: tuple[ScalarMatrix, ...]) -> tuple[tuple[Expr, ...], ...]:
+def _letters(problem: Problem) -> tuple[Symbol, ...]:
+    """Names of the null space, the range and the lost directions that the sheet does not use itself."""
+    taken = problem.symbols | set(problem.where)
+    return tuple(Symbol(letter if letter not in taken else f"{letter}_J") for letter in ("N", "R", "U"))
+
+
+def _basis(problem: Problem, name: Symbol, columns: tuple[ScalarMatrix, ...]) -> tuple[tuple[Expr, ...], ...]:
     """One chain, the vectors of a basis side by side; nothing where there is none."""
-    return ((Symbol(name), written(problem, ScalarMatrix.beside(columns))),) if columns else ()
-
-
-def _positive(tree: Expr) -> Expr:
-    """An equation tree with the sign that reads better."""
-    return opposite(tree) if mostly_negative(tree) else tree
+    return ((name, written(problem, ScalarMatrix.beside(columns))),) if columns else ()

@@ -19,7 +19,7 @@ from derive.mechanics.chain import Chain
 from derive.mechanics.zeros import Zero
 
 TOLERANCE = 1e-7
-POINTS, TRIES = 3, 12
+POINTS, TRIES = 3, 60
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +74,15 @@ class Seeing:
         return tuple(
             look for look in seen[0] if look not in anywhere and all(look in other for other in seen[1:])
         )
+
+    @property
+    def has_wrist(self) -> bool:
+        """Whether the last three axes turn and the middle one is not parallel to those beside it."""
+        last = self.rows[-3:]
+        if len(last) < 3 or any(self.chain.joint(i).type != "revolute" for i in last):
+            return False
+        z, w = self.chain.axis(last[1]), self.chain.axis(last[2])
+        return bool(any(z.cross(w).entries))
 
     @property
     def somewhere(self) -> dict[str, float]:

@@ -1,26 +1,29 @@
-"""Each singular set analysed: the Jacobian there, its rank, what it no longer moves and what it no longer
-reaches."""
+"""Each singular set analysed: the rank of the Jacobian, and at its values the matrix itself, what it no
+longer moves and what it no longer reaches."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from derive.algebra.elimination import column_space, eliminated, null_space
+from derive.algebra.elimination import column_space, null_space
+from derive.algebra.elimination import rank as rank_of
 from derive.algebra.factors import TooLong
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.pinned import in_single_angles, pinned_matrix, rationalised
 from derive.algebra.ring import Root
-from derive.algebra.text import text
-from derive.derivation import Branch
 from derive.errors import NotDerivable
 from derive.expression import Expr, Matrix, Symbol
 from derive.kinds.problem import Problem
+from derive.kinds.robot._singular.determinants import mostly_negative, opposite
 from derive.kinds.robot._singular.geometry import Look, Seeing
-from derive.mechanics.singular import SingularSet
+from derive.kinds.robot._singular.values import decided, signed, values_of
+from derive.mechanics.strata import Stratum
 from derive.mechanics.zeros import Zero
 
 LONGEST_VECTOR = 12  # terms; a longer direction tells nobody anything
+MOST_SHOWN = 4  # choices of values with the Jacobian of each
+MOST_CHECKED = 4  # choices at which a rank is looked at in numbers
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,12 +41,12 @@ class Block:
 
 @dataclass(frozen=True, slots=True)
 class Case:
-    """One solution of a set: the values, how it looks, and the Jacobian there (None where it is too long
-    to be worth writing) with its rank, null space, range and lost directions (trees)."""
+    """One choice of values in a set: how it looks, and the Jacobian there (None where it is too long to be
+    worth writing) with its rank, null space, range and lost directions."""
 
     values: tuple[tuple[Expr, Expr], ...]
     zeros: tuple[Zero, ...]
-    looks: tuple[Look, ...]
+    looks: tuple[Look, ...] = ()
     J: ScalarMatrix | None = None
     rank: int = 0
     null: tuple[ScalarMatrix, ...] = ()
@@ -58,30 +61,53 @@ class Case:
 
 @dataclass(frozen=True, slots=True)
 class Analysed:
-    """A set with its cases; `equations` are written out."""
+    """A set: its equations written out and the values that are `decided`; the rank of the whole Jacobian (at
+    every point of it that lies in no set of lower rank, where `exact`, else at most that); and its choices of
+    values, `sampled` some of them where there are too many. `inner`: inside another set."""
 
     block: Block
     equations: tuple[Expr, ...]
+    decided: tuple[tuple[Expr, Expr], ...]
+    rank: int
+    exact: bool
     cases: tuple[Case, ...]
+    sampled: tuple[tuple[Zero, ...], ...]
+    inner: bool = False
 
     @property
-    def solved(self) -> bool:
-        return bool(self.cases)
+    def places(self) -> tuple[tuple[Zero, ...], ...]:
+        """Values at which the rank can be seen."""
+        return tuple(case.zeros for case in self.cases) or self.sampled
 
 
-def analysed(problem: Problem, block: Block, found: SingularSet) -> Analysed:
-    """Every case of a set; where its two solutions differ only in a direction, the Jacobian of the first."""
-    equations = tuple(map(problem.readable, found.equations))
-    once = any(zero.rule in ("direction", "triangle") for zero in found.zeros)
-    cases = [
-        _case(block, zeros, with_J=not (once and place)) for place, zeros in enumerate(found.cases)
-    ]  # fmt: skip
-    return Analysed(block, equations, tuple(cases))
+def analysed(problem: Problem, block: Block, found: Stratum, inner: bool) -> Analysed | None:
+    """A set with its choices of values; None where it turns out that none is real. Where two solutions of an
+    equation differ only in a direction, the Jacobian of the first."""
+    place = found.locus
+    values = values_of(place, block.seeing.chain.variables, problem.readable)
+    if not values and place.fixed and not place.left:
+        return None
+    known = decided(place, values)
+    steps = [each for each in (*place.fixed, *place.left) if each.variable not in {z.variable for z in known}]
+    equations = tuple(_positive(problem.readable(each.factor)) for each in steps) if not signed(place) else ()
+    told = not signed(place) and (inner or len(values) > MOST_SHOWN)
+    once = any(zero.rule in ("direction", "triangle") for each in values for zero in each)
+    cases = tuple(
+        _case(block, zeros, shown=not inner, with_J=not inner and not (once and k))
+        for k, zeros in enumerate(() if told else values)
+    )
+    pairs = tuple((Symbol(zero.variable), zero.value) for zero in known)
+    return Analysed(block, equations, pairs, found.rank, found.exact, cases, values[:MOST_CHECKED], inner)
 
 
-def _case(block: Block, zeros: tuple[Zero, ...], with_J: bool) -> Case:
+def _positive(tree: Expr) -> Expr:
+    """An equation tree with the sign that reads better."""
+    return opposite(tree) if mostly_negative(tree) else tree
+
+
+def _case(block: Block, zeros: tuple[Zero, ...], shown: bool, with_J: bool) -> Case:
     values = tuple((Symbol(zero.variable), zero.value) for zero in zeros)
-    case = Case(values, zeros, block.seeing.looks(zeros))
+    case = Case(values, zeros, block.seeing.looks(zeros) if shown else ())
     if not with_J:
         return case
     try:
@@ -99,7 +125,7 @@ def _with_spaces(block: Block, case: Case) -> Case:
         case.zeros,
         case.looks,
         J,
-        eliminated(J).rank,
+        rank_of(J),
         *(basis if all(map(_short, basis)) else () for basis in (null, spanned, lost)),
     )
 
@@ -128,68 +154,3 @@ def _turns(root: Root) -> bool:
 def written(problem: Problem, matrix: ScalarMatrix) -> Matrix:
     """A matrix that may hold roots of sums of angles."""
     return problem.readable_matrix(matrix.map(in_single_angles) if matrix.ring.roots else matrix)
-
-
-def branches(problem: Problem, found: Iterable[Analysed], point: str) -> tuple[Branch, ...]:
-    """The solutions for the results: the values of each case, and what it looks like."""
-    made = []
-    for each in found:
-        for case in each.cases:
-            values = {str(text(name)): problem.final(value) for name, value in case.values}
-            made.append(Branch(values, said(case, each.block, point) or _vanishing(each)))
-        if not each.cases:
-            made.append(Branch({}, _vanishing(each)))
-    return tuple(made)
-
-
-def _vanishing(each: Analysed) -> str:
-    if not each.equations:
-        return "all minors vanish"
-    return " and ".join(f"{text(equation)} = 0" for equation in each.equations)
-
-
-def said(case: Case, block: Block, point: str) -> str:
-    """How a case looks, in plain words."""
-    rows = block.seeing.rows
-    return "; ".join(dict.fromkeys(_spoken(look, point, rows) for look in _telling(case)))
-
-
-def _telling(case: Case) -> tuple[Look, ...]:
-    """What says most: axes in line before anything; the plane only by itself. Where several joint variables
-    are fixed, everything of that sort."""
-    looks, several = case.looks, len(case.zeros) > 1
-    for kinds in (("coincide",), ("stretched", "folded"), ("axis",), ("parallel",), ("plane",)):
-        if found := tuple(look for look in looks if look.kind in kinds):
-            return found if several or kinds == ("stretched", "folded") else found[-1:]
-    return ()
-
-
-def clauses(case: Case, block: Block, point: str) -> tuple[str, ...]:
-    """The same as sentences to go on with."""
-    rows = block.seeing.rows
-    return tuple(dict.fromkeys(_clause(look, point, rows) for look in _telling(case)))
-
-
-def _clause(look: Look, point: str, rows: tuple[int, ...]) -> str:
-    name, _, rest = _spoken(look, point, rows).rpartition(": ")
-    match look.kind:
-        case "stretched" | "folded":
-            return f"the elbow at joint {look.joints[-1]} is {look.kind}"
-        case _:
-            return f"{rest} (a {name} singularity)" if name else rest
-
-
-def _spoken(look: Look, point: str, rows: tuple[int, ...]) -> str:
-    """`rows` are the joints that move the point."""
-    first, last = look.joints[0], look.joints[-1]
-    of = point if not look.of else f"the point of axis {look.of}"
-    shoulder = "shoulder: " if first == rows[0] else ""
-    wrist = "wrist: " if look.joints == (rows[-1] - 2, rows[-1]) else ""
-    return {
-        "axis": f"{shoulder}{point} lies on the axis of joint {first}",
-        "plane": f"{shoulder}{of} lies in the plane of the axes of joints {first} and {last}",
-        "coincide": f"{wrist}the axes of joints {first} and {last} coincide",
-        "parallel": f"{wrist}the axes of joints {first} and {last} are parallel",
-        "stretched": f"elbow stretched at joint {last}",
-        "folded": f"elbow folded at joint {last}",
-    }[look.kind]

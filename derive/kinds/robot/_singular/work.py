@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from derive.algebra.factors import Factored
+from derive.algebra.factors import Factored, TooLong, effort
 from derive.algebra.matrix import ScalarMatrix
 from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
@@ -27,13 +27,18 @@ from derive.kinds.robot._singular.geometry import Seeing
 from derive.kinds.robot._singular.sets import Block
 from derive.kinds.robot._velocity.task import Task
 from derive.mechanics.jacobian import jacobian
+from derive.mechanics.minors import Budget, Minor, minors
 from derive.mechanics.poses import position_part, rotation_part
-from derive.mechanics.singular import MOST_MINORS, Minor, SingularSet, minors, of_determinant, of_minors
+from derive.mechanics.seen import seen_shortest
+from derive.mechanics.singular import of_determinant, of_minors, searching
+from derive.mechanics.vanishing import Locus
 from derive.mechanics.wrist import Wrist
 
-SIX, SHORT = 6, 4
-LINEAR, ANGULAR = {"vx", "vy", "vz"}, {"wx", "wy", "wz"}
-WHOLE = (LINEAR, ANGULAR, LINEAR | ANGULAR)
+SIX = 6
+MOST_MINORS = 60
+MOST_PRODUCTS = 300_000  # of terms, for the determinant or all minors
+MOST_TERMS = 400  # of one of them
+MOST_EFFORT = 100_000  # of taking them apart: a second or two
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,8 +46,7 @@ class Part:
     """A block and where it loses rank."""
 
     block: Block
-    sets: tuple[SingularSet, ...]
-    complete: bool = True  # False where there may be more of them
+    sets: tuple[Locus, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,6 +62,7 @@ class Work:
     definitions: dict[Expr, Expr]
     uses: tuple[Derivation, ...]
     laws: tuple[Claim, ...] = ()
+    complete: bool = True  # False where there may be more sets
 
 
 def by_determinant(task: Task) -> Work:
@@ -67,18 +72,23 @@ def by_determinant(task: Task) -> Work:
     frame = _middle(task) if six else 0
     J = _seen_from(task, frame) if six else task.J
     name = Symbol(f"J^{frame}" if six else "J")
-    det = natural(problem, J.det(), variables)
+    (whole,) = _minors(task, J)
+    det = natural(problem, whole.value, variables)
     _refuse_dependent(task, det.constant if not det.factors else None)
     tree = product_tree(problem, det)
     shown = problem.readable_matrix(J)
     chain = (determinant(name), *_two_by_two(shown), tree)
-    whole = Step("J", (name, shown), "frame" if six else "rows", {"frame": frame})
-    steps = (whole, _closed(problem, "det", chain))
+    first = Step("J", (name, shown), "frame" if six else "rows", {"frame": frame})
+    steps = (first, _closed(problem, "det", chain))
     block = Block(name.name, J, variables, task.rows, frame, _seeing(task))
     uses = (problem.ask("forward-kinematics"),) if six else (task.base,)
-    sets = of_determinant(det, variables, problem.readable)
-    laws = (law("the product of the factors is det J", det.value == J.det()),)
-    return Work("determinant", _moved(task), steps, tree, (Part(block, sets),), {name: shown}, uses, laws)
+    search = searching(task.found, problem.readable)
+    sets = of_determinant(det, search)
+    laws = (law("the product of the factors is det J", det.value == whole.value),)
+    return Work(
+        "determinant", _moved(task), steps, tree, (Part(block, sets),), {name: shown}, uses, laws,
+        not search.open,
+    )  # fmt: skip
 
 
 def by_wrist(task: Task, wrist: Wrist) -> Work:
@@ -93,6 +103,7 @@ def by_wrist(task: Task, wrist: Wrist) -> Work:
     )
     parts, trees, steps = [], [], [Step("center", (center, problem.readable_matrix(wrist.center)), "center")]
     dets = []
+    search = searching(found, problem.readable)
     for block in blocks:
         det = natural(problem, block.J.det(), block.variables)
         dets.append(det)
@@ -101,50 +112,67 @@ def by_wrist(task: Task, wrist: Wrist) -> Work:
         name = Symbol(block.name)
         steps.append(Step(block.name, (name, problem.readable_matrix(block.J)), "block"))
         steps.append(_closed(problem, f"det_{block.name}", (determinant(name), tree)))
-        parts.append(Part(block, of_determinant(det, block.variables, problem.readable)))
+        parts.append(Part(block, of_determinant(det, search)))
         trees.append(tree)
     whole = Factored(dets[0].constant * dets[1].constant, (*dets[0].factors, *dets[1].factors))
     tree = product_tree(problem, whole)
     split = Product(tuple(determinant(Symbol(block.name)) for block in blocks))
     steps.append(Step("det", (determinant(Symbol("J")), split, problem.final(tree)), "law"))
-    J = seen_from_middle(task)
-    laws = (law("det J = det J_11 det J_22", J.det() == whole.value),)
+    (six,) = _minors(task, seen_from_middle(task))
+    laws = (law("det J = det J_11 det J_22", six.value == whole.value),)
     definitions: dict[Expr, Expr] = {center: steps[0].result}
     definitions |= {Symbol(block.name): problem.readable_matrix(block.J) for block in blocks}
     return Work(
         "wrist", "the center of the wrist", tuple(steps), tree, tuple(parts), definitions,
-        (problem.ask("forward-kinematics"),), laws,
+        (problem.ask("forward-kinematics"),), laws, not search.open,
     )  # fmt: skip
 
 
 def by_minors(task: Task) -> Work:
     """All minors of full size, which vanish together: det(J J^T) is the sum of their squares."""
     problem, variables = task.problem, task.found.variables
-    frame = _middle(task) if _turns(task) else 0
-    J = task.J if not frame else seen_from_middle(task) if len(task.rows) == SIX else _turned(task, frame)
+    frame, rows, J = seen_shortest(task.found, task.whole, task.rows)
     name = Symbol(f"J^{frame}" if frame else "J")
     if _count(J) > MOST_MINORS:
         raise NotDerivable("the Jacobian has too many minors to be solved together; ask for some rows only")
-    found = [minor for minor in minors(J) if minor.value]
+    found = [minor for minor in _minors(task, J) if minor.value]
     _refuse_dependent(task, None if found else J[0, 0])
     shown = problem.readable_matrix(J)
     names = [_minor_name(task, minor) for minor in found]
-    products = [natural(problem, minor.value, variables) for minor in found]
+    trees = [product_tree(problem, natural(problem, minor.value, variables)) for minor in found]
     minor_steps = tuple(
-        Step(f"minor_{place}", (each, product_tree(problem, product)), "minor", {"lines": minor.lines})
-        for place, (each, product, minor) in enumerate(zip(names, products, found, strict=True), 1)
+        Step(f"minor_{place}", (each, tree), "minor", {"lines": minor.lines})
+        for place, (each, tree, minor) in enumerate(zip(names, trees, found, strict=True), 1)
     )
     squares = add(*(squared(each) for each in names))
     gram = _gram(task, name)
-    tree = gram_determinant(problem, J, variables)
+    tree = gram_determinant(problem, [minor.value for minor in found], trees)
     det = _closed(problem, "det", (determinant(gram), squares, tree))
     steps = (Step("J", (name, shown), "frame" if frame else "rows", {"frame": frame}), *minor_steps, det)
-    block = Block(name.name, J, variables, _in_order(task, frame), frame, _seeing(task))
-    sets, complete = of_minors([minor.value for minor in found], variables, problem.readable)
+    block = Block(name.name, J, variables, rows, frame, _seeing(task))
+    search = searching(task.found, problem.readable)
+    sets = of_minors([minor.value for minor in found], search)
     definitions: dict[Expr, Expr] = {name: shown}
     definitions |= {each: step.result for each, step in zip(names, minor_steps, strict=True)}
     uses = (problem.ask("forward-kinematics"),) if frame else (task.base,)
-    return Work("minors", _moved(task), steps, tree, (Part(block, sets, complete),), definitions, uses)
+    return Work(
+        "minors", _moved(task), steps, tree, (Part(block, sets),), definitions, uses, (), not search.open
+    )
+
+
+def _minors(task: Task, J: ScalarMatrix) -> tuple[Minor, ...]:
+    """Raises NotDerivable before they outgrow what can be taken apart."""
+    budget = Budget(MOST_PRODUCTS)
+    try:
+        found = minors(J, budget)
+        Budget(MOST_EFFORT).spend(sum(effort(minor.value, task.found.variables) for minor in found))
+        Budget(MOST_TERMS).spend(max(len(minor.value.numerator) for minor in found))
+    except TooLong:
+        raise NotDerivable(
+            "the determinants of this Jacobian are too long to be taken apart; give numbers to some of the "
+            "lengths and twists, or ask for fewer rows"
+        ) from None
+    return found
 
 
 def _two_by_two(J: Matrix) -> tuple[Expr, ...]:
@@ -180,22 +208,6 @@ def seen_from_middle(task: Task) -> ScalarMatrix:
     """The whole Jacobian where it is shortest: in the axes of the middle frame. No determinant of six rows
     and no minor of that size changes."""
     return _seen_from(task, _middle(task))
-
-
-def _turns(task: Task) -> bool:
-    """Whether the rows stay the same velocities when the axes are turned; of few joints the base will do."""
-    return len(task.found.variables) > SHORT and set(task.rows) in WHOLE
-
-
-def _in_order(task: Task, frame: int) -> tuple[str, ...]:
-    """The rows as they stand in J."""
-    return tuple(sorted(task.rows)) if frame and len(task.rows) < SIX else task.rows
-
-
-def _turned(task: Task, frame: int) -> ScalarMatrix:
-    """Three linear or three angular rows in the axes of a frame."""
-    J = ScalarMatrix(tuple(task.J.rows[task.rows.index(row)] for row in sorted(task.rows)))
-    return rotation_part(task.found.T[frame]).T @ J
 
 
 def _seen_from(task: Task, frame: int) -> ScalarMatrix:

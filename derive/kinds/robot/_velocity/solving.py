@@ -33,7 +33,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import closing
 from derive.kinds.robot._singular.determinants import determinant, natural, product_tree
 from derive.kinds.robot._velocity.task import Task
-from derive.mechanics.singular import minors
+from derive.mechanics.minors import minors
 
 MOST_JOINTS = 4  # of an adjugate that is written out
 J, V, RATES = Symbol("J"), Symbol("v"), Symbol("q_dot")

@@ -36,6 +36,11 @@ class Task:
         return self.problem.ask("jacobian", point=self.asked)
 
     @property
+    def whole(self) -> ScalarMatrix:
+        """All six rows."""
+        return self.point.jacobian(self.found)
+
+    @property
     def square(self) -> bool:
         return self.J.shape[0] == self.J.shape[1]
 
