@@ -8,13 +8,14 @@ angle is pinned to a value, and the joints after it follow.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import combinations
 
 from derive.algebra.angles import Form
 from derive.algebra.numeric import scalar_number
+from derive.algebra.quick import Quick
 from derive.kinds.robot._inverse.branches import Solutions
 from derive.kinds.robot._inverse.moves import Definition, Item, Move, Option
 from derive.mechanics.chain import Chain
@@ -27,7 +28,7 @@ from derive.mechanics.inverse.trigonometric import OneEquation, Row, TwoEquation
 
 USABLE = 1e-4  # of a determinant or a coefficient: above, other equations determine an angle
 MEETING = 1e-9  # of a^2 + b^2 - c^2 against a^2 + b^2: below, the two solutions are one
-MOST_ROWS = 16  # of other equations, short ones first
+PLENTY = 0.1  # of a determinant: above, no better equations are looked for
 NOT_REAL = (ValueError, ZeroDivisionError)
 Values = dict[str, float]
 Numbers = tuple[float, float, float]  # a, b, c of a cos q + b sin q = c
@@ -158,12 +159,12 @@ class AtPoint:
         return math.atan2(b * c, a * c) if abs(square - c * c) < self.meeting * square else None
 
     def _by_others(self, number: int, known: Values) -> list[float] | None:
-        rows, slides = self._others(number)
+        _, slides = self._others(number)
         if slides:
             pairs = [(scalar_number(s.slope, known), scalar_number(s.value, known)) for s in slides]
             slope, value = max(pairs, key=lambda pair: abs(pair[0]))
             return [value / slope] if abs(slope) > USABLE else None
-        return _solved(self._known_rows(rows, known))
+        return _solved(self._known_rows(number, known))
 
     def _others(self, number: int) -> tuple[list[Row], list[Slide]]:
         """Every equation that holds the unknown of a move alone, looked for once."""
@@ -173,22 +174,33 @@ class AtPoint:
             if isinstance(found, Slide | Reach):
                 self._looked_up[number] = [], stage.slides(before, found.slide)
             else:
-                self._looked_up[number] = stage.rows(before, found.angle)[:MOST_ROWS], []
+                self._looked_up[number] = stage.rows(before, found.angle), []
         return self._looked_up[number]
 
     @cached_property
     def _looked_up(self) -> dict[int, tuple[list[Row], list[Slide]]]:
         return {}
 
-    def _known_rows(self, rows: Iterable[Row], known: Values) -> list[Numbers]:
-        """Those whose names all have values."""
-        found = []
-        for row in rows:
-            try:
-                found.append(self._numbers(row, known))
-            except KeyError:
+    def _known_rows(self, number: int, known: Values) -> list[Numbers]:
+        """Those whose names all have values, until two of them determine the angle well."""
+        rows, _ = self._others(number)
+        if number not in self._quick:
+            self._quick[number] = Quick.of([value for row in rows for value in (row.a, row.b, row.c)])
+        values = self._quick[number].at(known)
+        found: list[Numbers] = []
+        for k, row in enumerate(rows):
+            scale = self.size if row.equation.is_position else 1.0
+            a, b, c = values[3 * k : 3 * k + 3]
+            if a is None or b is None or c is None:
                 continue
+            found.append((a / scale, b / scale, c / scale))
+            if any(_determinant((other, found[-1])) > PLENTY for other in found):
+                break
         return found
+
+    @cached_property
+    def _quick(self) -> dict[int, Quick]:
+        return {}
 
     def _numbers(self, row: Row, known: Values, lengths: int = 1) -> Numbers:
         """a, b and c, those of a position in lengths of the arm."""

@@ -136,6 +136,7 @@ def _cramer(draft: Draft, found: TwoEquations, first: Sides, second: Sides) -> A
     D = draft.short(found.determinant)
     cosine, sine = subtract(multiply(c1, b2), times(c2, b1)), subtract(multiply(a1, c2), times(a2, c1))
     sign, earlier = draft.board.sign_of(found.determinant)
+    unless = draft.board.may_vanish(D)
     if sign:
-        return _turned(sine, cosine, sign, earlier), {"unless": [D], "factor": unsigned(D)}
-    return (Option(atan2(over(sine, D), over(cosine, D))),), {"unless": [D]}
+        return _turned(sine, cosine, sign, earlier), {"unless": unless, "factor": unsigned(D)}
+    return (Option(atan2(over(sine, D), over(cosine, D))),), {"unless": unless}

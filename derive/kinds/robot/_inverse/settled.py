@@ -16,7 +16,7 @@ from derive.mechanics.oracle import Oracle
 Leaves: TypeAlias = Callable[[int, Mapping[int, float], float, bool], Iterable[Leaf]]
 GRID = math.radians(10)
 PINS = (0.0, *(n * GRID for k in range(1, 18) for n in (k, -k)), math.pi)
-NEAR, SECTIONS, GOLDEN = 0.3, 55, (math.sqrt(5) - 1) / 2
+NEAR, SECTIONS, GOLDEN = 0.15, 42, (math.sqrt(5) - 1) / 2
 STEPS = (0.1, -0.1, 0.01, -0.01)  # by which a free unknown is moved to see what goes with it
 MOVED = 1e-4  # of a joint: that went with it
 SNAP = 1e-7  # radians or metres from zero or a right angle, which only rounding leaves

@@ -8,7 +8,7 @@ from typing import Any
 
 from derive.algebra.angles import Form
 from derive.derivation import Step
-from derive.expression import ONE, Number, Symbol, add, is_negative, negate
+from derive.expression import ONE, Symbol, add, is_negative, negate
 from derive.kinds.robot._inverse import pairs, single, squares
 from derive.kinds.robot._inverse.board import Board, Draft
 from derive.kinds.robot._inverse.moves import Move, Option, shares
@@ -45,7 +45,7 @@ def slide(board: Board, found: Slide) -> Move:
     result = over(board.tree(amount), slope)
     if d not in shown or result not in shown:
         draft.equation(*shown)
-    facts = {"method": "slide", "unless": [] if isinstance(slope, Number) else [slope]}
+    facts = {"method": "slide", "unless": board.may_vanish(slope)}
     return draft.move(found.slide, d, [Option(result)], facts)
 
 
