@@ -35,7 +35,7 @@ def module_name(subject: str, kind: str) -> str:
     """Where a kind is kept. Raises KeyError."""
     for folder in folders_of(subject):
         stem = kind.replace("-", "_")
-        if stem.isidentifier() and (KINDS / folder / f"{stem}.py").is_file():
+        if stem.isidentifier() and stem[0] != "_" and (KINDS / folder / f"{stem}.py").is_file():
             return f"derive.kinds.{folder}.{stem}"
     return _plugins(subject)[kind]
 
