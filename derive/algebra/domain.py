@@ -28,6 +28,15 @@ def undefined(expr: Expr) -> str:
             return ""
 
 
+def negative(expr: Expr) -> bool:
+    """Whether a tree without symbols is a negative number."""
+    with ctx.workprec(BITS):
+        try:
+            return bool(precise(expr, {}) < 0)
+        except (NotDerivable, KeyError, ValueError, ZeroDivisionError, OverflowError):
+            return False
+
+
 def always_zero(expr: Expr) -> bool:
     """Whether an expression is zero whatever its symbols are."""
     if sum(1 for _ in _parts(expr)) > MANY:

@@ -162,7 +162,8 @@ def atom_number(atom: str, point: Point) -> float:
     if value is not None:
         return value
     factors = (factor.partition("^") for factor in atom.split("*"))
-    return math.prod(point[name] ** int(power or 1) for name, _, power in factors)
+    values = ((math.pi if name == "pi" else point[name], power) for name, _, power in factors)
+    return math.prod(value ** int(power or 1) for value, power in values)
 
 
 def _polynomial(polynomial: fmpq_mpoly, gens: list[float]) -> float:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import comb, log10
 
-from derive.algebra.domain import always_zero, undefined
+from derive.algebra.domain import always_zero, negative, undefined
 from derive.algebra.rationals import decimal_places
 from derive.algebra.spelling import INVERSE, TRIGONOMETRIC
 from derive.algebra.units import ANGLE, LENGTH, PLAIN, Dimension, Unit, agree, power, spoken, times
@@ -90,6 +90,8 @@ def raised(base: Quantity, exponent: Quantity, at: int) -> Quantity:
     size = max(1, int(abs(value))) if value is not None else 1
     terms = comb(base.terms + size - 1, size)
     dimension = _raised_dimension(base.dimension, value)
+    if base.numeric and not exponent.numeric and negative(base.expr):
+        raise FormulaError("a negative number to the power of a symbol is not real", at)
     found = _joined(Power(base.expr, exponent.expr), dimension, base, exponent, terms, at)
     return _defined(found, at)
 
