@@ -12,6 +12,7 @@ from derive.algebra.quantities import rational
 from derive.algebra.readable import readable
 from derive.algebra.scalar import Scalar
 from derive.algebra.terms import Style
+from derive.algebra.text import text
 from derive.errors import DivisionByZero, NotDerivable, NotReal
 from derive.expression import (
     ZERO,
@@ -20,6 +21,7 @@ from derive.expression import (
     Expr,
     Number,
     Power,
+    Product,
     Quotient,
     add,
     free_symbols,
@@ -70,7 +72,8 @@ def _flat(value: Scalar, polynomial: fmpq_mpoly, style: Style) -> Expr:
         key = tuple(power if place in open_ones else 0 for place, power in enumerate(powers))
         rest = tuple(0 if place in open_ones else power for place, power in enumerate(powers))
         groups.setdefault(key, {})[rest] = k
-    return add(*(_term(home.context.from_dict({key: 1}), rest, value, style) for key, rest in groups.items()))
+    terms = [_term(home.context.from_dict({key: 1}), rest, value, style) for key, rest in groups.items()]
+    return add(*sorted(terms, key=_place))
 
 
 def _term(symbols: fmpq_mpoly, numbers: dict[tuple[int, ...], object], value: Scalar, style: Style) -> Expr:
@@ -83,6 +86,12 @@ def _term(symbols: fmpq_mpoly, numbers: dict[tuple[int, ...], object], value: Sc
     whole = abs(total - round(total)) <= ROUNDING * abs(total)
     before = Number(Fraction(round(total))) if whole else Approximate(total)
     return multiply(before, _rounded(readable(Scalar(home, symbols), style), style))
+
+
+def _place(term: Expr) -> tuple[bool, str]:
+    """Plain numbers first, then by letters."""
+    letters = multiply(*term.factors[1:]) if isinstance(term, Product) else term
+    return bool(free_symbols(term)), text(letters)
 
 
 def _rounded(expr: Expr, style: Style) -> Expr:

@@ -75,6 +75,12 @@ def _read(
         faults.extend(idle_options(options, at))
     except SheetErrors as errors:
         faults.extend(errors.errors)
+    for name in given.evaluate if given and isinstance(given.evaluate, dict) else ():
+        if name in known.where:
+            hint = "give it its value in one of the two places"
+            faults.append(
+                at.fault(f"{name} has a value under where: already", ("evaluate", name), hint, True)
+            )
     if given and isinstance(given.evaluate, dict) and (name := cycle({**known.where, **given.evaluate})):
         hint = "give it a value, or one in other symbols"
         faults.append(at.fault(f"the value of {name} leads back to itself", ("evaluate", name), hint))
