@@ -5,7 +5,7 @@ from __future__ import annotations
 from derive.algebra.normal import normal
 from derive.derivation import Derivation, Step
 from derive.errors import NotDerivable
-from derive.expression import Call, Expr, Matrix, Product, Symbol, column, multiply, walk
+from derive.expression import ZERO, Call, Expr, Matrix, Product, Symbol, column, multiply, walk
 from derive.kinds.checks import agreement
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -30,11 +30,16 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
     """r = theta k; its exponential is the rotation (Lynch and Park, section 3.2.3)."""
     turn = problem.ask("axis-angle")
     angle, axis = turn.results["angle"], turn.results["axis"]
-    if not isinstance(axis, Matrix) or isinstance(angle, tuple | float | str | Matrix):
+    name, zero = Symbol("r"), turn.facts.get("zero", False)
+    if zero:  # whatever the axis is
+        vector = column((ZERO, ZERO, ZERO))
+        step = Step("r", (name, vector), "rotation-vector")
+    elif not isinstance(axis, Matrix) or isinstance(angle, tuple | float | str | Matrix):
         raise NotDerivable("this rotation has no single axis")
-    vector = column(_entry(angle, entry, problem) for (entry,) in axis.rows)
-    name = Symbol("r")
-    step = Step("r", (name, Product((turn.facts["angle"], turn.facts["axis"])), vector), "rotation-vector")
+    else:
+        vector = column(_entry(angle, entry, problem) for (entry,) in axis.rows)
+        product = Product((turn.facts["angle"], turn.facts["axis"]))
+        step = Step("r", (name, product, vector), "rotation-vector")
     moves = motion.moves
     claim = agreement(
         "the exponential of r is the given rotation",
@@ -43,7 +48,7 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
         lambda point: _made(moves, dict(point), problem),
         tolerance=1e-8,
     )
-    facts = {"numeric": turn.facts["numeric"]}
+    facts = {"numeric": turn.facts.get("numeric", False), "zero": zero}
     return Derivation(
         "rotation-vector", (step,), {"r": vector}, (claim,), {name: vector}, uses=(turn,), facts=facts
     )
