@@ -126,38 +126,43 @@ def _without_stray_gaps(found: Tokens) -> Tokens:
 def _pieces(found: Tokens) -> list[Tokens]:
     r"""Cut at commas, wide spaces, words such as where, and at lines that begin anew."""
     pieces: list[list[Token]] = [[]]
-    skip = 0
+    after = 0
     for k, (token, depth) in enumerate(_depths(found)):
-        if k < skip:
+        if k < after:
             continue
-        if depth == 0 and token.kind == "command" and token.text in TEXTS and k + 1 < len(found):
-            words = group_text((*found, _end(found)), k + 1).strip(",:. ").lower()
-            if words in JOINING:
-                skip = group((*found, _end(found)), k + 1)[1]
-                pieces.append([])
-                continue
-        if depth == 0 and token.kind == "row":
-            if not _goes_on(found[k + 1 :]):
-                pieces.append([])
-        elif (depth == 0 and token.kind == "command" and token.text in LEADS) or (
-            depth == 0 and (token.kind == "gap" or (token.kind == "sign" and token.text in (",", ";", ".")))
-        ):
-            pieces.append([])
-        elif depth or token.text != "&":
+        after = k + 1
+        if depth:
             pieces[-1].append(token)
-        elif not _lines_up(found, k):
+        elif _joins(found, k):
+            after = group((*found, _end(found)), k + 1)[1]
+            pieces.append([])
+        elif _cuts(token) or (token.kind == "row" and not _goes_on(found[k + 1 :])):
+            pieces.append([])
+        elif token.text == "&" and not _lines_up(found, k):
             raise FormulaError("'&' cannot stand here", token.offset, "it separates the entries of a matrix")
+        elif token.text != "&" and token.kind != "row":
+            pieces[-1].append(token)
     return [tuple(piece) for piece in pieces]
+
+
+def _joins(found: Tokens, at: int) -> bool:
+    r"""Whether words such as \text{where} begin here."""
+    if found[at].kind != "command" or found[at].text not in TEXTS or at + 1 == len(found):
+        return False
+    return group_text((*found, _end(found)), at + 1).strip(",:. ").lower() in JOINING
+
+
+def _cuts(token: Token) -> bool:
+    """Whether a statement ends with a token."""
+    if token.kind == "command":
+        return token.text in LEADS
+    return token.kind == "gap" or (token.kind == "sign" and token.text in (",", ";", "."))
 
 
 def _goes_on(rest: Tokens) -> bool:
     """Whether a new line goes on with the formula of the one before."""
     first = next((token for token in rest if token.text != "&" and token.kind != "gap"), None)
-    return (
-        first is not None
-        and first.kind in ("sign", "command")
-        and first.text in ("=", "+", "-", "cdot", "times")
-    )
+    return first is not None and first.kind != "word" and first.text in ("=", "+", "-", "cdot", "times")
 
 
 def _lines_up(found: Tokens, at: int) -> bool:
