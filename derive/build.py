@@ -23,6 +23,7 @@ from derive.sheet.model import Problem, Question, Sheet
 from derive.sheet.source import At
 from derive.writing import Progress, render, write
 
+BASE = re.compile(r"_d?dot$")  # what a rate has more than its variable
 MISSPELT = 0.85  # how like a name another is that was meant: theta2 of thetha2, but not of theta3
 ODD = re.compile(r"[^\w.-]+")
 NAMESAKES = "rename one, or build them into different folders with --output"
@@ -145,19 +146,20 @@ def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool, warn: Wa
 
 
 def _strange_names(problem: Problem, working: Working, answers: list[Derivation]) -> Iterator[SheetError]:
-    """Values under `evaluate` for what stands nowhere in the problem; with a hint where one is misspelt."""
+    """Values under `evaluate` for what stands nowhere in the problem; with a hint where one of
+    the sheet's own names is misspelt."""
     from derive.kinds.point_names import point_names
 
     if not any(question.evaluate for question in problem.questions):
         return
     names = point_names(working, answers)
+    own = sorted(name for name in names if BASE.sub("", name) in working.symbols | working.where.keys())
     for question in problem.questions:
         for name in sorted((question.evaluate or {}).keys() - names):
             place = question.place
             if question.answer_at:
                 place = At(question.answer_at.source, question.answer_at.route[:-1]).key(("evaluate", name))
-            close = (*sorted(working.symbols), *sorted(names))  # of equals the author's own
-            hint = did_you_mean(name, close) if _misspelt(name, names) else ""
+            hint = did_you_mean(name, own) if _misspelt(name, own) else ""
             yield SheetError(f"'{name}' stands nowhere in this problem", place, hint)
 
 
