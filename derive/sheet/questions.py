@@ -59,6 +59,7 @@ def _read(
     keys: frozenset[str],
     model: type[GivenAsked],
 ) -> Question:
+    _require_one_kind(at, data.get("find"), subject)
     common = {key: value for key, value in data.items() if key in keys}
     faults: list[SheetError] = []
     given, kind, options = None, None, None
@@ -95,15 +96,20 @@ def _read(
     )  # fmt: skip
 
 
+def _require_one_kind(at: At, typed: Any, subject: str) -> None:
+    """Raises SheetErrors for a list of kinds, with commas or as a list of YAML."""
+    parts = typed if isinstance(typed, list) else str(typed).split(",")
+    several = [part.strip() for part in parts if isinstance(part, str)]
+    if len(several) > 1 and all(part in registry.kinds_of(subject) for part in several):
+        hint = f"write questions: [{', '.join(f'{{find: {part}}}' for part in several)}]"
+        raise SheetErrors([at.fault("one question asks for one kind", ("find",), hint)])
+
+
 def _kind(at: At, data: dict[str, Any], subject: str) -> ModuleType | None:
     """The module of the kind asked for; None where `find` is missing, which is reported elsewhere."""
     typed = data.get("find")
     if not isinstance(typed, str):
         return None
-    several = [part.strip() for part in typed.split(",")]
-    if len(several) > 1 and all(part in registry.kinds_of(subject) for part in several):
-        hint = f"write questions: [{', '.join(f'{{find: {part}}}' for part in several)}]"
-        raise SheetErrors([at.fault("one question asks for one kind", ("find",), hint)])
     try:
         return registry.load(subject, typed)
     except KeyError:
