@@ -13,6 +13,7 @@ from typing import TypeAlias
 
 from derive.algebra.angles import Form
 from derive.algebra.factors import depends
+from derive.algebra.fixed_directions import direction
 from derive.algebra.kernels import absolute, root
 from derive.algebra.normal import Walk
 from derive.algebra.numeric import scalar_number
@@ -31,7 +32,6 @@ from derive.expression import (
     Sum,
     Symbol,
     add,
-    atan2,
     is_negative,
     multiply,
     negate,
@@ -151,8 +151,8 @@ def _direction(name: str, a: Scalar, b: Scalar, write: Write) -> tuple[Zero, ...
     length = root(a * a + b * b)
     one, other = (b / length, -a / length), (-b / length, a / length)
     return (
-        Zero(name, atan2(write(-a), write(b)), one, "direction"),
-        Zero(name, atan2(write(a), write(-b)), other, "direction"),
+        Zero(name, direction(write(-a), write(b)), one, "direction"),
+        Zero(name, direction(write(a), write(-b)), other, "direction"),
     )
 
 
@@ -233,7 +233,7 @@ def _values(a: Scalar, b: Scalar, d: Scalar, square: Scalar, write: Write) -> tu
         spread = _ratio("acos", -d, a, write)
         return spread, negate(spread)
     spread = Call("acos", (_over(write(-d), _length(square, write)),))
-    middle = atan2(write(b), write(a))
+    middle = direction(write(b), write(a))
     return add(middle, spread), add(middle, negate(spread))
 
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 from derive.algebra.angles import Form
+from derive.algebra.fixed_directions import direction, sum_of_squares
 from derive.algebra.normal import normal, trig_of
 from derive.algebra.text import text
 from derive.expression import (
@@ -95,11 +96,11 @@ def solved(
     x, y = (minus(b), a) if zero or _sines(draft.board, row) else (a, b)
     values: tuple[Expr, Expr]
     if zero:
-        values = (atan2(y, x), atan2(minus(y), minus(x)))
+        values = (direction(y, x), direction(minus(y), minus(x)))
         facts: dict[str, Any] = {"method": "zero", "both": [unsigned(b), unsigned(a)]}
     else:
         values = _general(x, y, c, _sines(draft.board, row))
-        facts = {"method": "general", "least": total((square(x), square(y))), "c": square(c)}
+        facts = {"method": "general", "least": _squares(x, y), "c": square(c)}
         facts["form"] = (add(times(a, cos(q)), times(b, sin(q))), c) if extra else None
     options = [
         Option(value, sign, _side(draft.board, q, row, sign))
@@ -158,13 +159,21 @@ def _angle(own: Expr, other: Expr, even: bool) -> Expr:
 
 def _general(x: Expr, y: Expr, c: Expr, by_sines: bool) -> tuple[Expr, Expr]:
     """By the sine of a difference, as Craig does, or by its cosine."""
-    root = sqrt(total((square(x), square(y), negate(square(c)))))
+    squares = _squares(x, y)
+    whole = isinstance(squares, Number)
+    root = sqrt(subtract(squares, square(c)) if whole else total((square(x), square(y), negate(square(c)))))
     if by_sines:
         join = add if is_negative(c) else subtract
-        plus, less = (join(atan2(y, x), atan2(unsigned(c), signed(sign, root))) for sign in SIGNS)
+        plus, less = (join(direction(y, x), atan2(unsigned(c), signed(sign, root))) for sign in SIGNS)
     else:
-        plus, less = (add(atan2(y, x), signed(sign, atan2(root, c))) for sign in SIGNS)
+        plus, less = (add(direction(y, x), signed(sign, atan2(root, c))) for sign in SIGNS)
     return plus, less
+
+
+def _squares(x: Expr, y: Expr) -> Expr:
+    """x^2 + y^2."""
+    found = sum_of_squares(y, x)
+    return total((square(x), square(y))) if found is None else found
 
 
 def _sines(board: Board, row: Row) -> bool:
