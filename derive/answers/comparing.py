@@ -15,7 +15,7 @@ from flint import arb
 from derive.algebra.normal import normal, walk_over
 from derive.answers.budget import ROOTS, bounded, too_many_turns
 from derive.answers.points import Names, apart, has_none_at
-from derive.answers.regions import proved_around
+from derive.answers.regions import is_principal, proved_around
 from derive.answers.rounding import ROUNDED, rounded
 from derive.answers.terms import Finding, Terms, values, where_both_are
 from derive.errors import FormulaError, NotDerivable
@@ -27,6 +27,7 @@ MOST_NODES = 200
 LONG = 20_000  # nodes of any tree
 TIGHT = 1e-9  # relative: as near as a number in floating point is known
 COMPUTED = "to the digits computed"
+WHOLE_TURNS = "up to whole turns"
 AGREES = "they agree wherever it was tried, which is no proof"
 TURNS = "they agree wherever it was tried; an angle is too large a multiple of another for a proof"
 
@@ -43,8 +44,12 @@ def compare(published: Expr, derived: Expr, terms: Terms) -> Finding:
         return found
     if _is_rounded(derived) and _gap(found.values) < TIGHT:
         return Finding("equal", note=COMPUTED)
-    if proved_around(published, derived, terms.names, where_both_are(published, derived, terms), terms.angle):
+    points = where_both_are(published, derived, terms)
+    if proved_around(published, derived, terms.names, points, terms.angle):
         return Finding("equal")
+    if not terms.angle and proved_around(published, derived, terms.names, points, angle=True):
+        bounded_both = is_principal(published) and is_principal(derived)
+        return Finding("equal", note="" if bounded_both else WHOLE_TURNS)
     return replace(found, note=found.note or unproved(published, derived, terms))
 
 

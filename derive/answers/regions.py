@@ -29,7 +29,19 @@ from derive.answers.budget import affordable, parts_of
 from derive.answers.points import Point
 from derive.answers.signs import sign_at
 from derive.errors import FormulaError, NotDerivable
-from derive.expression import Call, Expr, Power, Product, Quotient, Sum, Symbol, is_negative, negate, walk
+from derive.expression import (
+    Call,
+    Expr,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+    is_negative,
+    negate,
+    walk,
+)
 
 NO_PROOF = (NotDerivable, FormulaError, ValueError, ArithmeticError, RecursionError, KeyError)
 INVERSE = ("atan2", "atan", "acos", "asin")
@@ -191,12 +203,7 @@ def proved_around(
         asked: list[tuple[Scalar, int]] = []
         one, other = (Around(each, home, point=at, asked=asked) for each in names)
         try:
-            same = (
-                _directions(published, derived, one, other)
-                if angle
-                else one.scalar(published) == other.scalar(derived)
-            )
-            if not same and not (not angle and _directions(published, derived, one, other)):
+            if not (_directions if angle else _values)(published, derived, one, other):
                 return False
         except NO_PROOF:
             return False
@@ -221,6 +228,22 @@ def _holds(home: Ring, pair: tuple[Scalar, Scalar]) -> bool:
     return all(home.trig(form) is not None for each in pair for form in each.ring.angles) and all(
         root.name in home.index for each in pair for root in each.ring.roots
     )
+
+
+def is_principal(angle: Expr) -> bool:
+    """Whether an angle is between -pi and pi by nature."""
+    match angle:
+        case Call(function):
+            return function in INVERSE
+        case Product((Number(n), Call("atan" | "asin"))):
+            return abs(n) <= 2
+        case Product((Number(n), Call("atan2" | "acos"))):
+            return abs(n) <= 1
+    return False
+
+
+def _values(published: Expr, derived: Expr, one: Around, other: Around) -> bool:
+    return one.scalar(published) == other.scalar(derived)
 
 
 def _directions(published: Expr, derived: Expr, one: Around, other: Around) -> bool:
