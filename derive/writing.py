@@ -77,14 +77,14 @@ def write(
 def _failed(error: PageFailed, page: str, sheet: Sheet) -> list[SheetError]:
     """The faults of a page that could not be made: each line of the sheet whose characters no font has."""
     if not isinstance(error, NoGlyphs):
-        return [SheetError(f"{page} could not be made: {error}", Place(str(sheet.path), 1, 1))]
+        return [SheetError(f"{page} could not be made: {error}", None, error.hint)]
     hint = "write it in other letters, or choose --format md,tex,html,docx"
     found = []
     for number, line in enumerate(sheet.path.read_text(encoding="utf-8-sig").splitlines(), 1):
         if lacking := [char for char in line if char in error.characters]:
             place = Place(str(sheet.path), number, line.index(lacking[0]) + 1, line)
             found.append(SheetError(f"{page}: no font of ours has {''.join(lacking)}", place, hint))
-    return found or [SheetError(f"{page} could not be made: {error}", Place(str(sheet.path), 1, 1), hint)]
+    return found or [SheetError(f"{page} could not be made: {error}", None, hint)]
 
 
 def _picture_kinds(formats: Sequence[str], pdf_engine: str) -> tuple[str, ...]:

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 
 class PageFailed(Exception):
-    """A page could not be made; the message says why."""
+    """A page could not be made; the message says why, `hint` what else there is."""
+
+    def __init__(self, message: str, hint: str = "") -> None:
+        super().__init__(message)
+        self.hint = hint
 
 
 class PandocFailed(PageFailed):

@@ -72,7 +72,8 @@ def write_pdf_with_latex(source: Path, target: Path) -> None:
     """Compiles a `.tex` file with the TeX installation found. Raises PdfFailed."""
     engine = next((name for name in LATEX_ENGINES if which(name)), None)
     if engine is None:
-        raise PdfFailed(f"no TeX installation found (looked for {', '.join(LATEX_ENGINES)})")
+        hint = "leave --pdf-engine out to do without a TeX installation"
+        raise PdfFailed(f"no TeX installation found (looked for {', '.join(LATEX_ENGINES)})", hint)
     with TemporaryDirectory() as folder:
         flag = "--outdir" if engine == "tectonic" else "-output-directory"
         command = [*LATEX_ENGINES[engine], f"{flag}={folder}", source.name]
