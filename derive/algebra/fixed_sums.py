@@ -6,7 +6,7 @@ addition theorem, and this is the short way of seeing it.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from itertools import combinations, product
@@ -46,17 +46,23 @@ def _independent(home: Ring) -> tuple[Ring, Images]:
     if not sums:
         return home, ()
     target = ring((), tuple(form for form in home.angles if form not in sums), home.symbols)
+    same: dict[str, str] = {}
     for root in reversed(home.roots):
-        inside = home.polynomial(root.radicand).compose(*_images(home, sums, target), ctx=target.context)
-        target = target.with_root(replace(root, radicand=target.terms(target.reduce(inside))))
-    return target, _images(home, sums, target)
+        images = _images(home, sums, same, target)
+        inside = target.reduce(home.polynomial(root.radicand).compose(*images, ctx=target.context))
+        moved = replace(root, radicand=target.terms(inside))
+        known = (each for each in target.roots if replace(each, name=root.name) == moved)
+        same[root.name] = next((each.name for each in known), root.name)
+        target = target if same[root.name] in target.index else target.with_root(moved)
+    return target, _images(home, sums, same, target)
 
 
-def _images(home: Ring, sums: dict[Form, Sum], target: Ring) -> Images:
-    """Zero for the roots that have no place yet."""
+def _images(home: Ring, sums: dict[Form, Sum], same: Mapping[str, str], target: Ring) -> Images:
+    """Roots of the same go to the `same` one; zero for those that have no place yet."""
     pairs = [_pair(form, sums, target) for form in home.angles]
+    roots = (same.get(root.name) for root in home.roots)
     return (
-        *(target.gen(root.name) if root.name in target.index else target.zero for root in home.roots),
+        *(target.zero if name is None else target.gen(name) for name in roots),
         *(sine for _, sine in pairs),
         *(cosine for cosine, _ in pairs),
         *map(target.gen, home.symbols),

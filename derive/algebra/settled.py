@@ -30,9 +30,12 @@ def vanishes(polynomial: fmpq_mpoly, home: Ring) -> bool:
     """
     if polynomial == 0:
         return True
-    degrees, doubtful = polynomial.degrees(), _doubtful(home)
-    if not any(degrees[place] > 0 for place in doubtful):
-        return False
+    degrees = polynomial.degrees()
+    if any(degrees[place] > 0 for place in _over_fixed_angles(home)):
+        polynomial, home = independent(polynomial, home)
+        degrees = polynomial.degrees()
+    if not any(degrees[place] > 0 for place in _doubtful(home)):
+        return bool(polynomial == 0)
     if any(_refuted(number, home) for number in _numbers(polynomial, home)):
         return False
     polynomial, home = independent(polynomial, home)
@@ -43,6 +46,16 @@ def vanishes(polynomial: fmpq_mpoly, home: Ring) -> bool:
 def _doubtful(home: Ring) -> frozenset[int]:
     """The places of the numbers that obey more relations than the ring knows; roots of primes do not."""
     return number_places(home) - {i for i, root in enumerate(home.roots) if _plain(root.radicand)}
+
+
+@lru_cache(maxsize=1024)
+def _over_fixed_angles(home: Ring) -> frozenset[int]:
+    """The places of roots of expressions that hold doubtful numbers: two may be the same root."""
+    names = {home.names[place] for place in _doubtful(home)}
+    held = {
+        i for i, r in enumerate(home.roots) if any(n in names for powers, _ in r.radicand for n, _ in powers)
+    }
+    return frozenset(held) - number_places(home)
 
 
 def _plain(radicand: Iterable[tuple[tuple[tuple[str, int], ...], object]]) -> bool:

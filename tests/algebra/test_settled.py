@@ -125,3 +125,12 @@ def test_fixed_angles_add_however_many_digits_they_have(angles: list[tuple[int, 
         c, s = c * d - s * t, s * d + c * t
     assert c == added
     assert c + Fraction(1, 10**30) != added
+
+
+def test_roots_of_expressions_with_fixed_angles_in_them() -> None:
+    one = normal(formula("sqrt(2 + cos(61 deg) cos(x))"))
+    other = normal(formula("sqrt(2 + (cos(25 deg) cos(36 deg) - sin(25 deg) sin(36 deg)) cos(x))"))
+    assert one == other
+    assert one * normal(formula("y")) == other * normal(formula("y"))
+    assert one != -other
+    assert one != normal(formula("sqrt(2 + cos(62 deg) cos(x))"))
