@@ -12,6 +12,9 @@ from typing import Any, TypeAlias
 from flint import fmpq
 
 from derive.algebra.scalar import Scalar
+from derive.errors import NotDerivable
+
+MOST_TERMS = 200  # of a coefficient
 
 Coefficients: TypeAlias = tuple[Any, ...]  # of one field, highest power first, the first not zero
 
@@ -44,7 +47,17 @@ def divided(top: Sequence[Any], bottom: Sequence[Any]) -> tuple[Coefficients, Co
         for place, k in enumerate(bottom):
             left[place] = left[place] - factor * k
         left = left[1:]
+        _require_short(left)
     return tuple(found), stripped(left)
+
+
+def _require_short(values: Sequence[Any]) -> None:
+    longest = max((len(k.numerator) for k in values if isinstance(k, Scalar)), default=0)
+    if longest > MOST_TERMS:
+        raise NotDerivable(
+            f"roots and functions in the coefficients make numbers of {longest} terms, and at most "
+            f"{MOST_TERMS} are worked with; give decimals in their place"
+        )
 
 
 def common(left: Sequence[Any], right: Sequence[Any]) -> Coefficients:

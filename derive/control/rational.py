@@ -19,6 +19,7 @@ from derive.algebra.scalar import Scalar, as_fraction, common_ring
 from derive.algebra.terms import Style
 from derive.control.exact import common, divided, stripped
 from derive.control.ratios import Ratio
+from derive.control.roots import are_coprime
 from derive.expression import (
     MINUS_ONE,
     ONE,
@@ -85,6 +86,10 @@ class Rational:
 
     def _reduced_exactly(self) -> Rational:
         """With roots and functions among the coefficients: s^2 - 2 = (s - sqrt(2)) (s + sqrt(2))."""
+        if not self.num:
+            return Rational((), (Scalar.of(1),))
+        if not self.symbols() and (are_coprime(self.num, self.den) or are_coprime(self.den, self.num)):
+            return self
         both = common(self.den, self.num)
         if len(both) == 1:
             return self

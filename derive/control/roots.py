@@ -7,8 +7,10 @@ approximated, with a precision that is raised until the balls are apart and clea
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Hashable, Iterator, Sequence
 from dataclasses import dataclass
+from dataclasses import field as field_of
+from functools import lru_cache
 from typing import Any
 
 from flint import acb, acb_poly, arb, ctx, fmpq
@@ -47,7 +49,9 @@ def isolated(coefficients: Sequence[Scalar], bits: int = ACCURATE) -> tuple[Root
 
     Raises NotDerivable where MOST_BITS do not tell two of them apart.
     """
-    found = [root for part in _parts(field(coefficients)) for root in part.roots(bits)]
+    values = field(coefficients)
+    keys = tuple(k if isinstance(k, fmpq) else k.key() for k in values)
+    found = [root for part in _known_parts(_Polynomial(keys, values)) for root in part.roots(bits)]
     return tuple(sorted(found, key=lambda root: _order(root.value)))
 
 
@@ -89,17 +93,47 @@ class _Part:
         raise NotDerivable(f"two roots lie so close together that {MOST_BITS} bits do not tell them apart")
 
 
+@dataclass(frozen=True, slots=True)
+class _Polynomial:
+    """Coefficients, the same where their keys are."""
+
+    keys: tuple[Hashable, ...]
+    values: Coefficients = field_of(compare=False)
+
+
+@lru_cache(maxsize=64)
+def _known_parts(polynomial: _Polynomial) -> tuple[_Part, ...]:
+    """What was found of a polynomial before is not sought again."""
+    return tuple(_parts(polynomial.values))
+
+
 def _parts(values: Coefficients) -> Iterator[_Part]:
-    """All there is but roots at the origin, which are parts of their own."""
+    """Roots at the origin are a part of their own. What balls show is not asked for exactly: that no root is
+    repeated, and that no two lie symmetric to the origin."""
     zeros = next((place for place, k in enumerate(reversed(values)) if k), 0)
     if zeros:
         yield _Part((fmpq(1), fmpq(0)), zeros, False)
-    for polynomial, power in square_free(values[: len(values) - zeros]):
-        even, rest = symmetric(polynomial)
+    values = values[: len(values) - zeros]
+    with ctx.workprec(BITS):
+        balls = _balls(values) if len(values) > 1 else []
+    simple = square_free(values) if balls is None else [(values, 1)][: len(balls)]
+    for polynomial, power in simple:
+        lopsided = balls is not None and not any(a.overlaps(-b) for a in balls for b in balls)
+        even, rest = ((), polynomial) if lopsided else symmetric(polynomial)
         if len(even) > 1:
             yield _Part(even, power, True)
         if len(rest) > 1:
             yield _Part(rest, power, False)
+
+
+def are_coprime(left: Coefficients, right: Coefficients) -> bool:
+    """Whether balls show that two polynomials in numbers share no root."""
+    with ctx.workprec(BITS):
+        balls = _balls(right) if len(right) > 1 else []
+        if balls is None:
+            return False
+        polynomial = acb_poly([in_ball(k) for k in reversed(left)])
+        return not any(polynomial(ball).contains(0) for ball in balls)
 
 
 def _is_settled(ball: acb, bits: int) -> bool:
