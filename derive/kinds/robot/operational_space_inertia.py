@@ -9,12 +9,14 @@ from derive.algebra import numeric
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.operations import operations
+from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     ONE,
     Call,
     Expr,
+    Matrix,
     Power,
     Product,
     Quotient,
@@ -29,6 +31,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of, moment_names
 from derive.kinds.robot._dynamics.rates import is_long, oracle
 from derive.kinds.robot._point import PointOn
+from derive.kinds.robot._velocity.solving import quotient
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.oracle import Oracle
 from derive.mechanics.robot import Robot
@@ -70,13 +73,14 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     task = task_of(problem, options.rows, options.point)
     J = _square(task)
     D = matrix_of(inertia, "D")
-    turned = J.inverse()
-    Lambda = turned.T @ normal_matrix(D) @ turned
-    steps = (task.step, *_steps(problem, J, turned, Lambda))
+    det, adjugate = J.det(), J.adjugate()
+    whole = adjugate.T @ normal_matrix(D) @ adjugate  # Lambda times the square of det J
+    Lambda = _over(problem, whole, det * det)
+    steps = (task.step, *_steps(problem, J, Lambda))
     results = {
         "J": problem.final(task.written),
-        "J_inv": problem.final(problem.readable_matrix(turned)),
-        "Lambda": problem.final(problem.readable_matrix(Lambda)),
+        "J_inv": problem.final(_over(problem, adjugate, det)),
+        "Lambda": problem.final(Lambda),
     }
     definitions: dict[Expr, Expr] = {
         **inertia.definitions,
@@ -87,8 +91,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     known = {**problem.names, **definitions, **moment_names(inertia)}
     claims = (
         *links(steps, known),
-        law("Lambda = Lambda^T", Lambda == Lambda.T),
-        law("J^T Lambda J = D", J.T @ Lambda @ J == normal_matrix(D)),
+        law("Lambda = Lambda^T", whole == whole.T),
+        law("J^T Lambda J = D", J.T @ whole @ J == normal_matrix(D).scaled(det * det)),
         _second_route(problem, task, results["Lambda"]),
     )
     return Derivation(
@@ -119,14 +123,19 @@ def _square(task: Task) -> ScalarMatrix:
     return task.J
 
 
-def _steps(problem: Problem, J: ScalarMatrix, turned: ScalarMatrix, Lambda: ScalarMatrix) -> tuple[Step, ...]:
+def _over(problem: Problem, top: ScalarMatrix, bottom: Scalar) -> Matrix:
+    """A matrix over a scalar, entry by entry, what they share left out."""
+    names = problem.subject.variables
+    return Matrix(tuple(tuple(quotient(problem, each, bottom, names) for each in row) for row in top.rows))
+
+
+def _steps(problem: Problem, J: ScalarMatrix, written: Matrix) -> tuple[Step, ...]:
     """det J, the inverse of J, and Lambda, written out where they are not too long."""
     det = Step("det", (Call("det", (JACOBIAN,)), problem.readable(J.det())), "determinant")
     adjugate = problem.readable_matrix(J.adjugate())
     over = Product((Quotient(ONE, det.chain[0]), adjugate))
     inverse = Step("J_inv", (INVERSE, over), "inverse")
     product = Product((transpose(INVERSE), INERTIA, INVERSE))
-    written = problem.readable_matrix(Lambda)
     short = sum(map(operations, children(written))) <= LONGEST
     chain = (LAMBDA, product, problem.final(written)) if short else (LAMBDA, product)
     return det, inverse, Step("Lambda", chain, "operational")
