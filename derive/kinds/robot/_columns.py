@@ -58,6 +58,8 @@ def _rigid_steps(
     motions = Symbol(f"{name.name}_{phi_of(problem).name}")
     blocks = [drive_blocks(found, robot, drive, at, point.last) for drive in coupling.drives]
     value = motions_jacobian(coupling, point.position, point.last)
+    if value == J:  # no coupling before this point
+        return _column_steps(problem, J, name, blocks)
     steps = _column_steps(problem, value, motions, blocks)
     chain = (name, Product((motions, gamma_of(problem))), problem.readable_matrix(J))
     return (*steps[:-1], replace(steps[-1], rule="motions-jacobian"), Step(name.name, chain, "jacobian"))

@@ -9,7 +9,7 @@ from derive.algebra.common import factored_matrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.operations import operations
 from derive.derivation import Claim, Derivation, Step, named_results
-from derive.expression import ZERO, Expr, Matrix, Product, Sum, Symbol, children, transpose
+from derive.expression import ZERO, Expr, Matrix, Product, Sum, Symbol, children, free_symbols, transpose
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.naming import entry_symbol, fits
@@ -72,7 +72,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         *_second_routes(problem, results),
     )
     drifts = any(body.at.drift for body in bodies)
-    facts = {"shapes": bool(named), "big": big, "drifts": drifts, "numbers": ("D",)}
+    names = set(robot.variables)
+    changing = any(not names.isdisjoint(free_symbols(each)) for body in bodies for each in body.moments)
+    facts = {"shapes": bool(named), "big": big, "drifts": drifts, "changing": changing, "numbers": ("D",)}
     return Derivation(
         "inertia-matrix",
         steps,
