@@ -25,8 +25,8 @@ EXACT = 1e-9  # by how much a rounder value may miss the pose more
 
 @dataclass(frozen=True, slots=True)
 class Freedom:
-    """`names` can be chosen together at will; `fixed` is a sum or difference of two angles, with its value,
-    where these two alone are free."""
+    """`names` can move together, one of them at will; `fixed` are sums and differences of two of the angles
+    that do not, with their values."""
 
     names: tuple[str, ...]
     fixed: Mapping[str, float]
@@ -72,27 +72,37 @@ class Settled:
     def _reaching(self, k: int) -> list[Leaf]:
         """Those of a branch. Where an unknown is open but not every value of it will do, the first that does;
         where it is open in its own equations only, the values that the others leave it."""
-        there = list(self.leaves(k, {}, 0.0, False))
-        pinned = any(leaf.pinned for leaf in there)
-        attempts = [(0.0, False), (0.0, True), *((usual, False) for usual in PINS if pinned)]
-        for usual, exact in attempts:
-            if there := [*filter(self.reaches, self.leaves(k, {}, usual, exact))]:
+        tried = list(self.leaves(k, {}, 0.0, False))
+        found: list[Leaf] = []
+        for leaves in (tried, self.leaves(k, {}, 0.0, True)):
+            found = found or [*filter(self.reaches, leaves)]
+        pinned = sorted({number for leaf in tried for number in leaf.pinned})
+        if not pinned or self._is_family(k, found):
+            return found
+        for pins in ({pinned[0]: 0.0}, {}) if len(pinned) > 1 else ({},):
+            if there := self._around(k, pins):
+                return [*found, *there]
+        return found
+
+    def _around(self, k: int, pins: Mapping[int, float]) -> list[Leaf]:
+        """With what is open and not among the pins taken all around: at the first place of a family, or
+        wherever the end-effector comes nearest."""
+        for usual in PINS:
+            there = [*filter(self.reaches, self.leaves(k, pins, usual, False))]
+            if self._is_family(k, there):
                 return there
-        return list(self._isolated(k)) if pinned else []
+        places = self._nearest(k, pins)
+        return [leaf for usual in places for leaf in self.leaves(k, pins, usual, False) if self.reaches(leaf)]
 
-    def _isolated(self, k: int) -> Iterator[Leaf]:
-        for usual in self._nearest(k):
-            yield from filter(self.reaches, self.leaves(k, {}, usual, False))
+    def _is_family(self, k: int, leaves: Sequence[Leaf]) -> bool:
+        return any(self._freedom(k, leaf) for leaf in leaves)
 
-    def _nearest(self, k: int) -> Iterator[float]:
-        """Where the end-effector comes nearest as what is open goes around: by golden sections between the
-        pins."""
+    def _nearest(self, k: int, pins: Mapping[int, float]) -> Iterator[float]:
+        """By golden sections between the places tried."""
 
         def off(usual: float) -> float:
-            return min(
-                (self.misses(leaf.values) for leaf in self.leaves(k, {}, usual, False) if leaf.values),
-                default=math.inf,
-            )
+            leaves = self.leaves(k, pins, usual, False)
+            return min((self.misses(leaf.values) for leaf in leaves if leaf.values), default=math.inf)
 
         around = sorted(PINS)
         tried = [off(usual) for usual in around]
@@ -164,16 +174,17 @@ class Settled:
             there = [each.values for each in self.leaves(k, pins, 0.0, False) if self.reaches(each)]
             if there:
                 return min(there, key=lambda each: self._apart(each, leaf.values))
-        return None
+        if len(leaf.pinned) == 1 or number != min(leaf.pinned):
+            return None
+        found = [each.values for each in self._around(k, {number: value + STEPS[0]})]
+        return min(found, key=lambda each: self._apart(each, leaf.values), default=None)
 
     def _apart(self, one: Values, other: Values) -> float:
         return sum(abs(gap(one[n], other[n], n in self.slides)) for n in self.joints)
 
     def _tied(self, moved: Sequence[str], here: Values, there: Values) -> Iterator[tuple[str, float]]:
-        """The sum or the difference of two angles that did not change while both did."""
-        if len(moved) != 2 or set(moved) & self.slides:
-            return
-        for one, other in combinations(moved, 2):
+        """Sums and differences of two angles that did not change while both did."""
+        for one, other in combinations([name for name in moved if name not in self.slides], 2):
             for sign, operator in ((1, "+"), (-1, "-")):
                 before, after = (each[one] + sign * each[other] for each in (here, there))
                 if abs(gap(after, before, False)) < SAME + 2 * self.tolerance:
@@ -228,7 +239,7 @@ def _said(conditions: Sequence[str], freedom: Freedom | None) -> str:
     if freedom is None:
         return ", ".join(conditions)
     first, *others = freedom.names
-    if freedom.fixed:
+    if freedom.fixed and len(others) == 1:
         said = f"where {first} is free: only {' and '.join(freedom.fixed)} is determined"
     else:
         said = f"where {first} is free" + (f", and {' and '.join(others)} with it" if others else "")
