@@ -27,9 +27,12 @@ from derive.algebra.angles import PI, Form, combination, first_quarter, letters_
 from derive.algebra.bounds import spend
 from derive.algebra.opaque import Opaque
 from derive.algebra.rationals import Rational, to_flint
+from derive.errors import NotDerivable
 
 Pair = tuple[fmpq_mpoly, fmpq_mpoly]
 EXACT = {Form(()): (1, 0), Form.of({PI: Fraction(1, 2)}): (0, 1)}  # cosine and sine of 0 and 90 degrees
+
+MOST_TURNS = 200  # of an angle by another, as a polynomial
 
 
 @dataclass(frozen=True, slots=True)
@@ -175,6 +178,7 @@ class Ring:
         multiples = _multiples(form, self)
         if multiples is None:
             return ring(self.roots, (*self.angles, form), self.symbols)
+        _require_few(form, multiples)
         if any(n.denominator != 1 for n in multiples):
             finer = tuple(
                 angle.scaled(Fraction(1, n.denominator))
@@ -217,6 +221,7 @@ def _trig(home: Ring, form: Form) -> Pair | None:
     multiples = _multiples(form, home)
     if multiples is None or any(n.denominator != 1 for n in multiples):
         return None
+    _require_few(form, multiples)
     cosine, sine = home.one, home.zero
     pairs = [(home.pair(k), n) for k, n in enumerate(multiples)]
     for part in _fixed_parts(form, home.angles, multiples):
@@ -229,6 +234,16 @@ def _trig(home: Ring, form: Form) -> Pair | None:
         for _ in range(abs(int(n))):  # one addition theorem a turn
             cosine, sine = cosine * c - sine * s, sine * c + cosine * s
     return home.reduce(cosine), home.reduce(sine)
+
+
+def _require_few(form: Form, multiples: Iterable[Fraction]) -> None:
+    """Raises NotDerivable where an angle is so many times another that the one's sine fills pages in those
+    of the other."""
+    if any(max(abs(n.numerator), n.denominator) > MOST_TURNS for n in multiples):
+        raise NotDerivable(
+            f"the angle {form} is more than {MOST_TURNS} times another, or as small a part of one: "
+            "sines of both are no polynomials that could be written down"
+        )
 
 
 def _multiples(form: Form, home: Ring) -> tuple[Fraction, ...] | None:

@@ -6,7 +6,9 @@ from itertools import islice
 from types import ModuleType
 from typing import Any
 
+from derive.algebra.quantities import rational
 from derive.errors import SheetError, SheetErrors
+from derive.expression import Expr
 from derive.kinds import registry
 from derive.sheet.checked import checked
 from derive.sheet.faults import MOST, did_you_mean
@@ -76,8 +78,8 @@ def _read(
         faults.extend(idle_options(options, at))
     except SheetErrors as errors:
         faults.extend(errors.errors)
-    for name in given.evaluate if given and isinstance(given.evaluate, dict) else ():
-        if name in known.where:
+    for name, value in given.evaluate.items() if given and isinstance(given.evaluate, dict) else ():
+        if name in known.where and not _same(value, known.where[name]):
             hint = "give it its value in one of the two places"
             faults.append(
                 at.fault(f"{name} has a value under where: already", ("evaluate", name), hint, True)
@@ -103,6 +105,10 @@ def _require_one_kind(at: At, typed: Any, subject: str) -> None:
     if len(several) > 1 and all(part in registry.kinds_of(subject) for part in several):
         hint = f"write questions: [{', '.join(f'{{find: {part}}}' for part in several)}]"
         raise SheetErrors([at.fault("one question asks for one kind", ("find",), hint)])
+
+
+def _same(left: Expr, right: Expr) -> bool:
+    return left == right or (rational(left) is not None and rational(left) == rational(right))
 
 
 def _kind(at: At, data: dict[str, Any], subject: str) -> ModuleType | None:
