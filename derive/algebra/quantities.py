@@ -132,7 +132,11 @@ def measured(quantity: Quantity, unit: Unit, at: int) -> Quantity:
         places = last.places if isinstance(last, Number) and unit.size == 1 else 0
         factors = (*before, Degrees(value * unit.size, places))
     else:
-        factors = (*before, _converted(value * unit.size / 180**unit.degrees, last), *_turns(unit.degrees))
+        factors = (
+            *before,
+            _converted(value * unit.size / Fraction(180) ** unit.degrees, last),
+            *_turns(unit.degrees),
+        )
     expr = factors[0] if len(factors) == 1 else Product(factors)
     if isinstance(expr, Number) and unit.dimension == LENGTH:
         expr = replace(expr, unit="m")
@@ -230,7 +234,7 @@ def _is_decimal(expr: Expr) -> bool:
 
 
 def _scale(unit: Unit) -> tuple[Expr, ...]:
-    size = unit.size / 180**unit.degrees
+    size = unit.size / Fraction(180) ** unit.degrees
     return (*((Number(size),) if size != 1 else ()), *_turns(unit.degrees))
 
 
