@@ -74,7 +74,7 @@ def by_determinant(task: Task) -> Work:
     name = Symbol(f"J^{frame}" if six else "J")
     (whole,) = _minors(task, J)
     det = natural(problem, whole.value, variables)
-    _refuse_dependent(task, det.constant if not det.factors else None)
+    _refuse_dependent(task, bool(det.constant))
     tree = product_tree(problem, det)
     shown = problem.readable_matrix(J)
     chain = (determinant(name), *_two_by_two(shown), tree)
@@ -107,7 +107,7 @@ def by_wrist(task: Task, wrist: Wrist) -> Work:
     for block in blocks:
         det = natural(problem, block.J.det(), block.variables)
         dets.append(det)
-        _refuse_dependent(task, det.constant if not det.factors else None)
+        _refuse_dependent(task, bool(det.constant))
         tree = product_tree(problem, det)
         name = Symbol(block.name)
         steps.append(Step(block.name, (name, problem.readable_matrix(block.J)), "block"))
@@ -136,7 +136,7 @@ def by_minors(task: Task) -> Work:
     if _count(J) > MOST_MINORS:
         raise NotDerivable("the Jacobian has too many minors to be solved together; ask for some rows only")
     found = [minor for minor in _minors(task, J) if minor.value]
-    _refuse_dependent(task, None if found else J[0, 0])
+    _refuse_dependent(task, bool(found))
     shown = problem.readable_matrix(J)
     names = [_minor_name(task, minor) for minor in found]
     trees = [product_tree(problem, natural(problem, minor.value, variables)) for minor in found]
@@ -218,9 +218,9 @@ def _seen_from(task: Task, frame: int) -> ScalarMatrix:
     return ScalarMatrix.stacked([R_T @ J.block(rows, slice(None)) for rows in (slice(0, 3), slice(3, 6))])
 
 
-def _refuse_dependent(task: Task, constant: object) -> None:
-    """Raises NotDerivable where the determinant vanishes in every configuration."""
-    if constant is not None and not constant:
+def _refuse_dependent(task: Task, regular: bool) -> None:
+    """Raises NotDerivable where every determinant vanishes in every configuration."""
+    if not regular:
         which = ", ".join(task.rows)
         raise NotDerivable(
             f"the rows {which} of the Jacobian are dependent in every configuration; ask for fewer rows"
