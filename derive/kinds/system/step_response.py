@@ -119,13 +119,14 @@ def _steps(answer: Answer, name: Symbol) -> Iterator[Step]:
     output = answer.plant.system.output
     yield Step("transform", (output, Quotient(name, S)), "unit-step")
     if answer.final is not None:
-        chain = (_last(answer), _at_zero(answer), answer.final)
-        yield Step("steady_state", chain[:2] if _same(chain) else chain, "final-value")
+        middle = _at_zero(answer)
+        worked = () if _same(middle, answer.final) else (middle,)
+        yield Step("steady_state", (_last(answer), *worked, answer.final), "final-value")
 
 
-def _same(chain: tuple[Expr, Expr, Expr]) -> bool:
-    """Whether the fraction is its own value, as 1/2 is."""
-    return isinstance(chain[2], Number) and not chain[2].decimal and chain[1] == _fraction(chain[2])
+def _same(fraction: Expr, value: Expr) -> bool:
+    """Whether the fraction is its own value, as 1/2 and 3/1 are."""
+    return isinstance(value, Number) and not value.decimal and fraction == _fraction(value)
 
 
 def _fraction(value: Number) -> Expr:
