@@ -71,8 +71,16 @@ def tangled(coupling: Coupling, variables: tuple[str, ...]) -> str | None:
     turns one by other than a number of times itself; None where there is none."""
     for j, name in enumerate(variables):
         rates = zip(coupling.drives, coupling.gamma.columns(j).entries, strict=True)
-        moved = [(drive.slides, rate.constant is not None) for drive, rate in rates if rate]
-        if len({slides for slides, _ in moved}) > 1 or (False, False) in moved:
+        if len({drive.slides for drive, rate in rates if rate}) > 1:
+            return name
+    return out_of_proportion(coupling, variables)
+
+
+def out_of_proportion(coupling: Coupling, variables: tuple[str, ...]) -> str | None:
+    """A joint variable that turns a row by other than a number of times itself; None where there is none."""
+    for j, name in enumerate(variables):
+        rates = zip(coupling.drives, coupling.gamma.columns(j).entries, strict=True)
+        if any(rate and not drive.slides and rate.constant is None for drive, rate in rates):
             return name
     return None
 

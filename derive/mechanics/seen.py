@@ -48,6 +48,7 @@ def seen_from(
 ) -> tuple[tuple[str, ...], ScalarMatrix] | None:
     """The rows that span the same velocities in the axes of a frame; None where no rows do."""
     home = _from_there(chain, frame)
+    home = home.union(J.ring) if chain.coupling else home
     R_T, J = rotation_part(chain.T[frame]).T.into(home), J.into(home)
     names: list[str] = []
     kept: list[tuple[Scalar, ...]] = []

@@ -35,6 +35,8 @@ def wrist_of(chain: Chain) -> Wrist | None:
     rows = tuple(i for i, _ in chain.moving)
     if len(rows) != 6 or any(chain.joint(i).type != "revolute" for i in rows[3:]):
         return None
+    if chain.coupling and chain.coupling.rows[-1] > len(chain.T_local):  # the tool moves against the hand
+        return None
     frame = _meeting(chain, rows[3:])
     if frame is None:
         return None

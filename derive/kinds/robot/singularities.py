@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from derive.derivation import Derivation, Result
+from derive.errors import NotDerivable
 from derive.kinds.checks import links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -13,6 +14,7 @@ from derive.kinds.robot._singular.saying import branches
 from derive.kinds.robot._singular.sets import Analysed, analysed
 from derive.kinds.robot._singular.work import Work, by_determinant, by_minors, by_wrist
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
+from derive.mechanics.coupling import out_of_proportion
 from derive.mechanics.robot import Robot
 from derive.mechanics.seen import easiest
 from derive.mechanics.singular import searching
@@ -50,6 +52,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     Raises NotDerivable where the rows asked for are dependent in every configuration.
     """
     task = task_of(problem, options.rows, options.point)
+    _refuse_out_of_proportion(task)
     work = _work(task, options)
     sets = _analysed(task, work)
     claims = (*links(work.steps, {**problem.names, **work.definitions}), *work.laws, *checked(task, sets))
@@ -62,6 +65,16 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         "singularities", work.steps, results, claims, work.definitions,
         uses=work.uses, facts=facts_of(problem, work, sets),
     )  # fmt: skip
+
+
+def _refuse_out_of_proportion(task: Task) -> None:
+    """Raises NotDerivable where angles are no sums of joint variables: zeros of such sums are sought."""
+    coupling = task.found.coupling
+    if coupling and (name := out_of_proportion(coupling, task.found.variables)):
+        raise NotDerivable(
+            f"singular configurations are sought where rows turn by sums of joint variables; here {name} "
+            "turns one by other than a number of times itself (manipulability has numbers at a point)"
+        )
 
 
 def _analysed(task: Task, work: Work) -> tuple[Analysed, ...]:

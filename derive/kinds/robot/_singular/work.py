@@ -213,6 +213,12 @@ def seen_from_middle(task: Task) -> ScalarMatrix:
 def _seen_from(task: Task, frame: int) -> ScalarMatrix:
     """The whole Jacobian of the origin of the last frame, in the axes of a frame."""
     found = task.found
+    tool_moves = found.coupling is not None and found.coupling.rows[-1] > len(found.T_local)
+    if tool_moves or task.point.drift is not None:
+        raise NotDerivable(
+            "six rows are worked at the origin of the last row, and here the point moves against it; "
+            "ask for three of them, as rows: [vx, vy, vz]"
+        )
     R_T = rotation_part(found.T[frame]).T
     J = jacobian(found, position_part(found.T[-1]), len(found.T_local))
     return ScalarMatrix.stacked([R_T @ J.block(rows, slice(None)) for rows in (slice(0, 3), slice(3, 6))])
