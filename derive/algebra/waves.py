@@ -4,9 +4,10 @@ c = (e^(i phi) + e^(-i phi))/2, and s is the same of phi - 90 degrees. A product
 an addition theorem leaves nothing behind, however many digits the angles have. What is left is a sum for each
 angle in radians, and those are independent over all algebraic numbers (Lindemann and Weierstrass; Baker,
 Transcendental Number Theory, theorem 1.4). Each is a polynomial in a root of unity, zero where the
-cyclotomic polynomial divides it. The root of a prime p is a sum of waves as well, Gauss's: of the cosines of
-2 pi k^2/p, or of the sines where p = 3 mod 4 (Ireland and Rosen, chapter 6). A prime that divides no
-denominator of the angles has a root that is independent of them.
+cyclotomic polynomial divides it (Washington, Introduction to Cyclotomic Fields, chapter 2). The root of a
+prime p is a sum of waves as well, Gauss's: of the cosines of 2 pi k^2/p, or of the sines where p = 3 mod 4
+(Ireland and Rosen, chapter 6). A prime that divides no denominator of the angles has a root that is
+independent of them.
 """
 
 from __future__ import annotations
@@ -16,10 +17,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from math import gcd, lcm
+from math import lcm, prod
 from typing import TypeAlias
 
-from flint import fmpq, fmpq_mpoly, fmpz_poly
+from flint import fmpq, fmpq_mpoly, fmpz, fmpz_poly
 
 from derive.algebra.angles import PI
 from derive.algebra.ring import Ring, Root
@@ -29,7 +30,7 @@ Turn: TypeAlias = tuple[int, ...]  # of pi, then of every other atom, each in pa
 Waves: TypeAlias = dict[Turn, fmpq]
 
 MOST_WAVES = 200_000  # products of two, for one polynomial
-MOST_PARTS = 100_000  # of a turn
+MOST_PARTS = 30_000  # the product of the primes in the denominators
 TWO_AND_THREE = {2: Fraction(1, 4), 3: Fraction(1, 6)}  # sqrt(2) is 2 cos(pi/4), sqrt(3) is 2 cos(pi/6)
 
 
@@ -138,16 +139,21 @@ TOO_MUCH = (
 
 
 def _cancels_on_the_circle(powers: Mapping[int, fmpq], n: int) -> bool:
-    """Whether the sum of k z^power is zero for a primitive n-th root z of unity."""
-    shared = gcd(n, *powers)
-    if n // shared > MOST_PARTS:
+    """Whether the sum of k z^power is zero for a primitive n-th root z of unity.
+
+    With m the product of the primes of n the powers 1, z, ..., z^(n/m - 1) are independent over the field of
+    z^(n/m), an m-th root of unity.
+    """
+    m = prod(int(prime) for prime, _ in fmpz(n).factor())
+    if m > MOST_PARTS:
         raise NotDerivable(TOO_MUCH)
     scale = lcm(*(int(k.q) for k in powers.values()))
-    dense = [0] * (max(powers) // shared + 1)
+    sums: dict[int, list[int]] = defaultdict(lambda: [0] * m)
     for power, k in powers.items():
-        dense[power // shared] = int((k * scale).p)
-    remainder = fmpz_poly(dense) % fmpz_poly.cyclotomic(n // shared)
-    return bool(remainder == 0)
+        quotient, rest = divmod(power, n // m)
+        sums[rest][quotient] = int((k * scale).p)
+    cyclotomic = fmpz_poly.cyclotomic(m)
+    return all(fmpz_poly(dense) % cyclotomic == 0 for dense in sums.values())
 
 
 def _radicand(root: Root) -> int:

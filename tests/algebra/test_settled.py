@@ -134,3 +134,8 @@ def test_roots_of_expressions_with_fixed_angles_in_them() -> None:
     assert one * normal(formula("y")) == other * normal(formula("y"))
     assert one != -other
     assert one != normal(formula("sqrt(2 + cos(62 deg) cos(x))"))
+
+
+def test_a_relation_between_angles_of_many_digits() -> None:
+    assert normal(formula("cos(12.3457 deg) + cos(132.3457 deg) + cos(252.3457 deg)")) == 0
+    assert normal(formula("cos(12.3457 deg) + cos(132.3457 deg) + cos(252.3456 deg)")) != 0
