@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from derive.algebra.fixed import fixed_trig
+from derive.algebra.fixed_sums import independent
 from derive.algebra.normal import normal
 from tests.trees import formula
 
@@ -139,3 +140,9 @@ def test_roots_of_expressions_with_fixed_angles_in_them() -> None:
 def test_a_relation_between_angles_of_many_digits() -> None:
     assert normal(formula("cos(12.3457 deg) + cos(132.3457 deg) + cos(252.3457 deg)")) == 0
     assert normal(formula("cos(12.3457 deg) + cos(132.3457 deg) + cos(252.3456 deg)")) != 0
+
+
+def test_sums_with_multiples_of_fifteen_degrees_are_written_out() -> None:
+    found = normal(formula("cos(85 deg) x - cos(25 deg) x/2 + sqrt(3) sin(25 deg) x/2"))
+    assert independent(found.numerator, found.ring)[0] == 0
+    assert found == 0
