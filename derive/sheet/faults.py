@@ -171,7 +171,12 @@ class _Entry:
         name = str(self.route[-1])
         if isinstance(self.route[-1], int):
             return self.at.fault("too many values here", self.route)
-        hint = did_you_mean(name, (*self._known_keys(self.route[:-1]), *self._more()), "what can stand here")
+        known = (*self._known_keys(self.route[:-1]), *self._more())
+        if name in known:  # of another form of what is described here
+            beside = next(key for key in self.at.value(self.route[:-1]) if key != name)
+            hint = f"leave it out, or describe it in the way in which {name} is used"
+            return self.at.fault(f"'{name}' is not used beside '{beside}'", self.route, hint, key=True)
+        hint = did_you_mean(name, known, "what can stand here")
         return self.at.fault(f"unknown key '{name}'", self.route, hint, key=True)
 
     def _more(self) -> tuple[str, ...]:
