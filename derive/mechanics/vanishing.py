@@ -105,7 +105,7 @@ class Vanishing:
             return
         try:
             lists = [self._factors(equation) for equation in live]
-        except TooLong:
+        except (TooLong, NotDerivable):
             self.open = True
             return
         if any(not factors for factors, _ in lists):

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from derive.algebra.factors import Factored, TooLong, effort
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal
+from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import (
@@ -36,6 +38,7 @@ from derive.mechanics.wrist import Wrist
 
 SIX = 6
 MOST_MINORS = 60
+MOST_LINKED = 100  # terms of all minors up to which det(J J^T) is multiplied out to be compared with them
 MOST_PRODUCTS = 300_000  # of terms, for the determinant or all minors
 MOST_TERMS = 400  # of one of them
 MOST_EFFORT = 100_000  # of taking them apart: a second or two
@@ -148,6 +151,11 @@ def by_minors(task: Task) -> Work:
     gram = _gram(task, name)
     tree = gram_determinant(problem, [minor.value for minor in found], trees)
     det = _closed(problem, "det", (determinant(gram), squares, tree))
+    laws: tuple[Claim, ...] = ()
+    if sum(len(minor.value.numerator) for minor in found) > MOST_LINKED:
+        det = replace(det, rule="law")
+        total = sum((minor.value * minor.value for minor in found), Scalar.of(0))
+        laws = (law("the squares of the minors", normal(tree) == total),)
     steps = (Step("J", (name, shown), "frame" if frame else "rows", {"frame": frame}), *minor_steps, det)
     block = Block(name.name, J, variables, rows, frame, _seeing(task))
     search = searching(task.found, problem.readable)
@@ -156,7 +164,7 @@ def by_minors(task: Task) -> Work:
     definitions |= {each: step.result for each, step in zip(names, minor_steps, strict=True)}
     uses = (problem.ask("forward-kinematics"),) if frame else (task.base,)
     return Work(
-        "minors", _moved(task), steps, tree, (Part(block, sets),), definitions, uses, (), not search.open
+        "minors", _moved(task), steps, tree, (Part(block, sets),), definitions, uses, laws, not search.open
     )
 
 
@@ -169,8 +177,8 @@ def _minors(task: Task, J: ScalarMatrix) -> tuple[Minor, ...]:
         Budget(MOST_TERMS).spend(max(len(minor.value.numerator) for minor in found))
     except TooLong:
         raise NotDerivable(
-            "the determinants of this Jacobian are too long to be taken apart; give numbers to some of the "
-            "lengths and twists, or ask for fewer rows"
+            "the determinants of this Jacobian are too long to be taken apart; ask for fewer rows, or give "
+            "numbers to lengths and twists, quarter turns where they will do"
         ) from None
     return found
 
