@@ -245,6 +245,8 @@ def _ratio(function: str, top: Scalar, bottom: Scalar, write: Write) -> Expr:
 
 def _over(top: Expr, bottom: Expr) -> Expr:
     """The quotient, one sign in front."""
+    if is_negative(bottom):
+        top, bottom = _opposite(top), negate(bottom)
     terms = top.terms if isinstance(top, Sum) else (top,)
     if all(map(is_negative, terms)):
         return Product((MINUS_ONE, Quotient(_opposite(top), bottom)))

@@ -71,12 +71,14 @@ def _block_numbers(task: Task, each: Analysed, here: dict[str, float]) -> Any:
     if block.frame == 0:
         return task.numbers(here)[:, columns]
     poses = oracle.poses(known)
-    if block.name.startswith("J^") and len(block.rows) == len(ROWS):
-        J = oracle.jacobian(known, len(poses) - 1, (0.0, 0.0, 0.0))
-    else:
+    if block.name in ("J_11", "J_22"):
         p = np.array([row[0] for row in numeric.matrix_numbers(block.seeing.point, known)])
         T = poses[-1]
         J = oracle.jacobian(known, len(poses) - 1, T[:3, :3].T @ (p - T[:3, 3]))
+    elif block.J.shape == (len(ROWS), len(ROWS)):
+        J = oracle.jacobian(known, len(poses) - 1, (0.0, 0.0, 0.0))
+    else:
+        J = oracle.jacobian(known, task.point.frame, task.point.offset)
     R = poses[block.frame][:3, :3]
     turned = np.vstack([R.T @ J[:3], R.T @ J[3:]])
     return turned[[ROWS.index(row) for row in block.rows]][:, columns]
