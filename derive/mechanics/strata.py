@@ -113,7 +113,12 @@ class Strata:
         if divides(place.left[0].factor, minor, self.search.variables):
             return False
         pairs = [(each.variable, each.factor) for each in place.left]
-        return len(pairs) == 1 or not all(vanishes_on(minor, pairs, self.search.turning))
+        if len(pairs) == 1:
+            return True
+        seen = vanishes_on(minor, pairs, self.search.turning)
+        if not seen:
+            raise TooLong
+        return not all(seen)
 
     # -- where it is lower ------------------------------------------------------------------------
 
@@ -229,7 +234,8 @@ class Inclusion:
         if any(divides(each.factor, value, self.search.variables) for each in one.left):
             return True
         pairs = [(each.variable, each.factor) for each in one.left]
-        return len(pairs) > 1 and all(vanishes_on(value, pairs, self.search.turning))
+        seen = vanishes_on(value, pairs, self.search.turning) if len(pairs) > 1 else []
+        return bool(seen) and all(seen)
 
     def largest(self, found: Sequence[Stratum]) -> Iterator[Stratum]:
         """Each set once, and none that lies in another of no higher rank."""

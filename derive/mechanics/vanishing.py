@@ -247,9 +247,9 @@ class Vanishing:
         left = (own, *place.left)
         pairs = [(each.variable, each.factor) for each in left]
         seen = [flag for e in others for flag in vanishes_on(e, pairs, self.turning)]
-        if all(seen):
+        if seen and all(seen):
             yield replace(place, left=left)
-        elif any(seen):
+        elif any(seen) or not seen:  # on some branches only; or a c + b s = 0 with a^2 + b^2 = 0
             self.open = True
 
     def _eliminated(self, factor: Scalar) -> str:

@@ -83,6 +83,15 @@ def test_what_is_too_long_is_refused_before_it_is_worked_out() -> None:
         asked(tuple((f"q{k}*", "0", f"l{k}", "90 deg") for k in range(1, 9)))
 
 
+def test_a_sum_of_squares_is_no_set_of_rank_zero() -> None:
+    """a c_2 + b s_2 = 0 with a^2 + b^2 = 0 has no real points but a = b = 0: it was given as a set."""
+    rows = (
+        ("q1*", "0", "a1", "-90 deg"), ("q2*", "1", "0", "-90 deg"),
+        ("q3*", "0", "0", "90 deg"), ("q4*", "1/2", "1", "180 deg"),
+    )  # fmt: skip
+    assert all(each.facts.get("rank", 1) for each in asked(rows, ("vx", "vy", "wz")).results["solutions"])
+
+
 def test_parallel_axes_are_no_wrist() -> None:
     said = " ".join(each.when for each in asked(EQUAL, ("vx", "vy")).results["solutions"])
     assert "wrist" not in said
