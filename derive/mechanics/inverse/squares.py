@@ -29,7 +29,7 @@ class Part:
 @dataclass(frozen=True, slots=True)
 class Elbow:
     """The sum of the squares of the known sides is a cos q + b sin q + constant: `row` holds a, b, and the
-    negative of the constant."""
+    negative of the constant alone, without the squares."""
 
     angle: Form
     parts: tuple[Part, ...]

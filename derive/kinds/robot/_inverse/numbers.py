@@ -151,8 +151,9 @@ class AtPoint:
         match found:
             case OneEquation(_, row):
                 a, b, c = self._numbers(row, known)
-            case Elbow(_, _, row):
+            case Elbow(_, parts, row):
                 a, b, c = self._numbers(row, known, 2)
+                c += sum((scalar_number(part.known, known) / self.size) ** 2 for part in parts)
             case _:
                 return None
         square = a * a + b * b
