@@ -230,7 +230,9 @@ class _Parser:
                 raise FormulaError(f"'{token.text}' is a function", token.offset, hint)
             return self._call(token)
         if opens and (self.next.offset == token.end or meant(token.text)):
-            raise unknown_function(token.text, self.tokens[self.at + 1].text, token.offset)
+            inside = self.tokens[self.at + 1 : self.at + 3]
+            argument = inside[0].text if inside[-1].text == ")" else ""
+            raise unknown_function(token.text, argument, token.offset)
         self._star(token)
         return Quantity(PI) if token.text == "pi" else Quantity(Symbol(token.text), None, numeric=False)
 

@@ -238,8 +238,12 @@ class Compared(Asked):
 
 
 def read_both_ways(published: Published, ours: Expr, terms: Terms) -> Finding:
-    """What is found about a formula; where a/b c can be read in two ways, about the reading that is right."""
+    """What is found about a formula; of two ways to read a/b c or 2 s, about the right one."""
     found = compare(published.tree, ours, terms)
+    if published.measured is not None and found.verdict != "equal":
+        other = compare(published.measured, ours, terms)
+        if other.verdict == "equal":
+            return other
     if published.tight is None:
         return found
     other = compare(published.tight, ours, terms)

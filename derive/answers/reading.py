@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
 
 from derive.algebra.grammar import parse
@@ -15,6 +15,7 @@ from derive.answers.chains import read_published
 from derive.answers.grids import MAX_ENTRIES
 from derive.answers.latex import NUMBERED
 from derive.answers.letters import Letters
+from derive.answers.measured import measured
 from derive.answers.published import Published, gathered
 from derive.answers.tokens import MAX_TEXT
 from derive.errors import FormulaError, Place, SheetError, SheetErrors
@@ -25,6 +26,7 @@ Locate: TypeAlias = Callable[[Route, int], Place]
 LATEX = "\\{}&$"
 BESIDE = re.compile(r"[\w)\]]\s+[\w(\[]|\)[\w(]|(?<![\w.])\d+(?:\.\d+)?[A-Za-z(]")  # factors without a sign
 NUMBER = re.compile(r"\s\(\d+\)\s*$")  # of an equation, or a factor
+BEFORE_PARENTHESIS = re.compile(r"(?<!\w)[A-Za-z]\(")  # a factor: s(s + 1)
 LOOSE = "_=,;:.|%"  # in a formula that is no formula of the sheet language, but may be one of a book
 
 
@@ -103,14 +105,25 @@ class Reader:
 
 def read_text(text: str, letters: Letters) -> Published:
     """What a formula or LaTeX says, in the problem's own symbols. Raises FormulaError."""
+    number = measured(text)
+    try:
+        found = _read_text(text, letters) if number is None else _read_text(text.replace(r"\%", "%"), letters)
+    except FormulaError:
+        if number is None:
+            raise
+        return Published(number)
+    return found if number in (None, found.tree) else replace(found, measured=number)
+
+
+def _read_text(text: str, letters: Letters) -> Published:
     if any(sign in text for sign in LATEX):
         return read_published(text, letters, _whole_matrix)
     try:
         tree = _read_formula(text, letters)
     except FormulaError:
-        if not any(sign in text for sign in LOOSE):
+        if not (any(sign in text for sign in LOOSE) or BEFORE_PARENTHESIS.search(text)):
             raise
-        try:  # LaTeX has letters side by side: mgL_c
+        try:  # LaTeX has letters side by side: mgL_c, s(s + 1)
             return read_published(text, letters, _whole_matrix)
         except FormulaError as error:
             if "=" in text:
