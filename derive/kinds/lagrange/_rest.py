@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation
+from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol, free_symbols
 from derive.kinds.lagrange._model import Model
 from derive.kinds.problem import Problem, expressions
@@ -37,6 +38,15 @@ def _is_coefficient(model: Model, name: str) -> bool:
             if beside & {q, *model.system.rates} or any({name, TIME} <= each for each in letters):
                 return True
     return False
+
+
+def require_steady(given: Mapping[str, Expr], moving: Iterable[str], place: str = "inputs") -> None:
+    """Raises NotDerivable for a value that changes: the equations hold such a thing only as a force."""
+    for name, value in given.items():
+        if found := sorted(free_symbols(value) & set(moving)):
+            raise NotDerivable(
+                f"{name} under {place}: depends on {found[0]}; write what changes into forces: itself", place
+            )
 
 
 def there(model: Model, value: Scalar, at: Mapping[Expr, Expr]) -> Scalar:

@@ -19,7 +19,7 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.lagrange._angles_found import Found, solved
 from derive.kinds.lagrange._model import Model
 from derive.kinds.lagrange._oracle import Differences
-from derive.kinds.lagrange._rest import equations, inputs_of, surely_positive, there
+from derive.kinds.lagrange._rest import equations, inputs_of, require_steady, surely_positive, there
 from derive.kinds.lagrange._stiffness import is_exact, put_in
 from derive.kinds.lagrange._stiffness import said as said_of
 from derive.kinds.problem import Problem
@@ -93,6 +93,7 @@ def _inputs(model: Model, options: Options) -> dict[Symbol, Expr]:
     forces = frozenset().union(*(free_symbols(tree) for _, tree in model.system.forces))
     if unknown := sorted(given.keys() - forces):
         raise NotDerivable(f"{unknown[0]} under inputs: is none of the inputs ({', '.join(names)})")
+    require_steady(given, (*model.system.coordinates, *model.system.rates, *model.system.accelerations))
     return {Symbol(name): given.get(name, ZERO) for name in dict.fromkeys((*names, *given))}
 
 
@@ -128,7 +129,8 @@ def _second_route(model: Model, found: list[Found], given: Mapping[Symbol, Expr]
     system, problem = model.system, model.problem
     differences, holds = Differences(system, problem.where), True
     still: Mapping[str, float] = dict.fromkeys((*system.rates, *system.accelerations), 0.0)
-    names = sorted(problem.symbols | {TIME, *system.coordinates})
+    letters = frozenset().union(*map(free_symbols, given.values()))
+    names = sorted(problem.symbols | letters | {TIME, *system.coordinates})
     for at in random_points(names, 2):
         for each in found:
             known = {**completed({**at, **still}, problem.where)}

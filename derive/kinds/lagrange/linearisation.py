@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import islice
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
@@ -12,15 +13,15 @@ from derive.algebra.numeric import matrix_numbers
 from derive.algebra.polynomials import known_sign
 from derive.algebra.text import text
 from derive.derivation import Claim, Derivation, Step
-from derive.errors import NotDerivable
-from derive.expression import ZERO, Expr, Matrix, Product, Symbol, column
+from derive.errors import NotDerivable, NotReal
+from derive.expression import ZERO, Expr, Matrix, Product, Symbol, column, free_symbols
 from derive.kinds.checks import SECOND_ROUTE, close, law, links, random_points
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import Name, OptionsModel
 from derive.kinds.lagrange._equations import written_fraction
 from derive.kinds.lagrange._model import Model
 from derive.kinds.lagrange._oracle import Differences
-from derive.kinds.lagrange._rest import equations, inputs_of, surely_positive, there
+from derive.kinds.lagrange._rest import equations, inputs_of, require_steady, surely_positive, there
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
 from derive.mechanics.lagrangian import TIME, LagrangianSystem
@@ -47,6 +48,7 @@ problems:
 """
 SMALL = 1e-5  # a displacement small enough for the linear equations
 LEFT_OVER = 1e-6
+TRIED = 40  # points, of which two are looked at where the state is real
 
 
 class Options(OptionsModel):
@@ -104,6 +106,7 @@ def _state(options: Options, system: LagrangianSystem, inputs: tuple[str, ...]) 
     if unknown := given.keys() - set(system.coordinates) - set(inputs):
         names = ", ".join((*system.coordinates, *inputs))
         raise NotDerivable(f"{min(unknown)} under at: is neither a coordinate nor an input ({names})", "at")
+    require_steady(given, (TIME, *system.rates, *system.accelerations), "at")
     rest: dict[Expr, Expr] = {Symbol(name): ZERO for name in (*inputs, *system.rates, *system.accelerations)}
     return {**rest, **{Symbol(name): value for name, value in given.items()}}
 
@@ -210,22 +213,28 @@ def _second_route(model: Model, linear: Linear, at: Mapping[Expr, Expr]) -> Clai
     system, problem = model.system, model.problem
     differences = Differences(system, problem.where)
     moving = (*system.coordinates, *system.rates, *system.accelerations, *linear.inputs)
-    names = sorted(problem.symbols | {TIME, *moving})
-    holds = all(_agree(model, linear, at, differences, point) for point in random_points(names, 2))
-    return Claim("a small motion obeys the linear equations", SECOND_ROUTE, holds)
+    letters = frozenset().union(*map(free_symbols, at.values()))
+    names = sorted(problem.symbols | letters | {TIME, *moving})
+    found = (_agree(model, linear, at, differences, point) for point in random_points(names, TRIED))
+    real = list(islice((holds for holds in found if holds is not None), 2))
+    if not real:
+        raise NotDerivable("this state is not real wherever it was tried, so nothing could be checked", "at")
+    return Claim("a small motion obeys the linear equations", SECOND_ROUTE, all(real))
 
 
 def _agree(
     model: Model, linear: Linear, at: Mapping[Expr, Expr], differences: Differences, point: dict[str, float]
-) -> bool:
+) -> bool | None:
+    """Whether they agree about the state of rest of one point; None where that is not real."""
     from derive.algebra.numeric import number as value_of
 
     system = model.system
     known = completed(point, model.problem.where)
     rest = {**known}
-    for name, tree in at.items():
-        if isinstance(name, Symbol):
-            rest[name.name] = value_of(tree, known)
+    try:
+        rest |= {name.name: value_of(tree, known) for name, tree in at.items() if isinstance(name, Symbol)}
+    except NotReal:
+        return None
     moving = (*system.coordinates, *system.rates, *system.accelerations, *linear.inputs)
 
     def leftover(sign: int) -> list[float]:
