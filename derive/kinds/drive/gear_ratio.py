@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import islice
+from math import copysign
 
 from derive.algebra.numeric import number as at
 from derive.derivation import Claim, Derivation, Step
+from derive.errors import NotDerivable
 from derive.expression import (
     ONE,
     Derivative,
@@ -43,6 +46,7 @@ problems:
 ALPHA, BEST = symbols("alpha G_opt")
 GEARS = ("G", "r", "n", "G_r")  # what it is called, the first that means nothing else
 NEAR = (0.9, 1.1)  # gears beside the best
+DRAWS = 200  # points among which some have positive inertias
 
 
 class Options(OptionsModel):
@@ -133,19 +137,25 @@ def _best(working: Working, J_m: Expr, J_l: Expr, tau_m: Expr, tau_l: Expr | Non
 
 
 def _second_route(drive: Drive, problem: Problem, results: Mapping[str, Expr]) -> Claim:
-    """At numbers: the acceleration there is what is claimed, and gears beside it give less."""
+    """At numbers: the acceleration there is what is claimed, and gears beside it give less, the way the motor
+    pushes. Raises NotDerivable where no numbers make both inertias positive and leave the motor a torque."""
     torque = problem.final(drive.torque or Symbol("tau_m"))
     trees = [problem.final(drive.rotor), problem.final(drive.load), torque]
     trees.append(number(0) if drive.load_torque is None else problem.final(drive.load_torque))
     symbols = sorted(frozenset().union(*map(free_symbols, trees)))
+    drawn = random_points(symbols, DRAWS) if symbols else iter([{}])
+    with_values = ((point, [at(tree, point) for tree in trees]) for point in drawn)
+    real = ((point, values) for point, values in with_values if values[0] > 0 < values[1] and values[2])
+    points = list(islice(real, 3))
+    if not points:
+        raise NotDerivable("no values make both inertias positive and leave the motor a torque")
     holds = True
-    for point in random_points(symbols, 3) if symbols else iter([{}]):
-        rotor, load, push, pull = (at(tree, point) for tree in trees)
+    for point, (rotor, load, push, pull) in points:
 
         def gives(gear: float, now: tuple[float, ...] = (rotor, load, push, pull)) -> float:
             return (gear * now[2] - now[3]) / (gear**2 * now[0] + now[1])
 
         best = at(results["G"], point)
         holds &= close(gives(best), at(results["alpha"], point))
-        holds &= all(gives(best) > gives(near * best) for near in NEAR)
+        holds &= all(copysign(1, push) * (gives(best) - gives(near * best)) > 0 for near in NEAR)
     return Claim("gears beside it accelerate less", SECOND_ROUTE, holds)
