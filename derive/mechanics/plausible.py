@@ -43,7 +43,7 @@ def impossible_inertia(body: Body, names: Names, positive: Collection[str] = ())
 def _shorthand(inertia: ScalarMatrix) -> bool:
     """[0, 0, I]: of an arm in a plane, whose other moments do not matter and were left out."""
     named = [entry for entry in inertia.entries if entry]
-    return len(named) == 1 and named[0].constant is None
+    return len(named) == 1 and (named[0].constant is None or named[0].constant > 0)
 
 
 def _matrix(body: Body, names: Names) -> ScalarMatrix:

@@ -131,17 +131,17 @@ def _numbers(task: Task, options: Options, problem: Problem) -> dict[str, float]
         raise NotDerivable(f"start gives no value to {_listed(missing)}", "start")
     here = dict(oracle_of(problem).at(start))
     open_names = sorted(problem.symbols - set(here))
-    if open_names and _needed(task, open_names):
+    if needed := _needed(task, open_names):
         raise NotDerivable(
-            f"no value is known for {open_names[0]}: iterations need numbers, under where: or evaluate:"
+            f"no value is known for {_listed(needed)}: iterations need numbers, under where: or evaluate:"
         )
     return {**dict.fromkeys(open_names, 0.0), **here}
 
 
-def _needed(task: Task, names: list[str]) -> bool:
-    """Whether one of them stands in the position."""
+def _needed(task: Task, names: list[str]) -> list[str]:
+    """Those of them that stand in the position."""
     used = {name for entry in task.point.position.entries for name in entry.generators()}
-    return any(name in used for name in names)
+    return [name for name in names if name in used]
 
 
 def _listed(names: Any) -> str:

@@ -29,7 +29,8 @@ def warnings(folder: Path, inertia: str, mass: str = "1") -> list[str]:
 @pytest.mark.parametrize(
     ("inertia", "mass", "said"),
     [
-        ("[0, 0.35, 0]", "0", "I_yy = 0.35 is greater than I_xx + I_zz = 0"),
+        ("[0.1, 0.35, 0.2]", "1", "I_yy = 0.35 is greater than I_xx + I_zz = 0.3"),
+        ("[0, -0.35, 0]", "1", "I_yy is negative"),
         ("[-1, 2, 2]", "1", "I_xx is negative"),
         ("[1, 1, 1, 0.9, 0, 0]", "1", "principal moments 0.1, 1, 1.9 are not the sides of a triangle"),
         ("[1, 1, 1]", "0", "it has moments of inertia but no mass"),
@@ -48,6 +49,7 @@ def test_no_body_has_it(tmp_path: Path, inertia: str, mass: str, said: str) -> N
         "[0, 1, 1]",
         "[I_x, I_y, I_z]",
         "[0, 0, I]",
+        "[0, 0, 0.02]",
         "point",
         "{rod: L, axis: x}",
         "[1, 1, 1, 0.4, 0, 0]",
@@ -58,7 +60,7 @@ def test_a_body_may_have_it(tmp_path: Path, inertia: str) -> None:
 
 
 def test_the_command_says_so_and_builds(tmp_path: Path) -> None:
-    warnings(tmp_path, "[0, 0.35, 0]", "0")
+    warnings(tmp_path, "[0.1, 0.35, 0.1]", "1")
     sheet = tmp_path / "sheet.yaml"
     done = CliRunner().invoke(main, [str(sheet), "--format", "md", "--output", str(tmp_path / "out")])
     assert done.exit_code == 0
