@@ -28,11 +28,13 @@ NEARLY = 1e-9  # rad, so that only a likely angle is compared exactly
 
 
 def direction(y: Expr, x: Expr) -> Expr:
-    """atan2(y, x), or the angle that it is, made of one that stands in a sine or cosine there."""
+    """atan2(y, x), or the angle that it is: made of one that stands in a sine or cosine there, or a
+    multiple of 15 degrees."""
     if free_symbols(y) | free_symbols(x):
         return atan2(y, x)
     value = math.atan2(number(y, {}), number(x, {}))
-    for angle in _angles(y, x):
+    twelfths = multiply(exact(Fraction(round(12 * value / math.pi), 12)), PI)
+    for angle in (*_angles(y, x), twelfths):
         if abs(number(angle, {}) - value) < NEARLY:
             crossed = normal(Product((y, cos(angle)))) == normal(Product((x, sin(angle))))
             return angle if crossed else atan2(y, x)

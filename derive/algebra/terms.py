@@ -123,7 +123,8 @@ class Alphabet:
         return int(inside) if inside.isdigit() else 1
 
     def key(self, atom: int) -> SortKey:
-        """Roots of numbers, masses, other symbols, cosines, sines; each kind in reading order."""
+        """Roots of numbers, masses, other symbols, cosines, sines, last those of fixed angles; each kind in
+        reading order."""
         if atom not in self.keys:
             self.keys[atom] = self._key(self.atoms[atom])
         return self.keys[atom]
@@ -134,7 +135,7 @@ class Alphabet:
             return self._key(Atom("symbol", first))
         if isinstance(atom.what, Form):
             ranks = tuple(sorted(self._rank(name) for name, _ in atom.what.parts))
-            return (3 if atom.kind == "cos" else 4, ranks)
+            return ((3 if atom.kind == "cos" else 4) + 2 * (not atom.what.moving.parts), ranks)
         if atom.kind == "root":
             return (0, atom.what)
         weight = MASSES.match(atom.what)

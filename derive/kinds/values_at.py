@@ -4,13 +4,13 @@ symbols are left."""
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from derive.algebra.numeric import Point, number
 from derive.algebra.terms import Style
 from derive.derivation import Branch, Derivation, Result
-from derive.expression import Expr, Matrix, Symbol, free_symbols
+from derive.expression import Expr, Matrix, Number, Symbol, free_symbols, walk
 from derive.kinds.partly import put_in
 
 NOT_REAL = (ValueError, ZeroDivisionError, OverflowError)
@@ -47,7 +47,9 @@ class Here:
     def of(at: Mapping[str, Expr], where: Mapping[str, Expr], style: Style) -> Here:
         given = {**where, **at}
         values: dict[Expr, Expr] = {Symbol(name): value for name, value in given.items()}
-        return Here(values, point_of(at, where), bool(at), style)
+        nodes = (node for value in at.values() for node in walk(value))
+        decimal = any(isinstance(node, Number) and node.decimal for node in nodes)
+        return Here(values, point_of(at, where), bool(at), replace(style, decimals=style.decimals or decimal))
 
     def scalar(self, expr: Expr) -> Any:
         """A float where everything has a value; else a tree in the symbols left. Raises KeyError where that

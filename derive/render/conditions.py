@@ -7,9 +7,12 @@ from collections.abc import Callable, Iterable
 from operator import add
 
 from derive.algebra.grammar import parse
+from derive.algebra.normal import normal
+from derive.algebra.readable import readable
+from derive.algebra.terms import Style
 from derive.algebra.units import ANY
 from derive.errors import FormulaError
-from derive.expression import Expr
+from derive.expression import PI, Expr, Quotient, walk
 from derive.render.latex import Printer
 
 CLAUSES = re.compile(r"(, (?:where )?|; |: | and | or | if | where )")
@@ -17,28 +20,44 @@ RELATION = re.compile(r" (<=|>=|!=|<|>|=) ")
 SIGNS = {"<=": r"\leq", ">=": r"\geq", "!=": r"\neq"}
 
 
-def condition(words: str, names: Iterable[str], printer: Printer, plain: Callable[[str], str]) -> str:
+def condition(
+    words: str,
+    names: Iterable[str],
+    printer: Printer,
+    plain: Callable[[str], str],
+    style: Style | None = None,
+) -> str:
     """`elbow up, theta2 > 0` with its relation as inline mathematics; of other words only `names` are.
 
-    `plain` makes text safe for the format.
+    `plain` makes text safe for the format; decimals and fixed angles are written in the author's `style`.
     """
     known = frozenset(names)
     return "".join(
-        part if place % 2 else _clause(part, known, printer, plain)
+        part if place % 2 else _clause(part, known, printer, plain, style or Style())
         for place, part in enumerate(CLAUSES.split(words))
     )
 
 
-def _clause(clause: str, names: frozenset[str], printer: Printer, plain: Callable[[str], str]) -> str:
+def _clause(
+    clause: str, names: frozenset[str], printer: Printer, plain: Callable[[str], str], style: Style
+) -> str:
     sides = RELATION.split(clause)
     if len(sides) > 1:
         try:
-            written = [printer.write(_tree(side)) for side in sides[::2]]
+            written = [printer.write(_in_style(_tree(side), style)) for side in sides[::2]]
         except FormulaError:
             return _words(clause, names, printer, plain)
         signs = [f" {SIGNS.get(sign, sign)} " for sign in sides[1::2]]
         return f"${written[0]}{''.join(map(add, signs, written[1:]))}$"
     return _words(clause, names, printer, plain)
+
+
+def _in_style(tree: Expr, style: Style) -> Expr:
+    """Written anew where it holds what this style writes otherwise."""
+    nodes = [*walk(tree)]
+    fixed = style.degrees and PI in nodes
+    fractions = style.decimals and any(isinstance(node, Quotient) for node in nodes)
+    return readable(normal(tree), style) if fixed or fractions else tree
 
 
 def _tree(side: str) -> Expr:

@@ -2,16 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, get_args
 
+from derive.algebra.terms import Style
 from derive.derivation import Branch, Derivation
-from derive.expression import Approximate, Expr, Matrix, Number, Product, Quotient, Sum, Symbol, column
+from derive.expression import (
+    Approximate,
+    Degrees,
+    Expr,
+    Matrix,
+    Number,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+    column,
+    walk,
+)
 from derive.expression import Power as Raised
+from derive.render.angles import in_degrees, in_radians
 from derive.render.conditions import condition
 from derive.render.latex import Printer
-from derive.render.layout import lay_out
+from derive.render.layout import Chain, lay_out
 from derive.render.notation import Notation
 from derive.render.skin import Skin, environment
 from derive.render.words import chain_links
@@ -26,24 +41,29 @@ def evaluated_words(derivation: Derivation, at: Mapping[str, Expr], skin: Skin, 
     """The sentence "At theta1 = 30 deg:" and the numbers; "" where nothing was evaluated.
 
     A derivation may choose what is worth printing by a fact `numbers`, a tuple of result names, and by a
-    fact `page_names` what they are called on the page.
+    fact `page_names` what they are called on the page; by `met` that only branches that are met are listed.
+    A fact `angle_results` names those that are angles, printed in degrees where `style` or the point is.
     """
-    shown = derivation.facts.get("numbers", tuple(derivation.evaluated))
+    facts = derivation.facts
+    shown = facts.get("numbers", tuple(derivation.evaluated))
     values = {name: value for name, value in derivation.evaluated.items() if name in shown}
     if not values:
         return ""
-    printer, called = Printer(notation), derivation.facts.get("page_names", {})
+    telling = _Telling(Printer(notation), skin, facts.get("angle_results", ()), _style(derivation, at))
+    called = facts.get("page_names", {})
     chains = [
-        chain_links((_called(called.get(name, name)), number), printer)
+        chain
         for name, value in values.items()
-        if (number := numeric(value)) is not None
+        if (chain := telling.chain(_called(called.get(name, name)), value, name))
     ]
+    names = {*at, *(name for each in _branches(derivation.results.get("solutions")) for name in each.values)}
     context = {
-        "point": [_given(name, value, printer) for name, value in at.items()],
+        "point": [_given(name, value, telling.printer) for name, value in at.items()],
         "display": skin.display(lay_out(tuple(chains))) if chains else "",
         "branches": [
-            _branch(_unknowns(branch, derivation), at, printer, skin)
+            telling.branch(_unknowns(branch, derivation), names)
             for branch in values.get("solutions", ())
+            if branch.get("real", True) or not facts.get("met")
         ],
         "items": skin.items,
     }
@@ -75,17 +95,41 @@ def _branches(result: object) -> tuple[Branch, ...]:
     return tuple(part for part in parts if isinstance(part, Branch))
 
 
-def _branch(
-    branch: Mapping[str, Any], at: Mapping[str, Expr], printer: Printer, skin: Skin
-) -> dict[str, Any]:
-    """One solution: its equations as inline mathematics, and when it is the one."""
-    values = {name: numeric(value) for name, value in branch.items() if name not in ABOUT}
-    shown = [
-        chain_links((Symbol(name), value), printer) for name, value in values.items() if value is not None
-    ]
-    equations = [f"${first.latex} {second.relation} {second.latex}$" for first, second in shown]
-    when = condition(branch.get("when", ""), {*values, *at}, printer, skin.plain)
-    return {"when": when, "real": branch.get("real", True), "equations": equations}
+def _style(derivation: Derivation, at: Mapping[str, Expr]) -> Style:
+    """That of the subject, in degrees also where a value of the point is."""
+    style: Style = derivation.facts.get("style", Style())
+    typed = any(isinstance(node, Degrees) for value in at.values() for node in walk(value))
+    return replace(style, degrees=style.degrees or typed)
+
+
+@dataclass(frozen=True, slots=True)
+class _Telling:
+    """Values on one page; `angles` are the names of those that are angles."""
+
+    printer: Printer
+    skin: Skin
+    angles: tuple[str, ...]
+    style: Style
+
+    def chain(self, called: Expr, value: Any, name: str) -> Chain:
+        """`called = value`; nothing for what is no number."""
+        number = numeric(value)
+        if number is None:
+            return ()
+        if name not in self.angles or not isinstance(value, float | int):
+            return chain_links((called, number), self.printer)
+        degrees, digits = self.style.degrees, self.printer.notation.digits
+        angle = in_degrees(value, digits) if degrees else in_radians(value, self.printer)
+        return *chain_links((called,), self.printer), angle
+
+    def branch(self, branch: Mapping[str, Any], names: Set[str]) -> dict[str, Any]:
+        """One solution: its equations as inline mathematics, and when it is the one."""
+        values = {name: value for name, value in branch.items() if name not in ABOUT}
+        chains = [self.chain(Symbol(name), value, name) for name, value in values.items()]
+        equations = [f"${each[0].latex} {each[1].relation} {each[1].latex}$" for each in chains if each]
+        said, known = branch.get("when", ""), names | values.keys()
+        when = condition(said, known, self.printer, self.skin.plain, self.style)
+        return {"when": when, "real": branch.get("real", True), "equations": equations}
 
 
 def numeric(value: Any) -> Expr | None:

@@ -122,6 +122,8 @@ class Printer:
         pieces = self._over_number(rest)
         if not pieces:
             pieces = [self._factor(rest, place, bool(sign)) for place in range(len(rest))]
+        if len(pieces) > 1 and pieces[0] == "1":  # what a rounded number may come to
+            pieces = pieces[1:]
         written = pieces[0]
         for piece in pieces[1:]:
             written += (r" \cdot " if meet_as_numbers(written, piece) else " ") + piece

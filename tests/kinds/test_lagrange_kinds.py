@@ -305,8 +305,8 @@ def test_where_a_bead_on_a_turning_hoop_rests() -> None:
     assert states(found) == [
         ("0", "stable if g - Omega**2*R > 0, unstable if g - Omega**2*R < 0"),
         ("pi", "unstable"),
-        ("acos(g/(Omega**2*R))", "stable where Omega**2*R - g >= 0"),
-        ("-acos(g/(Omega**2*R))", "stable where Omega**2*R - g >= 0"),
+        ("acos(g/(Omega**2*R))", "stable where Omega**2*R - g > 0"),
+        ("-acos(g/(Omega**2*R))", "stable where Omega**2*R - g > 0"),
     ]
 
 

@@ -42,7 +42,8 @@ def written_side(side: Scalar, system: LagrangianSystem, problem: Problem) -> Ex
         return add(*terms, problem.readable(rest))  # a relativistic energy, say: no sum over rates
     for powers, factor in by_rates(rest, system.rates):
         rates = tuple(_power(name, power) for name, power in powers.items())
-        terms.append(_times(problem.readable(factor), rates))
+        term = _times(problem.readable(factor), rates)
+        terms += term.terms if isinstance(term, Sum) else (term,)
     return add(*terms)
 
 

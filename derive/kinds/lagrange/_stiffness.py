@@ -32,7 +32,7 @@ def is_exact(found: Found) -> bool:
 
 def said(model: Model, found: Found, stiffness: ScalarMatrix, positive: set[str]) -> str:
     """Stable where K is positive definite there; the condition, where parameters decide."""
-    needs = [f"{_written(model, each, positive)} >= 0" for each in found.real_if]
+    needs = [f"{_written(model, each, positive)} > 0" for each in found.real_if]
     if is_exact(found):
         words = _stability(model, found, stiffness, positive)
     else:

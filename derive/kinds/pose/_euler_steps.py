@@ -208,6 +208,8 @@ class Work:
             "numeric": self.numeric,
             "regular": self.regular,
             "angles": [Symbol(name) for name in euler.names],
+            "met": True,
+            **self.problem.angular(euler.names),
             "middle": centre,
             "first": Symbol(euler.outer[0]),
             "last": Symbol(euler.outer[2]),

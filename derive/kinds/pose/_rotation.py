@@ -13,6 +13,7 @@ from derive.kinds.pose._given import Given
 from derive.kinds.problem import Problem
 
 LONGEST_ENTRY = 8  # operations above which an entry is left by its name
+LONGEST_VALUE = 25  # likewise for what is made of the entries
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +32,10 @@ class Rotation:
     def short(self) -> bool:
         """Whether entries may be written out where their names stand."""
         return all(operations(entry) <= LONGEST_ENTRY for entry in self.entries.values())
+
+    def shows(self, value: Expr) -> bool:
+        """Whether what is made of the entries may be written out."""
+        return self.short and operations(value) <= LONGEST_VALUE
 
     def value(self, name: str) -> Scalar:
         """The entry of a name, `r_32`."""

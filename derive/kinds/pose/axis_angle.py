@@ -86,7 +86,7 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
         return _nothing(given, names)
     half = R.matrix == R.matrix.T
     steps = _half_turn(R, names, problem) if half else _general(R, names, problem)
-    told = half or R.short
+    told = len(steps[-1].chain) > 2 or half
     angle, axis = (steps[-2].result, _column(steps[-1])) if told else _long(R, problem)
     results: dict[str, Expr] = {"angle": angle, "axis": axis}
     facts = {
@@ -97,6 +97,8 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
         "angle": names.angle,
         "axis": names.axis,
     }
+    facts |= problem.angular(("angle",))
+    facts["page_names"] = {"angle": names.angle, "axis": names.axis}
     facts["turned"] = names.turn
     facts["twice"] = (names.turn, Product((number(2), sin(names.angle), names.axis)))
     facts["law"] = (
@@ -130,9 +132,9 @@ def _general(R: Rotation, names: _Names, problem: Problem) -> tuple[Step, ...]:
     cosine_of = add(*(Symbol(f"r_{i}{i}") for i in (1, 2, 3)), number(-1))
     angle: tuple[Expr, ...] = (names.angle, atan2(size, cosine_of))
     axis: tuple[Expr, ...] = (names.axis, Quotient(names.turn, size))
-    if not R.short:
+    value = _value(R, problem) if R.short else None
+    if value is None or not R.shows(value.angle):
         return Step("w", (names.turn, w)), Step("angle", angle), Step("axis", axis)
-    value = _value(R, problem)
     exact = known_angle(value.angle, problem) if R.numeric else value.angle
     angle = (*angle, value.angle, exact) if exact != value.angle else (*angle, value.angle)
     return (

@@ -68,9 +68,9 @@ def _general(R: Rotation, square: Scalar, name: Symbol, scalar: Symbol, problem:
     differences = [subtract(Symbol(plus), Symbol(minus)) for plus, minus in DIFFERENCES]
     quotients = [Quotient(each, Product((number(4), scalar))) for each in differences]
     formula = column((scalar, *quotients))
-    if not R.short:
-        return Step("q_0", root_of), Step("q", (name, formula))
     value = _value(R, square, problem)
+    if not all(R.shows(entry) for (entry,) in value.rows):
+        return Step("q_0", root_of), Step("q", (name, formula))
     return Step("q_0", (*root_of, value.rows[0][0])), Step("q", (name, formula, value))
 
 

@@ -101,7 +101,7 @@ def _at_point(options: Options, problem: Problem, place: Place) -> Derivation:
     return Derivation(
         "manipulability", found.steps, {"w": w, **found.results}, found.claims, {},
         {"w": size, **found.evaluated}, (base,), found.plots,
-        {**base.facts, **found.facts, "w": (W, Approximate(size))},
+        {**base.facts, **found.facts, "numbers": (), "w": (W, Approximate(size))},
     )  # fmt: skip
 
 
@@ -190,7 +190,7 @@ def _facts(task: Task, det: Factored) -> dict[str, Any]:
         "angular": any(row[0] == "w" for row in task.rows),
         "mixed": len({row[0] for row in task.rows}) > 1,
         "best": _best(task, det),
-        "numbers": (),
+        "numbers": ("w",),
         "point": (),
     }
 

@@ -58,7 +58,12 @@ def derive(chain: Chain, options: Any, problem: Problem) -> Derivation:
         page.definitions,
         values.values,
         uses=(problem.ask("forward-kinematics"),),
-        facts={**page.facts(solutions), **values.facts, "partial": trial.partial},
+        facts={
+            **page.facts(solutions),
+            **values.facts,
+            **problem.angular(solutions.turning),
+            "partial": trial.partial,
+        },
     )
 
 

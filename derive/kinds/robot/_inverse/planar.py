@@ -67,7 +67,7 @@ def derive(
         claims,
         evaluated=values.values,
         uses=(problem.ask("forward-kinematics"),),
-        facts={**writing.facts(), **values.facts},
+        facts={**writing.facts(), **values.facts, **problem.angular(chain.variables)},
     )
 
 

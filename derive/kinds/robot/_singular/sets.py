@@ -13,7 +13,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.pinned import in_single_angles, pinned_matrix, rationalised
 from derive.algebra.ring import Root
 from derive.errors import NotDerivable
-from derive.expression import Expr, Matrix, Symbol
+from derive.expression import Expr, Matrix, Symbol, free_symbols
 from derive.kinds.problem import Problem
 from derive.kinds.robot._singular.determinants import mostly_negative, opposite
 from derive.kinds.robot._singular.geometry import Look, Seeing
@@ -88,16 +88,23 @@ def analysed(problem: Problem, block: Block, found: Stratum, inner: bool) -> Ana
     if not values and place.fixed and not place.left:
         return None
     known = decided(place, values)
-    steps = [each for each in (*place.fixed, *place.left) if each.variable not in {z.variable for z in known}]
+    settled = {zero.variable for zero in known}
+    steps = [each for each in (*place.fixed, *place.left) if each.variable not in settled]
+    steps.sort(key=lambda each: block.seeing.chain.variables.index(each.variable))
     equations = tuple(_positive(problem.readable(each.factor)) for each in steps) if not signed(place) else ()
     told = not signed(place) and (inner or len(values) > MOST_SHOWN)
-    once = any(zero.rule in ("direction", "triangle") for each in values for zero in each)
+    once = any(map(_turns_with_others, values))
     cases = tuple(
         _case(block, zeros, shown=not inner, with_J=not inner and not (once and k))
         for k, zeros in enumerate(() if told else values)
     )
     pairs = tuple((Symbol(zero.variable), zero.value) for zero in known)
     return Analysed(block, equations, pairs, found.rank, found.exact, cases, values[:MOST_CHECKED], inner)
+
+
+def _turns_with_others(zeros: Iterable[Zero]) -> bool:
+    """Whether a value is a direction that is no fixed one."""
+    return any(zero.rule in ("direction", "triangle") and free_symbols(zero.value) for zero in zeros)
 
 
 def _positive(tree: Expr) -> Expr:
