@@ -71,9 +71,8 @@ class Asked:
     def letters(self) -> Letters:
         rates = {name + rate for name in self.variables for rate in RATES}
         working = {name.name for name in self.definitions if isinstance(name, Symbol)}
-        return Letters(
-            self.own | working | rates | set(self.given.where) | set(self.variables), self.xy, self.own
-        )
+        declared = set(self.given.where) | self.given.assumptions.keys()
+        return Letters(self.own | working | rates | declared | set(self.variables), self.xy, self.own)
 
     @cached_property
     def point(self) -> Names:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
+from collections.abc import Sequence
 
 from derive.algebra.quantities import Quantity
 from derive.answers.names import NameReader
@@ -13,6 +14,16 @@ from derive.expression import Matrix
 
 MAX_ENTRIES = 400
 MATRICES = ("matrix", "bmatrix", "pmatrix", "Bmatrix", "smallmatrix", "array")
+
+
+def require_commas(between: Sequence[Token]) -> None:
+    """Raises FormulaError where rows such as `0 1; -6 -11` have blanks between their entries: they would be
+    read as products and differences."""
+    for left, right, after in zip(between, between[1:], [*between[2:], between[-1]], strict=False):
+        apart = left.end < right.offset and left.text not in list("+-*/^_([{,;")
+        signed = right.text in "+-" and right.end == after.offset
+        if apart and (right.kind == "number" or signed or (left.text == "0" and right.text not in "+-*/;,")):
+            raise FormulaError("a blank stands between entries", left.end, "write commas between them")
 
 
 class GridReader(NameReader):
@@ -32,7 +43,10 @@ class GridReader(NameReader):
         self.skip_group()
         if name == "array":
             self.skip_group()
-        rows = self.rows(opened)
+        return self.gathered(self.rows(opened), opened)
+
+    def gathered(self, rows: list[list[Quantity]], opened: Token) -> Quantity:
+        """The matrix of these rows."""
         if len({len(row) for row in rows}) != 1:
             raise FormulaError("the rows of this matrix are not equally long", opened.offset)
         terms = sum(entry.terms for row in rows for entry in row)

@@ -25,7 +25,7 @@ from derive.algebra.quantities import (
 )
 from derive.answers.cursor import OPENING
 from derive.answers.functions import RECIPROCALS, FunctionReader
-from derive.answers.grids import MAX_ENTRIES
+from derive.answers.grids import MAX_ENTRIES, require_commas
 from derive.answers.letters import Letters
 from derive.answers.names import FUNCTIONS
 from derive.answers.rates import rate_at
@@ -198,17 +198,23 @@ class _Parser(FunctionReader):
         raise self.unexpected()
 
     def enclosed(self) -> Quantity:
-        r"""What stands in parentheses or braces: {a \over b} is a quotient, (a, b) a column, turned too."""
+        r"""What stands in parentheses or braces: {a \over b} is a quotient, (a, b) a column, turned too,
+        [a, b; c, d] the rows of a program."""
         opened = self.take()
         found = self.sum()
         if self.next.text == "over" and opened.text == "{":
             over = self.take()
             found = divided(found, self.sum(), over.offset)
-        entries = [found]
+        rows = [[found]]
         while self.next.text in (",", ";") and opened.text != "{":
-            self.take()
-            entries.append(self.sum())
+            rows += [[]] if self.take().text == ";" else []
+            rows[-1].append(self.sum())
+        if len(rows) > 1:
+            require_commas(self.tokens[self.tokens.index(opened) + 1 : self.at])
         self.close(opened, {"{": "}"}.get(opened.text) or OPENING[opened.text])
+        if len(rows) > 1 and any(len(row) > 1 for row in rows):
+            return self.gathered(rows, opened)
+        entries = [entry for row in rows for entry in row]
         return self.listed(entries) if len(entries) > 1 else found
 
     def listed(self, entries: list[Quantity]) -> Quantity:

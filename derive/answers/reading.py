@@ -126,7 +126,7 @@ def _read_text(text: str, letters: Letters) -> Published:
         try:  # LaTeX has letters side by side: mgL_c, s(s + 1)
             return read_published(text, letters, _whole_matrix)
         except FormulaError as error:
-            if "=" in text:
+            if "=" in text or "[" in text:
                 raise error from None
         raise
     return Published(tree, _tight(text, tree, letters))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -53,6 +54,13 @@ class _Letters:
         k = self.forms.index(form)
         return f"cosine_{k}", f"sine_{k}"
 
+    def spoken(self, message: str) -> str:
+        """A message with the sines and cosines themselves."""
+        for form in self.forms:
+            for letter, function in zip(self.pair(form), ("cos", "sin"), strict=True):
+                message = re.sub(rf"\b{letter}\b", f"{function}({form})", message)
+        return message
+
     @property
     def names(self) -> list[str]:
         """Sines first, so that a basis ends with an equation in a cosine."""
@@ -73,7 +81,10 @@ def solved(
     plain = [_renamed(equation.into(home), letters) for equation in equations]
     circles = [_circle(letters.pair(form)) for form in forms]
     straight = [q for q in coordinates if not any(form.of_atom(q) for form in forms)]
-    case = solve([*plain, *circles], [*letters.names, *straight], positive)
+    try:
+        case = solve([*plain, *circles], [*letters.names, *straight], positive)
+    except NotDerivable as error:
+        raise NotDerivable(letters.spoken(str(error))) from error
     found = []
     for each in case.all_solutions():
         values = _values(each.values, letters, coordinates, positive, problem)
@@ -92,13 +103,13 @@ def _require_plain(
                 raise NotDerivable(f"an angle that holds {atom} besides a coordinate is not solved for here")
             if atom in symbols and atom in used:
                 raise NotDerivable(
-                    f"{atom} stands inside a sine or cosine and outside of one: no exact solution"
+                    f"{atom} stands inside a sine or cosine and outside of one: that is not solved here"
                 )
     plain = {f"{function}({form})" for form in forms for function in ("cos", "sin")} | {*coordinates}
     for equation in equations:
         inner = (equation.ring.letters(name) for name in _deciding(equation) - plain)
         if hidden := sorted(frozenset().union(*inner).intersection(coordinates)):
-            raise NotDerivable(f"{hidden[0]} stands inside another function: no exact solution is known")
+            raise NotDerivable(f"{hidden[0]} stands inside another function: that is not solved here")
 
 
 def _deciding(equation: Scalar) -> set[str]:
