@@ -187,7 +187,9 @@ def _without(angle: Expr, name: Symbol) -> Expr | None:
 
 
 def _plus(value: Expr, expr: Expr) -> Expr:
-    return add(value, *(expr.terms if isinstance(expr, Sum) else (expr,)))
+    """Their sum, what has no minus sign first."""
+    terms = expr.terms if isinstance(expr, Sum) else (expr,)
+    return add(value, *terms) if is_negative(terms[0]) else add(*terms, value)
 
 
 def _opposite(expr: Expr) -> Expr:
