@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from derive.derivation import Claim, Derivation, Figure
 from derive.errors import NotDerivable, Place, SheetError, SheetErrors
@@ -22,6 +22,9 @@ from derive.sheet.load import load_sheet
 from derive.sheet.model import Problem, Question, Sheet
 from derive.sheet.source import At
 from derive.writing import Progress, render, write
+
+if TYPE_CHECKING:
+    from derive.kinds.values_at import Here
 
 BASE = re.compile(r"_d?dot$")  # what a rate has more than its variable
 MISSPELT = 0.85  # how like a name another is that was meant: theta2 of thetha2, but not of theta3
@@ -293,16 +296,35 @@ def _evaluated(answer: Derivation, question: Question, working: Working) -> Deri
     here = Here.of(given, working.where, working.style)
     try:
         return replace(answer, evaluated=values_at(answer, here))
-    except KeyError as error:
-        name = error.args[0]
-        fault = SheetError(
-            f"no value is known for {name}", question.place, f"give {name} a value under evaluate: or where:"
-        )
+    except KeyError:
+        missing = _missing(answer, here)
+        message = f"no value is known for {', '.join(missing)}"
+        wanted = f"{missing[0]} a value" if len(missing) == 1 else "them values"
+        fault = SheetError(message, question.place, f"give {wanted} under evaluate: or where:")
     except NOT_REAL as error:
         fault = SheetError(
             f"the answer has no real value at this point ({error})", question.place, "choose another point"
         )
     raise SheetErrors([fault])
+
+
+def _missing(answer: Derivation, here: Here) -> list[str]:
+    """The names without a value that the results ask for, found by giving each the value 1 in turn."""
+    from derive.kinds.values_at import NOT_REAL, values_at
+
+    missing: list[str] = []
+    while True:
+        try:
+            values_at(answer, replace(here, point={**here.point, **dict.fromkeys(missing, 1.0)}))
+        except KeyError as error:
+            if error.args[0] in missing:
+                break
+            missing.append(error.args[0])
+        except NOT_REAL:
+            break
+        else:
+            break
+    return sorted(missing)
 
 
 def _folder_name(name: str) -> str:
