@@ -25,11 +25,12 @@ EXACT = 1e-9  # by how much a rounder value may miss the pose more
 
 @dataclass(frozen=True, slots=True)
 class Freedom:
-    """`names` can move together, one of them at will; `fixed` are sums and differences of two of the angles
-    that do not, with their values."""
+    """`names` can move, `count` of them at will and the others with them; `fixed` are sums and differences of
+    two of the angles that do not, with their values."""
 
     names: tuple[str, ...]
     fixed: Mapping[str, float]
+    count: int = 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,14 +159,16 @@ class Settled:
         """What moves with the unknowns that were pinned, where they can be moved."""
         names: dict[str, None] = {}
         fixed: dict[str, float] = {}
+        count = 0
         for number, value in leaf.pinned.items():
             other = self._moved(k, leaf, number, value)
             if other is None:
                 continue
+            count += 1
             moved = [n for n in self.joints if abs(gap(other[n], leaf.values[n], n in self.slides)) > MOVED]
             names.update(dict.fromkeys(moved))
             fixed.update(self._tied(moved, leaf.values, other))
-        return Freedom(tuple(n for n in self.joints if n in names), fixed) if names else None
+        return Freedom(tuple(n for n in self.joints if n in names), fixed, count) if names else None
 
     def _moved(self, k: int, leaf: Leaf, number: int, value: float) -> Values | None:
         """The nearest solution with one of the pinned unknowns moved."""
@@ -241,6 +244,8 @@ def _said(conditions: Sequence[str], freedom: Freedom | None) -> str:
     first, *others = freedom.names
     if freedom.fixed and len(others) == 1:
         said = f"where {first} is free: only {' and '.join(freedom.fixed)} is determined"
+    elif others and freedom.count == len(freedom.names):
+        said = f"where {' and '.join(freedom.names)} are free"
     else:
         said = f"where {first} is free" + (f", and {' and '.join(others)} with it" if others else "")
     return ", ".join((*conditions, said))
