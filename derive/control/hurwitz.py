@@ -41,12 +41,14 @@ def conditions(column: Sequence[Scalar], positive: Collection[str]) -> tuple[Sca
     sign = known_sign(lead, positive)
     known = _Known(set(positive) | {"pi"}, [])
     pending = [_plain(entry * (sign or lead), known) for entry in rest]
+    pending += [radical for entry in rest for radical in known.radicals(entry)]
     found = []
     while pending := [each for each in pending if known.reduced(each).constant != 1]:
         simplest = min(pending, key=lambda each: _size(known.reduced(each)))
         pending.remove(simplest)
         left = known.reduced(simplest)
-        found.append(simplest if left.constant is not None else left)
+        said = simplest if left.constant is not None else left
+        found += [] if said in found else [said]
         known.learn(left)
     return tuple(_strongest(found, _assumed(found, positive)))
 
@@ -90,13 +92,28 @@ class _Known:
         odd, even = [], []
         for factor, power in [*above, *((each, -int(power)) for each, power in below)]:
             own = known_sign(Scalar(value.ring, factor), self.symbols)
-            if own is not None:
+            alone = len(above) == 1 and not below and sign > 0
+            if alone and self._may_vanish(Scalar(value.ring, factor)):
+                even.append(factor)  # sqrt(a) > 0 is a > 0
+            elif own is not None:
                 sign *= own if power % 2 else 1
             elif power % 2:
                 odd.append(factor)
             elif power > 0:
                 even.append(factor)
         return sign, odd, even
+
+    def radicals(self, value: Scalar) -> list[Scalar]:
+        """The square roots among its factors above that are not negative, but may be zero."""
+        factors = [Scalar(value.ring, factor) for factor, _ in factored(value.numerator)[1]] if value else []
+        return [factor for factor in factors if self._may_vanish(factor)]
+
+    def _may_vanish(self, factor: Scalar) -> bool:
+        """Whether it is a square root of something that is not known to be positive."""
+        if factor not in _root_letters(factor):
+            return False
+        _, odd, even = self._factors(factor * factor)
+        return bool(odd or even)
 
     def learn(self, condition: Scalar) -> None:
         """That this polynomial is positive."""
@@ -107,6 +124,10 @@ class _Known:
         names = list(condition.generators())
         if sign > 0 and len(odd) == len(names) == 1 and odd[0] == condition.ring.gen(names[0]):
             self.symbols.add(names[0])
+
+
+def _root_letters(value: Scalar) -> list[Scalar]:
+    return [Scalar(value.ring, value.ring.gen(root.name)) for root in value.ring.roots]
 
 
 def _size(value: Scalar) -> tuple[int, int]:
