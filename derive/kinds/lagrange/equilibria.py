@@ -75,7 +75,7 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     facts: dict[str, Any] = {
         "coordinates": tuple(map(Symbol, system.coordinates)),
         "inputs": tuple(name for name, value in given.items() if value == ZERO),
-        "given": tuple((name, value) for name, value in given.items() if value != ZERO),
+        "given": tuple((name, value) for name, value in given.items() if value not in (ZERO, name)),
         "table": _table(system, branches), "count": len(found), "single": len(system.coordinates) == 1,
         "free": [Symbol(q) for q in dict.fromkeys(q for each in found for q in each.free)],
         "angles": any(isinstance(node, Symbol) and node.name == "pi" for b in branches
@@ -102,7 +102,7 @@ def _at_rest(model: Model, given: Mapping[Symbol, Expr]) -> list[Scalar]:
     system = model.system
     nothing = (*system.rates, *(name.name for name, value in given.items() if value == ZERO))
     found = [without(model.rest[k] - model.forces[q], nothing) for k, q in enumerate(system.coordinates)]
-    held = dict[Expr, Expr]({name: value for name, value in given.items() if value != ZERO})
+    held = dict[Expr, Expr]({name: value for name, value in given.items() if value not in (ZERO, name)})
     found = [there(model, each, held) for each in found] if held else found
     if any(TIME in each.letters() for each in found):
         raise NotDerivable("the forces change with the time: the system has no state of rest")
