@@ -23,7 +23,7 @@ from derive.sheet.subject import read_subject, subject_name, subject_place
 from derive.sheet.subjects import registry
 from derive.sheet.subjects.registry import Known
 from derive.sheet.unfilled import unfilled
-from derive.sheet.where import cycle
+from derive.sheet.where import contradictions, cycle
 
 
 def load_sheet(path: Path) -> Sheet:
@@ -189,6 +189,12 @@ def _known(at: At, given: GivenSheet | GivenProblem, outer: Known) -> Known:
     if name := cycle(where):
         raise SheetErrors([at.fault(f"the value of {name} leads back to itself", ("where", name))])
     assumptions: Mapping[str, str] = {**outer.assumptions, **given.symbols}
+    for name, assumed in sorted(contradictions(where, assumptions)):
+        key = "where" if name in given.where else "symbols"
+        hint = "change its value, or what is said of it under symbols:"
+        raise SheetErrors(
+            [at.fault(f"{name} is {assumed} by symbols, and its value is not", (key, name), hint)]
+        )
     return Known(where, assumptions)
 
 
