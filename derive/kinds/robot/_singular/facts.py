@@ -33,6 +33,7 @@ def facts_of(problem: Problem, work: Work, sets: tuple[Analysed, ...]) -> dict[s
         "graded": len({each.rank for each in sets}) > 1,
         "none": not sets and work.complete,
         "complete": work.complete,
+        "letters": len(problem.symbols - set(problem.subject.variables)),
     }
 
 
