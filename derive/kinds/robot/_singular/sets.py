@@ -84,13 +84,14 @@ def analysed(problem: Problem, block: Block, found: Stratum, inner: bool) -> Ana
     """A set with its choices of values; None where it turns out that none is real. Where two solutions of an
     equation differ only in a direction, the Jacobian of the first."""
     place = found.locus
-    values = values_of(place, block.seeing.chain.variables, problem.readable)
+    variables = block.seeing.chain.variables
+    values = values_of(place, variables, problem.readable)
     if not values and place.fixed and not place.left:
         return None
-    known = decided(place, values)
+    known = decided(place, variables, problem.readable)
     settled = {zero.variable for zero in known}
     steps = [each for each in (*place.fixed, *place.left) if each.variable not in settled]
-    steps.sort(key=lambda each: block.seeing.chain.variables.index(each.variable))
+    steps.sort(key=lambda each: variables.index(each.variable))
     equations = tuple(_positive(problem.readable(each.factor)) for each in steps) if not signed(place) else ()
     told = not signed(place) and (inner or len(values) > MOST_SHOWN)
     once = any(map(_turns_with_others, values))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import islice
 
 from derive.mechanics.vanishing import SIGN, Fixed, Locus, with_signs
@@ -40,9 +41,11 @@ def _values(each: Fixed, signs: Signs, variables: tuple[str, ...], write: Write)
     return zeros(with_signs(each.factor, signs), variables, write, by=each.variable)
 
 
-def decided(place: Locus, values: tuple[tuple[Zero, ...], ...]) -> tuple[Zero, ...]:
-    """Those values that are the same in every choice, where the signs of others would tell too much."""
+def decided(place: Locus, variables: tuple[str, ...], write: Write) -> tuple[Zero, ...]:
+    """Those values that are the same in every choice, where the signs of others would tell too much; what is
+    left as an equation may have no values."""
     names = {each.variable for each in place.fixed if each.sign in dict(place.signs)}
+    values = values_of(replace(place, left=()), variables, write) if names else ()
     return tuple(zero for zero in values[0] if zero.variable in names) if values else ()
 
 
