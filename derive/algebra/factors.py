@@ -10,6 +10,7 @@ from operator import mul
 
 from flint import fmpq_mpoly
 
+from derive.algebra.bounds import spend
 from derive.algebra.half_angles import HalfAngles, Halved, half_angles
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar, as_fraction, common_ring
@@ -31,6 +32,9 @@ class Factored:
     @property
     def value(self) -> Scalar:
         return reduce(mul, (factor**power for factor, power in self.factors), self.constant)
+
+
+A_HALF_ANGLE = 10  # units of work that a term in half angles takes
 
 
 def effort(scalar: Scalar, names: Iterable[str]) -> int:
@@ -67,6 +71,7 @@ def factored(scalar: Scalar, names: Iterable[str]) -> Factored:
 def common_factor(scalars: Sequence[Scalar], names: Iterable[str]) -> tuple[Scalar, list[Scalar]]:
     """(factor, quotients): the greatest polynomial that divides them all; none of them a fraction."""
     home = common_ring(scalars)
+    spend(A_HALF_ANGLE * sum(effort(scalar.into(home), names) for scalar in scalars))
     halves = half_angles(home, names)
     several = [halves.of(scalar.into(home).numerator) for scalar in scalars]
     shared = halves.common([each for each in several if each.part != 0])

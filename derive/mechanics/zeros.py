@@ -105,9 +105,16 @@ def _awkward(zero: tuple[Zero, ...]) -> int:
 
 
 def _by(equation: Scalar, name: str, held: list[str], write: Write) -> tuple[Zero, ...] | None:
-    if any(name in {atom for atom, _ in form.parts} for form in equation.ring.angles):
-        return _angle(equation, name, held, write)
-    return _slide(equation, name, write)
+    """None where the variable turns and slides in one equation, as that of a spindle may."""
+    home, used = equation.ring, set(equation.generators())
+    turns = any(
+        name in {atom for atom, _ in form.parts}
+        for k, form in enumerate(home.angles)
+        if used & {home.names[place] for place in home.pair_index(k)}
+    )
+    if not turns:
+        return _slide(equation, name, write)
+    return None if name in used else _angle(equation, name, held, write)
 
 
 def _slide(equation: Scalar, name: str, write: Write) -> tuple[Zero, ...] | None:

@@ -23,6 +23,7 @@ from derive.sheet.subject import read_subject, subject_name, subject_place
 from derive.sheet.subjects import registry
 from derive.sheet.subjects.registry import Known
 from derive.sheet.unfilled import unfilled
+from derive.sheet.unused import unused
 from derive.sheet.where import contradictions, cycle
 
 
@@ -66,7 +67,7 @@ def sheet_of(at: At) -> Sheet:
 def _warnings(at: At, problems: list[Problem]) -> tuple[SheetError, ...]:
     """All that is strange about a sheet, in the order of the file."""
     strange = (warning for problem in problems for warning in problem.warnings)
-    return tuple(sorted(_distinct([*at.source.doubts, *strange]), key=position))
+    return tuple(sorted(_distinct([*at.source.doubts, *strange, *unused(at, problems)]), key=position))
 
 
 def _problems(at: At, known: Known, faults: list[SheetError]) -> list[Problem]:
