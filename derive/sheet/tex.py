@@ -43,6 +43,7 @@ _COMMAND = re.compile(r"\\([A-Za-z]+|.)", re.DOTALL)
 _ENVIRONMENT = re.compile(r"\\(?:begin|end)\s*\{([^}]*)\}")
 _HTML = re.compile(r"<(?=[A-Za-z/!?])")
 _LATEX = re.compile(r"\\[A-Za-z]+|\\begin|`{3,}\s*\{=|\{=[a-z]+\}")
+_PICTURE = re.compile(r"(?<!\\)!\[[^\]]*\]\(")
 _LINK = re.compile(r"\]\(\s*(?:javascript|data|file|vbscript):", re.IGNORECASE)
 
 
@@ -89,6 +90,9 @@ def _check_prose(prose: str, offset: int) -> None:
     if found := _LATEX.search(prose):
         hint = "put mathematics in $...$, and use Markdown for the rest"
         raise FormulaError("LaTeX outside of $...$ cannot stand in a text", offset + found.start(), hint)
+    if found := _PICTURE.search(prose):
+        hint = "give it to the problem: figure: picture.png"
+        raise FormulaError("a picture cannot stand in a text", offset + found.start(), hint)
     if found := _LINK.search(prose):
         raise FormulaError("a link to this address cannot stand in a text", offset + found.start())
 

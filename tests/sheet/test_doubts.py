@@ -21,10 +21,10 @@ def warnings(folder: Path, text: str) -> list[tuple[str, int, int]]:
 
 
 def test_they_stand_in_the_order_of_the_file_and_once(tmp_path) -> None:
-    (tmp_path / "arm.yaml").write_text(ROBOT.replace("A", "1").replace("B", "90"), encoding="utf-8")
+    (tmp_path / "arm.yaml").write_text(ROBOT.replace("A", "beta").replace("B", "90"), encoding="utf-8")
     problem = "- robot: arm.yaml\n  find: transform\n  evaluate: {q1: 30}\n"
     found = warnings(tmp_path, "title: t\nwhere: {beta: 50}\nproblems:\n" + problem + problem)
-    assert found == [("90", 1, 41), ("30", 6, 18), ("30", 9, 18)]
+    assert found == [("90", 1, 44), ("30", 6, 18), ("30", 9, 18)]
 
 
 @pytest.mark.parametrize(
