@@ -15,7 +15,8 @@ from derive.sheet.source import At, Route
 
 WORD = re.compile(r"[^\W\d_]\w*")
 PROSE = frozenset({"title", "text", "hint"})
-SILENT = frozenset({"g", "t", "s", "x", "y", "z"})  # that stand in an answer though nobody typed them
+GAINS = ("K_p", "K_i", "K_d")
+SILENT = frozenset(("g", "t", "s", "x", "y", "z", *GAINS))  # in an answer though nobody typed them
 DECLARED = ("where", "symbols")
 
 
@@ -29,6 +30,8 @@ def unused(at: At, problems: Sequence[Problem]) -> Iterator[SheetError]:
         name = str(route[-1])
         if name not in used and not re.fullmatch(r"r_?\d\d", name):
             meant = known.get(name.replace("_", "")) or next(iter(get_close_matches(name, used, 1, 0.85)), "")
+            if not meant and "symbols" in route:  # an assumption about a name of the answer
+                continue
             hint = f"did you mean {meant}?" if meant else "leave it out, if nothing is missing"
             yield SheetError(f"nothing on this sheet uses '{name}'", at.key(route), hint)
 

@@ -10,6 +10,7 @@ import pytest
 
 from derive.build import derive_all
 from derive.derivation import Branch
+from derive.errors import SheetError
 from derive.kinds import registry
 from derive.sheet.load import load_sheet
 from derive.sheet.subjects.registry import subjects
@@ -26,7 +27,10 @@ def document(subject: str, kind: str, tmp_path: Path):
     """The example of a kind, built."""
     path = tmp_path / "example.yaml"
     path.write_text(registry.load(subject, kind).EXAMPLE, encoding="utf-8")
-    (built,) = derive_all([load_sheet(path)], True, lambda _: None)
+    warned: list[SheetError] = []
+    sheet = load_sheet(path)
+    (built,) = derive_all([sheet], True, lambda _: None, warned.append)
+    assert not [each.message for each in (*sheet.warnings, *warned)]
     return built
 
 
