@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from derive.derivation import Claim, Derivation, Figure
 from derive.errors import NotDerivable, Place, SheetError, SheetErrors
+from derive.kinds.checks import SECOND_ROUTE, far_apart
 from derive.kinds.measured import InDecimals
 from derive.kinds.problem import Problem as Working
 from derive.kinds.problem import parts
@@ -231,6 +232,14 @@ def answered(question: Question, working: Working) -> Derivation:
         error.add_note(f"{question.place}: ")
         raise
     failed = next((claim for claim in _claims(derivation) if not claim.holds), None)
+    if (
+        failed
+        and failed.by == SECOND_ROUTE
+        and (apart := far_apart((working.subject, *working.where.values())))
+    ):
+        small, large = apart
+        message = f"numbers as far apart as {small:.3g} and {large:.3g} cannot be checked in floating point"
+        raise SheetErrors([SheetError(message, question.place, "give them in other units")])
     if failed:
         message = f"the answer failed its own check: {failed.claim} (by {failed.by})"
         raise SheetErrors([SheetError(message, question.place, "please report this with the sheet")])
