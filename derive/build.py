@@ -232,18 +232,20 @@ def answered(question: Question, working: Working) -> Derivation:
         error.add_note(f"{question.place}: ")
         raise
     failed = next((claim for claim in _claims(derivation) if not claim.holds), None)
-    if (
-        failed
-        and failed.by == SECOND_ROUTE
-        and (apart := far_apart((working.subject, *working.where.values())))
-    ):
+    if failed:
+        raise SheetErrors([_failure(failed, question, working)])
+    return derivation
+
+
+def _failure(failed: Claim, question: Question, working: Working) -> SheetError:
+    """What is told of a claim that does not hold: an accident of ours, or numbers that floats cannot hold."""
+    apart = far_apart((working.subject, *working.where.values())) if failed.by == SECOND_ROUTE else None
+    if apart:
         small, large = apart
         message = f"numbers as far apart as {small:.3g} and {large:.3g} cannot be checked in floating point"
-        raise SheetErrors([SheetError(message, question.place, "give them in other units")])
-    if failed:
-        message = f"the answer failed its own check: {failed.claim} (by {failed.by})"
-        raise SheetErrors([SheetError(message, question.place, "please report this with the sheet")])
-    return derivation
+        return SheetError(message, question.place, "give them in other units")
+    message = f"the answer failed its own check: {failed.claim} (by {failed.by})"
+    return SheetError(message, question.place, "please report this with the sheet")
 
 
 def _place_of(about: str, question: Question, working: Working) -> Place:
