@@ -85,7 +85,7 @@ class Arm:
         for i, (row, joint) in enumerate(zip(self.rows, self.joints, strict=True), 1):
             com = (parse(f"-b{i} + {row['com']}"), parse(f"e{i}"), ZERO)
             moments = (f"X{i}", f"Y{i}", f"Z{i} + {row['inertia']}", "0", f"F{i}", "0")
-            body = Body(Symbol(f"m{i}"), com, Moments(tuple(map(parse, moments))))  # type: ignore[arg-type]
+            body = Body(Symbol(f"m{i}"), com, Moments(tuple(map(parse, moments))))
             table = DHRow(*(parse(row[column]) for column in COLUMNS["standard"]))
             links.append(Link(table, joint, self.names[i - 1], body))
         tool = (Move("translate", "x", parse(self.tool)),)

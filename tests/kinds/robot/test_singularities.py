@@ -8,12 +8,12 @@ al. (2016) for the UR5; Busson and Bearee (2018) for arms of seven joints with s
 from __future__ import annotations
 
 import math
-import time
 from typing import Any
 
 import numpy as np
 import pytest
 
+from derive.algebra import bounds
 from derive.algebra.grammar import parse
 from derive.algebra.normal import normal
 from derive.algebra.numeric import number
@@ -146,11 +146,10 @@ def test_what_they_are_called_comes_from_their_geometry(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", TEXTBOOK)
-def test_every_claim_holds_and_none_takes_long(name: str) -> None:
-    start = time.process_time()
+def test_every_claim_holds_and_none_takes_much_work(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(bounds, "MOST_WORK", bounds.MOST_WORK // 4)
     found = asked(*TEXTBOOK[name][:2])
     assert all(claim.holds for claim in found.claims)
-    assert time.process_time() - start < 4
 
 
 def test_a_redundant_arm_is_singular_where_all_minors_vanish() -> None:
