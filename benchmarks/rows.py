@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from derive.algebra.text import text
+from derive.algebra.infix import text
 from derive.mechanics.bodies import Body, moments
 from derive.mechanics.robot import DHRow, JointType, Link, Robot, gravity_of
 

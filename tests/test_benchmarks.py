@@ -8,7 +8,7 @@ from benchmarks.cases import CASES, case
 from benchmarks.peers import ours
 from benchmarks.rows import rows_of
 from benchmarks.worker import point_of
-from derive.algebra.numeric import scalar_number
+from derive.algebra.numbers.floats import scalar_number
 from derive.mechanics.oracle import Oracle
 
 

@@ -12,10 +12,10 @@ import pytest
 import sympy
 from ruamel.yaml import YAML
 
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
+from derive.algebra.infix import text
 from derive.algebra.normal import normal, normal_matrix
-from derive.algebra.operations import operations
-from derive.algebra.text import text
+from derive.algebra.readable.operations import operations
 from derive.build import assemble
 from derive.derivation import Branch, Derivation
 from derive.expression import Expr, Matrix, Symbol

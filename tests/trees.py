@@ -10,7 +10,7 @@ from typing import Any
 import sympy
 from hypothesis import strategies as st
 
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
 from derive.expression import (
     MINUS_ONE,
     Call,

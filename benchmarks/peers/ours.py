@@ -9,7 +9,7 @@ from benchmarks.cases import Asked
 from benchmarks.peers import Point
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
-from derive.algebra.numeric import scalar_number
+from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.scalar import Scalar
 from derive.expression import Expr
 from derive.mechanics.bodies import Body, moments

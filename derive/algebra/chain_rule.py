@@ -10,10 +10,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from derive.algebra.kernels import opaque
-from derive.algebra.kernels import root as square_root
 from derive.algebra.opaque import Opaque
 from derive.algebra.ring import Ring
+from derive.algebra.roots_and_functions import opaque
+from derive.algebra.roots_and_functions import root as square_root
 from derive.algebra.scalar import Scalar
 from derive.algebra.trigonometry import angle_of
 from derive.errors import NotDerivable

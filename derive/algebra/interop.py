@@ -6,8 +6,8 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
+from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
-from derive.algebra.terms import Style
 from derive.errors import NotDerivable
 from derive.expression import (
     Approximate,
@@ -39,7 +39,7 @@ def to_sympy(value: Expr | Scalar) -> Any:
     import sympy
 
     if isinstance(value, Scalar):
-        from derive.algebra.readable import readable
+        from derive.algebra.readable.form import readable
 
         return to_sympy(readable(value, Style()))
     match value:

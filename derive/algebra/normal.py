@@ -12,14 +12,14 @@ from flint import fmpq_mpoly
 
 from derive.algebra.angles import PI, Form
 from derive.algebra.bounds import multiplied
-from derive.algebra.fixed import fixed_trig
-from derive.algebra.kernels import absolute, opaque, root
+from derive.algebra.exact_values import fixed_trig
+from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.pairs import added, multiple
 from derive.algebra.powers import power
 from derive.algebra.ring import Ring, ring
+from derive.algebra.roots_and_functions import absolute, opaque, root
 from derive.algebra.scalar import Scalar, common_ring, trig
-from derive.algebra.text import text
 from derive.algebra.trigonometry import of_direction
 from derive.algebra.trigonometry import trig_of as trig_of
 from derive.algebra.values import (

@@ -5,8 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 from math import gcd, lcm
 
-from derive.algebra.fixed import factored
-from derive.algebra.kernels import generator, opaque, root
+from derive.algebra.exact_values import factored
+from derive.algebra.roots_and_functions import generator, opaque, root
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.errors import NotReal
 

@@ -7,7 +7,7 @@ polynomials are. The polynomials are FLINT's sparse ones (python-flint, `fmpq_mp
 
 A fixed angle, 25 deg, has a pair of its own however many there are, and angles that move are independent
 where their moving parts are: theta1 + 25 deg beside theta1 is the sum of theta1 and 25 deg. What else holds
-between fixed angles, and between them and roots, `derive.algebra.settled` knows.
+between fixed angles, and between them and roots, `derive.algebra.fixed_angles.zero_test` knows.
 
 The order of generators is lexicographic with roots first (nested ones outermost first), then
 sines, cosines and symbols: the leading terms of the relations are then r^2 and s^2, and reduction

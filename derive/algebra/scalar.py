@@ -16,9 +16,9 @@ from flint import fmpq_mpoly
 from derive.algebra.angles import Form
 from derive.algebra.bounds import multiplied
 from derive.algebra.calculus import derivative, with_rates
+from derive.algebra.fixed_angles.zero_test import vanishes
 from derive.algebra.rationals import to_flint
 from derive.algebra.ring import Ring, carry, ring
-from derive.algebra.settled import vanishes
 from derive.errors import DivisionByZero
 
 Like = Union["Scalar", int, Fraction]

@@ -7,11 +7,11 @@ from functools import reduce
 from operator import mul
 
 from derive.algebra.angles import RADIAN, Form
-from derive.algebra.fixed import form_trig
-from derive.algebra.kernels import canonical, in_single_angles, root
+from derive.algebra.exact_values import form_trig
 from derive.algebra.opaque import ITSELF, Opaque
 from derive.algebra.pairs import Pair, added, multiple
 from derive.algebra.ring import Ring
+from derive.algebra.roots_and_functions import canonical, in_single_angles, root
 from derive.algebra.scalar import Scalar, as_fraction
 
 

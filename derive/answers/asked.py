@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from derive.answers.letters import Letters
+from derive.answers.latex.letters import Letters
 from derive.answers.points import RATES, Names, Point, Sampling
 from derive.answers.reading import Locate, Route
 from derive.answers.terms import Terms

@@ -8,8 +8,8 @@ from functools import reduce
 from itertools import islice
 from math import gcd, lcm
 
+from derive.algebra.formulas.quantities import rational
 from derive.algebra.normal import Names
-from derive.algebra.quantities import rational
 from derive.expression import Call, Expr, Product, Quotient, Sum, Symbol, children
 
 MOST_ROOTS = 12  # different roots and inverse functions

@@ -10,12 +10,12 @@ from dataclasses import replace
 
 from derive.algebra.normal import normal
 from derive.answers.abbreviations import writable
-from derive.answers.latex import read_latex
-from derive.answers.letters import Letters
+from derive.answers.latex.letters import Letters
+from derive.answers.latex.parser import read_latex
+from derive.answers.latex.scripts import scripted, subscripts_first
+from derive.answers.latex.statements import Statement, Tokens, statements
+from derive.answers.latex.tokens import tokens
 from derive.answers.published import Published
-from derive.answers.scripts import scripted, subscripts_first
-from derive.answers.statements import Statement, Tokens, statements
-from derive.answers.tokens import tokens
 from derive.errors import FormulaError, NotDerivable
 from derive.expression import ZERO, Expr, Matrix, Symbol, free_symbols
 from derive.expression import replace as replaced

@@ -8,7 +8,7 @@ from difflib import get_close_matches
 from functools import cached_property
 from typing import Any
 
-from derive.algebra.text import text
+from derive.algebra.infix import text
 from derive.answers.asked import Asked
 from derive.answers.branches import Paired, Sets, Solution, angles_among, chosen, written
 from derive.answers.comparing import compare

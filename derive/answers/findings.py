@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from derive.algebra.text import text
+from derive.algebra.infix import text
 from derive.answers.terms import Verdict
 from derive.errors import Place
 from derive.expression import MINUS_ONE, Expr, Number, Product, Symbol, replace, walk

@@ -10,8 +10,8 @@ from fractions import Fraction
 
 from flint import arb, ctx, fmpq
 
+from derive.algebra.infix import text
 from derive.algebra.precise import precise
-from derive.algebra.text import text
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Symbol, children, free_symbols, walk
 

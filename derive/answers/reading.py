@@ -7,17 +7,17 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
 
-from derive.algebra.grammar import parse
-from derive.algebra.spelling import ARGUMENTS
-from derive.algebra.tokens import tokens
-from derive.algebra.units import ANY, UNITS
+from derive.algebra.formulas.functions import ARGUMENTS
+from derive.algebra.formulas.grammar import parse
+from derive.algebra.formulas.tokens import tokens
+from derive.algebra.formulas.units import ANY, UNITS
 from derive.answers.chains import read_published
-from derive.answers.grids import MAX_ENTRIES
-from derive.answers.latex import NUMBERED
-from derive.answers.letters import Letters
-from derive.answers.measured import measured
+from derive.answers.latex.letters import Letters
+from derive.answers.latex.matrices import MAX_ENTRIES
+from derive.answers.latex.parser import NUMBERED
+from derive.answers.latex.tokens import MAX_TEXT
+from derive.answers.latex.units import measured
 from derive.answers.published import Published, gathered
-from derive.answers.tokens import MAX_TEXT
 from derive.errors import FormulaError, Place, SheetError, SheetErrors
 from derive.expression import PI, Call, Expr, Matrix, Product, Symbol, multiply, rebuild, walk
 
@@ -192,7 +192,7 @@ def _whole_matrix(tree: Expr) -> Expr:
 def _worked_out(tree: Expr) -> Expr:
     """Sums and products of matrices as one matrix. Raises FormulaError."""
     from derive.algebra.normal import normal_matrix
-    from derive.algebra.readable import readable_matrix
+    from derive.algebra.readable.form import readable_matrix
     from derive.errors import NotDerivable
 
     try:

@@ -18,11 +18,11 @@ from operator import mul
 from flint import fmpq_mpoly
 
 from derive.algebra.factorisation import factored
-from derive.algebra.kernels import root
+from derive.algebra.formulas.quantities import rational
 from derive.algebra.normal import Names, Walk
 from derive.algebra.pairs import multiple
-from derive.algebra.quantities import rational
 from derive.algebra.ring import Ring, ring
+from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.algebra.values import Value
 from derive.answers.budget import affordable, parts_of

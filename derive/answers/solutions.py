@@ -9,7 +9,7 @@ from difflib import get_close_matches
 from typing import Any
 
 from derive.answers.abbreviations import writable
-from derive.answers.letters import Letters
+from derive.answers.latex.letters import Letters
 from derive.answers.published import Published
 from derive.answers.reading import Reader, Route
 from derive.errors import FormulaError, Place, SheetError

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from math import factorial
 
 from derive.algebra.normal import normal
-from derive.algebra.readable import readable
+from derive.algebra.readable.form import readable
+from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
-from derive.algebra.terms import Style
 from derive.control.rational import PLAIN, Polynomial, S, polynomial, written
 from derive.expression import (
     Call,

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from derive.algebra.numeric import number
+from derive.algebra.numbers.floats import number
 from derive.control.signals import signals, unknowns
 from derive.control.system import Equation, System
 from derive.expression import Expr, Number, Power, Product, Quotient, Sum, Symbol, free_symbols

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import TypeAlias
 
+from derive.algebra.infix import text
 from derive.algebra.scalar import Scalar
-from derive.algebra.text import text
 from derive.control.exact import common, divided
 from derive.control.rational import Polynomial, Rational, times
 from derive.control.ratios import Ratio, total

@@ -9,7 +9,7 @@ from functools import cached_property
 
 from flint import acb, acb_poly, arb, ctx
 
-from derive.algebra.balls import MOST_BITS
+from derive.algebra.numbers.balls import MOST_BITS
 from derive.algebra.scalar import Scalar
 from derive.control.exact import Coefficients, field
 from derive.control.roots import Root, in_ball, isolated

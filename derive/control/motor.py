@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Literal, TypeAlias
 
-from derive.algebra.grammar import parse_equation
+from derive.algebra.formulas.grammar import parse_equation
 from derive.control.system import Equation, System
 from derive.expression import Symbol
 

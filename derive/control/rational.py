@@ -12,11 +12,11 @@ from typing import TypeAlias
 from flint import fmpq
 
 from derive.algebra.normal import normal
-from derive.algebra.numeric import scalar_number
-from derive.algebra.readable import readable
+from derive.algebra.numbers.floats import scalar_number
+from derive.algebra.readable.form import readable
+from derive.algebra.readable.terms import Style
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar, as_fraction, common_ring
-from derive.algebra.terms import Style
 from derive.control.exact import common, divided, stripped
 from derive.control.ratios import Ratio
 from derive.control.roots import are_coprime

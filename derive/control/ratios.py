@@ -8,9 +8,9 @@ from fractions import Fraction
 from functools import reduce
 from typing import TypeAlias
 
+from derive.algebra.infix import text
 from derive.algebra.normal import normal
-from derive.algebra.terms import Alphabet, Atom, terminates
-from derive.algebra.text import text
+from derive.algebra.readable.terms import Alphabet, Atom, terminates
 from derive.expression import (
     MINUS_ONE,
     ONE,

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import TypeAlias
 
-from derive.algebra.readable import readable
+from derive.algebra.readable.form import readable
 from derive.algebra.scalar import Scalar
 from derive.control.linear import cleared, one_side
 from derive.control.rational import Polynomial

@@ -9,7 +9,7 @@ from fractions import Fraction
 
 from flint import acb, arb, ctx, fmpq
 
-from derive.algebra.balls import number_ball, number_sign
+from derive.algebra.numbers.balls import number_ball, number_sign
 from derive.algebra.scalar import Scalar
 from derive.control.modes import Curve
 from derive.control.searching import first_above, highest, last_outside

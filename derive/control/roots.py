@@ -15,7 +15,7 @@ from typing import Any
 
 from flint import acb, acb_poly, arb, ctx, fmpq
 
-from derive.algebra.balls import BITS, MOST_BITS, number_ball
+from derive.algebra.numbers.balls import BITS, MOST_BITS, number_ball
 from derive.algebra.scalar import Scalar
 from derive.control.exact import Coefficients, field, square_free, symmetric
 from derive.errors import NotDerivable

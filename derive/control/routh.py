@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal, TypeAlias
 
-from derive.algebra.polynomials import coefficients, numerator
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.polynomials import coefficients, numerator
 from derive.control.rational import Polynomial
 from derive.errors import NotDerivable
 

@@ -7,10 +7,9 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.readable import readable
+from derive.algebra.readable.form import readable
+from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
-from derive.algebra.terms import Style
-from derive.control.drawing import parameters
 from derive.control.rational import Rational
 from derive.control.realisation import Realised, realisations
 from derive.control.system import System
@@ -111,7 +110,7 @@ def _space(system: System, found: Sequence[Realised]) -> StateSpace | None:
 def _taken(system: System, orders: Mapping[str, int]) -> bool:
     """Whether the equations use the name of a derivative for something else."""
     needed = {name + ORDERS[k] for name, order in orders.items() for k in range(1, order + 1)}
-    return bool(needed & parameters(system))
+    return bool(needed & system.names)
 
 
 def _row(name: str, states: Sequence[str], solved: Mapping[str, Form]) -> Form:

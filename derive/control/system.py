@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from derive.control.delays import Delay
-from derive.expression import Expr, Symbol
+from derive.expression import Expr, Symbol, free_symbols
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,3 +30,9 @@ class System:
     disturbance: Symbol | None = None
     motor: tuple[str, ...] = ()
     delays: tuple[Delay, ...] = ()
+
+    @property
+    def names(self) -> frozenset[str]:
+        """Every name in the equations: those of signals and those of parameters."""
+        sides = (side for equation in self.equations for side in (equation.left, equation.right))
+        return frozenset[str]().union(*map(free_symbols, sides))

@@ -7,8 +7,8 @@ from typing import Annotated, Any, TypeAlias
 
 from pydantic import PlainValidator, ValidationInfo, WithJsonSchema
 
-from derive.algebra.grammar import parse
-from derive.algebra.units import ANY
+from derive.algebra.formulas.grammar import parse
+from derive.algebra.formulas.units import ANY
 from derive.errors import FormulaError
 from derive.expression import Expr
 from derive.kinds.fields import TREES, declared, read_name, text_of

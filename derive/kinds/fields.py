@@ -20,12 +20,11 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema, core_schema
 
-from derive.algebra.doubtful import Doubt, doubtful_angle, words_like_units
-from derive.algebra.grammar import parse, parse_equation, parse_starred
-from derive.algebra.numeric import number
-from derive.algebra.spelling import ARGUMENTS
-from derive.algebra.tokens import tokens
-from derive.algebra.units import (
+from derive.algebra.formulas.doubts import Doubt, doubtful_angle, words_like_units
+from derive.algebra.formulas.functions import ARGUMENTS
+from derive.algebra.formulas.grammar import parse, parse_equation, parse_starred
+from derive.algebra.formulas.tokens import tokens
+from derive.algebra.formulas.units import (
     ACCELERATION,
     ANGLE,
     ANY,
@@ -39,6 +38,7 @@ from derive.algebra.units import (
     Wanted,
     spoken,
 )
+from derive.algebra.numbers.floats import number
 from derive.control.system import Equation
 from derive.errors import FormulaError
 from derive.expression import Expr, free_symbols

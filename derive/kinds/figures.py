@@ -17,17 +17,17 @@ def figure_of(problem: Problem) -> Drawing:
     """The subject drawn, in a pose that shows it. Raises NotDerivable."""
     match problem.subject:
         case Robot():
-            from derive.mechanics.pictures import arm_sketch
+            from derive.figures import arm_sketch
 
             return arm_sketch.drawn(problem.subject, problem.where)
         case Motion() | Frames():
-            from derive.mechanics.pictures import triads
+            from derive.figures import triads
 
             if isinstance(problem.subject, Motion):
                 return triads.of_motion(problem.subject, problem.where)
             return triads.of_frames(problem.subject, problem.where)
         case System():
-            from derive.control.picture import drawn_blocks
+            from derive.figures.block_layout import drawn_blocks
             from derive.kinds.system._plant import plant
 
             solved = plant(problem, None, None)

@@ -11,7 +11,7 @@ from fractions import Fraction
 from math import prod
 from typing import Any, get_args
 
-from derive.algebra.numeric import number
+from derive.algebra.numbers.floats import number
 from derive.derivation import Branch, Derivation, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import (

@@ -6,13 +6,13 @@ from fractions import Fraction
 
 from flint import fmpq_mpoly
 
+from derive.algebra.formulas.quantities import rational
+from derive.algebra.infix import text
 from derive.algebra.normal import Names, normal
-from derive.algebra.numeric import number, scalar_number
-from derive.algebra.quantities import rational
-from derive.algebra.readable import readable
+from derive.algebra.numbers.floats import number, scalar_number
+from derive.algebra.readable.form import readable
+from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
-from derive.algebra.terms import Style
-from derive.algebra.text import text
 from derive.errors import DivisionByZero, NotDerivable, NotReal
 from derive.expression import (
     ZERO,

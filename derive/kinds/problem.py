@@ -11,10 +11,10 @@ from typing import Any, get_args
 from derive.algebra.bounds import count, one_answer
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import NAMESAKE, Names, normal, normal_matrix
-from derive.algebra.readable import readable, readable_matrix
+from derive.algebra.readable.form import readable, readable_matrix
+from derive.algebra.readable.terms import Style
+from derive.algebra.readable.writing import opposite
 from derive.algebra.scalar import Scalar
-from derive.algebra.terms import Style
-from derive.algebra.writing import opposite
 from derive.control.system import System
 from derive.derivation import Derivation
 from derive.errors import NotDerivable

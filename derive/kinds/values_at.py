@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from derive.algebra.numeric import Point, number
-from derive.algebra.terms import Style
+from derive.algebra.numbers.floats import Point, number
+from derive.algebra.readable.terms import Style
 from derive.derivation import Branch, Derivation, Result
 from derive.expression import Expr, Matrix, Number, Symbol, free_symbols, walk
 from derive.kinds.partly import put_in

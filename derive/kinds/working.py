@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+from derive.algebra.infix import text
 from derive.algebra.normal import normal
-from derive.algebra.numeric import scalar_number
+from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.scalar import Scalar
 from derive.algebra.signs import sign_of
-from derive.algebra.text import text
 from derive.derivation import Step
 from derive.errors import FormulaError, NotDerivable
 from derive.expression import PI, Degrees, Expr, Number, Quotient, Symbol, children, free_symbols, walk

@@ -13,9 +13,9 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Literal, TypeAlias
 
-from derive.algebra.directions import unit
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.directions import unit
 from derive.mechanics.lines import Line, Relation, common_normal, dot, foot, on
 from derive.mechanics.poses import homogeneous, inverse_pose, position_part, rotation_part
 from derive.mechanics.robot import Convention

@@ -9,7 +9,7 @@ from functools import reduce
 from typing import TypeVar
 
 from derive.algebra.angles import Form
-from derive.algebra.fixed import with_offset
+from derive.algebra.exact_values import with_offset
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, normal
 from derive.algebra.ring import Ring, ring

@@ -13,8 +13,8 @@ from typing import Literal
 from derive.algebra.function import Constraint
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, derivative, normal
-from derive.algebra.polynomials import monomials
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.polynomials import monomials
 from derive.expression import ZERO, Expr
 
 TIME = "t"

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
-from derive.algebra.directions import unit
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.directions import unit
 
 Relation: TypeAlias = Literal["skew", "intersecting", "parallel", "coincident"]
 

@@ -6,9 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 
-from derive.algebra.factors import TooLong
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.factors import TooLong
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, get_args
 
 from flint import arb
 
-from derive.algebra.numeric import Point, number
+from derive.algebra.numbers.floats import Point, number
 from derive.algebra.precise import precise
 from derive.expression import Expr, Symbol, free_symbols
 from derive.mechanics.bodies import Body, moments

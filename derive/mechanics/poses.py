@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from functools import reduce
 
-from derive.algebra.kernels import root
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, Walk, normal
+from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Like, Scalar
 from derive.expression import ZERO
 from derive.mechanics.motion import Axis, Move

@@ -14,8 +14,8 @@ from itertools import pairwise
 from operator import mul
 
 from derive.algebra.factorisation import square_free
-from derive.algebra.kernels import root
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.mechanics.chain import Chain
 from derive.mechanics.jacobian import motions_jacobian

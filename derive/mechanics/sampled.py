@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator, Mapping
 
-from derive.algebra.numeric import number
+from derive.algebra.numbers.floats import number
 from derive.expression import Expr, free_symbols
 from derive.mechanics.bodies import Body, Moments, given_moments, moments
 from derive.mechanics.oracle import Oracle

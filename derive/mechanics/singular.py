@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from derive.algebra.factors import Factored, common_factor, factored
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.factors import Factored, common_factor, factored
 from derive.mechanics.chain import Chain
 from derive.mechanics.vanishing import Locus, Vanishing
 from derive.mechanics.zeros import Write

@@ -12,9 +12,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
-from derive.algebra.factors import TooLong, common_factor
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.factors import TooLong, common_factor
 from derive.errors import NotDerivable
 from derive.mechanics.minors import Budget, maximal_minors, minor_of
 from derive.mechanics.sampling import vanishes_on

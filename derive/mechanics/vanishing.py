@@ -14,14 +14,14 @@ from fractions import Fraction
 from itertools import product
 from typing import Any
 
-from derive.algebra.factors import TooLong, depends, effort, factored
-from derive.algebra.half_angles import half_angles
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.pairs import Pair
-from derive.algebra.pinned import pinned
-from derive.algebra.resultants import resultant
 from derive.algebra.ring import Root, ring
 from derive.algebra.scalar import Scalar, common_ring
+from derive.algebra.solving.factors import TooLong, depends, effort, factored
+from derive.algebra.solving.half_angles import half_angles
+from derive.algebra.solving.resultants import resultant
+from derive.algebra.substitution import pinned
 from derive.errors import NotDerivable
 from derive.mechanics.minors import Budget
 from derive.mechanics.sampling import vanishes_on

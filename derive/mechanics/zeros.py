@@ -12,15 +12,15 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from derive.algebra.angles import Form
-from derive.algebra.factors import depends
-from derive.algebra.fixed_directions import direction
-from derive.algebra.kernels import absolute, root
 from derive.algebra.normal import Walk
-from derive.algebra.numeric import scalar_number
-from derive.algebra.operations import operations
+from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.pairs import Pair
-from derive.algebra.pinned import pinned
+from derive.algebra.readable.operations import operations
+from derive.algebra.roots_and_functions import absolute, root
 from derive.algebra.scalar import Scalar, as_fraction, trig
+from derive.algebra.solving.factors import depends
+from derive.algebra.solving.fixed_directions import direction
+from derive.algebra.substitution import pinned
 from derive.expression import (
     MINUS_ONE,
     PI,

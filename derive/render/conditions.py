@@ -6,11 +6,11 @@ import re
 from collections.abc import Callable, Iterable
 from operator import add
 
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
+from derive.algebra.formulas.units import ANY
 from derive.algebra.normal import normal
-from derive.algebra.readable import readable
-from derive.algebra.terms import Style
-from derive.algebra.units import ANY
+from derive.algebra.readable.form import readable
+from derive.algebra.readable.terms import Style
 from derive.errors import FormulaError
 from derive.expression import PI, Expr, Quotient, walk
 from derive.render.latex import Printer

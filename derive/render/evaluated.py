@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, get_args
 
-from derive.algebra.terms import Style
+from derive.algebra.readable.terms import Style
 from derive.derivation import Branch, Derivation
 from derive.expression import (
     Approximate,

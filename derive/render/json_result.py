@@ -6,7 +6,7 @@ import json
 from collections.abc import Iterator
 from typing import Any, get_args
 
-from derive.algebra.text import text
+from derive.algebra.infix import text
 from derive.derivation import Branch, Claim, Derivation, Result
 from derive.expression import Expr, Matrix
 from derive.render.document import Document, ProblemPage, QuestionPage

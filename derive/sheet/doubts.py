@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from derive.algebra.doubtful import doubtful_angle
-from derive.algebra.grammar import parse
-from derive.algebra.tokens import tokens
-from derive.algebra.units import ANY
+from derive.algebra.formulas.doubts import doubtful_angle
+from derive.algebra.formulas.grammar import parse
+from derive.algebra.formulas.tokens import tokens
+from derive.algebra.formulas.units import ANY
 from derive.errors import FormulaError, SheetError
 from derive.expression import Call, Expr, Number, Product, Sum, Symbol, walk
 from derive.kinds.problem import expressions, parts

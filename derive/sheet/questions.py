@@ -6,7 +6,7 @@ from itertools import islice
 from types import ModuleType
 from typing import Any
 
-from derive.algebra.quantities import rational
+from derive.algebra.formulas.quantities import rational
 from derive.errors import SheetError, SheetErrors
 from derive.expression import Expr
 from derive.kinds import registry

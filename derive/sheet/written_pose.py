@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from derive.algebra.quantities import rational
+from derive.algebra.formulas.quantities import rational
 from derive.errors import SheetErrors
 from derive.expression import Expr, Matrix
 from derive.mechanics.frames import ByMatrix

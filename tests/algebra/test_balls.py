@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from derive.algebra.balls import number_sign
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.normal import normal
+from derive.algebra.numbers.balls import number_sign
 
 
 @pytest.mark.parametrize(

@@ -7,10 +7,10 @@ import random
 import pytest
 import sympy
 
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.normal import normal
-from derive.algebra.numeric import number
-from derive.algebra.readable import readable
+from derive.algebra.numbers.floats import number
+from derive.algebra.readable.form import readable
 from derive.errors import NotDerivable
 from derive.expression import Derivative, Expr, Symbol
 from tests.trees import sympy_of

@@ -6,9 +6,9 @@ import math
 
 import pytest
 
-from derive.algebra.compiled import compiled
-from derive.algebra.grammar import parse
-from derive.algebra.numeric import number
+from derive.algebra.formulas.grammar import parse
+from derive.algebra.numbers.compiled import compiled
+from derive.algebra.numbers.floats import number
 from derive.errors import NotDerivable
 from derive.expression import Degrees, Matrix, Sum, Symbol, sqrt, subtract
 from derive.expression import number as exact

@@ -3,9 +3,9 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 
-from derive.algebra.contraction import contracted
 from derive.algebra.normal import normal
-from derive.algebra.terms import Alphabet, Terms, terms_of
+from derive.algebra.readable.angle_sums import contracted
+from derive.algebra.readable.terms import Alphabet, Terms, terms_of
 from derive.expression import Expr, Power, Sum, multiply
 from derive.expression import number as exact
 from tests.trees import formula, polynomials

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from derive.algebra.directions import unit
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
+from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
-from derive.algebra.readable import readable
-from derive.algebra.text import text
+from derive.algebra.readable.form import readable
+from derive.algebra.solving.directions import unit
 
 SHORT = {
     ("0", "-L", "0"): ("0", "-1", "0"),

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from derive.algebra.factors import common_factor, depends, factored, primitive_column
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.factors import common_factor, depends, factored, primitive_column
 
 ANGLES = ("q1", "q2", "q3")
 

@@ -8,9 +8,9 @@ import sympy
 from hypothesis import given
 from hypothesis import strategies as st
 
-from derive.algebra.fixed import fixed_trig, square_root
+from derive.algebra.exact_values import fixed_trig, square_root
 from derive.algebra.normal import normal
-from derive.algebra.numeric import scalar_number
+from derive.algebra.numbers.floats import scalar_number
 from tests.trees import formula
 
 FIFTEENTHS = range(-30, 31)

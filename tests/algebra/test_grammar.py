@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from derive.algebra.grammar import parse, parse_equation, parse_starred
-from derive.algebra.units import ACCELERATION, ANGLE, ANY, FORCE, INERTIA, LENGTH, MASS, Wanted
+from derive.algebra.formulas.grammar import parse, parse_equation, parse_starred
+from derive.algebra.formulas.units import ACCELERATION, ANGLE, ANY, FORCE, INERTIA, LENGTH, MASS, Wanted
 from derive.errors import FormulaError
 from derive.expression import (
     PI,

@@ -8,7 +8,7 @@ import sys
 import pytest
 import sympy
 
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.interop import from_sympy, to_sympy
 from derive.algebra.normal import normal, normal_matrix
 from derive.errors import NotDerivable
@@ -33,7 +33,7 @@ def test_there_and_back_is_the_same_by_normal_form(formula: str) -> None:
 
 @pytest.mark.parametrize("formula", FORMULAS)
 def test_the_numbers_are_sympys(formula: str) -> None:
-    from derive.algebra.numeric import number
+    from derive.algebra.numbers.floats import number
 
     point = {"a": 0.7, "b": 1.3, "x": 0.4, "y": 1.1}
     theirs = to_sympy(parse(formula)).subs({sympy.Symbol(n, real=True): v for n, v in point.items()})

@@ -4,9 +4,9 @@ import math
 
 import pytest
 
-from derive.algebra.kernels import absolute, canonical, opaque, root
 from derive.algebra.normal import normal
-from derive.algebra.numeric import scalar_number
+from derive.algebra.numbers.floats import scalar_number
+from derive.algebra.roots_and_functions import absolute, canonical, opaque, root
 from derive.algebra.scalar import Scalar
 from tests.trees import formula, points, value
 

@@ -3,9 +3,9 @@ from __future__ import annotations
 import pytest
 from hypothesis import given
 
-from derive.algebra.lumps import lumped
 from derive.algebra.normal import normal
-from derive.algebra.terms import Alphabet, terms_of
+from derive.algebra.readable.repeated_sums import lumped
+from derive.algebra.readable.terms import Alphabet, terms_of
 from derive.expression import Expr
 from tests.algebra.test_contraction import expression
 from tests.trees import formula, polynomials

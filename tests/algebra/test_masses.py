@@ -3,12 +3,12 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from derive.algebra.masses import by_mass
+from derive.algebra.infix import text
 from derive.algebra.normal import normal
-from derive.algebra.operations import operations
-from derive.algebra.readable import readable
-from derive.algebra.terms import Alphabet, terms_of
-from derive.algebra.text import text
+from derive.algebra.readable.by_mass import by_mass
+from derive.algebra.readable.form import readable
+from derive.algebra.readable.operations import operations
+from derive.algebra.readable.terms import Alphabet, terms_of
 from derive.expression import Expr, Sum, Symbol, multiply
 from tests.trees import formula, polynomials
 

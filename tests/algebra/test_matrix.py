@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
-from derive.algebra.numeric import matrix_numbers, scalar_number
+from derive.algebra.numbers.floats import matrix_numbers, scalar_number
 from tests.trees import formula, matrix, points
 
 entries = st.fractions(min_value=-5, max_value=5, max_denominator=6)

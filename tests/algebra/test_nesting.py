@@ -5,13 +5,13 @@ from math import prod
 
 import pytest
 
-from derive.algebra.factoring import factors_of, is_irreducible
+from derive.algebra.infix import text
 from derive.algebra.normal import normal
-from derive.algebra.operations import operations
-from derive.algebra.readable import readable
+from derive.algebra.readable.factoring import factors_of, is_irreducible
+from derive.algebra.readable.form import readable
+from derive.algebra.readable.operations import operations
+from derive.algebra.readable.terms import Alphabet, terms_of
 from derive.algebra.scalar import Scalar
-from derive.algebra.terms import Alphabet, terms_of
-from derive.algebra.text import text
 from tests.algebra.test_contraction import expression
 from tests.trees import formula
 

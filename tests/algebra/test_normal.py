@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from derive.algebra.normal import normal, normal_matrix
-from derive.algebra.numeric import scalar_number
-from derive.algebra.readable import readable
+from derive.algebra.numbers.floats import scalar_number
+from derive.algebra.readable.form import readable
 from derive.errors import NotDerivable
 from derive.expression import (
     Approximate,

@@ -6,12 +6,12 @@ import pytest
 import sympy
 from flint import arb
 
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.normal import normal
-from derive.algebra.polynomial_systems import solve
-from derive.algebra.polynomials import coefficients, known_sign, odd_part
-from derive.algebra.real_roots import real_roots
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.polynomial_systems import solve
+from derive.algebra.solving.polynomials import coefficients, known_sign, odd_part
+from derive.algebra.solving.real_roots import real_roots
 from derive.errors import NotDerivable
 
 
@@ -25,7 +25,7 @@ def solutions(equations: list[str], unknowns: str, positive: str = "") -> list[d
 
 
 def numbers(found: list[dict[str, Scalar | arb]]) -> list[dict[str, float]]:
-    from derive.algebra.numeric import scalar_number
+    from derive.algebra.numbers.floats import scalar_number
 
     return [
         {n: float(v.mid()) if isinstance(v, arb) else scalar_number(v, {}) for n, v in each.items()}

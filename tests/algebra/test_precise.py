@@ -7,7 +7,7 @@ import math
 import pytest
 from flint import arb, ctx
 
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.precise import BITS, precise, slope
 from tests.trees import value
 

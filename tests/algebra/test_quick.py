@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.normal import normal
-from derive.algebra.numeric import scalar_number
-from derive.algebra.quick import Quick
+from derive.algebra.numbers.floats import scalar_number
+from derive.algebra.numbers.many_points import Quick
 
 
 def test_values_are_those_of_the_normal_form() -> None:

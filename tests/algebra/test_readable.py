@@ -6,12 +6,12 @@ import pytest
 import sympy
 from hypothesis import given
 
+from derive.algebra.infix import text
 from derive.algebra.normal import normal, normal_matrix
-from derive.algebra.operations import operations
-from derive.algebra.readable import readable, readable_matrix
+from derive.algebra.readable.form import readable, readable_matrix
+from derive.algebra.readable.operations import operations
+from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
-from derive.algebra.terms import Style
-from derive.algebra.text import text
 from derive.expression import Degrees, Expr, Sum, multiply, number, walk
 from tests.trees import formula, fractions, matrix, polynomials, same_value, sympy_letters
 

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from derive.algebra.angles import PI, Form, combination
-from derive.algebra.fixed import square_root
+from derive.algebra.exact_values import square_root
 from derive.algebra.normal import normal
 from derive.algebra.ring import ring
 from derive.algebra.scalar import Scalar

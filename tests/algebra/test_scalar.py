@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from derive.algebra.angles import Form
 from derive.algebra.normal import normal
-from derive.algebra.numeric import scalar_number
+from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.scalar import Scalar, common_ring, trig
 from derive.expression import Expr
 from tests.trees import formula, fractions, points, polynomials

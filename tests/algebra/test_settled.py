@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from derive.algebra.fixed import fixed_trig
-from derive.algebra.fixed_sums import independent
+from derive.algebra.exact_values import fixed_trig
+from derive.algebra.fixed_angles.sums import independent
 from derive.algebra.normal import normal
 from tests.trees import formula
 

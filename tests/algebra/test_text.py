@@ -5,7 +5,7 @@ from fractions import Fraction
 import pytest
 import sympy
 
-from derive.algebra.text import text
+from derive.algebra.infix import text
 from derive.expression import (
     MINUS_ONE,
     Approximate,

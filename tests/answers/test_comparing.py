@@ -8,10 +8,10 @@ from typing import Any
 import pytest
 from ruamel.yaml import YAML
 
-from derive.algebra.numeric import number
+from derive.algebra.numbers.floats import number
 from derive.answers.comparing import compare
 from derive.answers.diagnosing import diagnose
-from derive.answers.letters import Letters
+from derive.answers.latex.letters import Letters
 from derive.answers.points import Sampling
 from derive.answers.reading import read_text
 from derive.answers.terms import Terms

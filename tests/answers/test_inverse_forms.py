@@ -13,7 +13,7 @@ import pytest
 import sympy as sp
 
 from derive.answers.branches import Sets
-from derive.answers.letters import Letters
+from derive.answers.latex.letters import Letters
 from derive.answers.points import Sampling
 from derive.answers.reading import read_text
 from derive.answers.terms import Terms

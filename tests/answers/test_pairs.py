@@ -13,7 +13,7 @@ import pytest
 import sympy as sp
 from sympy.simplify.fu import TR8
 
-from derive.algebra.text import text
+from derive.algebra.infix import text
 from derive.answers.checking import Compared, read_both_ways
 from derive.answers.reading import read_text
 from derive.build import answered, working_on

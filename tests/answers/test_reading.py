@@ -2,8 +2,8 @@ from __future__ import annotations
 
 import pytest
 
-from derive.algebra.text import text
-from derive.answers.letters import Letters
+from derive.algebra.infix import text
+from derive.answers.latex.letters import Letters
 from derive.answers.reading import read_text
 from derive.errors import FormulaError
 

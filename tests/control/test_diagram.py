@@ -7,18 +7,18 @@ from typing import Any
 import numpy
 import pytest
 
-from derive.algebra.grammar import parse, parse_equation
-from derive.algebra.numeric import scalar_number
-from derive.algebra.terms import Style
+from derive.algebra.formulas.grammar import parse, parse_equation
+from derive.algebra.numbers.floats import scalar_number
+from derive.algebra.readable.terms import Style
 from derive.control.controllers import Controller
 from derive.control.diagram import Diagram
-from derive.control.drawing import drawn
 from derive.control.elimination import solve
 from derive.control.motor import motor
 from derive.control.rational import Rational
 from derive.control.system import Equation, System
 from derive.errors import NotDerivable
 from derive.expression import Symbol
+from derive.figures.block_diagram import drawn
 
 POINT = {"J": 2.0, "K_m": 10.0, "R_a": 1.0, "L_a": 1.5, "R_f": 0.7, "L_f": 0.4, "b": 0.5, "K_b": 0.1}
 S = 0.4 + 1.3j

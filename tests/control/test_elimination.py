@@ -6,9 +6,9 @@ import cmath
 
 import pytest
 
-from derive.algebra.grammar import parse, parse_equation
+from derive.algebra.formulas.grammar import parse, parse_equation
 from derive.algebra.normal import normal
-from derive.algebra.operations import operations
+from derive.algebra.readable.operations import operations
 from derive.control.elimination import solve
 from derive.control.laplace import Numeric, value
 from derive.control.motor import motor

@@ -11,7 +11,7 @@ import pytest
 import sympy
 from scipy import signal
 
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
 from derive.control.laplace import inverted

@@ -7,12 +7,12 @@ import random
 import numpy
 import pytest
 
-from derive.algebra.grammar import parse, parse_equation
+from derive.algebra.formulas.grammar import parse, parse_equation
+from derive.algebra.infix import text
 from derive.algebra.normal import normal
-from derive.algebra.numeric import number, scalar_number
+from derive.algebra.numbers.floats import number, scalar_number
+from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
-from derive.algebra.terms import Style
-from derive.algebra.text import text
 from derive.control.hidden import hidden
 from derive.control.hurwitz import conditions, is_impossible, written
 from derive.control.motor import motor
@@ -26,7 +26,7 @@ EPSILON = "epsilon"
 
 
 def rows(typed: str) -> list[list[str]]:
-    from derive.algebra.readable import readable
+    from derive.algebra.readable.form import readable
 
     found = routh(polynomial(normal(parse(typed))), EPSILON)
     return [[text(readable(entry)) for entry in row.entries[: row.power // 2 + 1]] for row in found]

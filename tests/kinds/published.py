@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.normal import normal, normal_matrix
-from derive.algebra.operations import operations
+from derive.algebra.readable.operations import operations
 from derive.expression import Matrix
 
 

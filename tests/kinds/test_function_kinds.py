@@ -8,8 +8,8 @@ from typing import Any
 import pytest
 import sympy
 
+from derive.algebra.formulas.grammar import parse, parse_equation
 from derive.algebra.function import Constraint, Function
-from derive.algebra.grammar import parse, parse_equation
 from derive.algebra.normal import normal
 from derive.derivation import Branch, Derivation
 from derive.errors import NotDerivable
@@ -195,7 +195,7 @@ def test_the_extremes_on_an_ellipse_are_those_of_sampling(k: tuple[int, ...]) ->
 
 
 def value_of(branch: Branch) -> float:
-    from derive.algebra.numeric import number
+    from derive.algebra.numbers.floats import number
 
     return number(branch.values["f"], {})
 

@@ -8,10 +8,10 @@ import numpy
 import pytest
 from scipy.integrate import solve_ivp
 
+from derive.algebra.formulas.grammar import parse, parse_equation
 from derive.algebra.function import Constraint
-from derive.algebra.grammar import parse, parse_equation
 from derive.algebra.normal import normal
-from derive.algebra.numeric import number
+from derive.algebra.numbers.floats import number
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Matrix, Symbol, add
@@ -288,7 +288,7 @@ def test_a_pendulum_held_up_by_a_torque() -> None:
 
 
 def states(found: Derivation) -> list[tuple[str, ...]]:
-    from derive.algebra.text import text
+    from derive.algebra.infix import text
     from derive.derivation import Branch
 
     branches = found.results["solutions"]

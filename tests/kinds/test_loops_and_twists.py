@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from derive.algebra.numeric import numbers
+from derive.algebra.numbers.floats import numbers
 from derive.build import assemble, build
 from derive.derivation import Derivation
 from derive.errors import SheetErrors

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from derive.algebra.numeric import numbers
+from derive.algebra.numbers.floats import numbers
 from derive.errors import NotDerivable
 from derive.expression import ONE, ZERO, Approximate, Call, Degrees, symbols, walk
 from derive.kinds.problem import Problem

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from derive.algebra.numeric import number, numbers
+from derive.algebra.numbers.floats import number, numbers
 from derive.expression import Degrees, Symbol
 from derive.kinds.problem import Problem
 from derive.mechanics.frames import ByMatrix, Frame, Frames

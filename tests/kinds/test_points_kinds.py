@@ -9,8 +9,8 @@ import numpy
 import pytest
 from scipy.spatial.transform import Rotation
 
-from derive.algebra.grammar import parse
-from derive.algebra.numeric import number, numbers
+from derive.algebra.formulas.grammar import parse
+from derive.algebra.numbers.floats import number, numbers
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Matrix, Number

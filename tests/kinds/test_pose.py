@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from derive.algebra.grammar import parse
-from derive.algebra.numeric import number, numbers
+from derive.algebra.formulas.grammar import parse
+from derive.algebra.numbers.floats import number, numbers
 from derive.errors import NotDerivable
 from derive.expression import Degrees, Symbol
 from derive.kinds.problem import Problem

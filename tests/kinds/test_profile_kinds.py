@@ -12,9 +12,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import BPoly, CubicSpline
 
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.normal import normal
-from derive.algebra.numeric import number
+from derive.algebra.numbers.floats import number
 from derive.build import assemble
 from derive.derivation import Branch, Derivation, Panels
 from derive.errors import SheetErrors

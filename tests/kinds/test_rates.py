@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from derive.algebra.numeric import numbers
+from derive.algebra.numbers.floats import numbers
 from derive.errors import NotDerivable
 from derive.expression import Symbol
 from derive.kinds.problem import Problem

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 import sympy
 
-from derive.algebra.text import text
+from derive.algebra.infix import text
 from derive.build import derive_all
 from derive.errors import NotDerivable, SheetErrors
 from derive.sheet.load import load_sheet

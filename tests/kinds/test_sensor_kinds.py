@@ -9,9 +9,9 @@ from typing import Any
 import pytest
 from scipy.optimize import minimize_scalar
 
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.normal import normal
-from derive.algebra.numeric import number
+from derive.algebra.numbers.floats import number
 from derive.build import assemble
 from derive.derivation import Derivation
 from derive.errors import SheetErrors

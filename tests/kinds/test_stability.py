@@ -9,7 +9,7 @@ from typing import Any
 import numpy
 import pytest
 
-from derive.algebra.grammar import parse, parse_equation
+from derive.algebra.formulas.grammar import parse, parse_equation
 from derive.algebra.normal import normal
 from derive.control.motor import motor
 from derive.control.rational import polynomial

@@ -8,7 +8,7 @@ import numpy
 import pytest
 from scipy import signal
 
-from derive.algebra.grammar import parse, parse_equation
+from derive.algebra.formulas.grammar import parse, parse_equation
 from derive.algebra.normal import normal
 from derive.control.motor import motor
 from derive.control.system import Equation, System

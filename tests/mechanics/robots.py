@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from hypothesis import strategies as st
 
-from derive.algebra.grammar import parse, parse_starred
+from derive.algebra.formulas.grammar import parse, parse_starred
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.numeric import matrix_numbers
+from derive.algebra.numbers.floats import matrix_numbers
 from derive.expression import Degrees, Expr, Symbol, free_symbols
 from derive.kinds.problem import Problem, expressions
 from derive.mechanics.bodies import Body, Moments

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from derive.algebra import numeric
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
+from derive.algebra.numbers import floats as numeric
 from derive.expression import ZERO, Symbol
 from derive.kinds.problem import Problem
 from derive.mechanics.bodies import Body, Moments

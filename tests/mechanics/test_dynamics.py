@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
-from derive.algebra.numeric import scalar_number
+from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.scalar import Scalar
 from derive.expression import Matrix
 from derive.kinds.checks import random_points

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from derive.algebra.numeric import matrix_numbers, number
+from derive.algebra.numbers.floats import matrix_numbers, number
 from derive.mechanics.euler import SIGNS, Convention, Euler
 
 NAMES = ("phi", "theta", "psi")

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.function import Constraint
-from derive.algebra.grammar import parse
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
 from derive.mechanics.lagrangian import (

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from derive.algebra.readable import readable
-from derive.algebra.text import text
+from derive.algebra.infix import text
+from derive.algebra.readable.form import readable
 from derive.mechanics.chain import chain
 from derive.mechanics.poses import position_part
 from derive.mechanics.reach import planar_arm, swung_arm

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.scalar import Scalar
 from derive.expression import Degrees, Symbol, number
 from derive.mechanics.bodies import Body, Box, Cylinder, Rod

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.normal import normal
-from derive.algebra.numeric import number
-from derive.algebra.pinned import pinned
-from derive.algebra.readable import readable
+from derive.algebra.numbers.floats import number
+from derive.algebra.readable.form import readable
+from derive.algebra.substitution import pinned
 from derive.mechanics.zeros import zeros
 
 VARIABLES = ("q1", "q2", "q3", "d4")

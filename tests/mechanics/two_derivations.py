@@ -10,11 +10,11 @@ from typing import Any
 
 import numpy as np
 
+from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
-from derive.algebra.numeric import generator_numbers, number
+from derive.algebra.numbers.floats import generator_numbers, number
 from derive.algebra.scalar import Scalar
-from derive.algebra.text import text
 from derive.kinds.checks import random_points
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted

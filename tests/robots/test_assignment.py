@@ -6,7 +6,7 @@ from itertools import product
 
 import pytest
 
-from derive.algebra.text import text
+from derive.algebra.infix import text
 from derive.expression import Expr, Symbol, negate, number
 from derive.kinds.problem import Problem
 from derive.kinds.robot._rows.dh_found import found_rows

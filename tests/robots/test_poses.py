@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from derive.algebra.numeric import matrix_numbers, numbers
+from derive.algebra.numbers.floats import matrix_numbers, numbers
 from tests.robots.arms import ARMS, CASES, last_pose, points, problem, tolerance
 
 every_case = pytest.mark.parametrize("name", CASES)

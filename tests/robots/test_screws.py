@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from derive.algebra.numeric import numbers
+from derive.algebra.numbers.floats import numbers
 from derive.build import assemble
 from derive.derivation import Derivation
 from derive.errors import SheetErrors
@@ -145,7 +145,7 @@ def test_everything_agrees_with_the_rows_found(tmp_path: Path, links: str) -> No
 
 def texts(rows: Derivation) -> list[tuple[str, ...]]:
     """The table as it would be typed."""
-    from derive.algebra.text import text
+    from derive.algebra.infix import text
 
     variables = [name.name for name in (*rows.facts["revolute"], *rows.facts["prismatic"])]
 

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
-from derive.algebra.numeric import number
+from derive.algebra.numbers.floats import number
 from derive.sheet.nearest import nearest_rotation
 
 

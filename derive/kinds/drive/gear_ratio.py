@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from itertools import islice
 from math import copysign
 
-from derive.algebra.numeric import number as at
+from derive.algebra.numbers.floats import number as at
 from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import (

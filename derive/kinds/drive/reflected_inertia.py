@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from derive.algebra.numeric import number as at
+from derive.algebra.numbers.floats import number as at
 from derive.derivation import Claim, Derivation
 from derive.expression import ONE, Expr, Product, Quotient, Symbol, add, number, squared
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points

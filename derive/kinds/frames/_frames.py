@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from derive.algebra.numeric import Point, number
+from derive.algebra.numbers.floats import Point, number
 from derive.derivation import Step
 from derive.expression import (
     Expr,

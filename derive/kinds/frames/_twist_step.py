@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numeric import number
+from derive.algebra.numbers.floats import number
 from derive.derivation import Step
 from derive.expression import ZERO, Expr, Indexed, Matrix, Product, Symbol, column
 from derive.kinds.frames._frames import origin_name, rotation_name

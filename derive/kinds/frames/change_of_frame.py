@@ -7,7 +7,7 @@ from dataclasses import replace
 from pydantic import Field, model_validator
 
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numeric import numbers
+from derive.algebra.numbers.floats import numbers
 from derive.derivation import Claim, Derivation, Step
 from derive.expression import Expr, Indexed, Matrix, Product, Sum, Symbol, column
 from derive.kinds.checks import agreement, is_rotation, links

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numeric import numbers
+from derive.algebra.numbers.floats import numbers
 from derive.derivation import Claim, Derivation, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Matrix, Product, Symbol

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pydantic import Field
 
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numeric import numbers
+from derive.algebra.numbers.floats import numbers
 from derive.derivation import Claim, Derivation, Step
 from derive.expression import Call, Expr, Matrix, Product, Symbol
 from derive.kinds.checks import agreement, is_rotation, links

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numeric import numbers
+from derive.algebra.numbers.floats import numbers
 from derive.derivation import Claim, Derivation, Result, Step
 from derive.expression import Expr, Matrix, Product, Symbol
 from derive.kinds.checks import agreement, is_rotation, links

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 from flint import arb
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.polynomial_systems import Value
-from derive.algebra.polynomials import coefficients, degree, holds, known_sign, monomials
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.polynomial_systems import Value
+from derive.algebra.solving.polynomials import coefficients, degree, holds, known_sign, monomials
 from derive.kinds.function._stationary import Point, Task, as_ball
 
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from derive.algebra import numeric
 from derive.algebra.normal import normal
+from derive.algebra.numbers import floats as numeric
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Step
 from derive.expression import Derivative, Expr, Symbol

@@ -11,10 +11,10 @@ from flint import arb, ctx
 from derive.algebra.function import Function
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, normal
-from derive.algebra.polynomial_systems import BESIDE, Case, Solution, Value, put_in, solve
-from derive.algebra.polynomials import ball, known_sign, require_rational
-from derive.algebra.real_roots import BITS
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.polynomial_systems import BESIDE, Case, Solution, Value, put_in, solve
+from derive.algebra.solving.polynomials import ball, known_sign, require_rational
+from derive.algebra.solving.real_roots import BITS
 from derive.errors import NotDerivable
 from derive.expression import Symbol
 

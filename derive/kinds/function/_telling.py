@@ -8,10 +8,10 @@ from typing import Any
 from flint import arb
 
 from derive.algebra.factorisation import factored
-from derive.algebra.polynomial_moves import Move
-from derive.algebra.polynomial_systems import Case, Solution
-from derive.algebra.polynomials import coefficients
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.polynomial_moves import Move
+from derive.algebra.solving.polynomial_systems import Case, Solution
+from derive.algebra.solving.polynomials import coefficients
 from derive.expression import Expr, Power, Symbol, multiply, number
 from derive.kinds.function._writing import vanishing, written
 from derive.kinds.problem import Problem

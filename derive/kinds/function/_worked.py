@@ -7,13 +7,13 @@ from typing import Any
 
 from flint import arb
 
-from derive.algebra import numeric
 from derive.algebra.function import Function
+from derive.algebra.infix import text
 from derive.algebra.normal import normal
-from derive.algebra.polynomial_systems import Value, put_in
-from derive.algebra.polynomials import known_sign, odd_part
+from derive.algebra.numbers import floats as numeric
 from derive.algebra.scalar import Scalar, as_fraction
-from derive.algebra.text import text
+from derive.algebra.solving.polynomial_systems import Value, put_in
+from derive.algebra.solving.polynomials import known_sign, odd_part
 from derive.derivation import Branch, Claim, Derivation, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import (

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from flint import arb
 
-from derive.algebra.operations import operations
-from derive.algebra.polynomial_systems import Value
-from derive.algebra.polynomials import monomials
+from derive.algebra.readable.operations import operations
 from derive.algebra.scalar import Scalar, as_fraction, fraction
+from derive.algebra.solving.polynomial_systems import Value
+from derive.algebra.solving.polynomials import monomials
 from derive.expression import ZERO, Approximate, Expr, Quotient, negate
 from derive.kinds.problem import Problem
 

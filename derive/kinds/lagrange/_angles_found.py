@@ -10,12 +10,12 @@ from fractions import Fraction
 from flint import arb
 
 from derive.algebra.angles import PI, Form, combination
-from derive.algebra.fixed import fixed_trig
+from derive.algebra.exact_values import fixed_trig
 from derive.algebra.normal import normal
-from derive.algebra.polynomial_systems import solve
-from derive.algebra.polynomials import known_sign, numerator
+from derive.algebra.readable.terms import Alphabet
 from derive.algebra.scalar import Scalar, as_fraction
-from derive.algebra.terms import Alphabet
+from derive.algebra.solving.polynomial_systems import solve
+from derive.algebra.solving.polynomials import known_sign, numerator
 from derive.errors import NotDerivable
 from derive.expression import (
     Approximate,
@@ -213,6 +213,6 @@ def _angle(c: Scalar | arb, s: Scalar | arb, positive: Collection[str], problem:
 
 
 def _float(value: Scalar) -> float:
-    from derive.algebra.numeric import scalar_number
+    from derive.algebra.numbers.floats import scalar_number
 
     return scalar_number(value, {})

@@ -7,8 +7,8 @@ from fractions import Fraction
 from math import lcm, prod
 
 from derive.algebra.normal import derivative
-from derive.algebra.polynomials import holds
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.polynomials import holds
 from derive.expression import (
     MINUS_ONE,
     ZERO,

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import combinations
 
+from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import derivative
-from derive.algebra.numeric import matrix_numbers, number
-from derive.algebra.polynomials import known_sign, odd_part
+from derive.algebra.numbers.floats import matrix_numbers, number
 from derive.algebra.scalar import Scalar
-from derive.algebra.text import text
+from derive.algebra.solving.polynomials import known_sign, odd_part
 from derive.expression import Approximate, Symbol, walk
 from derive.kinds.lagrange._angles_found import Found
 from derive.kinds.lagrange._model import Model

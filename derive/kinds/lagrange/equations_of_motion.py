@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from derive.algebra import numeric
 from derive.algebra.normal import derivative
+from derive.algebra.numbers import floats as numeric
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Result, Step
 from derive.errors import NotReal

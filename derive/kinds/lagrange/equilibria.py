@@ -7,7 +7,7 @@ from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import derivative
-from derive.algebra.numeric import number
+from derive.algebra.numbers.floats import number
 from derive.algebra.scalar import Scalar
 from derive.algebra.signs import signed
 from derive.derivation import Branch, Claim, Derivation, Step, Table

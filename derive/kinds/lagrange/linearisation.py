@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import Any
 
+from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import derivative
-from derive.algebra.numeric import matrix_numbers
-from derive.algebra.polynomials import known_sign
-from derive.algebra.text import text
+from derive.algebra.numbers.floats import matrix_numbers
+from derive.algebra.solving.polynomials import known_sign
 from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable, NotReal
 from derive.expression import ZERO, Expr, Matrix, Product, Symbol, column, free_symbols
@@ -226,7 +226,7 @@ def _agree(
     model: Model, linear: Linear, at: Mapping[Expr, Expr], differences: Differences, point: dict[str, float]
 ) -> bool | None:
     """Whether they agree about the state of rest of one point; None where that is not real."""
-    from derive.algebra.numeric import number as value_of
+    from derive.algebra.numbers.floats import number as value_of
 
     system = model.system
     known = completed(point, model.problem.where)

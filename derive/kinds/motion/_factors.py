@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
-from derive.algebra.kernels import root
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
+from derive.algebra.roots_and_functions import root
 from derive.derivation import Step
 from derive.errors import NotDerivable
 from derive.expression import (

@@ -7,7 +7,7 @@ from typing import Any, Literal
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numeric import numbers
+from derive.algebra.numbers.floats import numbers
 from derive.derivation import Claim, Derivation, Result, Step
 from derive.expression import Expr, Matrix, Symbol
 from derive.kinds.checks import agreement, is_rotation, law, links

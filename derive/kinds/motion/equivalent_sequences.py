@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.text import text
 from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol

@@ -65,7 +65,7 @@ def _exponential(vector: Matrix, point: dict[str, float], problem: Problem) -> o
     """The sum of powers of the skew matrix, 30 of them."""
     import numpy as np
 
-    from derive.algebra.numeric import number
+    from derive.algebra.numbers.floats import number
     from derive.kinds.values_at import completed
 
     x, y, z = (number(entry, completed(point, problem.where)) for (entry,) in vector.rows)

@@ -8,7 +8,7 @@ from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
-from derive.algebra.numeric import matrix_numbers, number
+from derive.algebra.numbers.floats import matrix_numbers, number
 from derive.derivation import Claim, Derivation, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import ONE, Derivative, Expr, Product, Symbol, add, free_symbols, multiply, transpose

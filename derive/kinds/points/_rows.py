@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from derive.algebra.kernels import root
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.numeric import matrix_numbers
+from derive.algebra.numbers.floats import matrix_numbers
+from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Result, Step
 from derive.errors import NotDerivable

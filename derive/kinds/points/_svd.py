@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.numeric import matrix_numbers, number
+from derive.algebra.numbers.floats import matrix_numbers, number
 from derive.derivation import Claim, Derivation, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import (

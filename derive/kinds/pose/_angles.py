@@ -6,7 +6,7 @@ import math
 from fractions import Fraction
 
 from derive.algebra.normal import normal, trig_of
-from derive.algebra.numeric import number
+from derive.algebra.numbers.floats import number
 from derive.algebra.scalar import Scalar
 from derive.expression import PI, ZERO, Call, Degrees, Expr, Product, atan2, multiply
 from derive.expression import number as exact

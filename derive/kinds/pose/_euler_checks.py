@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
-from derive.algebra.numeric import number
+from derive.algebra.numbers.floats import number
 from derive.derivation import Branch, Claim
 from derive.expression import Expr, free_symbols
 from derive.kinds.checks import agreement

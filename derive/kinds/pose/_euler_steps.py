@@ -8,12 +8,12 @@ from dataclasses import replace as replace_fields
 from functools import cached_property
 from typing import Any
 
+from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
-from derive.algebra.numeric import number, numbers
-from derive.algebra.readable import readable_matrix
+from derive.algebra.numbers.floats import number, numbers
+from derive.algebra.readable.form import readable_matrix
 from derive.algebra.scalar import Scalar
-from derive.algebra.text import text
 from derive.derivation import Branch, Claim, Step
 from derive.expression import (
     MINUS_ONE,

@@ -11,7 +11,7 @@ from pydantic import Field
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numeric import Point
+from derive.algebra.numbers.floats import Point
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
 from derive.expression import Matrix, Symbol

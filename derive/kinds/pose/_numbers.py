@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from derive.algebra.normal import normal
-from derive.algebra.numeric import number
+from derive.algebra.numbers.floats import number
 from derive.expression import Approximate, Expr, Matrix, Symbol, free_symbols
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed

@@ -9,7 +9,7 @@ from pydantic import AfterValidator, Field
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
-from derive.algebra.numeric import matrix_numbers
+from derive.algebra.numbers.floats import matrix_numbers
 from derive.algebra.scalar import Scalar
 from derive.derivation import Branch, Claim, Derivation, Result, Step
 from derive.errors import NotDerivable

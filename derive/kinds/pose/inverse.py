@@ -6,7 +6,7 @@ from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numeric import numbers
+from derive.algebra.numbers.floats import numbers
 from derive.derivation import Derivation, Step
 from derive.expression import ONE, ZERO, Call, Expr, Matrix, Symbol, column, multiply, negate, transpose
 from derive.kinds.checks import agreement, law, links

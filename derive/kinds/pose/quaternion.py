@@ -95,7 +95,7 @@ def _second_route(given: Given, problem: Problem, results: Mapping[str, Any]) ->
     def turned(point: Mapping[str, float]) -> Any:
         import numpy as np
 
-        from derive.algebra.numeric import number as value
+        from derive.algebra.numbers.floats import number as value
 
         w, *v = (value(entry, point) for (entry,) in entries)
         vector = np.array(v)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from math import inf
 from typing import Any
 
-from derive.algebra.numeric import number as value_of
+from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Claim, Step
 from derive.expression import Expr, Product, Quotient, Sum, Symbol, number, squared, symbols
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points

@@ -6,7 +6,7 @@ from fractions import Fraction
 from math import degrees
 from typing import Any
 
-from derive.algebra.numeric import number as value_of
+from derive.algebra.numbers.floats import number as value_of
 from derive.expression import Approximate, Degrees, Expr
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem

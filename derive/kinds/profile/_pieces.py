@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
-from derive.algebra.numeric import number as value_of
+from derive.algebra.infix import text
+from derive.algebra.numbers.floats import number as value_of
 from derive.algebra.scalar import Scalar
-from derive.algebra.text import text
 from derive.derivation import Branch, Claim
 from derive.errors import NotDerivable
 from derive.expression import ONE, ZERO, Degrees, Expr, Power, Symbol, add, multiply, number, subtract

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from derive.algebra.numeric import number as value_of
+from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Claim, Result, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol, column, number

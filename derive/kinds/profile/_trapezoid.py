@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from derive.algebra.text import text
+from derive.algebra.infix import text
 from derive.derivation import Step
 from derive.expression import (
     Expr,

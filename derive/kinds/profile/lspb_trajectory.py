@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from derive.algebra.numeric import number as value_of
+from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import (

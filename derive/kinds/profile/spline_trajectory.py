@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any, Literal
 
+from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.numeric import number as value_of
+from derive.algebra.numbers.floats import number as value_of
 from derive.algebra.scalar import Scalar
-from derive.algebra.text import text
 from derive.derivation import Claim, Derivation, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import (

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from math import inf
 from typing import Any
 
-from derive.algebra.numeric import number as value_of
+from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Branch, Derivation, Figure, Result
 from derive.errors import NotDerivable
 from derive.expression import Expr, is_negative

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.readable import readable
+from derive.algebra.readable.form import readable
 from derive.derivation import Step
 from derive.expression import ZERO, Expr, Matrix, Product, Sum, Symbol, add, cross, subtract
 from derive.kinds.naming import fits

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal
 
-from derive.algebra import numeric
-from derive.algebra.compiled import compiled
-from derive.algebra.operations import operations
+from derive.algebra.numbers import floats as numeric
+from derive.algebra.numbers.compiled import compiled
+from derive.algebra.readable.operations import operations
 from derive.derivation import Claim, Derivation, Step
 from derive.expression import Expr, Matrix, Symbol, add, column
 from derive.kinds.checks import agreement, links

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from derive.algebra import numeric
 from derive.algebra.normal import normal, normal_matrix
-from derive.algebra.operations import operations
+from derive.algebra.numbers import floats as numeric
+from derive.algebra.readable.operations import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Result, Step, Table, named_results
 from derive.expression import (

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pydantic import Field
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.numeric import matrix_numbers
-from derive.algebra.readable import readable_matrix
+from derive.algebra.numbers.floats import matrix_numbers
+from derive.algebra.readable.form import readable_matrix
 from derive.derivation import Claim, Derivation, Step, named_results
 from derive.errors import NotDerivable
 from derive.expression import Expr, Product, Symbol

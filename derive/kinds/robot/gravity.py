@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from derive.algebra import numeric
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
+from derive.algebra.numbers import floats as numeric
 from derive.derivation import Claim, Derivation, Step, named_results
 from derive.expression import ZERO, Derivative, Expr, Matrix, Product, Sum, Symbol, column, negate, transpose
 from derive.kinds.checks import agreement, links

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from derive.algebra import numeric
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
+from derive.algebra.numbers import floats as numeric
 from derive.derivation import Claim, Derivation
 from derive.expression import Expr, Symbol
 from derive.kinds.checks import SECOND_ROUTE, close, law, links, random_points

@@ -7,9 +7,9 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import AfterValidator, Field
 
-from derive.algebra import numeric
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
+from derive.algebra.numbers import floats as numeric
 from derive.derivation import Claim, Derivation, Step, named_results
 from derive.expression import ZERO, Indexed, Matrix, Product, Symbol, free_symbols, number, transpose
 from derive.kinds.checks import agreement, law, links

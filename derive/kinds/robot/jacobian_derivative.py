@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from derive.algebra import numeric
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.numbers import floats as numeric
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, Step
 from derive.expression import Derivative, Expr, Product, Symbol, add, column

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from derive.algebra.numeric import matrix_numbers
+from derive.algebra.numbers.floats import matrix_numbers
 from derive.derivation import Claim, Derivation, named_results
 from derive.expression import Expr
 from derive.kinds.checks import agreement, links

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from derive.algebra import numeric
-from derive.algebra.factors import Factored
-from derive.algebra.kernels import root
+from derive.algebra.numbers import floats as numeric
+from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.factors import Factored
 from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import (

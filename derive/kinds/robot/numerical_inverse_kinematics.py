@@ -7,8 +7,8 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, PlainValidator, ValidationInfo, WithJsonSchema
 
-from derive.algebra.numeric import matrix_numbers, scalar_number
-from derive.algebra.numeric import number as value_of
+from derive.algebra.numbers.floats import matrix_numbers, scalar_number
+from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Claim, Derivation, Plot, Result, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Symbol, add, column, number

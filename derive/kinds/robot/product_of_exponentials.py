@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from derive.algebra.numeric import matrix_numbers
+from derive.algebra.numbers.floats import matrix_numbers
 from derive.derivation import Claim, Derivation
 from derive.expression import Expr, Symbol
 from derive.kinds.checks import agreement, is_rotation, law, links

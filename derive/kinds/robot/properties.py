@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numeric import numbers
+from derive.algebra.numbers.floats import numbers
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Step, Table
 from derive.expression import (

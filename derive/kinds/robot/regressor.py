@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from derive.algebra import numeric
+from derive.algebra.infix import text
 from derive.algebra.normal import normal_matrix
-from derive.algebra.operations import operations
+from derive.algebra.numbers import floats as numeric
+from derive.algebra.readable.operations import operations
 from derive.algebra.scalar import Scalar
-from derive.algebra.text import text
 from derive.derivation import Claim, Derivation, Step, Table
 from derive.expression import (
     Approximate,

@@ -8,7 +8,7 @@ from typing import Any, Literal
 from pydantic import Field
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.numeric import matrix_numbers
+from derive.algebra.numbers.floats import matrix_numbers
 from derive.derivation import Claim, Derivation, Step, named_results
 from derive.expression import (
     ZERO,

@@ -7,8 +7,8 @@ from typing import Any
 
 from pydantic import Field
 
-from derive.algebra import numeric
 from derive.algebra.normal import normal, normal_matrix
+from derive.algebra.numbers import floats as numeric
 from derive.derivation import Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Matrix, Product, Symbol, column, free_symbols, transpose

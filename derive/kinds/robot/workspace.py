@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from derive.algebra import numeric
 from derive.algebra.normal import normal
+from derive.algebra.numbers import floats as numeric
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, Plot, Result, Step
 from derive.errors import NotDerivable

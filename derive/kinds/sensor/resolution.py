@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import tau
 
-from derive.algebra.numeric import number as at
+from derive.algebra.numbers.floats import number as at
 from derive.derivation import Claim, Derivation
 from derive.expression import ONE, Expr
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points

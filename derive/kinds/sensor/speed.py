@@ -7,8 +7,8 @@ from math import tau
 
 from pydantic import field_validator
 
-from derive.algebra.numeric import number as at
-from derive.algebra.quantities import rational
+from derive.algebra.formulas.quantities import rational
+from derive.algebra.numbers.floats import number as at
 from derive.derivation import Claim, Derivation
 from derive.expression import ONE, Call, Expr, Product, Quotient, Symbol, free_symbols
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points

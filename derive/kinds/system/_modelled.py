@@ -6,17 +6,17 @@ import math
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from derive.algebra.readable import readable
+from derive.algebra.readable.form import readable
 from derive.algebra.scalar import Scalar
 from derive.control.controllers import Controller
 from derive.control.diagram import Diagram
-from derive.control.drawing import Wired, drawn, filter_name, gain_names, parameters
 from derive.control.loops import Loop
 from derive.control.rational import Rational
 from derive.control.ratios import Ratio, total
 from derive.control.roots import roots
 from derive.errors import NotDerivable
 from derive.expression import ONE, Expr, Quotient, Sum, Symbol, add, multiply
+from derive.figures.block_diagram import Wired, drawn, filter_name, gain_names
 from derive.kinds.system._plant import Plant, verdict
 
 S = Symbol("s")
@@ -48,7 +48,7 @@ def modelled(solved: Plant, controller: Controller | None, transfer: Rational) -
     diagram, wired = drawn(solved.system, solved.rational, controller, solved.style)
     if controller is None:
         return Answer(solved, None, transfer, diagram, wired, (), ())
-    names = gain_names(controller, parameters(solved.system))
+    names = gain_names(controller, solved.system.names)
     gains = tuple(zip(names, controller.gains, strict=True))
     found = _filter(solved, controller, transfer) if controller.differentiates else ()
     return Answer(solved, controller, transfer, diagram, wired, gains, found)

@@ -6,7 +6,7 @@ import cmath
 import math
 from collections.abc import Mapping
 
-from derive.algebra.numeric import scalar_number
+from derive.algebra.numbers.floats import scalar_number
 from derive.control.controllers import Controller
 from derive.control.laplace import Numeric, is_close, quotient
 from derive.control.rational import Rational

@@ -6,11 +6,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from derive.algebra.numeric import scalar_number
-from derive.algebra.readable import readable
+from derive.algebra.infix import text
+from derive.algebra.numbers.floats import scalar_number
+from derive.algebra.readable.form import readable
+from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
-from derive.algebra.terms import Style
-from derive.algebra.text import text
 from derive.control.elimination import Solution, solve
 from derive.control.rational import Polynomial, Rational, S, names_in
 from derive.control.roots import as_json, isolated, roots

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from derive.algebra.operations import operations
-from derive.algebra.readable import readable
+from derive.algebra.readable.form import readable
+from derive.algebra.readable.operations import operations
+from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
-from derive.algebra.terms import Style
 from derive.control.rational import Polynomial, written
 from derive.control.routh import Row, leading
 from derive.derivation import Step, Table

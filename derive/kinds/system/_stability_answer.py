@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from derive.algebra.balls import number_sign
+from derive.algebra.numbers.balls import number_sign
 from derive.algebra.scalar import Scalar
 from derive.control.controllers import Controller
 from derive.control.hidden import hidden

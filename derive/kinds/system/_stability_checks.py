@@ -7,10 +7,9 @@ from fractions import Fraction
 from functools import partial
 from itertools import islice
 
-from derive.algebra.balls import number_sign
+from derive.algebra.numbers.balls import number_sign
 from derive.algebra.scalar import Scalar
 from derive.control.axis import points
-from derive.control.drawing import parameters
 from derive.control.laplace import Numeric
 from derive.control.rational import at
 from derive.control.roots import roots
@@ -65,7 +64,7 @@ def _solves(answer: Answer, seed: int) -> bool:
     import numpy
 
     system = answer.plant.system
-    names = sorted(parameters(system) - {each.name for each in signals(system)} - {"s", "pi"})
+    names = sorted(system.names - {each.name for each in signals(system)} - {"s", "pi"})
     (point,) = islice(random_points(names, seed + 1), seed, None)
     place = dict[Expr, Expr]({Symbol(k): number(Fraction(x)) for k, x in point.items()})
     for root in roots(at(answer.hidden, place)):

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from derive.algebra.polynomials import known_sign, numerator
-from derive.algebra.readable import readable
+from derive.algebra.readable.form import readable
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.polynomials import known_sign, numerator
 from derive.control.hurwitz import is_impossible, is_never
 from derive.expression import (
     Expr,

@@ -6,9 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
-from derive.algebra.numeric import matrix_numbers, scalar_number
+from derive.algebra.numbers.floats import matrix_numbers, scalar_number
 from derive.algebra.scalar import Scalar
-from derive.control.drawing import parameters
 from derive.control.laplace import Numeric, is_close, quotient
 from derive.control.rational import scalar
 from derive.control.routh import remainder
@@ -44,7 +43,7 @@ def claims_of(answer: Answer) -> Iterator[Claim]:
 
 def _parameters(system: System) -> list[str]:
     """The names in the equations that are no signals."""
-    return sorted(parameters(system) - {signal.name for signal in signals(system)} - {"s", "pi"})
+    return sorted(system.names - {signal.name for signal in signals(system)} - {"s", "pi"})
 
 
 def _is_determinant(A: ScalarMatrix, characteristic: Sequence[Scalar], point: Mapping[str, float]) -> bool:

@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.readable import readable_matrix
-from derive.control.drawing import parameters
+from derive.algebra.readable.form import readable_matrix
 from derive.control.rational import Rational
 from derive.control.states import MOST, StateSpace, canonical, physical, symbols_of
 from derive.errors import NotDerivable
@@ -63,8 +62,7 @@ def answered(problem: Problem, point: Place | None) -> Answer:
 def _begins(solved: Plant, letter: str) -> bool:
     """Whether the equations use this letter, alone or with an index."""
     return any(
-        name == letter or (name[:1] == letter and not name[1:2].isalpha())
-        for name in parameters(solved.system)
+        name == letter or (name[:1] == letter and not name[1:2].isalpha()) for name in solved.system.names
     )
 
 

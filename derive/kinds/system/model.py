@@ -7,14 +7,13 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from derive.algebra.normal import normal
-from derive.algebra.numeric import scalar_number
-from derive.control.drawing import Wired, parameters
+from derive.algebra.numbers.floats import scalar_number
 from derive.control.laplace import Numeric, is_close, quotient, value
-from derive.control.model import Model
-from derive.control.python_control import python_control
 from derive.control.rational import Rational, written
 from derive.control.response import step_response
-from derive.control.simulink import simulink
+from derive.control.scripts.model import Model
+from derive.control.scripts.python_control import python_control
+from derive.control.scripts.simulink import simulink
 from derive.control.system import System
 from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
@@ -30,6 +29,7 @@ from derive.expression import (
     multiply,
     subtract,
 )
+from derive.figures.block_diagram import Wired
 from derive.kinds.checks import SECOND_ROUTE, links, random_points
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
@@ -222,7 +222,7 @@ def _composes(answer: Answer) -> bool:
     """At random parameters and complex s, with an ideal derivative."""
     names = {name for _, tree in answer.gains for name in free_symbols(tree)}
     names |= {name for tree in answer.plant.problem.names.values() for name in free_symbols(tree)}
-    names |= parameters(answer.plant.system) - {"pi"}
+    names |= answer.plant.system.names - {"pi"}
     return all(
         _agrees(answer, point, complex(point["s"], 1.0 + k))
         for k, point in enumerate(random_points(sorted(names | {"s"}), POINTS))

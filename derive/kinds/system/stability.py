@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
-from derive.algebra.kernels import root
-from derive.algebra.numeric import scalar_number
-from derive.algebra.operations import operations
-from derive.algebra.polynomials import coefficients, known_sign, odd_part
-from derive.algebra.readable import readable
+from derive.algebra.infix import text
+from derive.algebra.numbers.floats import scalar_number
+from derive.algebra.readable.form import readable
+from derive.algebra.readable.operations import operations
+from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar
-from derive.algebra.text import text
+from derive.algebra.solving.polynomials import coefficients, known_sign, odd_part
 from derive.control.hurwitz import Condition, is_impossible, written
 from derive.control.rational import Rational, at, names_in
 from derive.control.rational import written as collected

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from derive.algebra.normal import normal_matrix
-from derive.algebra.readable import readable, readable_matrix
+from derive.algebra.readable.form import readable, readable_matrix
 from derive.control.elimination import without
 from derive.control.hidden import hidden
 from derive.control.rational import names_in

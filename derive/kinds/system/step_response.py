@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from derive.algebra.normal import normal
-from derive.algebra.numeric import scalar_number
-from derive.algebra.readable import readable
+from derive.algebra.numbers.floats import scalar_number
+from derive.algebra.readable.form import readable
 from derive.control.controllers import Controller
 from derive.control.laplace import Numeric, inverted
 from derive.control.rational import Rational

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from derive.algebra.angles import Form
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.numeric import Point, scalar_number
+from derive.algebra.numbers.floats import Point, scalar_number
 from derive.algebra.scalar import Scalar
 from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.budget import Budget, Spent

@@ -7,7 +7,7 @@ import random
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from derive.algebra.numeric import Point, scalar_number
+from derive.algebra.numbers.floats import Point, scalar_number
 from derive.algebra.scalar import Scalar
 
 NEARLY_ZERO = 1e-9

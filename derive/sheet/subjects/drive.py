@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from derive.algebra.quantities import rational
+from derive.algebra.formulas.quantities import rational
 from derive.errors import SheetError, SheetErrors
 from derive.kinds.fields import Formula, InertiaMoment, OptionsModel, Torque
 from derive.mechanics.sensing import Drive

@@ -6,8 +6,8 @@ from typing import Annotated, Any, Literal, TypeAlias
 
 from pydantic import Discriminator, Tag, ValidationInfo, field_validator
 
-from derive.algebra.doubtful import Doubt
-from derive.algebra.quantities import rational
+from derive.algebra.formulas.doubts import Doubt
+from derive.algebra.formulas.quantities import rational
 from derive.expression import Expr
 from derive.kinds.fields import Angle, Formula, Length, OptionsModel, StarredAngle, StarredLength, doubt
 from derive.mechanics.motion import Axis, Move

@@ -16,11 +16,11 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema, core_schema
 
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
+from derive.algebra.formulas.units import ANGLE, LENGTH, Dimension, power, times
+from derive.algebra.formulas.units import TIME as SECONDS
 from derive.algebra.normal import normal
-from derive.algebra.numeric import scalar_number
-from derive.algebra.units import ANGLE, LENGTH, Dimension, power, times
-from derive.algebra.units import TIME as SECONDS
+from derive.algebra.numbers.floats import scalar_number
 from derive.errors import FormulaError, NotDerivable, SheetError, SheetErrors
 from derive.expression import (
     PI,

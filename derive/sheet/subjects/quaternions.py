@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from fractions import Fraction
 
-from derive.algebra.numeric import number as value
-from derive.algebra.quantities import rational
+from derive.algebra.formulas.quantities import rational
+from derive.algebra.numbers.floats import number as value
 from derive.algebra.rationals import decimal_places
 from derive.expression import (
     Degrees,

@@ -7,7 +7,7 @@ from typing import Annotated, Any, TypeAlias
 
 from pydantic import Discriminator, Field, Tag, field_validator
 
-from derive.algebra.quantities import rational
+from derive.algebra.formulas.quantities import rational
 from derive.expression import ZERO, Expr
 from derive.kinds.fields import Length, OptionsModel, Point, Quantity
 from derive.mechanics.frames import ByMatrix

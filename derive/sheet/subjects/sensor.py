@@ -7,9 +7,9 @@ from typing import Annotated, Any, Literal, TypeAlias
 
 from pydantic import Discriminator, PlainValidator, Tag, ValidationInfo, WithJsonSchema
 
-from derive.algebra.grammar import parse
-from derive.algebra.quantities import rational
-from derive.algebra.units import PLAIN
+from derive.algebra.formulas.grammar import parse
+from derive.algebra.formulas.quantities import rational
+from derive.algebra.formulas.units import PLAIN
 from derive.errors import SheetError, SheetErrors
 from derive.expression import ONE, ZERO, Expr, Quotient, number
 from derive.kinds.fields import TREES, Formula, OptionsModel, Quantity, declared, text_of

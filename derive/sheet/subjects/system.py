@@ -7,7 +7,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from derive.algebra.text import text
+from derive.algebra.infix import text
 from derive.control.delays import delay_of, found_in, replaced
 from derive.control.system import Equation, System
 from derive.control.transcendental import Function, transcendental

@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.normal import normal
-from derive.algebra.numeric import number_rows, numbers
+from derive.algebra.numbers.floats import number_rows, numbers
 from derive.build import assemble
 from derive.derivation import Table
 from derive.errors import NotDerivable, SheetErrors

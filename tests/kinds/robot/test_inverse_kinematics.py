@@ -10,8 +10,8 @@ from typing import Any
 
 import pytest
 
-from derive.algebra.compiled import Compiled, compiled
-from derive.algebra.text import text
+from derive.algebra.infix import text
+from derive.algebra.numbers.compiled import Compiled, compiled
 from derive.derivation import Derivation
 from derive.expression import free_symbols
 from tests.kinds.robot.arms import ARMS, Arm

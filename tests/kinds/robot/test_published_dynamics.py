@@ -11,7 +11,7 @@ from shutil import copyfile
 import numpy as np
 import pytest
 
-from derive.algebra.numeric import number_rows, numbers
+from derive.algebra.numbers.floats import number_rows, numbers
 from derive.build import assemble
 from derive.derivation import Derivation
 from derive.sheet.load import load_sheet

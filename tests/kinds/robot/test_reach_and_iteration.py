@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from derive.algebra.numeric import number
-from derive.algebra.text import text
+from derive.algebra.infix import text
+from derive.algebra.numbers.floats import number
 from derive.build import derive_all
 from derive.errors import NotDerivable, SheetErrors
 from derive.sheet.load import load_sheet

@@ -15,8 +15,8 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
-from derive.algebra.grammar import parse
-from derive.algebra.numeric import number
+from derive.algebra.formulas.grammar import parse
+from derive.algebra.numbers.floats import number
 from derive.derivation import Branch
 from derive.errors import NotDerivable
 from derive.mechanics.task import ROWS

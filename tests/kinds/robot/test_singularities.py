@@ -14,9 +14,9 @@ import numpy as np
 import pytest
 
 from derive.algebra import bounds
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.normal import normal
-from derive.algebra.numeric import number
+from derive.algebra.numbers.floats import number
 from derive.errors import NotDerivable
 from derive.mechanics.oracle import Oracle
 from derive.mechanics.robot import Robot

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from derive.algebra.numeric import numbers
+from derive.algebra.numbers.floats import numbers
 from derive.errors import NotDerivable
 from derive.expression import Symbol, number
 from derive.kinds.problem import Problem

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from derive.algebra.angles import Form
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
 from derive.mechanics.inverse.equation import Equation, View

@@ -7,7 +7,7 @@ import random
 import numpy as np
 import pytest
 
-from derive.algebra.grammar import parse
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.normal import normal
 from derive.mechanics.chain import chain
 from derive.mechanics.inverse.wrist import spherical_wrist

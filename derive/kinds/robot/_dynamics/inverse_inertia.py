@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.algebra.readable import readable, readable_matrix
+from derive.algebra.readable.form import readable, readable_matrix
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, Step
 from derive.errors import NotDerivable

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from derive.algebra import numeric
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.algebra.operations import operations
+from derive.algebra.numbers import floats as numeric
+from derive.algebra.readable.operations import operations
 from derive.derivation import Claim, Derivation, Step, named_results
 from derive.expression import (
     ZERO,

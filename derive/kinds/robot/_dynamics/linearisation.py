@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-from derive.algebra import numeric
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, normal, normal_matrix
-from derive.algebra.operations import operations
+from derive.algebra.numbers import floats as numeric
+from derive.algebra.readable.operations import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Step, named_results
 from derive.errors import NotDerivable

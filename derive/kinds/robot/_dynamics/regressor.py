@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from derive.algebra.dependence import dependencies
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.dependence import dependencies
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Call, Expr, Indexed, Symbol, column, free_symbols, number
 from derive.kinds.problem import Problem

@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from derive.algebra.angles import Form, combination
+from derive.algebra.infix import text
 from derive.algebra.normal import normal, trig_of
 from derive.algebra.scalar import Scalar
-from derive.algebra.text import text
 from derive.derivation import Step
 from derive.expression import Call, Expr, Symbol, free_symbols, negate
 from derive.kinds.problem import Problem

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from derive.algebra.angles import Form, combination
-from derive.algebra.compiled import Compiled, compiled
-from derive.algebra.numeric import Point
+from derive.algebra.numbers.compiled import Compiled, compiled
+from derive.algebra.numbers.floats import Point
 from derive.derivation import Branch
 from derive.expression import (
     ZERO,

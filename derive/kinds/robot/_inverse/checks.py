@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from derive.algebra.compiled import compiled
-from derive.algebra.numeric import Point
+from derive.algebra.numbers.compiled import compiled
+from derive.algebra.numbers.floats import Point
 from derive.derivation import Claim
 from derive.expression import Expr
 from derive.kinds.checks import SECOND_ROUTE, TOLERANCE, close

@@ -8,7 +8,7 @@ from fractions import Fraction
 from itertools import pairwise, product
 from typing import Any
 
-from derive.algebra.numeric import Point, number
+from derive.algebra.numbers.floats import Point, number
 from derive.derivation import Branch
 from derive.errors import NotDerivable
 from derive.expression import Expr, Number, Symbol, free_symbols, rebuild

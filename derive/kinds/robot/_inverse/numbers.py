@@ -14,8 +14,8 @@ from functools import cached_property
 from itertools import combinations
 
 from derive.algebra.angles import Form
-from derive.algebra.numeric import scalar_number
-from derive.algebra.quick import Quick
+from derive.algebra.numbers.floats import scalar_number
+from derive.algebra.numbers.many_points import Quick
 from derive.kinds.robot._inverse.branches import Solutions
 from derive.kinds.robot._inverse.moves import Definition, Item, Move, Option
 from derive.mechanics.chain import Chain

@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-from derive.algebra import numeric
-from derive.algebra.compiled import compiled
 from derive.algebra.normal import normal
-from derive.algebra.numeric import scalar_number
+from derive.algebra.numbers import floats as numeric
+from derive.algebra.numbers.compiled import compiled
+from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.scalar import Scalar
 from derive.derivation import Branch, Claim, Derivation, Step
 from derive.expression import (

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 
-from derive.algebra.text import text
+from derive.algebra.infix import text
 from derive.errors import NotDerivable
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of

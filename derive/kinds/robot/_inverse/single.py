@@ -8,9 +8,9 @@ from dataclasses import replace
 from typing import Any
 
 from derive.algebra.angles import Form
-from derive.algebra.fixed_directions import direction, sum_of_squares
+from derive.algebra.infix import text
 from derive.algebra.normal import normal, trig_of
-from derive.algebra.text import text
+from derive.algebra.solving.fixed_directions import direction, sum_of_squares
 from derive.expression import (
     ONE,
     ZERO,

@@ -8,8 +8,8 @@ from fractions import Fraction
 from functools import reduce
 from operator import add as add_values
 
+from derive.algebra.infix import text
 from derive.algebra.scalar import Scalar, as_fraction
-from derive.algebra.text import text
 from derive.expression import (
     Expr,
     Power,

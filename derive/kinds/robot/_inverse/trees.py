@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from math import lcm
 
-from derive.algebra.text import text
+from derive.algebra.infix import text
 from derive.expression import (
     MINUS_ONE,
     ONE,

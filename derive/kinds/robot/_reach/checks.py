@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
-from derive.algebra import numeric
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.numbers import floats as numeric
 from derive.derivation import Claim, Step
 from derive.expression import ZERO, Expr
 from derive.kinds.checks import SECOND_ROUTE, random_points

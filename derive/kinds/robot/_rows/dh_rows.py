@@ -9,7 +9,7 @@ from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numeric import matrix_numbers
+from derive.algebra.numbers.floats import matrix_numbers
 from derive.derivation import Claim, Step, Table
 from derive.expression import MINUS_ONE, Expr, Indexed, Matrix, Sum, Symbol, number, replace
 from derive.kinds.checks import agreement, law

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import derivative, normal
-from derive.algebra.numeric import matrix_numbers, number
+from derive.algebra.numbers.floats import matrix_numbers, number
 from derive.derivation import Claim, Step
 from derive.expression import (
     ZERO,

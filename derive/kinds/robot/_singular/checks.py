@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from derive.algebra import numeric
+from derive.algebra.numbers import floats as numeric
 from derive.derivation import Claim
 from derive.kinds.checks import SECOND_ROUTE, random_points
 from derive.kinds.robot._chain import oracle_of

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
 
-from derive.algebra import numeric
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.numeric import number
+from derive.algebra.numbers import floats as numeric
+from derive.algebra.numbers.floats import number
 from derive.kinds.checks import random_points
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of

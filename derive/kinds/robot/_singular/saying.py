@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
-from derive.algebra.text import text
+from derive.algebra.infix import text
 from derive.derivation import Branch
 from derive.kinds.problem import Problem
 from derive.kinds.robot._singular.geometry import Look

@@ -6,12 +6,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from derive.algebra.elimination import column_space, null_space
-from derive.algebra.elimination import rank as rank_of
-from derive.algebra.factors import TooLong
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.pinned import in_single_angles, pinned_matrix, rationalised
 from derive.algebra.ring import Root
+from derive.algebra.solving.elimination import column_space, null_space
+from derive.algebra.solving.elimination import rank as rank_of
+from derive.algebra.solving.factors import TooLong
+from derive.algebra.substitution import in_single_angles, pinned_matrix, rationalised
 from derive.errors import NotDerivable
 from derive.expression import Expr, Matrix, Symbol, free_symbols
 from derive.kinds.problem import Problem

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
-from derive.algebra.factors import Factored, TooLong, effort
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.factors import Factored, TooLong, effort
 from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import (

@@ -6,9 +6,9 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from derive.algebra import numeric
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
+from derive.algebra.numbers import floats as numeric
 from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Indexed, Matrix, Product, Symbol, is_negative, negate

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
-from derive.algebra import numeric
+from derive.algebra.numbers import floats as numeric
 from derive.derivation import Claim, Plot, Result, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Matrix, Symbol, column

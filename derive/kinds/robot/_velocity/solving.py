@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from derive.algebra.factors import common_factor, primitive
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.factors import common_factor, primitive
 from derive.derivation import Step
 from derive.errors import NotDerivable
 from derive.expression import (

@@ -1,0 +1,172 @@
+"""From a normal form to what a person would write.
+
+The normal form decides; this only finds a short way of saying it. Angles are tried in several
+bases (theta1, theta1 + theta2, ... or theta2, theta2 + theta3, ...), contracted to sums of angles,
+and nested by common factors.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache, partial, reduce
+from math import lcm
+
+from flint import fmpq_mpoly
+
+from derive.algebra.angles import Form, combination
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.opaque import ITSELF, Opaque
+from derive.algebra.readable.angle_sums import contracted
+from derive.algebra.readable.by_mass import nested
+from derive.algebra.readable.terms import Alphabet, Style, Terms, terms_of
+from derive.algebra.readable.writing import Writing
+from derive.algebra.ring import Ring, ring
+from derive.algebra.scalar import Scalar
+from derive.expression import (
+    ONE,
+    Call,
+    Expr,
+    Matrix,
+    Power,
+    Product,
+    Quotient,
+    Symbol,
+    multiply,
+    negate,
+    sqrt,
+)
+
+# Above this many terms other bases cost more than a reader gains.
+MOST_REBASED = 30
+MOST_EXPANDED = 500  # terms in another basis: the cosine of a sum of 12 angles has 2048
+
+
+def readable(scalar: Scalar, style: Style = Style()) -> Expr:
+    """A short expression equal to the scalar."""
+    return Reading(style).scalar(scalar)
+
+
+def readable_matrix(matrix: ScalarMatrix, style: Style = Style()) -> Matrix:
+    """Entry by entry."""
+    reading = Reading(style)
+    return Matrix(tuple(tuple(map(reading.scalar, row)) for row in matrix.rows))
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """Reads scalars in one style."""
+
+    style: Style = Style()
+
+    def scalar(self, scalar: Scalar) -> Expr:
+        if scalar.denominator is None:
+            return self._polynomial(scalar.ring, scalar.numerator)
+        whole = lcm(*(int(k.q) for k in scalar.numerator.coeffs()))
+        top = self._polynomial(scalar.ring, scalar.numerator * whole)
+        return self._quotient(top, self._polynomial(scalar.ring, scalar.denominator * whole))
+
+    @staticmethod
+    def _quotient(top: Expr, bottom: Expr) -> Expr:
+        if isinstance(bottom, Product) and bottom.factors[0] == negate(ONE):
+            top, bottom = negate(top), multiply(*bottom.factors[1:])
+        return Quotient(top, bottom)
+
+    def generator(self, home: Ring, name: str) -> Expr:
+        """The tree of a symbol, a root or a function of a ring; arguments are made readable too."""
+        if not isinstance(name, Opaque):  # a symbol, or the root of a number
+            inside = next((root.radicand for root in home.roots if root.name == name), None)
+            return Symbol(name) if inside is None else sqrt(self._polynomial(home, home.polynomial(inside)))
+        arguments = tuple(map(self.scalar, name.arguments))
+        if name.function == ITSELF:
+            return arguments[0]
+        return Power(*arguments) if name.function == "pow" else Call(name.function, arguments)
+
+    def _polynomial(self, home: Ring, polynomial: fmpq_mpoly) -> Expr:
+        alphabet = Alphabet(self.style, partial(self.generator, home))
+        if len(polynomial) <= 1:
+            return self._written(terms_of(Scalar(home, polynomial), alphabet), alphabet)
+        best = min(
+            (contracted(terms, alphabet) for terms in self._bases(home, polynomial, alphabet)),
+            key=lambda terms: (len(terms), _weight(terms)),
+        )
+        return self._written(best, alphabet)
+
+    @staticmethod
+    def _written(terms: Terms, alphabet: Alphabet) -> Expr:
+        return Writing(alphabet).tree(nested(terms, alphabet))
+
+    def _bases(self, home: Ring, polynomial: fmpq_mpoly, alphabet: Alphabet) -> Iterator[Terms]:
+        """The terms in each basis of the angles worth trying."""
+        scalar = Scalar(home, polynomial)
+        yield terms_of(scalar, alphabet)
+        if len(polynomial) > MOST_REBASED or not _related(scalar):
+            return
+        for angles in other_bases(home.angles):
+            if _expanded(scalar, angles) <= MOST_EXPANDED:
+                yield terms_of(scalar.into(ring(home.roots, angles, home.symbols)), alphabet)
+
+
+def _expanded(scalar: Scalar, angles: tuple[Form, ...]) -> int:
+    """How many terms there are in that basis, before any cancel: 2^(k-1) for a sine of k angles."""
+    home = scalar.ring
+    doublings = [_doublings(form, angles) for form in home.angles]
+    places = [(i, n) for k, n in enumerate(doublings) if n for i in home.pair_index(k)]
+    return sum(2 ** sum(int(powers[i]) * n for i, n in places) for powers, _ in scalar.numerator.terms())
+
+
+@lru_cache(maxsize=1024)
+def _doublings(form: Form, angles: tuple[Form, ...]) -> int:
+    """How often the addition theorem is used to write the cosine of a form by those of a basis."""
+    multiples = combination(form.moving, [each.moving for each in angles if each.moving.parts]) or ()
+    return max(sum(abs(int(n)) for n in multiples) - 1, 0)
+
+
+def _related(scalar: Scalar) -> bool:
+    """Whether two of its angles have a part in common; else no other basis is shorter."""
+    degrees, home = scalar.numerator.degrees(), scalar.ring
+    used = [form for k, form in enumerate(home.angles) if any(degrees[i] > 0 for i in home.pair_index(k))]
+    atoms = [atom for form in used for atom, _ in form.moving.parts]
+    return len(atoms) > len(set(atoms))
+
+
+@lru_cache(maxsize=256)
+def other_bases(angles: tuple[Form, ...]) -> tuple[tuple[Form, ...], ...]:
+    """Single angles; and for sums that begin with the same angle, the sums without it. Each angle keeps what
+    is fixed in it."""
+    fixed = tuple(form for form in angles if not form.moving.parts)
+    moving = tuple(form for form in angles if form.moving.parts)
+    return tuple((*basis, *fixed) for basis in _other_moving_bases(moving))
+
+
+def _other_moving_bases(angles: tuple[Form, ...]) -> tuple[tuple[Form, ...], ...]:
+    atoms = sorted({atom for form in angles for atom, _ in form.moving.parts})
+    if len(atoms) != len(angles):
+        return ()
+    singles = tuple(_single(atom, angles) for atom in atoms)
+    if set(singles) == set(angles):
+        return ()
+    found = [singles] if all(_whole(form, singles) for form in angles) else []
+    for first in singles:
+        atom = first.moving.parts[0][0]
+        sums = [form for form in angles if form != first and form.of_atom(atom) == 1]
+        if first in angles and sums:
+            found.append(tuple(form + first.scaled(-1) if form in sums else form for form in angles))
+    return tuple({frozenset(basis): basis for basis in reversed(found)}.values())[::-1]
+
+
+def _single(atom: str, angles: tuple[Form, ...]) -> Form:
+    """The angle by itself, with what is fixed in the sums of which it is made."""
+    alone = Form.of({atom: 1})
+    multiples = combination(alone, [form.moving for form in angles]) or ()
+    parts = (form.fixed.scaled(n) for form, n in zip(angles, multiples, strict=True))
+    return reduce(Form.__add__, parts, alone)
+
+
+def _whole(form: Form, basis: tuple[Form, ...]) -> bool:
+    multiples = combination(form.moving, [each.moving for each in basis])
+    return multiples is not None and all(n.denominator == 1 for n in multiples)
+
+
+def _weight(terms: Terms) -> int:
+    return sum(power for monomial in terms for _, power in monomial)

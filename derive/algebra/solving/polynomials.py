@@ -1,0 +1,150 @@
+"""Scalars read as polynomials in some of their symbols, the others being parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping
+from fractions import Fraction
+
+from flint import arb
+
+from derive.algebra.factorisation import factored
+from derive.algebra.numbers.balls import number_sign
+from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.signs import sign_of
+from derive.errors import NotDerivable
+
+
+def holds(value: Scalar, names: Collection[str]) -> bool:
+    """Whether any of the names occurs."""
+    return any(name in names for name in value.generators())
+
+
+def numerator(value: Scalar) -> Scalar:
+    """What vanishes where the value does."""
+    return Scalar(value.ring, value.numerator)
+
+
+def coefficients(polynomial: Scalar, name: str) -> list[Scalar]:
+    """Those of the powers of one symbol, the constant term first; no trailing zeros."""
+    home = polynomial.ring
+    place = home.index.get(name)
+    if place is None:
+        return [polynomial]
+    groups: dict[int, dict[tuple[int, ...], object]] = {}
+    for exponents, k in polynomial.numerator.to_dict().items():
+        rest = tuple(0 if i == place else e for i, e in enumerate(exponents))
+        groups.setdefault(int(exponents[place]), {})[rest] = k
+    return [
+        Scalar(home, home.context.from_dict(groups.get(e, {}))) for e in range(max(groups, default=0) + 1)
+    ]
+
+
+def monomials(polynomial: Scalar) -> list[Scalar]:
+    """The terms, each with its coefficient."""
+    home = polynomial.ring
+    return [
+        Scalar(home, home.context.from_dict({powers: k}))
+        for powers, k in polynomial.numerator.to_dict().items()
+    ]
+
+
+def factors(polynomial: Scalar, names: Collection[str]) -> list[Scalar]:
+    """The distinct irreducible factors that hold any of the names."""
+    _, found = factored(polynomial.numerator)
+    parts = (Scalar(polynomial.ring, factor) for factor, _ in found)
+    return [part for part in parts if holds(part, names)]
+
+
+def degree(polynomial: Scalar, names: Collection[str]) -> int:
+    """The total degree in the names."""
+    places = [i for i, name in enumerate(polynomial.ring.names) if name in names]
+    powers = polynomial.numerator.to_dict()
+    return max((sum(int(exponents[i]) for i in places) for exponents in powers), default=0)
+
+
+def require_rational(values: Iterable[Scalar], names: Collection[str]) -> None:
+    """Raises NotDerivable where a name stands inside a sine, a root or another function."""
+    for value in values:
+        inner = [value.ring.letters(each) for each in value.generators() if each not in names]
+        if hidden := [name for name in names if any(name in letters for letters in inner)]:
+            raise NotDerivable(
+                f"{hidden[0]} stands inside a function: only equations that are polynomials in the "
+                "variables, or fractions of polynomials, are solved here"
+            )
+
+
+def known_sign(value: Scalar, positive: Collection[str] = ()) -> int | None:
+    """1, -1 or 0; None where the parameters decide it. Even powers count as positive."""
+    if not value:
+        return 0
+    try:
+        return number_sign(value)
+    except KeyError:  # a parameter has no value
+        pass
+    if (direct := sign_of(value, _positive(value, positive))) is not None:
+        return direct
+    below = None if value.denominator is None else Scalar(value.ring, value.denominator)
+    above = _by_factors(numerator(value), positive)
+    if below is None or above is None:
+        return above
+    bottom = _by_factors(below, positive)
+    return None if bottom is None else above * bottom
+
+
+def _positive(value: Scalar, positive: Collection[str]) -> set[str]:
+    """With every exponential, which is positive whatever it holds."""
+    return {*positive, *(name for name in value.ring.opaque if name.startswith("exp("))}
+
+
+def _by_factors(polynomial: Scalar, positive: Collection[str]) -> int | None:
+    content, found = factored(polynomial.numerator)
+    sign = 1 if as_fraction(content) > 0 else -1
+    for factor, power in found:
+        if power % 2:
+            own = sign_of(Scalar(polynomial.ring, factor), _positive(polynomial, positive))
+            if own is None:
+                return None
+            sign *= own
+    return sign
+
+
+def odd_part(value: Scalar, positive: Collection[str] = ()) -> Scalar:
+    """What decides the sign: the product of the factors, above and below, whose own signs are not known."""
+    whole = numerator(value)
+    if value.denominator is not None:
+        whole = whole * Scalar(value.ring, value.denominator)
+    content, found = factored(whole.numerator)
+    total = Scalar.of(1 if as_fraction(content) > 0 else -1)
+    for factor, power in found:
+        part = Scalar(value.ring, factor)
+        known = sign_of(part, _positive(value, positive)) if power % 2 else 1
+        total = total * (part if known is None else known)
+    return total
+
+
+def ball(value: Scalar, at: Mapping[str, arb]) -> arb:
+    """The value in ball arithmetic: an interval that certainly holds it. Raises KeyError."""
+    home, used = value.ring, set(value.generators())
+    known: dict[str, arb] = {name: at[name] for name in home.symbols if name in used}
+    for root in reversed(home.roots):
+        if root.name in used:
+            known[root.name] = ball(Scalar(home, home.polynomial(root.radicand)), at).root(root.degree)
+    points = [known.get(name, arb(0)) for name in home.names]
+    top = _ball(value.numerator.to_dict(), points)
+    return top if value.denominator is None else top / _ball(value.denominator.to_dict(), points)
+
+
+def _ball(terms: Mapping[tuple[int, ...], object], points: list[arb]) -> arb:
+    total = arb(0)
+    for exponents, k in terms.items():
+        exact = as_fraction(k)
+        term = arb(exact.numerator) / arb(exact.denominator)
+        for point, power in zip(points, exponents, strict=True):
+            term = term * point ** int(power) if power else term
+        total = total + term
+    return total
+
+
+def rational(value: Scalar) -> Fraction | None:
+    """A number without symbols and roots; None for anything else."""
+    return value.constant if value else Fraction(0)

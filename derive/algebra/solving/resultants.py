@@ -1,0 +1,37 @@
+"""Eliminating one variable, an angle or a symbol, from two polynomials."""
+
+from __future__ import annotations
+
+from flint import fmpq_mpoly
+
+from derive.algebra.scalar import Scalar, common_ring
+from derive.algebra.solving.half_angles import half_angles
+from derive.algebra.substitution import in_single_angles
+
+MOST = 20_000  # terms of the one times those of the other, times their degrees
+
+
+def resultant(one: Scalar, two: Scalar, name: str) -> Scalar | None:
+    """What vanishes wherever both do for some value of the name: their resultant, in the tangent of half an
+    angle. None where it would be out of all proportion."""
+    one, two = in_single_angles(one), in_single_angles(two)
+    home = common_ring((one, two))
+    p, q = one.into(home).numerator, two.into(home).numerator
+    if name in home.index:
+        place = home.index[name]
+        if _size(p, q, place) > MOST:
+            return None
+        return Scalar(home, home.reduce(p.resultant(q, name)))
+    halves = half_angles(home, (name,))
+    if len(halves.places) != 1:
+        return None
+    f, g = halves.of(p).part, halves.of(q).part
+    if _size(f, g, 0) > MOST:
+        return None
+    found = f.resultant(g, f"t{halves.places[0]}")
+    terms = {tuple(exponents[1:]): k for exponents, k in found.to_dict().items()}
+    return Scalar(home, home.reduce(home.context.from_dict(terms)))
+
+
+def _size(p: fmpq_mpoly, q: fmpq_mpoly, place: int) -> int:
+    return len(p) * len(q) * (int(p.degrees()[place]) + int(q.degrees()[place]) + 1)

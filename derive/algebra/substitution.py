@@ -1,0 +1,115 @@
+"""A name given a value: an angle by its cosine and sine, any other symbol by a scalar."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from flint import fmpq_mpoly
+
+from derive.algebra.angles import Form
+from derive.algebra.exact_values import form_trig
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.pairs import Pair, added, multiple
+from derive.algebra.ring import Ring, ring
+from derive.algebra.scalar import Scalar, common_ring
+from derive.errors import NotDerivable
+
+
+def pinned(value: Scalar, name: str, at: Pair | Scalar) -> Scalar:
+    """The scalar where the angle `name` has this cosine and sine, or the symbol this value.
+
+    Raises NotDerivable where the name stands inside a root or a fraction of the angle.
+    """
+    if isinstance(at, Scalar):
+        return value.substitute({name: at})
+    images = _images(value.ring, name, at)
+    if images is None:
+        return value
+    top = _composed(value.numerator, value.ring, images)
+    return top if value.denominator is None else top / _composed(value.denominator, value.ring, images)
+
+
+def pinned_matrix(matrix: ScalarMatrix, name: str, at: Pair | Scalar) -> ScalarMatrix:
+    """Entry by entry."""
+    return ScalarMatrix.of([pinned(entry, name, at) for entry in row] for row in matrix.rows)
+
+
+def _images(home: Ring, name: str, at: Pair) -> Mapping[int, Scalar] | None:
+    """What each sine and cosine that holds the angle becomes; None where none does."""
+    images = {}
+    for k, form in enumerate(home.angles):
+        times = form.of_atom(name)
+        if not times:
+            continue
+        if times.denominator != 1:
+            raise NotDerivable(f"a fraction of the angle {name}")
+        c, s = home.pair_index(k)
+        images[c], images[s] = added(form_trig(form.without(name)), multiple(at, int(times)))
+    _refuse_roots(home, images)
+    return images or None
+
+
+def _refuse_roots(home: Ring, images: Mapping[int, Scalar]) -> None:
+    names = {home.names[place] for place in images}
+    for root in home.roots:
+        if any(name in names for powers, _ in root.radicand for name, _ in powers):
+            raise NotDerivable("a joint variable inside a root")
+
+
+def _composed(polynomial: fmpq_mpoly, source: Ring, images: Mapping[int, Scalar]) -> Scalar:
+    """Term by term; terms with the same powers of what is replaced are taken together. The angles that are
+    replaced are left behind: sums of the others would else be written as differences of those."""
+    groups: dict[tuple[int, ...], dict[tuple[int, ...], object]] = {}
+    for exponents, coefficient in polynomial.to_dict().items():
+        key = tuple(int(exponents[place]) for place in images)
+        rest = tuple(0 if place in images else e for place, e in enumerate(exponents))
+        groups.setdefault(key, {})[rest] = coefficient
+    replaced = {source.names[place] for place in images}
+    kept = tuple(form for form in source.angles if f"cos({form})" not in replaced)
+    home = ring(source.roots, kept, source.symbols)
+    places = [source.index[name] for name in home.names]
+    parts = [
+        _product(Scalar(home, _picked(rest, places, home)), tuple(images.values()), key)
+        for key, rest in groups.items()
+    ]
+    home = common_ring(parts)
+    return sum((part.into(home) for part in parts), Scalar(home, home.zero))
+
+
+def _picked(terms: Mapping[tuple[int, ...], object], places: Sequence[int], home: Ring) -> fmpq_mpoly:
+    return home.context.from_dict({tuple(powers[i] for i in places): k for powers, k in terms.items()})
+
+
+def _product(rest: Scalar, values: Sequence[Scalar], powers: Sequence[int]) -> Scalar:
+    for value, power in zip(values, powers, strict=True):
+        if power:
+            rest = rest * value**power
+    return rest
+
+
+def in_single_angles(value: Scalar) -> Scalar:
+    """The same over single angles instead of sums of them, where each of its angles is a sum of those."""
+    home = value.ring
+    atoms = sorted({atom for form in home.angles for atom, _ in form.moving.parts})
+    fixed = (form for form in home.angles if not form.moving.parts)
+    singles = ring((), (*(Form.of({atom: 1}) for atom in atoms), *fixed), home.symbols)
+    for form in home.angles:
+        singles = singles.with_angle(form)
+    if any(Form.of({atom: 1}) not in singles.angles for atom in atoms):
+        return value
+    return value.into(singles.union(home))
+
+
+def rationalised(value: Scalar) -> Scalar:
+    """The same without square roots below the fraction, as far as their conjugates remove them:
+    (r a + r^2)/r is a + r."""
+    for root in (root for root in value.ring.roots if root.degree == 2):
+        bottom = value.denominator
+        if bottom is None:
+            break
+        along = bottom.derivative(value.ring.index[root.name])
+        if along != 0:
+            other = Scalar(value.ring, bottom - 2 * along * value.ring.gen(root.name))
+            whole = Scalar(value.ring, bottom) * other
+            value = Scalar(value.ring, value.numerator) * other / whole
+    return value

@@ -1,0 +1,111 @@
+"""Letters with what hangs on them: \\dot{\\theta}_1, L_c, T_1^0, I_{xx}."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from derive.answers.latex.tokens import Token
+from derive.errors import FormulaError
+
+ACCENTS = {"dot": "_dot", "ddot": "_ddot"}
+FONTS = frozenset(
+    {"mathrm", "mathbf", "mathit", "mathsf", "mathcal", "boldsymbol", "bm", "text", "textrm", "operatorname"}
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Scripted:
+    """A letter in plain text with its scripts; the superscript, from `power` to `end`, may be an exponent."""
+
+    stem: str
+    offset: int
+    power: int
+    end: int
+    lower: str = ""
+    lower_tokens: tuple[Token, ...] = ()
+    upper: str = ""
+    accent: str = ""
+
+    @property
+    def plain(self) -> str:
+        """The name without accent and superscript, as one would type it."""
+        return f"{self.stem}_{self.lower}" if self.lower else self.stem
+
+
+def group(found: Sequence[Token], at: int) -> tuple[tuple[Token, ...], int]:
+    """The tokens of a group in braces (or one token) without its braces, and the place after it."""
+    if found[at].text != "{":
+        return (found[at],), min(at + 1, len(found) - 1)
+    depth, end = 0, at
+    while True:
+        depth += (found[end].text == "{") - (found[end].text == "}")
+        if depth == 0:
+            return tuple(found[at + 1 : end]), end + 1
+        if found[end].kind == "end":
+            raise FormulaError("this { is never closed", found[at].offset, "write the missing }")
+        end += 1
+
+
+def group_text(found: Sequence[Token], at: int) -> str:
+    """The plain text of a group in braces, or of one token."""
+    return _plain(group(found, at)[0])
+
+
+def subscripts_first(found: Sequence[Token]) -> tuple[Token, ...]:
+    """The same with T^0_1 as T_1^0."""
+    at, done = 0, list(found)
+    while at < len(done):
+        if done[at].text == "^" and done[at + 1].kind != "end":
+            _, middle = group(done, at + 1)
+            if done[middle].text == "_" and done[middle + 1].kind != "end":
+                _, end = group(done, middle + 1)
+                done[at:end] = [*done[middle:end], *done[at:middle]]
+        at += 1
+    return tuple(done)
+
+
+def scripted(found: Sequence[Token], at: int) -> Scripted:
+    """The letter that begins here with its scripts. Raises FormulaError."""
+    first = found[at]
+    stem, accent, at = _stem(found, at)
+    digits = found[at]
+    if digits.kind == "number" and digits.offset == found[at - 1].end and first.kind == "command":
+        return Scripted(stem, first.offset, at + 1, at + 1, digits.text, (digits,), accent=accent)  # \theta1
+    lower: tuple[Token, ...] = ()
+    if found[at].text == "_":
+        lower, at = _script(found, at)
+    power = at
+    upper, at = _script(found, at) if found[at].text == "^" else ((), at)
+    return Scripted(stem, first.offset, power, at, _plain(lower), lower, _plain(upper), accent)
+
+
+def _script(found: Sequence[Token], at: int) -> tuple[tuple[Token, ...], int]:
+    inner, after = group(found, at + 1)
+    if not inner or inner[0].kind == "end":
+        raise FormulaError("a script is missing", found[at].offset)
+    return inner, after
+
+
+def _stem(found: Sequence[Token], at: int) -> tuple[str, str, int]:
+    """The letter itself in plain text, its accent, and the place after it."""
+    token = found[at]
+    if token.kind == "word":
+        return token.text, "", at + 1
+    if token.kind == "command" and token.text in ACCENTS:
+        inner, after = group(found, at + 1)
+        if not inner or inner[0].kind not in ("word", "command"):
+            raise FormulaError("a dot stands over a name", token.offset)
+        end = Token("end", "", inner[-1].end, inner[-1].end)
+        return scripted((*inner, end), 0).plain, ACCENTS[token.text], after
+    if token.kind == "command" and token.text in FONTS:
+        inner, after = group(found, at + 1)
+        return _plain(inner), "", after
+    if token.kind == "command":
+        return token.text, "", at + 1
+    raise FormulaError(f"'{token.text}' cannot stand here", token.offset)
+
+
+def _plain(inner: Sequence[Token]) -> str:
+    kept = (t for t in inner if t.text not in ("{", "}", "_") and t.text not in FONTS)
+    return "".join(t.text for t in kept)

@@ -1,0 +1,107 @@
+"""Joints as a draughtsman shows them: cylinders, boxes, discs, the ground, and triads of axes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from math import cos, pi, sin
+
+from derive.derivation import Caption, Place, Stroke
+from derive.figures.view import Vector, View, across, along, dot, hull
+
+CORNERS = 36  # of a circle
+
+
+@dataclass(frozen=True, slots=True)
+class Solid:
+    """Strokes that belong together, and how near they are to the reader."""
+
+    depth: float
+    strokes: tuple[Stroke, ...]
+
+
+def cylinder(view: View, at: Vector, axis: Vector, size: float) -> Solid:
+    """A revolute joint: a short cylinder along its axis; a disc where it is looked at along that."""
+    a, b = across(axis)
+    ends = [along(at, (side * 0.7 * size, axis)) for side in (-1, 1)]
+    rims = [_circle(view, end, a, b, 0.5 * size) for end in ends]
+    front = 1 if dot(view.front, axis) >= 0 else 0
+    if view.flat and abs(dot(view.front, axis)) > 0.99:
+        rim = _circle(view, at, a, b, 0.42 * size)
+        pin = _circle(view, at, a, b, 0.09 * size)
+        return Solid(view.depth(at) + size, (Stroke(rim, "cap"), Stroke(pin, "pin")))
+    body = hull((*rims[0], *rims[1]))
+    return Solid(view.depth(at), (Stroke(body, "body"), Stroke(rims[front], "cap")))
+
+
+def box(view: View, at: Vector, axis: Vector, size: float) -> Solid:
+    """A prismatic joint: a box along its axis."""
+    a, b = (view.front, _crossed(view, axis)) if view.flat else across(axis)
+    strokes = []
+    for normal, others, reach in ((axis, (a, b), 0.75), (a, (axis, b), 0.42), (b, (axis, a), 0.42)):
+        sizes = [0.75 if other is axis else 0.42 for other in others]
+        side = 1 if dot(view.front, normal) >= 0 else -1
+        centre = along(at, (side * reach * size, normal))
+        corners = [
+            along(centre, (i * sizes[0] * size, others[0]), (j * sizes[1] * size, others[1]))
+            for i, j in ((-1, -1), (-1, 1), (1, 1), (1, -1))
+        ]
+        face = "cap" if normal is axis else "body"
+        strokes.append((abs(dot(view.front, normal)), Stroke(tuple(map(view.place, corners)), face)))
+    seen = [stroke for weight, stroke in strokes if weight > 1e-6]
+    return Solid(view.depth(at) + (size if view.flat else 0), tuple(seen))
+
+
+def _crossed(view: View, axis: Vector) -> Vector:
+    """In the plane of the paper, perpendicular to an axis in it."""
+    x, y = dot(view.right, axis), dot(view.up, axis)
+    return along((0.0, 0.0, 0.0), (-y, view.right), (x, view.up))
+
+
+def _circle(view: View, at: Vector, a: Vector, b: Vector, radius: float) -> tuple[Place, ...]:
+    turns = (2 * pi * k / CORNERS for k in range(CORNERS))
+    return tuple(view.place(along(at, (radius * cos(t), a), (radius * sin(t), b))) for t in turns)
+
+
+def ground(view: View, at: Vector, size: float) -> Solid:
+    """Where the base is fixed: a hatched line below it, or a disc under it."""
+    x, y = view.place(at)
+    if not view.flat:
+        rim = _circle(view, at, (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), 1.15 * size)
+        return Solid(view.depth(at) - 10 * size, (Stroke(rim, "ground"),))
+    low, half = y - 0.75 * size, 0.9 * size
+    feet = [((x, y), (x - 0.45 * size, low)), ((x, y), (x + 0.45 * size, low))]
+    lines = [*feet, ((x - half, low), (x + half, low))]
+    for k in range(7):
+        start = x - half + (k + 0.5) * 2 * half / 7
+        lines.append(((start, low), (start - 0.28 * size, low - 0.28 * size)))
+    return Solid(view.depth(at) - 10 * size, tuple(Stroke(line, "thin") for line in lines))
+
+
+def triad(
+    view: View, pose: Sequence[Sequence[float]], size: float, index: str, axes: str = "xyz", role: str = ""
+) -> Iterator[tuple[Stroke, Caption]]:
+    """The axes of a frame that do not point at the reader, as arrows with their names."""
+    origin = (pose[0][3], pose[1][3], pose[2][3])
+    for k, letter in enumerate("xyz"):
+        if letter not in axes:
+            continue
+        tip = along(origin, (size, (pose[0][k], pose[1][k], pose[2][k])))
+        start, end = view.place(origin), view.place(tip)
+        towards = (end[0] - start[0], end[1] - start[1])
+        if max(map(abs, towards)) < 0.15 * size:
+            continue
+        yield Stroke((start, end), role or letter), Caption(end, f"{letter}{index}", towards, role or letter)
+
+
+def tip(view: View, at: Vector, towards: Vector, size: float) -> tuple[Stroke, ...]:
+    """A gripper at the end of an arm, as seen on paper."""
+    x, y = view.place(at)
+    dx, dy = dot(view.right, towards), dot(view.up, towards)
+    norm = (dx * dx + dy * dy) ** 0.5
+    if norm < 0.2:
+        return ()
+    dx, dy = dx / norm * 0.55 * size, dy / norm * 0.55 * size
+    left, right = (x - dy, y + dx), (x + dy, y - dx)
+    fingers = ((left[0] + dx, left[1] + dy), left, right, (right[0] + dx, right[1] + dy))
+    return (Stroke(fingers, "gripper"),)
