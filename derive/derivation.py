@@ -8,9 +8,37 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, TypeVar, dataclass_transform
 
+from derive.algebra.readable.terms import Style
 from derive.expression import Expr, Symbol
+
+
+@dataclass_transform(frozen_default=True, kw_only_default=True, field_specifiers=(field,))
+class Record:
+    """Plain values that the words read: a subclass lists them with their types and is frozen."""
+
+    def __init_subclass__(cls) -> None:
+        dataclass(frozen=True, kw_only=True)(cls)
+
+
+class PageFacts(Record):
+    """What the words read of an answer beside its steps; a kind declares its own as `class Facts(PageFacts)`.
+
+    `numbers` are the results worth printing where they are evaluated (None: all), `page_names` says what they
+    are called on the page; with `met` only the branches that are met are listed. `angle_results` are angles,
+    in degrees where the `style` is; `short_names` are angles whose sine is printed s_\\phi.
+    """
+
+    numbers: tuple[str, ...] | None = None
+    page_names: Mapping[str, str | Expr] = field(default_factory=dict)
+    met: bool = False
+    angle_results: tuple[str, ...] = ()
+    style: Style = Style()
+    short_names: tuple[str, ...] = ()
+
+
+F = TypeVar("F", bound=PageFacts)
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,14 +46,14 @@ class Step:
     """One move of a derivation.
 
     `chain` holds expressions each equal to the next, the answer of the step last. `rule` is the
-    law that justifies it, by name. `facts` are plain values the words need to choose a sentence
-    ("world", "prismatic", an index); `steps` are the smaller moves inside this one.
+    law that justifies it, by name. `facts` is the record of what the words read of it (an index, a name),
+    `steps` are the smaller moves inside this one.
     """
 
     name: str
     chain: tuple[Expr, ...] = ()
     rule: str = ""
-    facts: Mapping[str, Any] = field(default_factory=dict)
+    facts: Any = field(default_factory=Record)  # a Record, or for now a plain mapping
     steps: tuple[Step, ...] = ()
 
     @property
@@ -141,9 +169,22 @@ class Derivation:
     evaluated: Mapping[str, Any] = field(default_factory=dict)
     uses: tuple[Derivation, ...] = ()
     plots: tuple[Figure, ...] = ()
-    facts: Mapping[str, Any] = field(default_factory=dict)
+    facts: Any = field(default_factory=PageFacts)  # a PageFacts, or for now a plain mapping
     files: Mapping[str, str] = field(default_factory=dict)
     matrices: frozenset[str] = frozenset()
+
+    def told(self, shape: type[F]) -> F:
+        """The facts, of the shape that the kind of this derivation declares. Raises TypeError for another."""
+        if not isinstance(self.facts, shape):
+            raise TypeError(f"the facts of {self.kind} are no {shape.__module__}.{shape.__name__}")
+        return self.facts
+
+    @property
+    def shared(self) -> PageFacts:
+        """The facts that every page reads."""
+        if isinstance(self.facts, PageFacts):
+            return self.facts
+        return PageFacts(**{name: self.facts[name] for name in self.facts if hasattr(PageFacts(), name)})
 
     def step(self, name: str) -> Step:
         """The step of this name, however deep. Raises KeyError."""

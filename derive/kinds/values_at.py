@@ -74,7 +74,8 @@ def values_at(derivation: Derivation, here: Here) -> dict[str, Any]:
     Raises KeyError for a symbol without a value where nothing was given; ValueError, ZeroDivisionError or
     OverflowError where a result other than a branch has no real value there.
     """
-    wanted = derivation.facts.get("numbers", tuple(derivation.results))
+    named = derivation.shared.numbers
+    wanted = derivation.results if named is None else named
     found = {}
     for name, result in derivation.results.items():
         try:

@@ -40,21 +40,18 @@ IMAGINARY = Symbol("j")
 def evaluated_words(derivation: Derivation, at: Mapping[str, Expr], skin: Skin, notation: Notation) -> str:
     """The sentence "At theta1 = 30 deg:" and the numbers; "" where nothing was evaluated.
 
-    A derivation may choose what is worth printing by a fact `numbers`, a tuple of result names, and by a
-    fact `page_names` what they are called on the page; by `met` that only branches that are met are listed.
-    A fact `angle_results` names those that are angles, printed in degrees where `style` or the point is.
+    What is printed, and by which name, the facts of the derivation say; see `PageFacts`.
     """
-    facts = derivation.facts
-    shown = facts.get("numbers", tuple(derivation.evaluated))
+    facts = derivation.shared
+    shown = derivation.evaluated if facts.numbers is None else facts.numbers
     values = {name: value for name, value in derivation.evaluated.items() if name in shown}
     if not values:
         return ""
-    telling = _Telling(Printer(notation), skin, facts.get("angle_results", ()), _style(derivation, at))
-    called = facts.get("page_names", {})
+    telling = _Telling(Printer(notation), skin, facts.angle_results, _style(facts.style, at))
     chains = [
         chain
         for name, value in values.items()
-        if (chain := telling.chain(_called(called.get(name, name)), value, name))
+        if (chain := telling.chain(_called(facts.page_names.get(name, name)), value, name))
     ]
     names = {*at, *(name for each in _branches(derivation.results.get("solutions")) for name in each.values)}
     context = {
@@ -63,7 +60,7 @@ def evaluated_words(derivation: Derivation, at: Mapping[str, Expr], skin: Skin, 
         "branches": [
             telling.branch(_unknowns(branch, derivation), names)
             for branch in values.get("solutions", ())
-            if branch.get("real", True) or not facts.get("met")
+            if branch.get("real", True) or not facts.met
         ],
         "items": skin.items,
     }
@@ -95,9 +92,8 @@ def _branches(result: object) -> tuple[Branch, ...]:
     return tuple(part for part in parts if isinstance(part, Branch))
 
 
-def _style(derivation: Derivation, at: Mapping[str, Expr]) -> Style:
+def _style(style: Style, at: Mapping[str, Expr]) -> Style:
     """That of the subject, in degrees also where a value of the point is."""
-    style: Style = derivation.facts.get("style", Style())
     typed = any(isinstance(node, Degrees) for value in at.values() for node in walk(value))
     return replace(style, degrees=style.degrees or typed)
 

@@ -1,6 +1,6 @@
 """Runs the words of a kind: a Jinja template whose sentences refer to the steps of a derivation.
 
-In scope of a words template: `d`, `step(name)`, `facts` (also as `options`), `asked`, the filters `m`
+In scope of a words template: `d`, `step(name)`, `facts`, `asked`, the filters `m`
 and `listed`, and the functions `show`, `inline`, `tell`, `table`, `plot`, `listing`, `path`, `em`, `strong`,
 `items`. Its block `question` is left out here. A step the words neither show nor tell is an error: nothing
 that was derived goes unsaid unnoticed.
@@ -46,8 +46,8 @@ def words(
 
     Raises ForgottenStep; where the derivation was not asked for, its words may leave steps out.
     """
-    short_names = frozenset(derivation.facts.get("short_names", ()))
-    telling = Telling(derivation, skin, replace(notation, short_names=short_names), plots or {}, files or {})
+    notation = replace(notation, short_names=frozenset(derivation.shared.short_names))
+    telling = Telling(derivation, skin, notation, plots or {}, files or {})
     template = words_of(folder, derivation.kind)
     context = template.new_context({**telling.scope(), "asked": asked})
     context.blocks[QUESTION] = [lambda _: iter(())]  # asked on the page already: see render/questions.py
@@ -87,7 +87,7 @@ class Telling:
     def scope(self) -> dict[str, Any]:
         """What a words template can name."""
         return {
-            "d": self.d, "step": self.d.step, "facts": self.d.facts, "options": self.d.facts,
+            "d": self.d, "step": self.d.step, "facts": self.d.facts,
             "show": self.show, "inline": self.inline, "tell": self.tell, "table": self.table,
             "plot": self.plot, "em": self.skin.em, "strong": self.skin.strong, "items": self.skin.items,
             "listing": self.listing, "path": self.path, "math": self.math, "formula": self.formula,

@@ -7,7 +7,7 @@ from itertools import islice
 from math import copysign
 
 from derive.algebra.numbers.floats import number as at
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     ONE,
@@ -53,6 +53,15 @@ class Options(OptionsModel):
     """A gear that the drive has is left out of account."""
 
 
+class Facts(PageFacts):
+    given: tuple[tuple[Expr, Expr], ...]
+    tau_m: Symbol
+    tau_l: Symbol | None
+    top: Expr  # the numerator of the slope
+    G: Symbol
+    balance: tuple[Expr, Expr]
+
+
 def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
     """alpha = (G tau_m - tau_l)/(G^2 J_m + J_l) is greatest where its derivative by G vanishes; without a
     torque at the load that is G = sqrt(J_l/J_m)."""
@@ -87,10 +96,10 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
         *links(working.steps, names),
         _second_route(drive, problem, results),
     )
-    facts = {
-        "given": working.given, "J_m": J_m, "J_l": J_l, "tau_m": tau_m, "tau_l": tau_l, "top": top, "G": G,
-        "zero": number(0), "balance": (Product((squared(BEST), J_m)), J_l),
-    }  # fmt: skip
+    facts = Facts(
+        given=working.given, tau_m=tau_m, tau_l=tau_l, top=top, G=G,
+        balance=(Product((squared(BEST), J_m)), J_l),
+    )  # fmt: skip
     return Derivation("gear-ratio", steps, results, claims, working.definitions, facts=facts)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from derive.algebra.numbers.floats import number as at
-from derive.derivation import Claim, Derivation
+from derive.derivation import Claim, Derivation, PageFacts
 from derive.expression import ONE, Expr, Product, Quotient, Symbol, add, number, squared
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
 from derive.kinds.fields import OptionsModel
@@ -28,6 +28,12 @@ class Options(OptionsModel):
     """None."""
 
 
+class Facts(PageFacts):
+    given: tuple[tuple[Expr, Expr], ...]
+    G: Symbol
+    energy: tuple[Expr, Expr]  # of the whole drive, and the speed of the motor
+
+
 def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
     """The kinetic energy in the speed of the one and of the other (Lynch and Park, section 8.9)."""
     gear = drive.gear or ONE
@@ -45,7 +51,7 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
         *links(working.steps, {**problem.names, **working.definitions}),
         Claim("both hold the same kinetic energy", SECOND_ROUTE, _same_energy(drive, problem, results)),
     )
-    facts = {"given": working.given, "J_m": J_m, "J_l": J_l, "G": G, "energy": _energy(J_m, J_l, G)}
+    facts = Facts(given=working.given, G=G, energy=_energy(J_m, J_l, G))
     return Derivation("reflected-inertia", working.steps, results, claims, working.definitions, facts=facts)
 
 

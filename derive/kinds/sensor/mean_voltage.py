@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from derive.algebra.numbers.floats import number as at
-from derive.derivation import Claim, Derivation
+from derive.derivation import Claim, Derivation, PageFacts
 from derive.expression import ONE, ZERO, Expr, Product, Quotient, Symbol, add, subtract, symbols
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
 from derive.kinds.fields import OptionsModel
@@ -33,6 +33,17 @@ class Options(OptionsModel):
     """None."""
 
 
+class Facts(PageFacts):
+    given: tuple[tuple[Expr, Expr], ...]
+    bipolar: bool
+    inverse: bool
+    timed: bool
+    high: Expr
+    low: Expr
+    duty: Expr
+    law: tuple[Expr, Expr]
+
+
 def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivation:
     """The area under one period over its length."""
     high, low = named("U", voltage.high, problem), named("U_0", voltage.low, problem)
@@ -58,14 +69,10 @@ def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivatio
             _sampled(voltage, problem, results),
         ),
     )
-    facts = {
-        "given": working.given,
-        "bipolar": bipolar,
-        "inverse": voltage.duty is None,
-        "high": high, "low": low, "mean": mean, "duty": duty, "rest": subtract(ONE, duty),
-        "timed": voltage.frequency is not None,
-        "law": (mean, _mean(high, low, duty, bipolar)),
-    }  # fmt: skip
+    facts = Facts(
+        given=working.given, bipolar=bipolar, inverse=voltage.duty is None, high=high, low=low, duty=duty,
+        timed=voltage.frequency is not None, law=(mean, _mean(high, low, duty, bipolar)),
+    )  # fmt: skip
     return Derivation("mean-voltage", working.steps, results, claims, working.definitions, facts=facts)
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from math import tau
 
 from derive.algebra.numbers.floats import number as at
-from derive.derivation import Claim, Derivation
-from derive.expression import ONE, Expr
+from derive.derivation import Claim, Derivation, PageFacts
+from derive.expression import ONE, Expr, Symbol
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -33,6 +33,12 @@ class Options(OptionsModel):
     """None."""
 
 
+class Facts(PageFacts):
+    edges: Expr | None  # that are counted; None of an absolute encoder
+    gear: Symbol | None
+    gear_value: Expr | None
+
+
 def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
     """2 pi over the counts of a turn, divided by the gear (Siciliano et al., section 5.3.1)."""
     working, gear = counted(problem, encoder)
@@ -48,13 +54,8 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
             _whole_turn(encoder, problem, results),
         ),
     )
-    facts = {
-        "incremental": isinstance(encoder.disc, Incremental),
-        "given": working.given,
-        "gear": gear,
-        "edges": encoder.disc.edges if isinstance(encoder.disc, Incremental) else None,
-        "gear_value": working.values[gear] if gear else None,
-    }
+    edges = encoder.disc.edges if isinstance(encoder.disc, Incremental) else None
+    facts = Facts(edges=edges, gear=gear, gear_value=working.values[gear] if gear else None)
     return Derivation("resolution", working.steps, results, claims, working.definitions, facts=facts)
 
 

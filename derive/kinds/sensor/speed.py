@@ -9,7 +9,7 @@ from pydantic import field_validator
 
 from derive.algebra.formulas.quantities import rational
 from derive.algebra.numbers.floats import number as at
-from derive.derivation import Claim, Derivation
+from derive.derivation import Claim, Derivation, PageFacts
 from derive.expression import ONE, Call, Expr, Product, Quotient, Symbol, free_symbols
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
 from derive.kinds.fields import Formula, OptionsModel, Time
@@ -57,6 +57,13 @@ class Options(OptionsModel):
         return value
 
 
+class Facts(PageFacts):
+    given: tuple[tuple[Expr, Expr], ...]
+    n: Expr
+    T: Expr
+    gear: Symbol | None
+
+
 def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
     """Counts times the angle of one, over the period; one count more or less is not seen in between."""
     base = problem.ask("resolution")
@@ -83,10 +90,10 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
             "the link turns so far in the period", SECOND_ROUTE, _so_far(encoder, options, problem, results)
         ),
     )
-    facts = {
-        "given": tuple((name, value) for name, value in working.given if name in (n, T)),
-        "n": n, "T": T, "gear": gear, "numbers": ("omega", "omega_motor", "quantum", "relative"),
-    }  # fmt: skip
+    facts = Facts(
+        given=tuple((name, value) for name, value in working.given if name in (n, T)),
+        n=n, T=T, gear=gear, numbers=("omega", "omega_motor", "quantum", "relative"),
+    )  # fmt: skip
     return Derivation("speed", steps, results, claims, working.definitions, uses=(base,), facts=facts)
 
 
