@@ -12,8 +12,8 @@ from derive.algebra.normal import normal
 from derive.answers.abbreviations import writable
 from derive.answers.latex.letters import Letters
 from derive.answers.latex.parser import read_latex
-from derive.answers.latex.scripts import scripted, subscripts_first
-from derive.answers.latex.statements import Statement, Tokens, statements
+from derive.answers.latex.scripts import Tokens, scripted, subscripts_first
+from derive.answers.latex.statements import Statement, statements
 from derive.answers.latex.tokens import tokens
 from derive.answers.published import Published
 from derive.errors import FormulaError, NotDerivable
@@ -53,7 +53,7 @@ def _chain(statement: Statement, letters: Letters, read: Read) -> Published:
 
 def _label(part: Tokens) -> str:
     """The name a part consists of, with or without arguments behind it: J, J(q), \\dot{x}; else nothing."""
-    if part[0].kind not in ("word", "command"):
+    if part[0].kind not in ("name", "command"):
         return ""
     try:
         name = scripted(part, 0)

@@ -12,6 +12,7 @@ metres where a length is wanted and two masses elsewhere; where either could be 
 
 from __future__ import annotations
 
+from derive.algebra.formulas.cursor import Cursor
 from derive.algebra.formulas.doubts import meant_unit
 from derive.algebra.formulas.functions import ARGUMENTS, TRIGONOMETRIC, meant, unknown_function
 from derive.algebra.formulas.quantities import (
@@ -31,7 +32,7 @@ from derive.algebra.formulas.units import OTHER_UNITS, UNITS, Wanted, agree, com
 from derive.errors import FormulaError
 from derive.expression import PI, Expr, Number, Sum, Symbol, free_symbols, negate
 
-MAX_NESTING = 40
+NAME_A_PART = "name a part of it under 'where'"
 SUM, PRODUCT, POWER = 10, 20, 30  # binding powers
 BINDING = {"+": SUM, "-": SUM, "*": PRODUCT, "/": PRODUCT, "^": POWER}
 
@@ -74,11 +75,11 @@ def parse_equation(
     """Both sides of `left = right`. Raises FormulaError."""
     parser = _Parser(text, dimension, names)
     left = parser.expression(0)
-    if parser.next.text != "=":
-        raise parser.unexpected(hint="an equation is written left = right")
-    parser.take()
-    if parser.next.text == "=":
-        raise parser.unexpected(hint="an equation has one =")
+    if parser.cursor.next.text != "=":
+        raise parser.cursor.unexpected(hint="an equation is written left = right")
+    parser.cursor.take()
+    if parser.cursor.next.text == "=":
+        raise parser.cursor.unexpected(hint="an equation has one =")
     return left.expr, parser.whole()
 
 
@@ -100,48 +101,34 @@ class _Parser:
         stars: bool = False,
         longest: int = MAX_TEXT,
     ) -> None:
-        self.tokens = tokens(text, longest)
-        self.at = 0
+        self.cursor = Cursor(tokens(text, longest), "the formula", NAME_A_PART)
         self.wanted = wanted
         self.units = wanted is not None
         self.names = names
         self.stars = stars
         self.starred: list[Token] = []
         self.phrase: Phrase | None = None  # the first unit read, for messages
-        self.depth = 0
-
-    @property
-    def next(self) -> Token:
-        return self.tokens[self.at]
-
-    def take(self) -> Token:
-        self.at += 1
-        return self.tokens[self.at - 1]
 
     def whole(self) -> Expr:
         """The rest of the text as one formula of the wanted dimension."""
         found = self.expression(0)
-        if self.next.kind != "end":
-            raise self.unexpected()
+        if self.cursor.next.kind != "end":
+            raise self.cursor.unexpected()
         if isinstance(self.wanted, tuple) and not agree(found.dimension or self.wanted, self.wanted):
             raise self._wrong_dimension(found, spoken(self.wanted))
         return found.expr
 
     def expression(self, binding: int) -> Quantity:
         """What binds tighter than `binding`, from here on."""
-        self.depth += 1
-        if self.depth > MAX_NESTING:
-            raise FormulaError(
-                "the formula is nested too deeply", self.next.offset, "name a part of it under 'where'"
-            )
+        self.cursor.enter()
         left = self._first(binding)
         while (longer := self._longer(left, binding)) is not None:
             left = longer
-        self.depth -= 1
+        self.cursor.leave()
         return left
 
     def _first(self, binding: int) -> Quantity:
-        token = self.take()
+        token = self.cursor.take()
         match token.kind, token.text:
             case "number", _:
                 value, decimal = value_of(token)
@@ -156,12 +143,14 @@ class _Parser:
                 return negated(self.expression(max(SUM, binding)))
             case "sign", "+":
                 return self.expression(max(SUM, binding))
-        self.at -= 1
-        raise self.unexpected()
+        self.cursor.at -= 1
+        if token.kind == "end" and self.cursor.at == 0:
+            raise FormulaError("a formula is missing", 0)
+        raise self.cursor.unexpected()
 
     def _longer(self, left: Quantity, binding: int) -> Quantity | None:
         """`left` and the operation that follows it, if that binds tightly enough."""
-        token = self.next
+        token = self.cursor.next
         if token.kind == "name" or token.text == "(":
             return self._beside(left) if binding < PRODUCT else None
         if token.kind == "number":
@@ -170,7 +159,7 @@ class _Parser:
             )
         if BINDING.get(token.text, 0) <= binding:
             return None
-        self.take()
+        self.cursor.take()
         return self._operate(left, token)
 
     def _operate(self, left: Quantity, sign: Token) -> Quantity:
@@ -189,13 +178,13 @@ class _Parser:
 
     def _beside(self, left: Quantity) -> Quantity:
         """A number with its unit, or a product written with a blank."""
-        token = self.next
-        before = self.tokens[self.at - 1]
+        token = self.cursor.next
+        before = self.cursor.tokens[self.cursor.at - 1]
         if (before.kind == "number" or before.text in (")", "pi")) and ends_in_number(left):
-            phrase = unit_phrase(self.tokens, self.at, self.units)
+            phrase = unit_phrase(self.cursor.tokens, self.cursor.at, self.units)
             if phrase and self._is_unit(phrase, left):
                 self.phrase = self.phrase or phrase
-                self.at = phrase.end
+                self.cursor.at = phrase.end
                 return measured(left, compound(phrase.parts), token.offset)
             self._refuse_unit(token)
         return multiplied(left, self.expression(PRODUCT), token.offset)
@@ -223,26 +212,26 @@ class _Parser:
         raise FormulaError(f"{phrase.text} could be a unit or a symbol", phrase.offset, hint)
 
     def _name(self, token: Token) -> Quantity:
-        opens = self.next.text == "("
+        opens = self.cursor.next.text == "("
         if token.text in ARGUMENTS:
             if not opens:
                 hint = f"write its argument in parentheses, as {token.text}(x)"
                 raise FormulaError(f"'{token.text}' is a function", token.offset, hint)
             return self._call(token)
-        if opens and (self.next.offset == token.end or meant(token.text)):
-            inside = self.tokens[self.at + 1 : self.at + 3]
-            argument = inside[0].text if inside[-1].text == ")" else ""
+        if opens and (self.cursor.next.offset == token.end or meant(token.text)):
+            inside = self.cursor.ahead(3)[1:]
+            argument = inside[0] if inside[-1] == ")" else ""
             raise unknown_function(token.text, argument, token.offset)
         self._star(token)
         return Quantity(PI) if token.text == "pi" else Quantity(Symbol(token.text), None, numeric=False)
 
     def _call(self, token: Token) -> Quantity:
-        parenthesis = self.take()
+        parenthesis = self.cursor.take()
         outside = self.units
         self.units = outside and token.text not in TRIGONOMETRIC
         arguments = [self.expression(0)]
-        while self.next.text == ",":
-            self.take()
+        while self.cursor.next.text == ",":
+            self.cursor.take()
             arguments.append(self.expression(0))
         self.units = outside
         self._close(parenthesis)
@@ -253,33 +242,18 @@ class _Parser:
 
     def _star(self, name: Token) -> None:
         """Take the star that marks a joint variable, as against the sign of a product."""
-        star, after = self.next, self.tokens[min(self.at + 1, len(self.tokens) - 1)]
-        touching = star.offset == name.end and after.text in ("+", "-")
-        if star.text != "*" or not (
-            (touching and self.stars) or after.kind == "end" or after.text in (")", ",")
-        ):
+        star, after = self.cursor.next, self.cursor.ahead(2)[-1]
+        touching = star.offset == name.end and after in ("+", "-")
+        if star.text != "*" or not ((touching and self.stars) or after in ("", ")", ",")):
             return
         if not self.stars:
             hint = "only theta or d of a link, or a motion in it, has a star"
             raise FormulaError("a star marks a joint variable, and there is none here", star.offset, hint)
-        self.take()
+        self.cursor.take()
         self.starred.append(name)
 
     def _close(self, opened: Token) -> None:
-        if self.next.text == ")":
-            self.take()
-        elif self.next.kind == "end":
-            raise FormulaError("this parenthesis is never closed", opened.offset, "write the missing )")
-        else:
-            raise self.unexpected()
-
-    def unexpected(self, hint: str = "") -> FormulaError:
-        """The error for the next token, which cannot stand there."""
-        token = self.next
-        if self.at == 0 and token.kind == "end":
-            return FormulaError("a formula is missing", 0, hint)
-        what = "the formula ends too early" if token.kind == "end" else f"'{token.text}' cannot stand here"
-        return FormulaError(what, token.offset, hint)
+        self.cursor.close(opened, ")", "parenthesis", "write the missing )")
 
     def _wrong_dimension(self, found: Quantity, wanted: str) -> FormulaError:
         message = f"this is {spoken(found.dimension or (0, 0, 0, 0, 0))}, but {wanted} is wanted"

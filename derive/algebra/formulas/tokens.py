@@ -5,7 +5,7 @@ from __future__ import annotations
 import keyword
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Literal
+from typing import Literal, TypeAlias
 
 from derive.errors import FormulaError
 
@@ -37,11 +37,16 @@ NOT_A_FORMULA = "this is not a formula"
 ALLOWED = "numbers, names, + - * / ^, parentheses and functions such as cos and sqrt"
 
 
+# The last three are of LaTeX only: a command, the end of a row, and a wide space between statements.
+Kind: TypeAlias = Literal["number", "name", "sign", "end", "command", "row", "gap"]
+
+
 @dataclass(frozen=True, slots=True)
 class Token:
-    """`text` is normalised (Greek letters spelled out, `**` as `^`); `offset` counts from 0."""
+    """`text` is normalised (Greek letters spelled out, `**` as `^`, a command without its backslash);
+    `offset` counts from 0."""
 
-    kind: Literal["number", "name", "sign", "end"]
+    kind: Kind
     text: str
     offset: int
     end: int

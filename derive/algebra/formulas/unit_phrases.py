@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from derive.algebra.formulas.tokens import Token
@@ -28,7 +29,7 @@ class Phrase:
         return all(name in LETTERS for name, _ in self.parts)
 
 
-def unit_phrase(tokens: tuple[Token, ...], at: int, every: bool) -> Phrase | None:
+def unit_phrase(tokens: Sequence[Token], at: int, every: bool) -> Phrase | None:
     """The longest unit that starts at this token, or None where it reads as symbols.
 
     `every` is False where only deg and rad are read. Letters followed by a name or a parenthesis are
@@ -51,7 +52,7 @@ def unit_phrase(tokens: tuple[Token, ...], at: int, every: bool) -> Phrase | Non
     return phrase if parts and not _reads_as_symbols(phrase, tokens[end]) else None
 
 
-def _exponent(tokens: tuple[Token, ...], at: int) -> tuple[int | None, int]:
+def _exponent(tokens: Sequence[Token], at: int) -> tuple[int | None, int]:
     """The power of a unit (1 if none; None if it is no small integer) and the token after it."""
     if tokens[at].text != "^":
         return 1, at
@@ -62,7 +63,7 @@ def _exponent(tokens: tuple[Token, ...], at: int) -> tuple[int | None, int]:
     return (-1 if negative else 1) * int(digits.text), at + 2 + negative
 
 
-def _joint(tokens: tuple[Token, ...], at: int) -> tuple[int, int]:
+def _joint(tokens: Sequence[Token], at: int) -> tuple[int, int]:
     """How the next unit would join on: the sign of its power, and the token where it would stand.
 
     A `*` joins units only where it touches both (`kg*m^2`): `5 kg * g` is a product with a symbol.

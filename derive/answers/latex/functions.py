@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from abc import abstractmethod
+from dataclasses import dataclass
 from fractions import Fraction
+from typing import Protocol
 
+from derive.algebra.formulas.cursor import Cursor
 from derive.algebra.formulas.quantities import (
     Quantity,
     called,
@@ -14,102 +16,102 @@ from derive.algebra.formulas.quantities import (
     raised,
     rational,
 )
-from derive.answers.latex.cursor import OPENING
-from derive.answers.latex.matrices import GridReader
-from derive.answers.latex.names import FUNCTIONS
-from derive.answers.latex.scripts import group_text
-from derive.answers.latex.tokens import Token
+from derive.algebra.formulas.tokens import Token
+from derive.answers.latex.names import FUNCTIONS, is_greek
+from derive.answers.latex.scripts import group_text, skip_group
 from derive.errors import FormulaError
 from derive.expression import Degrees, Expr, Number, Symbol
 
 INVERSES = {"cos": "acos", "sin": "asin", "tan": "atan"}
 RECIPROCALS = {"sec": "cos", "csc": "sin", "cot": "tan"}
+ONE = Quantity(Number(Fraction(1)))
+TWO_ARGUMENTS = "atan2 takes two arguments"
 
 
-class FunctionReader(GridReader):
-    """Reads a function whose name has been read."""
+class Grammar(Protocol):
+    """What the arguments of a function are read by."""
 
-    @abstractmethod
-    def atom(self) -> Quantity:
-        """A group, a name or a number."""
+    def sum(self) -> Quantity: ...
+    def factor(self) -> Quantity: ...
+    def atom(self) -> Quantity: ...
+    def argument_group(self) -> Quantity: ...
+    def starts(self) -> bool: ...
 
-    @abstractmethod
-    def factor(self) -> Quantity:
-        """The same with its powers."""
 
-    @abstractmethod
-    def starts(self) -> bool:
-        """Whether a factor begins here."""
+@dataclass(frozen=True, slots=True)
+class Functions:
+    """Reads a function whose name has been read; `xy` says that Atan2 has x first."""
 
-    def function(self, name: str, token: Token) -> Quantity:
-        """A function of what follows; cos^2 x is a square, cos^{-1} x the inverse."""
+    cursor: Cursor
+    grammar: Grammar
+    xy: bool
+
+    def read(self, name: str, token: Token) -> Quantity:
+        """A function of what follows; cos^2 x is a square, cos^{-1} x the inverse. Raises FormulaError."""
+        cursor = self.cursor
         function, exponent = FUNCTIONS.get(name, name), None
-        if self.next.kind == "sign" and self.next.text == "^":
-            self.take()
-            exponent = self.argument_group()
-        if function == "atan" and self.next.text == "_" and group_text(self.tokens, self.at + 1) == "2":
+        if cursor.next.text == "^":
+            cursor.take()
+            exponent = self.grammar.argument_group()
+        if function == "atan" and cursor.next.text == "_" and group_text(cursor.tokens, cursor.at + 1) == "2":
             function = "atan2"  # as SymPy prints it
-            self.take()
-            self.skip_group()
+            cursor.take()
+            skip_group(cursor)
         if function == "atan2":
-            return self.atan2(name, token)
-        argument = self.argument()
+            return self._atan2(name, token)
+        argument = self._argument()
         if exponent is not None and rational(exponent.expr) == -1 and function in INVERSES:
             return called(INVERSES[function], (argument,), token.offset)
+        value = called(RECIPROCALS.get(function, function), (argument,), token.offset)
         if function in RECIPROCALS:
-            value = divided(
-                Quantity(Number(Fraction(1))),
-                called(RECIPROCALS[function], (argument,), token.offset),
-                token.offset,
-            )
-        else:
-            value = called(function, (argument,), token.offset)
+            value = divided(ONE, value, token.offset)
         return value if exponent is None else raised(value, exponent, token.offset)
 
-    def atan2(self, name: str, token: Token) -> Quantity:
+    def _atan2(self, name: str, token: Token) -> Quantity:
         """With its arguments in parentheses, which SymPy's printer puts in braces."""
-        if self.ahead(2) in (("{", "("), ("{", "[")):
-            braced = self.take()
-            found = self.atan2(name, token)
-            self.close(braced, "}")
+        cursor = self.cursor
+        if cursor.ahead(2) in (("{", "("), ("{", "[")):
+            braced = cursor.take()
+            found = self._atan2(name, token)
+            cursor.close(braced, "}")
             return found
-        opened = self.next
-        if opened.text not in OPENING:
-            raise FormulaError("atan2 takes two arguments", token.offset, "write atan2(y, x)")
-        self.take()
-        first = self.sum()
-        if self.next.text != ",":
-            raise FormulaError("atan2 takes two arguments", token.offset, "write atan2(y, x)")
-        self.take()
-        second = self.sum()
-        self.close(opened, OPENING[opened.text])
-        y, x = (second, first) if self.letters.xy and name != "atan2" else (first, second)
+        opened = cursor.next
+        if opened.text not in ("(", "["):
+            raise FormulaError(TWO_ARGUMENTS, token.offset, "write atan2(y, x)")
+        cursor.take()
+        first = self.grammar.sum()
+        if cursor.next.text != ",":
+            raise FormulaError(TWO_ARGUMENTS, token.offset, "write atan2(y, x)")
+        cursor.take()
+        second = self.grammar.sum()
+        cursor.close(opened, ")" if opened.text == "(" else "]")
+        y, x = (second, first) if self.xy and name != "atan2" else (first, second)
         return called("atan2", (y, x), token.offset)
 
-    def argument(self) -> Quantity:
+    def _argument(self) -> Quantity:
         """What a function applies to: a group, or numbers and one name."""
-        token = self.next
+        token, grammar = self.cursor.next, self.grammar
         if token.kind == "sign" and token.text in "([{|":
-            return self.atom()
+            return grammar.atom()
         if token.kind == "sign" and token.text == "-":
-            self.take()
-            return negated(self.argument())
-        if not self.starts():
-            raise self.unexpected("a function needs its argument")
-        total = self.factor()
-        while rational(total.expr) is not None and not isinstance(total.expr, Degrees) and self.starts():
-            if self.next.kind not in ("word", "command") or self.next.text in FUNCTIONS:
+            self.cursor.take()
+            return negated(self._argument())
+        if not grammar.starts():
+            raise self.cursor.unexpected("a function needs its argument")
+        total = grammar.factor()
+        while rational(total.expr) is not None and not isinstance(total.expr, Degrees) and grammar.starts():
+            following = self.cursor.next
+            if following.kind not in ("name", "command") or following.text in FUNCTIONS:
                 return total
-            total = multiplied(total, self.factor(), token.offset)
-        if self.belongs(total.expr):
-            total = multiplied(total, self.factor(), token.offset)
+            total = multiplied(total, grammar.factor(), token.offset)
+        if self._belongs(total.expr):
+            total = multiplied(total, grammar.factor(), token.offset)
         return total
 
-    def belongs(self, angle: Expr) -> bool:
+    def _belongs(self, angle: Expr) -> bool:
         """Whether the next name is part of the angle still: omega t, n theta."""
-        token = self.next
         if not isinstance(angle, Symbol):
             return False
-        after = self.tokens[min(self.at + 1, len(self.tokens) - 1)].text
-        time = token.kind == "word" and token.text == "t" and after not in ("_", "^")
-        return time or (len(angle.name) == 1 and self.starts_angle())
+        token, *after = self.cursor.ahead(2)
+        time = self.cursor.next.kind == "name" and token == "t" and after not in (["_"], ["^"])
+        return time or (len(angle.name) == 1 and is_greek(self.cursor.next))

@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
+from derive.algebra.formulas.cursor import Cursor
 from derive.algebra.formulas.quantities import (
     Quantity,
     called,
@@ -23,21 +24,18 @@ from derive.algebra.formulas.quantities import (
     rational,
     summed,
 )
-from derive.answers.latex.cursor import OPENING
-from derive.answers.latex.functions import RECIPROCALS, FunctionReader
+from derive.algebra.formulas.tokens import Token
+from derive.answers.latex.functions import RECIPROCALS, Functions
 from derive.answers.latex.letters import Letters
-from derive.answers.latex.matrices import MAX_ENTRIES, require_commas
-from derive.answers.latex.names import FUNCTIONS
+from derive.answers.latex.matrices import TRANSPOSED, Matrices
+from derive.answers.latex.names import FUNCTIONS, Names
 from derive.answers.latex.rates import rate_at
-from derive.answers.latex.scripts import FONTS, group_text
-from derive.answers.latex.tokens import Token
+from derive.answers.latex.scripts import FONTS, Tokens, group_text, skip_group
 from derive.errors import FormulaError
 from derive.expression import PI, Degrees, Expr, Matrix, Number, Symbol
 
-MAX_NESTING = 40
 NUMBERED = "could be a factor or the number of the equation"
 ALONE = "write the answer alone"
-TRANSPOSED = ("T", "top", "intercal", "t")
 NO_FACTORS = frozenset(("end", "rvert", "circ", "degree", "cdot", "times", "div", "pm", "mp", "over"))
 FRACTIONS = ("frac", "dfrac", "tfrac", "cfrac")
 RELATIONS = frozenset(
@@ -57,53 +55,61 @@ def read_latex(found: Sequence[Token], letters: Letters) -> tuple[Expr, Expr | N
         raise FormulaError("the answer is nested too deeply", 0) from error
 
 
-class _Parser(FunctionReader):
-    """One pass over the tokens of one answer."""
+class _Parser:
+    """One pass over the tokens of one answer. `tight` reads a/b c as a/(b c); `either` tells whether there
+    was such a quotient."""
 
-    def nested(self, found: tuple[Token, ...]) -> Expr:
-        """An expression of its own, as in an index."""
+    def __init__(self, found: Sequence[Token], letters: Letters, tight: bool = False) -> None:
+        self.cursor = Cursor(found, "the answer")
+        self.letters = letters
+        self.tight = tight
+        self.either = False
+        self.bars = 0
+        self.names = Names(self.cursor, letters, self._nested)
+        self.functions = Functions(self.cursor, self, letters.xy)
+        self.matrices = Matrices(self.cursor, self.sum)
+
+    def _nested(self, found: Tokens) -> Expr:
         return _Parser(found, self.letters, self.tight).whole()
 
     def whole(self) -> Expr:
         """All of the tokens."""
         found = self.sum()
-        if self.next.kind != "end":
-            raise self.unexpected()
+        if self.cursor.next.kind != "end":
+            raise self.cursor.unexpected()
         return found.expr
 
     # -- sums, products, powers -------------------------------------------------------------------
 
     def sum(self) -> Quantity:
-        self.depth += 1
-        if self.depth > MAX_NESTING:
-            raise FormulaError("the answer is nested too deeply", self.next.offset)
+        self.cursor.enter()
         total = self.signed_product()
-        while self.next.kind == "sign" and self.next.text in "+-":
-            sign = self.take()
+        while self.cursor.next.kind == "sign" and self.cursor.next.text in "+-":
+            sign = self.cursor.take()
             term = self.product()
             total = summed(total, negated(term) if sign.text == "-" else term, sign.offset)
-        self.depth -= 1
+        self.cursor.leave()
         return total
 
     def signed_product(self) -> Quantity:
-        if self.next.kind == "sign" and self.next.text in "+-":
-            sign = self.take()
-            found = self.signed_product() if self.next.text in ("+", "-") else self.product()
+        if self.cursor.next.kind == "sign" and self.cursor.next.text in "+-":
+            sign = self.cursor.take()
+            found = self.signed_product() if self.cursor.next.text in ("+", "-") else self.product()
             return negated(found) if sign.text == "-" else found
         return self.product()
 
     def product(self) -> Quantity:
         total = self.factor()
         while True:
-            token = self.next
+            token = self.cursor.next
             if token.text in ("*", "cdot", "times") and token.kind in ("sign", "command"):
-                self.take()
+                self.cursor.take()
                 total = multiplied(total, self.after_sign(), token.offset)
             elif token.text in ("/", "div") and token.kind in ("sign", "command"):
-                self.take()
+                self.cursor.take()
                 total = divided(total, self.divisor(total), token.offset)
             elif self.is_number_of_equation():
-                self.at += 3
+                self.cursor.at += 3
             elif self.starts():
                 total = multiplied(total, self.factor(), token.offset)
             else:
@@ -116,57 +122,57 @@ class _Parser(FunctionReader):
         if self.starts() and (rational(above.expr) is None or rational(below.expr) is None):
             self.either = True
             while self.tight and self.starts():
-                below = multiplied(below, self.factor(), self.next.offset)
+                below = multiplied(below, self.factor(), self.cursor.next.offset)
         return below
 
     def is_number_of_equation(self) -> bool:
         """Whether a lone (1) ends the answer. Raises FormulaError for another number: a factor?"""
-        opened, inside, closed = (*self.ahead(3), "", "", "")[:3]
-        if (opened, closed) != ("(", ")") or self.tokens[self.at + 3].kind != "end" or not inside.isdigit():
+        opened, inside, *after = (*self.cursor.ahead(4), "", "")
+        if opened != "(" or after[:2] != [")", ""] or not inside.isdigit():
             return False
         if inside != "1":
             hint = rf"write \tag{{{inside}}}, or {inside} in front"
-            raise FormulaError(f"({inside}) {NUMBERED}", self.next.offset, hint)
+            raise FormulaError(f"({inside}) {NUMBERED}", self.cursor.next.offset, hint)
         return True
 
     def after_sign(self) -> Quantity:
         """A factor after a written sign, which may have a sign of its own."""
-        if self.next.kind == "sign" and self.next.text == "-":
-            self.take()
+        if self.cursor.next.kind == "sign" and self.cursor.next.text == "-":
+            self.cursor.take()
             return negated(self.after_sign())
         return self.factor()
 
     def starts(self) -> bool:
         """Whether a factor begins here."""
-        token = self.next
+        token = self.cursor.next
         if token.kind == "command":
             return token.text not in NO_FACTORS
         if token.kind == "sign":
             return token.text in "([{" or (token.text == "|" and not self.bars)
-        return token.kind in ("number", "word")
+        return token.kind in ("number", "name")
 
     def factor(self) -> Quantity:
         return self.powers(self.atom())
 
     def powers(self, base: Quantity) -> Quantity:
         while True:
-            token = self.next
+            token = self.cursor.next
             if token.kind == "command" and token.text in ("circ", "degree"):
-                self.take()
+                self.cursor.take()
                 base = self.degrees(base, token)
             elif token.kind == "sign" and token.text == "^":
-                self.take()
+                self.cursor.take()
                 base = self.power(base, token)
             else:
                 return base
 
     def power(self, base: Quantity, sign: Token) -> Quantity:
-        inner = group_text(self.tokens, self.at)
+        inner = group_text(self.cursor.tokens, self.cursor.at)
         if inner in ("circ", "degree"):
-            self.skip_group()
+            skip_group(self.cursor)
             return self.degrees(base, sign)
         if inner in TRANSPOSED and isinstance(base.expr, Matrix):
-            self.skip_group()
+            skip_group(self.cursor)
             columns = tuple(zip(*base.expr.rows, strict=True))
             return Quantity(Matrix(columns), None, False, base.terms)
         return raised(base, self.argument_group(), sign.offset)
@@ -181,85 +187,80 @@ class _Parser(FunctionReader):
     # -- atoms ------------------------------------------------------------------------------------
 
     def atom(self) -> Quantity:
-        token = self.next
+        token = self.cursor.next
         match token.kind:
             case "number":
-                self.take()
+                self.cursor.take()
                 places = len(token.text.partition(".")[2])
                 return Quantity(Number(Fraction(token.text), places > 0, places=places))
-            case "word":
-                return self.word()
+            case "name":
+                if self.names.is_function():
+                    self.cursor.take()
+                    return self.functions.read(token.text, token)
+                self.names.part()
+                return self.name()
             case "command":
                 return self.command()
             case "sign" if token.text in "([{":
                 return self.enclosed()
             case "sign" if token.text == "|":
                 return self.absolute("|")
-        raise self.unexpected()
+        raise self.cursor.unexpected()
 
     def enclosed(self) -> Quantity:
-        r"""What stands in parentheses or braces: {a \over b} is a quotient, (a, b) a column, turned too,
-        [a, b; c, d] the rows of a program."""
-        opened = self.take()
+        r"""What stands in parentheses or braces: {a \over b} is a quotient, (a, b) a column."""
+        opened = self.cursor.take()
         found = self.sum()
-        if self.next.text == "over" and opened.text == "{":
-            over = self.take()
+        if opened.text != "{":
+            return self.matrices.listed(found, opened)
+        if self.cursor.next.text == "over":
+            over = self.cursor.take()
             found = divided(found, self.sum(), over.offset)
-        rows = [[found]]
-        while self.next.text in (",", ";") and opened.text != "{":
-            rows += [[]] if self.take().text == ";" else []
-            rows[-1].append(self.sum())
-        if len(rows) > 1:
-            require_commas(self.tokens[self.tokens.index(opened) + 1 : self.at])
-        self.close(opened, {"{": "}"}.get(opened.text) or OPENING[opened.text])
-        if len(rows) > 1 and any(len(row) > 1 for row in rows):
-            return self.gathered(rows, opened)
-        entries = [entry for row in rows for entry in row]
-        return self.listed(entries) if len(entries) > 1 else found
-
-    def listed(self, entries: list[Quantity]) -> Quantity:
-        """A column of entries that are written side by side."""
-        if self.next.text == "^" and group_text(self.tokens, self.at + 1) in TRANSPOSED:
-            self.take()
-            self.skip_group()
-        self.entries += len(entries)
-        if self.entries > MAX_ENTRIES:
-            raise FormulaError(f"an answer has at most {MAX_ENTRIES} entries", self.next.offset)
-        rows = tuple((entry.expr,) for entry in entries)
-        return Quantity(Matrix(rows), None, False, sum(entry.terms for entry in entries))
+        self.cursor.close(opened, "}")
+        return found
 
     def absolute(self, closing: str) -> Quantity:
-        opened = self.take()
+        opened = self.cursor.take()
         self.bars += 1
         found = self.sum()
         self.bars -= 1
-        if self.next.text not in (closing, "rvert", "vert", "|"):
+        if self.cursor.next.text not in (closing, "rvert", "vert", "|"):
             raise FormulaError(f"this {opened.text} is never closed", opened.offset)
-        self.take()
+        self.cursor.take()
         return called("abs", (found,), opened.offset)
 
+    def name(self) -> Quantity:
+        """What a letter with its scripts stands for, a function of what follows with its argument."""
+        token, found = self.cursor.next, self.names.read()
+        if not isinstance(found, str):
+            return Quantity(found, None, numeric=False)
+        if found != "exp":
+            return self.functions.read(found, token)
+        self.cursor.take()
+        return called("exp", (self.argument_group(),), token.offset)
+
     def command(self) -> Quantity:
-        token = self.next
+        token = self.cursor.next
         name = token.text
         if name in FRACTIONS:
-            if rate := rate_at(self.tokens, self.at, self.letters):
-                self.at = rate.end
-                return self.moving(Symbol(rate.name))
-            self.take()
+            if rate := rate_at(self.cursor.tokens, self.cursor.at, self.letters):
+                self.cursor.at = rate.end
+                return Quantity(self.names.moving(Symbol(rate.name)), None, numeric=False)
+            self.cursor.take()
             top, bottom = self.argument_group(), self.argument_group()
             return divided(top, bottom, token.offset)
         if name == "sqrt":
             return self.square_root()
         if name == "begin":
-            return self.matrix()
+            return self.matrices.environment()
         if name in ("lvert", "vert"):
             return self.absolute(name)
         if name == "pi":
-            self.take()
+            self.cursor.take()
             return Quantity(PI)
         if name in FUNCTIONS or name in RECIPROCALS:
-            self.take()
-            return self.function(name, token)
+            self.cursor.take()
+            return self.functions.read(name, token)
         if name in FONTS:
             return self.styled()
         if name in ("pm", "mp"):
@@ -268,36 +269,43 @@ class _Parser(FunctionReader):
             )
         if name in RELATIONS and not self.letters.find(name):
             raise FormulaError(f"\\{name} is no part of a formula", token.offset, ALONE)
-        return self.named(self.scripted())
+        return self.name()
 
     def styled(self) -> Quantity:
         """A name in a font of its own: a function, \\mathrm{atan2}, or a letter."""
-        token = self.tokens[self.at]
-        inside = group_text(self.tokens, self.at + 1)
+        token = self.cursor.tokens[self.cursor.at]
+        inside = group_text(self.cursor.tokens, self.cursor.at + 1)
         if inside in FUNCTIONS or inside in RECIPROCALS:
-            self.take()
-            self.skip_group()
-            return self.function(inside, token)
-        return self.named(self.scripted())
+            self.cursor.take()
+            skip_group(self.cursor)
+            return self.functions.read(inside, token)
+        return self.name()
 
     def argument_group(self) -> Quantity:
         """What stands in braces, or one digit or letter without them."""
-        token = self.next
+        token = self.cursor.next
         if token.kind == "sign" and token.text == "{":
             return self.enclosed()
         if token.kind == "sign" and token.text == "-":
-            self.take()
+            self.cursor.take()
             return negated(self.argument_group())
         if token.kind == "number" and len(token.text) > 1 and token.text.isdigit():
-            return self.first_digit(token)
+            return self.first_digit()
         if token.kind == "end":
-            raise self.unexpected()
+            raise self.cursor.unexpected()
         return self.atom()
 
+    def first_digit(self) -> Quantity:
+        r"""TeX takes one digit: \frac12 is a half, x^23 is x^2 times 3."""
+        token = self.cursor.next
+        rest = Token("number", token.text[1:], token.offset + 1, token.end)
+        self.cursor.tokens[self.cursor.at] = rest
+        return Quantity(Number(Fraction(token.text[0])))
+
     def square_root(self) -> Quantity:
-        token = self.take()
+        token = self.cursor.take()
         index = Fraction(2)
-        if self.next.text == "[":
+        if self.cursor.next.text == "[":
             index = rational(self.enclosed().expr) or Fraction(0)
             if index <= 0 or index.denominator != 1:
                 raise FormulaError("the index of a root is a whole number", token.offset)

@@ -6,9 +6,9 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from derive.algebra.formulas.tokens import Token
 from derive.answers.latex.letters import Letters
-from derive.answers.latex.scripts import FONTS, group, group_text, scripted
-from derive.answers.latex.tokens import Token
+from derive.answers.latex.scripts import FONTS, Tokens, group, group_text, scripted
 from derive.errors import FormulaError
 
 _BY_TIME = re.compile(r"dt(?:\^([12]))?")
@@ -51,13 +51,13 @@ def rate_at(found: Sequence[Token], at: int, letters: Letters) -> Rate | None:
 
 
 def _name(found: Sequence[Token], at: int) -> tuple[str, int]:
-    if found[at].kind not in ("word", "command"):
+    if found[at].kind not in ("name", "command"):
         return "", at
     name = scripted(found, at)
     return name.plain, name.power
 
 
-def _without_d(above: tuple[Token, ...]) -> tuple[int, tuple[Token, ...]] | None:
+def _without_d(above: Tokens) -> tuple[int, Tokens] | None:
     """The order of a numerator d^2 q and its q; None where it does not begin with a d."""
     if not above:
         return None
@@ -67,10 +67,10 @@ def _without_d(above: tuple[Token, ...]) -> tuple[int, tuple[Token, ...]] | None
         if group_text(ended, 1) != "d":
             return None
         at = group(ended, 1)[1]
-    elif first.kind != "word" or not first.text.startswith("d"):
+    elif first.kind != "name" or not first.text.startswith("d"):
         return None
     elif len(first.text) > 1:
-        return 1, (Token("word", first.text[1:], first.offset + 1, first.end), *above[1:])
+        return 1, (Token("name", first.text[1:], first.offset + 1, first.end), *above[1:])
     order = 1
     if at < len(above) and above[at].text == "^":
         power = group_text(ended, at + 1)

@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TypeAlias
 
-from derive.answers.latex.tokens import Token
+from derive.algebra.formulas.cursor import Cursor
+from derive.algebra.formulas.tokens import Token
 from derive.errors import FormulaError
+
+Tokens: TypeAlias = tuple[Token, ...]
 
 ACCENTS = {"dot": "_dot", "ddot": "_ddot"}
 FONTS = frozenset(
@@ -23,7 +27,7 @@ class Scripted:
     power: int
     end: int
     lower: str = ""
-    lower_tokens: tuple[Token, ...] = ()
+    lower_tokens: Tokens = ()
     upper: str = ""
     accent: str = ""
 
@@ -33,7 +37,7 @@ class Scripted:
         return f"{self.stem}_{self.lower}" if self.lower else self.stem
 
 
-def group(found: Sequence[Token], at: int) -> tuple[tuple[Token, ...], int]:
+def group(found: Sequence[Token], at: int) -> tuple[Tokens, int]:
     """The tokens of a group in braces (or one token) without its braces, and the place after it."""
     if found[at].text != "{":
         return (found[at],), min(at + 1, len(found) - 1)
@@ -52,7 +56,12 @@ def group_text(found: Sequence[Token], at: int) -> str:
     return _plain(group(found, at)[0])
 
 
-def subscripts_first(found: Sequence[Token]) -> tuple[Token, ...]:
+def skip_group(cursor: Cursor) -> None:
+    """Moves past a group in braces, or one token."""
+    _, cursor.at = group(cursor.tokens, cursor.at)
+
+
+def subscripts_first(found: Sequence[Token]) -> Tokens:
     """The same with T^0_1 as T_1^0."""
     at, done = 0, list(found)
     while at < len(done):
@@ -72,7 +81,7 @@ def scripted(found: Sequence[Token], at: int) -> Scripted:
     digits = found[at]
     if digits.kind == "number" and digits.offset == found[at - 1].end and first.kind == "command":
         return Scripted(stem, first.offset, at + 1, at + 1, digits.text, (digits,), accent=accent)  # \theta1
-    lower: tuple[Token, ...] = ()
+    lower: Tokens = ()
     if found[at].text == "_":
         lower, at = _script(found, at)
     power = at
@@ -80,7 +89,7 @@ def scripted(found: Sequence[Token], at: int) -> Scripted:
     return Scripted(stem, first.offset, power, at, _plain(lower), lower, _plain(upper), accent)
 
 
-def _script(found: Sequence[Token], at: int) -> tuple[tuple[Token, ...], int]:
+def _script(found: Sequence[Token], at: int) -> tuple[Tokens, int]:
     inner, after = group(found, at + 1)
     if not inner or inner[0].kind == "end":
         raise FormulaError("a script is missing", found[at].offset)
@@ -90,11 +99,11 @@ def _script(found: Sequence[Token], at: int) -> tuple[tuple[Token, ...], int]:
 def _stem(found: Sequence[Token], at: int) -> tuple[str, str, int]:
     """The letter itself in plain text, its accent, and the place after it."""
     token = found[at]
-    if token.kind == "word":
+    if token.kind == "name":
         return token.text, "", at + 1
     if token.kind == "command" and token.text in ACCENTS:
         inner, after = group(found, at + 1)
-        if not inner or inner[0].kind not in ("word", "command"):
+        if not inner or inner[0].kind not in ("name", "command"):
             raise FormulaError("a dot stands over a name", token.offset)
         end = Token("end", "", inner[-1].end, inner[-1].end)
         return scripted((*inner, end), 0).plain, ACCENTS[token.text], after

@@ -8,13 +8,10 @@ statement, and whoever reads it has to understand or to refuse it.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TypeAlias
 
-from derive.answers.latex.scripts import group, group_text
-from derive.answers.latex.tokens import Token
+from derive.algebra.formulas.tokens import Token
+from derive.answers.latex.scripts import Tokens, group, group_text
 from derive.errors import FormulaError
-
-Tokens: TypeAlias = tuple[Token, ...]
 
 DISPLAYS = frozenset(
     {"equation", "align", "aligned", "alignat", "flalign", "gather", "gathered", "multline", "split", "math"}
@@ -162,7 +159,7 @@ def _cuts(token: Token) -> bool:
 def _goes_on(rest: Tokens) -> bool:
     """Whether a new line goes on with the formula of the one before."""
     first = next((token for token in rest if token.text != "&" and token.kind != "gap"), None)
-    return first is not None and first.kind != "word" and first.text in ("=", "+", "-", "cdot", "times")
+    return first is not None and first.kind != "name" and first.text in ("=", "+", "-", "cdot", "times")
 
 
 def _lines_up(found: Tokens, at: int) -> bool:
@@ -179,7 +176,7 @@ def _is_number(piece: Tokens) -> bool:
     inner = piece[1:-1]
     if len(piece) < 3 or piece[0].text != "(" or piece[-1].text != ")":
         return False
-    letter = inner[-1].kind == "word" and len(inner[-1].text) == 1
+    letter = inner[-1].kind == "name" and len(inner[-1].text) == 1
     return inner[0].kind == "number" and all(
         token.kind == "number" or token.text in (".", "-") or (letter and token is inner[-1])
         for token in inner

@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
-from typing import Literal, TypeAlias
 
-from derive.algebra.formulas.tokens import GREEK, MAX_DIGITS
+from derive.algebra.formulas.tokens import GREEK, MAX_DIGITS, Kind, Token
 from derive.errors import FormulaError
 
 MAX_TEXT = 100_000
-Kind: TypeAlias = Literal["number", "word", "command", "sign", "row", "gap", "end"]
 
 # What says only how something looks or is called. A `.` after \left or \right stands for no delimiter.
 _BLANK = re.compile(
@@ -42,17 +39,6 @@ _COMMANDS = GREEK | {
     "\N{IDENTICAL TO}": "equiv",
     "\N{ALMOST EQUAL TO}": "approx",
 }
-
-
-@dataclass(frozen=True, slots=True)
-class Token:
-    """`text` of a command is without its backslash; a Greek letter is the command of its name. A gap is a
-    wide space: it may stand between two statements."""
-
-    kind: Kind
-    text: str
-    offset: int
-    end: int
 
 
 def tokens(text: str) -> tuple[Token, ...]:
@@ -95,7 +81,7 @@ def _read(text: str, at: int) -> Token:
             raise FormulaError(f"a number of more than {MAX_DIGITS} digits", at, "shorten it")
         return Token("number", number[0], at, number.end())
     if word := _WORD.match(text, at):
-        return Token("word", word[0], at, word.end())
+        return Token("name", word[0], at, word.end())
     char = text[at]
     if char in _COMMANDS:
         return Token("command", _COMMANDS[char], at, at + 1)
