@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
 
-from derive.answers.checking import Compared
+from derive.answers.asked import Asked
+from derive.answers.checking import checks
 from derive.answers.findings import Check
 from derive.answers.points import Point
 from derive.build import Warn, answered, load_all, working_on
@@ -103,19 +104,19 @@ def _compared(
     at = question.answer_at
     if not question.answer or at is None:
         raise SheetErrors([SheetError("this answer is empty", question.place, "write answer: {J: ...}")])
-    compared = Compared(
-        problem.number,
-        question.number,
-        derivation,
-        working,
-        question.answer,
-        at.place,
-        at.key,
-        sheet.notation.atan2 == "xy",
-        _reached(question, working, derivation),
-        question.evaluate,
+    asked = Asked(
+        problem=problem.number,
+        question=question.number,
+        derivation=derivation,
+        given=working,
+        answer=question.answer,
+        locate=at.place,
+        key=at.key,
+        xy=sheet.notation.atan2 == "xy",
+        reached=_reached(question, working, derivation),
+        evaluate=question.evaluate,
     )
-    return Checked(tuple(compared.checks()))
+    return Checked(tuple(checks(asked)))
 
 
 def _reached(question: Question, working: Working, derivation: Derivation) -> tuple[Point, ...]:

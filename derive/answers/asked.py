@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -86,6 +86,12 @@ class Asked:
         signed = frozenset(self.variables) | {name + rate for name in self.variables for rate in RATES}
         published = {key: tree for key, tree in self.definitions.items() if not self._is_own(key)}
         return Terms(published, self.given.names, Sampling(signed - positive, positive))
+
+    def terms_of(self, name: str) -> Terms:
+        """Those for a result; a step of the working may be in terms of names defined there."""
+        if name in self.derivation.results:
+            return self.terms
+        return replace(self.terms, derived=self.terms.published)
 
     def _is_own(self, key: Expr) -> bool:
         return isinstance(key, Symbol) and key.name in self.own

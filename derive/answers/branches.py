@@ -15,10 +15,9 @@ from derive.answers.diagnosing import diagnose
 from derive.answers.points import Names, Point, apart, distance, shown, turning, unknowns, value_at
 from derive.answers.regions import proved_around
 from derive.answers.rounding import ROUNDED, digits_note, room
-from derive.answers.terms import ENOUGH, TRIED, Finding, Terms
+from derive.answers.terms import ENOUGH, TRIED, Finding, Solution, Terms
 from derive.expression import PI, Call, Degrees, Expr, Symbol, free_symbols, walk
 
-Solution = Mapping[str, Expr]
 Numbers = Mapping[str, arb]
 INVERSE = ("atan2", "atan", "acos", "asin")
 FEW = 2  # points, of formulas so long that

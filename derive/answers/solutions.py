@@ -12,11 +12,11 @@ from derive.answers.abbreviations import writable
 from derive.answers.latex.letters import Letters
 from derive.answers.published import Published
 from derive.answers.reading import Reader, Route
+from derive.answers.terms import Solution
 from derive.errors import FormulaError, Place, SheetError
 from derive.expression import Expr, Symbol
 from derive.expression import replace as replaced
 
-Solution = Mapping[str, Expr]
 REMARKS = frozenset(
     {"when", "order", "true_at", "feasible", "rank", "real"}
 )  # beside the values in our own JSON

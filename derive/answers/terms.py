@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Literal, TypeAlias
 
@@ -12,6 +12,7 @@ from derive.answers.points import Names, Point, Sampling, turning, unknowns, val
 from derive.expression import Expr
 
 Verdict: TypeAlias = Literal["equal", "differs", "undecided"]
+Solution: TypeAlias = Mapping[str, Expr]  # the value of each unknown
 TRIED = 60  # points, until
 ENOUGH = 8  # of them give real values
 

@@ -14,7 +14,8 @@ import sympy as sp
 from sympy.simplify.fu import TR8
 
 from derive.algebra.infix import text
-from derive.answers.checking import Compared, read_both_ways
+from derive.answers.asked import Asked
+from derive.answers.checking import read_both_ways
 from derive.answers.reading import read_text
 from derive.build import answered, working_on
 from derive.expression import Expr, Matrix
@@ -38,7 +39,7 @@ AROUND = (
 class Entry:
     """One entry of a result, as a tree and for SymPy."""
 
-    compared: Compared
+    asked: Asked
     name: str
     tree: Expr
     formula: sp.Expr
@@ -53,7 +54,7 @@ def entries(sheet: str) -> list[Entry]:
         for question in problem.questions:
             derivation, at = answered(question, working), question.answer_at
             assert at is not None
-            asked = Compared(problem.number, question.number, derivation, working, {}, at.place, at.key)
+            asked = Asked(problem.number, question.number, derivation, working, {}, at.place, at.key)
             for name, result in derivation.results.items():
                 if isinstance(result, TREES):
                     readable = (tree for tree in scalars(result) if "lambda" not in text(tree))
@@ -160,7 +161,7 @@ def test_no_false_verdict(sheet: str) -> None:
         right = draw.random() < 0.6
         formula = (rewritten if right else spoiled)(draw, entry.formula)
         typed = published(draw, formula)
-        read = read_text(typed, entry.compared.letters)
-        found = read_both_ways(read, entry.tree, entry.compared.terms_of(entry.name))
+        read = read_text(typed, entry.asked.letters)
+        found = read_both_ways(read, entry.tree, entry.asked.terms_of(entry.name))
         wanted = "equal" if right or are_equal(draw, formula, entry.formula) else "differs"
         assert found.verdict == wanted, (entry.name, typed, text(entry.tree), found)
