@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers.floats import Point, number
-from derive.derivation import Step
+from derive.derivation import Record, Step
 from derive.expression import (
     Expr,
     Indexed,
@@ -48,23 +48,29 @@ def is_given(frame: Frame) -> bool:
     return isinstance(frame.source, ByMatrix)
 
 
+class Axes(Record):
+    """What is read off a figure for one frame."""
+
+    origin: Symbol
+    axes: tuple[tuple[Expr, Expr], ...]  # each by those of the parent
+
+
 def local_steps(frame: Frame, problem: Problem) -> tuple[Step, ...]:
     """How the pose of a frame in its parent is found."""
     name = pose_name(frame.number, frame.parent)
-    facts: dict[str, Any] = {"frame": frame.number, "parent": frame.parent}
     source = frame.source
     if isinstance(source, Observed):
         origin = origin_name(frame.number, frame.parent)
-        facts |= {"origin": origin, "axes": observed_axes(source, frame.number, frame.parent)}
+        facts = Axes(origin=origin, axes=observed_axes(source, frame.number, frame.parent))
         return (
-            Step(origin.name, (origin, column(source.origin)), "observed-origin", facts),
+            Step(origin.name, (origin, column(source.origin)), "observed-origin"),
             Step(name.name, (name, local_matrix(frame, problem)), "observed", facts),
         )
     if isinstance(source, Motion):
         factors = tuple(_factor(move) for move in source.moves)
         product = Product(factors) if len(factors) > 1 else factors[0]
-        return (Step(name.name, (name, product, local_matrix(frame, problem)), "motion", facts),)
-    return (Step(name.name, (name, local_matrix(frame, problem)), "given", facts),)
+        return (Step(name.name, (name, product, local_matrix(frame, problem)), "motion"),)
+    return (Step(name.name, (name, local_matrix(frame, problem)), "given"),)
 
 
 def local_matrix(frame: Frame, problem: Problem) -> Matrix:
@@ -88,12 +94,12 @@ def local_definitions(frame: Frame, problem: Problem) -> dict[Expr, Expr]:
     return found
 
 
-def observed_axes(source: Observed, number: int, parent: int) -> list[tuple[Expr, Expr]]:
+def observed_axes(source: Observed, number: int, parent: int) -> tuple[tuple[Expr, Expr], ...]:
     """x_1 = -x_0, ...: each axis of the frame by those of its parent, as chains for the words."""
-    return [
+    return tuple(
         (Symbol(f"{letter}_{number}"), combination(axis, parent))
         for letter, axis in zip("xyz", (source.x, source.y, source.z), strict=True)
-    ]
+    )
 
 
 def combination(axis: tuple[Expr, ...], parent: int) -> Expr:
@@ -102,15 +108,15 @@ def combination(axis: tuple[Expr, ...], parent: int) -> Expr:
     return add(*(multiply(*_factors(part), unit) for part, unit in zip(axis, axes, strict=True)))
 
 
-def read_axes(T: Matrix, number: int, reference: int) -> list[tuple[Expr, Expr]]:
+def read_axes(T: Matrix, number: int, reference: int) -> tuple[tuple[Expr, Expr], ...]:
     """The columns of a pose as statements about the axes, where they are plain numbers; else nothing."""
     columns = [tuple(T.rows[i][j] for i in range(3)) for j in range(3)]
     if not all(_plain(entry) for each in columns for entry in each):
-        return []
-    return [
+        return ()
+    return tuple(
         (Symbol(f"{letter}_{number}"), combination(each, reference))
         for letter, each in zip("xyz", columns, strict=True)
-    ]
+    )
 
 
 def numeric_local(frame: Frame, point: Point) -> NDArray[Any]:

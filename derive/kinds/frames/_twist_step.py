@@ -34,7 +34,7 @@ def twist_step(
     last = () if exact == value else (exact,)
     chain = (V, Product((adjoint, before)), numbers_in, value, *last)
     definitions: dict[Expr, Expr] = {**filled, o_name: o, before: column(given), V: value}
-    steps = (Step("S_o", (S_name, S), "skew"), Step(V.name, chain, "change-of-frame", {"given": before}))
+    steps = (Step("S_o", (S_name, S), "skew"), Step(V.name, chain, "change-of-frame"))
     return steps, definitions
 
 

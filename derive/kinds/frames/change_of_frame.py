@@ -8,7 +8,7 @@ from pydantic import Field, model_validator
 
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import numbers
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.expression import Expr, Indexed, Matrix, Product, Sum, Symbol, column
 from derive.kinds.checks import agreement, is_rotation, links
 from derive.kinds.fields import OptionsModel, Quantity
@@ -54,6 +54,16 @@ class Options(OptionsModel):
         return self
 
 
+class Facts(PageFacts):
+    free: bool
+    twist: bool
+    name: str
+    pose: Symbol
+    rotation: Symbol
+    origin: Symbol
+    skew: Expr
+
+
 def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     """v^0 = R_1^0 v^1; p^0 = R_1^0 p^1 + o_1^0 (Spong et al., sections 2.3 and 2.6); of a twist the adjoint
     (Lynch and Park, section 3.3.2)."""
@@ -79,18 +89,15 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     path = way(frames, source, options.target)
     direct = len(path.up) == 1 and not path.down and is_given(path.up[0])
     uses = () if direct else (problem.ask("transform", source=source, target=options.target),)
-    facts = {
-        "free": options.vector is not None,
-        "twist": options.twist is not None,
-        "name": step.name,
-        "source": source,
-        "target": options.target,
-        "pose": pose_name(source, options.target),
-        "rotation": rotation_name(source, options.target),
-        "origin": origin_name(source, options.target),
-        "given": step.facts["given"],
-        "skew": Indexed("S", (origin_name(source, options.target),)),
-    }
+    facts = Facts(
+        free=options.vector is not None,
+        twist=options.twist is not None,
+        name=step.name,
+        pose=pose_name(source, options.target),
+        rotation=rotation_name(source, options.target),
+        origin=origin_name(source, options.target),
+        skew=Indexed("S", (origin_name(source, options.target),)),
+    )
     return Derivation(
         "change-of-frame", steps, {step.name: exact}, claims, definitions, uses=uses, facts=facts
     )
@@ -111,7 +118,7 @@ def _step(
     last = () if exact == value else (exact,)
     definitions[name] = value
     chain = (name, names, numbers_in, value, *last)
-    return Step(name.name, chain, "change-of-frame", {"given": before}), definitions
+    return Step(name.name, chain, "change-of-frame"), definitions
 
 
 def _second_route(frames: Frames, options: Options, source: int, exact: Expr, problem: Problem) -> Claim:

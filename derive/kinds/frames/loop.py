@@ -7,7 +7,7 @@ from typing import Any
 
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import numbers
-from derive.derivation import Claim, Derivation, Result, Step
+from derive.derivation import Claim, Derivation, PageFacts, Record, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Matrix, Product, Symbol
 from derive.kinds.checks import agreement, links
@@ -45,6 +45,23 @@ class Options(OptionsModel):
     """Nothing to choose."""
 
 
+class LoopTold(Record):
+    number: int  # of the frame that is given twice
+    parent: int
+    given: tuple[str, ...]  # the steps of the first description
+    first: Symbol
+    route: bool  # whether these are more than the pose of the frame itself
+    second: Symbol
+    E: Symbol
+    closes: bool
+    turned: bool
+    shifted: bool
+
+
+class Facts(PageFacts):
+    loops: tuple[LoopTold, ...]
+
+
 def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     """Along a closed loop the transformations multiply to the identity (Craig, section 2.7).
 
@@ -64,9 +81,8 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
         *links(steps, {**problem.names, **definitions}),
         *(loop.second_route() for loop in loops),
     )
-    return Derivation(
-        "loop", steps, results, claims, definitions, facts={"loops": [loop.facts() for loop in loops]}
-    )
+    facts = Facts(loops=tuple(loop.facts() for loop in loops))
+    return Derivation("loop", steps, results, claims, definitions, facts=facts)
 
 
 class _Loop:
@@ -142,19 +158,19 @@ class _Loop:
             around,
         )
 
-    def facts(self) -> dict[str, Any]:
+    def facts(self) -> LoopTold:
         identity = self.error @ inverse_pose(self.error)
         wrong = [(i, j) for i in range(3) for j in range(4) if self.error[i, j] != identity[i, j]]
         given = (*self.path.down, *self.path.up)
-        return {
-            "number": self.frame.number,
-            "parent": self.frame.parent,
-            "given": [pose_name(frame.number, frame.parent).name for frame in given],
-            "first": self.first,
-            "route": len(given) > 1 or bool(self.path.down),
-            "second": self.second,
-            "E": self.E,
-            "closes": self.closes,
-            "turned": any(j < 3 for _, j in wrong),
-            "shifted": any(j == 3 for _, j in wrong),
-        }
+        return LoopTold(
+            number=self.frame.number,
+            parent=self.frame.parent,
+            given=tuple(pose_name(frame.number, frame.parent).name for frame in given),
+            first=self.first,
+            route=len(given) > 1 or bool(self.path.down),
+            second=self.second,
+            E=self.E,
+            closes=self.closes,
+            turned=any(j < 3 for _, j in wrong),
+            shifted=any(j == 3 for _, j in wrong),
+        )

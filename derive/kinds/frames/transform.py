@@ -6,7 +6,7 @@ from pydantic import Field
 
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import numbers
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.expression import Call, Expr, Matrix, Product, Symbol
 from derive.kinds.checks import agreement, is_rotation, links
 from derive.kinds.fields import OptionsModel
@@ -37,6 +37,16 @@ class Options(OptionsModel):
     target: int = Field(default=0, alias="to", ge=0)
 
 
+class Facts(PageFacts):
+    name: str
+    source: int
+    target: int
+    meeting: int
+    inverse: tuple[str, ...]  # steps
+    products: tuple[str, ...]  # steps
+    direct: bool
+
+
 def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     """T of frame `from` in frame `to`, over the frame both stand in (Spong et al., section 2.6)."""
     require_closed(frames, problem.names)
@@ -55,15 +65,15 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     )
     found = any(not is_given(frame) for frame in (*path.up, *path.down))
     uses = (problem.ask("transforms"),) if found else ()
-    facts = {
-        "name": name.name,
-        "source": source,
-        "target": options.target,
-        "meeting": path.meeting,
-        "inverse": [step.name for step in steps[:-1] if step.rule == "inverse"],
-        "products": [step.name for step in steps[:-1] if step.rule == "product"],
-        "direct": len(path.up) == 1 and not path.down,
-    }
+    facts = Facts(
+        name=name.name,
+        source=source,
+        target=options.target,
+        meeting=path.meeting,
+        inverse=tuple(step.name for step in steps[:-1] if step.rule == "inverse"),
+        products=tuple(step.name for step in steps[:-1] if step.rule == "product"),
+        direct=len(path.up) == 1 and not path.down,
+    )
     definitions |= {name: written}
     return Derivation("transform", steps, {name.name: exact}, claims, definitions, uses=uses, facts=facts)
 

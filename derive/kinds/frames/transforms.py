@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import numbers
-from derive.derivation import Claim, Derivation, Result, Step
+from derive.derivation import Claim, Derivation, PageFacts, Result, Step
 from derive.expression import Expr, Matrix, Product, Symbol
 from derive.kinds.checks import agreement, is_rotation, links
 from derive.kinds.fields import OptionsModel
@@ -39,6 +37,11 @@ problems:
 
 class Options(OptionsModel):
     """Nothing to choose."""
+
+
+class Facts(PageFacts):
+    product: str  # a step
+    read: tuple[tuple[Expr, Expr], ...]
 
 
 def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
@@ -100,16 +103,8 @@ def _second_route(path: tuple[Frame, ...], result: Result, name: str, problem: P
     )
 
 
-def _facts(frames: Frames, product: tuple[Step, ...], definitions: dict[Expr, Expr]) -> dict[str, Any]:
+def _facts(frames: Frames, product: tuple[Step, ...], definitions: dict[Expr, Expr]) -> Facts:
     name = product[0].name if product else ""
     last = len(frames.frames)
     whole = definitions[Symbol(name)] if product else None
-    return {
-        "frames": [
-            {"name": pose_name(f.number, f.parent).name, "number": f.number, "parent": f.parent}
-            for f in frames.frames
-        ],
-        "product": name,
-        "last": last,
-        "read": read_axes(whole, last, 0) if isinstance(whole, Matrix) else [],
-    }
+    return Facts(product=name, read=read_axes(whole, last, 0) if isinstance(whole, Matrix) else ())

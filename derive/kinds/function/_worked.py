@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
 
 from flint import arb
 
@@ -14,7 +13,7 @@ from derive.algebra.numbers import floats as numeric
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.algebra.solving.polynomial_systems import Value, put_in
 from derive.algebra.solving.polynomials import known_sign, odd_part
-from derive.derivation import Branch, Claim, Derivation, Step, Table
+from derive.derivation import Branch, Claim, Derivation, PageFacts, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import (
     ZERO,
@@ -32,7 +31,7 @@ from derive.kinds.function._extremes import extremes, reach
 from derive.kinds.function._naming import function_name, multiplier_names
 from derive.kinds.function._newton import NEAR, stationary
 from derive.kinds.function._stationary import Point, Task, bordered_hessian, is_flat_saddle, patterns, points
-from derive.kinds.function._telling import divided_by, is_enclosed, told
+from derive.kinds.function._telling import CaseTold, divided_by, is_enclosed, told
 from derive.kinds.function._writing import written
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
@@ -47,6 +46,27 @@ WORDS = {
 GLOBAL = {"maximum": "global maximum", "minimum": "global minimum", "both": "global maximum and minimum"}
 COUNTS = ("", "one", "two", "three", "four", "five", "six", *map(str, range(7, 21)))
 LARGEST_SEARCH = 5  # unknowns with which Newton's method is cheap
+
+
+class Facts(PageFacts):
+    goal: Symbol  # f, or the Lagrange function
+    name: Symbol
+    multipliers: tuple[Symbol, ...]
+    partials: tuple[tuple[Expr, ...], ...]  # each with the zero that it is equal to
+    determinants: tuple[tuple[Expr, ...], ...]  # likewise
+    count_word: str  # how many variables
+    cases: tuple[CaseTold, ...]
+    nonzero: tuple[Expr, ...]  # taken not to vanish
+    count: int  # of the points
+    enclosed: bool
+    minors: int  # how many are looked at
+    odd: bool  # the number of constraints
+    flat: bool
+    table: Table
+    singular: bool
+    compact: bool
+    greatest: Expr | None
+    smallest: Expr | None
 
 
 def worked(kind: str, function: Function, problem: Problem) -> Derivation:
@@ -77,32 +97,25 @@ def worked(kind: str, function: Function, problem: Problem) -> Derivation:
         *_search(function, task, problem, found),
     )
     solutions = tuple(_branch(p, when, name, task, problem) for p, when in zip(found, said, strict=True))
-    facts = {
-        "partials": [(*step.chain, ZERO) for step in steps if step.rule == "stationary"],
-        "determinants": [(*step.chain, ZERO) for step in steps if step.rule == "dependent"],
-        "name": name, "goal": goal, "zero": ZERO, "multipliers": multipliers,
-        "constraints": [(c.left, c.right) for c in function.constraints],
-        "variables": tuple(map(Symbol, function.variables)), "cases": told(case, problem, function.variables),
-        "table": _table(found, said, name, task, problem), "limits": limits, "count": len(found),
-        "minors": len(function.variables) - len(function.constraints), "nonzero": divided_by(case, problem),
-        "enclosed": is_enclosed([p.solution for p in found]),
-        "singular": any(p.kind == "singular" for p in found),
-        "count_word": COUNTS[len(function.variables)],
-        "odd": len(function.constraints) % 2 == 1, "flat": any(map(is_flat_saddle, found)),
-        "global": [each for each in said if each.startswith("global")], **_values(found, said, problem),
-    }  # fmt: skip
+    facts = Facts(
+        goal=goal, name=name, multipliers=tuple(multipliers), count_word=COUNTS[len(function.variables)],
+        partials=tuple((*step.chain, ZERO) for step in steps if step.rule == "stationary"),
+        determinants=tuple((*step.chain, ZERO) for step in steps if step.rule == "dependent"),
+        cases=told(case, problem, function.variables), nonzero=divided_by(case, problem), count=len(found),
+        enclosed=is_enclosed([p.solution for p in found]), flat=any(map(is_flat_saddle, found)),
+        minors=len(function.variables) - len(function.constraints), odd=len(function.constraints) % 2 == 1,
+        table=_table(found, said, name, task, problem), singular=any(p.kind == "singular" for p in found),
+        compact=limits.highest == "compact", greatest=_best("maximum", found, said, problem),
+        smallest=_best("minimum", found, said, problem),
+    )  # fmt: skip
     return Derivation(kind, steps, {"solutions": solutions}, claims, definitions, facts=facts)
 
 
-def _values(found: Sequence[Point], said: Sequence[str], problem: Problem) -> dict[str, Any]:
-    """The greatest and the smallest value, where they are known to exist."""
-    best: dict[str, Any] = {"greatest": None, "smallest": None}
-    for point, words in zip(found, said, strict=True):
-        if words.startswith("global maximum"):
-            best["greatest"] = written(point.value, problem)
-        if words.startswith("global") and "minimum" in words:
-            best["smallest"] = written(point.value, problem)
-    return best
+def _best(extreme: str, found: Sequence[Point], said: Sequence[str], problem: Problem) -> Expr | None:
+    """The greatest or the smallest value, where it is known to exist."""
+    points = zip(found, said, strict=True)
+    best = [point for point, words in points if words.startswith("global") and extreme in words]
+    return written(best[-1].value, problem) if best else None
 
 
 def _lagrange(function: Function, multipliers: Sequence[Symbol], name: Symbol) -> Expr:

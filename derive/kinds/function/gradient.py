@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from derive.algebra.function import Function
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import Derivative, Expr, Matrix, Product, Symbol, column
 from derive.kinds.checks import links
@@ -25,6 +25,10 @@ class Options(OptionsModel):
     """None."""
 
 
+class Facts(PageFacts):
+    nabla: Expr
+
+
 def derive(function: Function, options: Options, problem: Problem) -> Derivation:
     """[df/dx_1 ... df/dx_n]. Raises NotDerivable for a vector function."""
     if function.vector:
@@ -41,7 +45,7 @@ def derive(function: Function, options: Options, problem: Problem) -> Derivation
     definitions: dict[Expr, Expr] = {name: value}
     claims = (*links(steps, {**problem.names, **definitions}), _second_route(function, problem, steps))
     nabla = Product((Symbol("nabla"), name))
-    facts = {"nabla": nabla, "name": name, "page_names": {"gradient": nabla}}
+    facts = Facts(nabla=nabla, page_names={"gradient": nabla})
     return Derivation("gradient", steps, {"gradient": result}, claims, definitions, facts=facts)
 
 

@@ -7,6 +7,7 @@ from derive.derivation import Derivation, Step
 from derive.expression import Derivative, Expr, Matrix, Symbol
 from derive.kinds.checks import law, links
 from derive.kinds.fields import OptionsModel
+from derive.kinds.function._naming import function_name
 from derive.kinds.function._partials import agrees, partial
 from derive.kinds.problem import Problem
 
@@ -26,7 +27,7 @@ class Options(OptionsModel):
 def derive(function: Function, options: Options, problem: Problem) -> Derivation:
     """H_ij = d^2 f / dx_i dx_j, the Jacobian of the gradient. Raises NotDerivable for a vector function."""
     gradient = problem.ask("gradient")
-    name, variables = gradient.facts["name"], function.variables
+    name, variables = function_name(problem), function.variables
     first = [step for step in gradient.steps if step.rule == "partial"]
     exact = [[partial(step.result, x) for x in variables] for step in first]
     H = Matrix(tuple(tuple(map(problem.readable, row)) for row in exact))

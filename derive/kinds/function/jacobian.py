@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from derive.algebra.function import Function
 from derive.derivation import Derivation, Result, Step
 from derive.errors import NotDerivable
-from derive.expression import Call, Derivative, Expr, Matrix, Symbol, column
+from derive.expression import Call, Derivative, Expr, Matrix, Symbol
 from derive.kinds.checks import links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.function._naming import component_names
@@ -53,8 +53,7 @@ def derive(function: Function, options: Options, problem: Problem) -> Derivation
         *links(steps, {**problem.names, **definitions}),
         agrees("J agrees with differences of the function", problem, entries, pairs),
     )
-    facts = {"names": names, "variables": tuple(map(Symbol, variables)), "column": column(names)}
-    return Derivation("jacobian", steps, results, claims, definitions, facts=facts)
+    return Derivation("jacobian", steps, results, claims, definitions)
 
 
 def _determinant(options: Options, problem: Problem, J: Matrix) -> Iterator[Step]:

@@ -6,6 +6,7 @@ from derive.algebra.function import Function
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
 from derive.kinds.fields import OptionsModel
+from derive.kinds.function._worked import Facts as Facts
 from derive.kinds.function._worked import worked
 from derive.kinds.problem import Problem
 

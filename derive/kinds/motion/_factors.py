@@ -9,7 +9,7 @@ from typing import Literal
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.roots_and_functions import root
-from derive.derivation import Step
+from derive.derivation import Record, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     ONE,
@@ -77,23 +77,28 @@ class Factors:
             total = total @ self.factors[i].value
         return total
 
-    def placed(self) -> list[dict[str, object]]:
-        """For the words: how each factor is multiplied on, and the product so far."""
-        return [
-            {
-                **described(self.factors[p.index]),
-                "side": p.side,
-                "factor": self.factors[p.index].name,
-                "product": self.named(p.product),
-            }
+    def told(self, rule: str) -> tuple[str, ...]:
+        """The names of the steps of this rule."""
+        return tuple(step.name for step in self.steps if step.rule == rule)
+
+    def placed(self) -> tuple[Placed, ...]:
+        """How each factor is multiplied on, and the product so far."""
+        return tuple(
+            Placed(
+                move=self.factors[p.index].move.kind,
+                side=p.side,
+                factor=self.factors[p.index].name,
+                product=self.named(p.product),
+            )
             for p in placings(self.moves)
-        ]
+        )
 
 
-def described(factor: Factor) -> dict[str, object]:
-    """A move for the words: "rotate" by an angle about an axis of the world or the current frame."""
-    move = factor.move
-    return {"move": move.kind, "by": move.by, "axis": factor.axis, "about": move.about}
+class Placed(Record):
+    move: str  # "rotate", "translate"
+    side: str
+    factor: Expr
+    product: Expr  # so far
 
 
 def factors_of(
@@ -151,19 +156,18 @@ class _Writer:
         middle = (
             () if length == 1 else (Product((Quotient(ONE, self.problem.readable(length)), column(axis))),)
         )
-        return Step(name.name, (name, *middle, self._rounded(unit)), "unit-vector", {"axis": name})
+        return Step(name.name, (name, *middle, self._rounded(unit)), "unit-vector")
 
     def steps(self, factor: Factor) -> list[Step]:
         name = f"{'R' if self.size == 3 else 'A'}_{factor.index}"
-        facts = {"index": factor.index, **described(factor)}
         if isinstance(factor.move.axis, str):
-            return [Step(name, (factor.name, self._elementary(factor)), "elementary", facts)]
+            return [Step(name, (factor.name, self._elementary(factor)), "elementary")]
         written = self._rounded(self.problem.readable_matrix(factor.value))
         if factor.move.kind == "translate":
-            return [Step(name, (factor.name, written), "elementary", facts)]
+            return [Step(name, (factor.name, written), "elementary")]
         formula = rodrigues(factor.axis, factor.move.by)
         middle = (formula,) if self.size == 3 else (homogeneous_blocks(formula),)
-        return [Step(name, (factor.name, *middle, written), "rodrigues", facts)]
+        return [Step(name, (factor.name, *middle, written), "rodrigues")]
 
     def definitions(self, factors: Sequence[Factor], axes: dict[Axis, Symbol]) -> dict[Expr, Expr]:
         found: dict[Expr, Expr] = {NO_ROW: Matrix(((ZERO, ZERO, ZERO),))}

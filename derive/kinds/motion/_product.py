@@ -8,16 +8,25 @@ from typing import Any, Literal
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import numbers
-from derive.derivation import Claim, Derivation, Result, Step
+from derive.derivation import Claim, Derivation, PageFacts, Result, Step
 from derive.expression import Expr, Matrix, Symbol
 from derive.kinds.checks import agreement, is_rotation, law, links
-from derive.kinds.motion._factors import Factors, factors_of
+from derive.kinds.motion._factors import Factors, Placed, factors_of
 from derive.kinds.pose._numbers import rounded_matrix, value_of
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
 from derive.mechanics.motion import Move
 from derive.mechanics.poses import homogeneous, position_part, rotation_part
 from derive.mechanics.sequences import mode, order
+
+
+class Facts(PageFacts):
+    mode: str
+    placed: tuple[Placed, ...]
+    vectors: tuple[str, ...]  # steps
+    rodrigues: tuple[str, ...]  # steps
+    elementary: tuple[str, ...]  # steps
+    noun: str
 
 
 def composed(
@@ -56,17 +65,16 @@ def _step(
     return Step(name.name, (name, *named, written, *last), "product")
 
 
-def _facts(factors: Factors, numeric: bool, name: Symbol) -> dict[str, Any]:
-    return {
-        "mode": mode(factors.moves),
-        "placed": factors.placed(),
-        "vectors": [step.name for step in factors.steps if step.rule == "unit-vector"],
-        "rodrigues": [step.name for step in factors.steps if step.rule == "rodrigues"],
-        "elementary": [step.name for step in factors.steps if step.rule == "elementary"],
-        "product": name,
-        "noun": "rotation" if factors.size == 3 else "move",
-        "numbers": () if numeric else (name.name,),
-    }
+def _facts(factors: Factors, numeric: bool, name: Symbol) -> Facts:
+    return Facts(
+        mode=mode(factors.moves),
+        placed=factors.placed(),
+        vectors=factors.told("unit-vector"),
+        rodrigues=factors.told("rodrigues"),
+        elementary=factors.told("elementary"),
+        noun="rotation" if factors.size == 3 else "move",
+        numbers=() if numeric else (name.name,),
+    )
 
 
 def _factor_results(factors: Factors, problem: Problem) -> dict[str, Result]:

@@ -6,7 +6,7 @@ from typing import Any
 
 from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, PageFacts, Record, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol
 from derive.kinds.checks import law, links
@@ -15,7 +15,7 @@ from derive.kinds.motion._factors import Factors, factors_of
 from derive.kinds.motion._product import second_route
 from derive.kinds.problem import Problem
 from derive.mechanics.motion import Axis, Motion, Move
-from derive.mechanics.sequences import Alternative, equivalents, mode, order
+from derive.mechanics.sequences import Alternative, equivalents, order
 
 RESULTS = {"sequences": "each a list of moves, written as in a motion, with the same result"}
 EXAMPLE = """\
@@ -31,6 +31,26 @@ problems:
 
 class Options(OptionsModel):
     """Nothing to choose."""
+
+
+class MoveTold(Record):
+    move: str  # "rotate", "translate"
+    by: Expr
+    axis: Symbol
+    about: str  # "world", "current"
+
+
+class SequenceTold(Record):
+    mode: str
+    first: MoveTold
+    rest: tuple[MoveTold, ...]
+
+
+class Facts(PageFacts):
+    product: Symbol
+    vectors: tuple[str, ...]  # steps
+    rodrigues: tuple[str, ...] = ()
+    sequences: tuple[SequenceTold, ...]
 
 
 def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
@@ -55,13 +75,11 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
         *links(steps, {**problem.names, **definitions}),
         *_claims(found, value, factors, problem.final(written), problem),
     )
-    facts = {
-        "product": name,
-        "mode": mode(motion.moves),
-        "vectors": [step.name for step in factors.steps if step.rule == "unit-vector"],
-        "rodrigues": [],
-        "sequences": [_told(alternative, factors) for alternative in found],
-    }
+    facts = Facts(
+        product=name,
+        vectors=factors.told("unit-vector"),
+        sequences=tuple(_told(alternative, factors) for alternative in found),
+    )
     results: dict[str, Any] = {"sequences": tuple(_typed(each.moves) for each in found)}
     return Derivation("equivalent-sequences", steps, results, claims, definitions, facts=facts)
 
@@ -83,14 +101,14 @@ def _claims(
     return claims
 
 
-def _told(alternative: Alternative, factors: Factors) -> dict[str, Any]:
+def _told(alternative: Alternative, factors: Factors) -> SequenceTold:
     """For the words: the moves in order, each with its axis as it is called."""
     axes = {factor.move.axis: factor.axis for factor in factors.factors}
-    moves = [
-        {"move": move.kind, "by": move.by, "axis": axes[move.axis], "about": move.about}
+    first, *rest = (
+        MoveTold(move=move.kind, by=move.by, axis=axes[move.axis], about=move.about)
         for move in alternative.moves
-    ]
-    return {"mode": alternative.mode, "first": moves[0], "rest": moves[1:]}
+    )
+    return SequenceTold(mode=alternative.mode, first=first, rest=tuple(rest))
 
 
 def _typed(moves: tuple[Move, ...]) -> tuple[dict[str, Any], ...]:

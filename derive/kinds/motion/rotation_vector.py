@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from derive.algebra.normal import normal
-from derive.derivation import Derivation, Step
+from derive.derivation import Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Call, Expr, Matrix, Product, Symbol, column, multiply, walk
 from derive.kinds.checks import agreement
 from derive.kinds.fields import OptionsModel
+from derive.kinds.pose import axis_angle
 from derive.kinds.problem import Problem
 from derive.mechanics.motion import Motion, Move
 
@@ -26,19 +27,24 @@ class Options(OptionsModel):
     """Nothing to choose."""
 
 
+class Facts(PageFacts):
+    numeric: bool
+    zero: bool
+
+
 def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
     """r = theta k; its exponential is the rotation (Lynch and Park, section 3.2.3)."""
     turn = problem.ask("axis-angle")
     angle, axis = turn.results["angle"], turn.results["axis"]
-    name, zero = Symbol("r"), turn.facts.get("zero", False)
-    if zero:  # whatever the axis is
+    name, told = Symbol("r"), turn.told(axis_angle.Facts)
+    if told.zero:  # whatever the axis is
         vector = column((ZERO, ZERO, ZERO))
         step = Step("r", (name, vector), "rotation-vector")
     elif not isinstance(axis, Matrix) or isinstance(angle, tuple | float | str | Matrix):
         raise NotDerivable("this rotation has no single axis")
     else:
         vector = column(_entry(angle, entry, problem) for (entry,) in axis.rows)
-        product = Product((turn.facts["angle"], turn.facts["axis"]))
+        product = Product((told.angle, told.axis))
         step = Step("r", (name, product, vector), "rotation-vector")
     moves = motion.moves
     claim = agreement(
@@ -48,7 +54,7 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
         lambda point: _made(moves, dict(point), problem),
         tolerance=1e-8,
     )
-    facts = {"numeric": turn.facts.get("numeric", False), "zero": zero}
+    facts = Facts(numeric=told.numeric, zero=told.zero)
     return Derivation(
         "rotation-vector", (step,), {"r": vector}, (claim,), {name: vector}, uses=(turn,), facts=facts
     )

@@ -9,7 +9,7 @@ from typing import Any
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import matrix_numbers, number
-from derive.derivation import Claim, Derivation, Result, Step
+from derive.derivation import Claim, Derivation, PageFacts, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import ONE, Derivative, Expr, Product, Symbol, add, free_symbols, multiply, transpose
 from derive.kinds.checks import agreement, law, links
@@ -48,6 +48,11 @@ class Options(OptionsModel):
     rates: tuple[Name, ...] = ()
 
 
+class Facts(PageFacts):
+    rates: tuple[Symbol, ...]
+    shifted: bool
+
+
 def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
     """S(omega) = dR/dt R^T (Spong et al., eq. 4.18; Siciliano et al., eq. 3.6). Raises NotDerivable where
     nothing changes."""
@@ -70,8 +75,8 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
         law("S + S^T = 0", not work.S + work.S.T),
         work.second_route(moves),
     )
-    turning = [Symbol(name) for name in varying if work.R.diff(name)]
-    facts = {"rates": turning, "shifted": shifted}
+    turning = tuple(Symbol(name) for name in varying if work.R.diff(name))
+    facts = Facts(rates=turning, shifted=shifted)
     return Derivation("velocity", steps, results, claims, definitions, uses=uses, facts=facts)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import replace as replace_fields
 from functools import cached_property
-from typing import Any
+from typing import Any, TypeAlias
 
 from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
@@ -14,7 +14,7 @@ from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numbers.floats import number, numbers
 from derive.algebra.readable.form import readable_matrix
 from derive.algebra.scalar import Scalar
-from derive.derivation import Branch, Claim, Step
+from derive.derivation import Branch, Claim, PageFacts, Record, Step
 from derive.expression import (
     MINUS_ONE,
     ZERO,
@@ -48,6 +48,38 @@ from derive.mechanics.elementary import factor_name
 from derive.mechanics.euler import SIGNS, Direction, Euler, Sign, Singular
 
 NEARLY_SINGULAR = 1e-9
+Equation: TypeAlias = tuple[Expr, Expr]
+
+
+class Regular(Record):
+    sign: int
+    steps: tuple[str, ...]
+
+
+class Case(Record):
+    """A singular case."""
+
+    matrix: str  # a step
+    determined: str  # a step
+    sum: Expr  # of the outer angles
+    middle: Equation
+    entry: Equation
+    relations: tuple[Equation, Equation]
+
+
+class Facts(PageFacts):
+    rotation: Symbol
+    about: str  # "world", "current"
+    regular: bool
+    first: Symbol
+    middle: Symbol
+    last: Symbol
+    middle_entry: Equation
+    pairs: tuple[tuple[Equation, ...], ...]  # of the first and the last angle
+    g: Expr  # vanishes in the singular cases
+    size: Expr  # of g
+    branches: tuple[Regular, ...]
+    cases: tuple[Case, ...]
 
 
 @dataclass(frozen=True)
@@ -110,21 +142,19 @@ class Work:
     def sequence(self) -> Step:
         """R of the three angles."""
         chain = (self.given.rotation, Product(self.factors), self.written)
-        return Step("R", chain, "sequence", {"about": self.euler.convention.about})
+        return Step("R", chain, "sequence")
 
     def steps(self) -> Iterator[Step]:
         if self.regular:
             for sign in SIGNS:
                 label = "plus" if sign > 0 else "minus"
                 for name, value in self.euler.regular(sign).items():
-                    yield Step(f"{name}_{label}", self._chain(Symbol(name), value), "regular", {"sign": sign})
+                    yield Step(f"{name}_{label}", self._chain(Symbol(name), value), "regular")
         for k, case in enumerate(self.singular_cases, 1):
             matrix = self.singular_matrix(case)
-            yield Step(f"R_singular_{k}", (self.given.rotation, matrix), "singular", {"case": k})
+            yield Step(f"R_singular_{k}", (self.given.rotation, matrix), "singular")
             determined = self.determined(case)
-            yield Step(
-                f"determined_{k}", self._chain(determined, case.direction.angle()), "singular", {"case": k}
-            )
+            yield Step(f"determined_{k}", self._chain(determined, case.direction.angle()), "singular")
 
     def determined(self, case: Singular) -> Expr:
         """The sum or difference of the outer angles that a singular case determines."""
@@ -197,50 +227,51 @@ class Work:
             claim = f"R at {middle.name} = {int(180 * turns_of(case.middle))} deg"
             yield law(claim, again == shown)
 
-    def facts(self) -> dict[str, Any]:
+    def facts(self) -> Facts:
         euler = self.euler
         function = cos if euler.even else sin
         centre = Symbol(euler.outer[1])
         g = sin(centre) if euler.even else cos(centre)
-        return {
-            "rotation": self.given.rotation,
-            "about": euler.convention.about,
-            "numeric": self.numeric,
-            "regular": self.regular,
-            "angles": [Symbol(name) for name in euler.names],
-            "met": True,
-            **self.problem.angular(euler.names),
-            "middle": centre,
-            "first": Symbol(euler.outer[0]),
-            "last": Symbol(euler.outer[2]),
-            "middle_entry": (euler.middle.name, _signed(euler.middle.sign, function(centre))),
-            "g": g,
-            "pairs": [
+        return Facts(
+            rotation=self.given.rotation,
+            about=euler.convention.about,
+            regular=self.regular,
+            first=Symbol(euler.outer[0]),
+            middle=centre,
+            last=Symbol(euler.outer[2]),
+            middle_entry=(euler.middle.name, _signed(euler.middle.sign, function(centre))),
+            pairs=tuple(
                 _relations(direction, Symbol(name), g)
                 for direction, name in ((euler.first, euler.outer[0]), (euler.last, euler.outer[2]))
-            ],
-            "size": euler.g,
-            "branches": [
-                {"sign": sign, "steps": [f"{name}_{label}" for name in euler.names]}
+            ),
+            g=g,
+            size=euler.g,
+            branches=tuple(
+                Regular(sign=sign, steps=tuple(f"{name}_{label}" for name in euler.names))
                 for sign, label in ((1, "plus"), (-1, "minus"))
                 if self.regular
-            ],
-            "cases": [self._case(k, case) for k, case in enumerate(self.singular_cases, 1)],
-            "short_names": euler.names,
-        }
+            ),
+            cases=tuple(self._case(k, case) for k, case in enumerate(self.singular_cases, 1)),
+            met=True,
+            angle_results=euler.names,
+            style=self.problem.style,
+            short_names=euler.names,
+        )
 
-    def _case(self, k: int, case: Singular) -> dict[str, Any]:
-        return {
-            "matrix": f"R_singular_{k}",
-            "determined": f"determined_{k}",
-            "sum": self.determined(case),
-            "middle": (Symbol(self.euler.outer[1]), Degrees(180 * turns_of(case.middle))),
-            "entry": (self.euler.middle.name, exact_number(case.entry)),
-            "relations": [
-                (case.direction.sine.name, _signed(case.direction.sine.sign, sin(self.determined(case)))),
-                (case.direction.cosine.name, _signed(case.direction.cosine.sign, cos(self.determined(case)))),
-            ],
-        }
+    def _case(self, k: int, case: Singular) -> Case:
+        left = self.determined(case)
+        sine, cosine = case.direction.sine, case.direction.cosine
+        return Case(
+            matrix=f"R_singular_{k}",
+            determined=f"determined_{k}",
+            sum=left,
+            middle=(Symbol(self.euler.outer[1]), Degrees(180 * turns_of(case.middle))),
+            entry=(self.euler.middle.name, exact_number(case.entry)),
+            relations=(
+                (sine.name, _signed(sine.sign, sin(left))),
+                (cosine.name, _signed(cosine.sign, cos(left))),
+            ),
+        )
 
 
 def branches_at(place: Place | None, work: Work, solutions: tuple[Branch, ...]) -> dict[str, Any]:
@@ -265,12 +296,12 @@ def branches_at(place: Place | None, work: Work, solutions: tuple[Branch, ...]) 
     return {"R": R, "solutions": found}
 
 
-def _relations(direction: Direction, angle: Symbol, g: Expr) -> list[tuple[Expr, Expr]]:
+def _relations(direction: Direction, angle: Symbol, g: Expr) -> tuple[Equation, Equation]:
     """r_21 = s_phi c_theta and r_11 = c_phi c_theta."""
-    return [
+    return (
         (direction.sine.name, _signed(direction.sine.sign, multiply(sin(angle), g))),
         (direction.cosine.name, _signed(direction.cosine.sign, multiply(cos(angle), g))),
-    ]
+    )
 
 
 def _signed(sign: Sign, expr: Expr) -> Expr:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, Result, Step
+from derive.derivation import Claim, Derivation, PageFacts, Result, Step
 from derive.expression import (
     Expr,
     Matrix,
@@ -76,6 +76,18 @@ class Options(PoseOptions):
     """A subject of frames takes `from` and `to`."""
 
 
+class Facts(PageFacts):
+    rotation: Symbol
+    angle: Symbol
+    axis: Symbol
+    zero: bool = False
+    half: bool = False
+    numeric: bool = False
+    turned: Symbol
+    twice: tuple[Expr, Expr]
+    law: tuple[Expr, Expr]
+
+
 def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     """The angle from the trace, the axis from what R lacks of symmetry; from R + 1 for half a turn
     (Siciliano et al., eqs. 2.27 and 2.28)."""
@@ -83,34 +95,42 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     R = rotation_of(given, problem)
     names = _names(problem)
     if R.matrix == ScalarMatrix.identity(3):
-        return _nothing(given, names)
+        return _nothing(given, names, _facts(given, names))
     half = R.matrix == R.matrix.T
     steps = _half_turn(R, names, problem) if half else _general(R, names, problem)
     told = len(steps[-1].chain) > 2 or half
     angle, axis = (steps[-2].result, _column(steps[-1])) if told else _long(R, problem)
     results: dict[str, Expr] = {"angle": angle, "axis": axis}
-    facts = {
-        "rotation": given.rotation,
-        "numeric": R.numeric,
-        "half": half,
-        "zero": False,
-        "angle": names.angle,
-        "axis": names.axis,
-    }
-    facts |= problem.angular(("angle",))
-    facts["page_names"] = {"angle": names.angle, "axis": names.axis}
-    facts["turned"] = names.turn
-    facts["twice"] = (names.turn, Product((number(2), sin(names.angle), names.axis)))
-    facts["law"] = (
-        given.rotation,
-        subtract(Product((number(2), names.axis, transpose(names.axis))), Symbol("I")),
+    facts = replace(
+        _facts(given, names),
+        zero=False,
+        half=half,
+        numeric=R.numeric,
+        angle_results=("angle",),
+        style=problem.style,
+        page_names={"angle": names.angle, "axis": names.axis},
     )
     claims = (*_links(steps, R, names), *_laws(R, axis), _second_route(given, problem, results))
     definitions: dict[Expr, Expr] = {**R.entries, names.angle: angle, names.axis: axis}
     return Derivation("axis-angle", steps, results, claims, definitions, uses=given.uses, facts=facts)
 
 
-def _nothing(given: Given, names: _Names) -> Derivation:
+def _facts(given: Given, names: _Names) -> Facts:
+    return Facts(
+        rotation=given.rotation,
+        angle=names.angle,
+        axis=names.axis,
+        zero=True,
+        turned=names.turn,
+        twice=(names.turn, Product((number(2), sin(names.angle), names.axis))),
+        law=(
+            given.rotation,
+            subtract(Product((number(2), names.axis, transpose(names.axis))), Symbol("I")),
+        ),
+    )
+
+
+def _nothing(given: Given, names: _Names, facts: Facts) -> Derivation:
     """The identity: the angle is zero, and every axis is as good as another."""
     cosine = Quotient(add(*(Symbol(f"r_{i}{i}") for i in (1, 2, 3)), number(-1)), number(2))
     entries: dict[Expr, Expr] = {Symbol(f"r_{i}{i}"): number(1) for i in (1, 2, 3)}
@@ -119,7 +139,6 @@ def _nothing(given: Given, names: _Names) -> Derivation:
         Step("angle", (names.angle, number(0))),
     )
     claims = links(steps, {**entries, names.angle: number(0)})
-    facts = {"rotation": given.rotation, "zero": True, "angle": names.angle}
     definitions: dict[Expr, Expr] = {**entries, names.angle: number(0)}
     results: dict[str, Result] = {"angle": number(0), "axis": "any"}
     return Derivation("axis-angle", steps, results, claims, definitions, uses=given.uses, facts=facts)

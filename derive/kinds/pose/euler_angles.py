@@ -13,6 +13,7 @@ from derive.expression import Expr
 from derive.kinds.checks import is_rotation, links
 from derive.kinds.fields import Name
 from derive.kinds.pose._euler_checks import put_back
+from derive.kinds.pose._euler_steps import Facts as Facts
 from derive.kinds.pose._euler_steps import Work, branches_at
 from derive.kinds.pose._given import PoseOptions, given_pose
 from derive.kinds.problem import Problem

@@ -11,7 +11,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import matrix_numbers
 from derive.algebra.scalar import Scalar
-from derive.derivation import Branch, Claim, Derivation, Result, Step
+from derive.derivation import Branch, Claim, Derivation, PageFacts, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     Call,
@@ -63,6 +63,13 @@ class Options(OptionsModel):
     convention: Annotated[str, AfterValidator(known_convention)] = "ZYX"
     angles: tuple[Name, Name, Name] | None = None
     frame: Literal["base", "body"] = Field("base", alias="in")
+
+
+class Facts(PageFacts):
+    body: bool
+    axes: tuple[str, ...]  # steps
+    zeros: tuple[tuple[Symbol, Expr], ...]  # values of the middle angle
+    outer: tuple[Symbol, Symbol]
 
 
 def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
@@ -211,14 +218,12 @@ class _Rates:
             DIFFERENCES,
         )
 
-    def facts(self) -> dict[str, Any]:
+    def facts(self) -> Facts:
         middle = self.euler.outer[1]
-        return {
-            "about": self.euler.convention.about,
-            "body": self.seen_from == "body",
-            "axes": [f"t_{name}" for name in self.euler.names],
-            "middle": Symbol(middle),
-            "zeros": [(Symbol(middle), case.values[middle]) for case in self.singular()],
-            "outer": [Symbol(self.euler.outer[0]), Symbol(self.euler.outer[2])],
-            "short_names": self.euler.names,
-        }
+        return Facts(
+            body=self.seen_from == "body",
+            axes=tuple(f"t_{name}" for name in self.euler.names),
+            zeros=tuple((Symbol(middle), case.values[middle]) for case in self.singular()),
+            outer=(Symbol(self.euler.outer[0]), Symbol(self.euler.outer[2])),
+            short_names=self.euler.names,
+        )

@@ -7,7 +7,7 @@ from typing import Any
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import numbers
-from derive.derivation import Derivation, Step
+from derive.derivation import Derivation, PageFacts, Step
 from derive.expression import ONE, ZERO, Call, Expr, Matrix, Symbol, column, multiply, negate, transpose
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.pose._given import PoseOptions, given_pose
@@ -29,6 +29,10 @@ problems:
 
 class Options(PoseOptions):
     """A subject of frames takes `from` and `to`."""
+
+
+class Facts(PageFacts):
+    pose: Symbol
 
 
 def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
@@ -60,7 +64,7 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
             lambda point: _inverted(given.oracle(point)),
         ),
     )
-    facts = {"pose": given.name}
+    facts = Facts(pose=given.name)
     return Derivation("inverse", (step,), {"T": exact}, claims, definitions, uses=given.uses, facts=facts)
 
 

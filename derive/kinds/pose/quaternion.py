@@ -7,7 +7,7 @@ from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.expression import (
     ONE,
     Expr,
@@ -45,6 +45,12 @@ class Options(PoseOptions):
     """A subject of frames takes `from` and `to`."""
 
 
+class Facts(PageFacts):
+    rotation: Symbol
+    half: bool
+    scalar: Symbol
+
+
 def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     """q_0 from the trace, the rest from what R lacks of symmetry (Siciliano et al., eqs. 2.34 and 2.35);
     from the diagonal for half a turn."""
@@ -57,7 +63,7 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     steps = _half_turn(R, name, scalar, problem) if half else _general(R, square, name, scalar, problem)
     q = steps[-1].result if half else _value(R, square, problem)
     claim = _second_route(given, problem, {"q": q})
-    facts = {"rotation": given.rotation, "half": half, "scalar": scalar}
+    facts = Facts(rotation=given.rotation, half=half, scalar=scalar)
     definitions: dict[Expr, Expr] = {**R.entries, name: q}
     return Derivation("quaternion", steps, {"q": q}, (claim,), definitions, uses=given.uses, facts=facts)
 
