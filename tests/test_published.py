@@ -15,7 +15,7 @@ from ruamel.yaml import YAML
 from derive.algebra.formulas.grammar import parse
 from derive.algebra.infix import text
 from derive.algebra.normal import normal, normal_matrix
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.build import assemble
 from derive.derivation import Branch, Derivation
 from derive.expression import Expr, Matrix, Symbol

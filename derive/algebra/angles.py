@@ -6,18 +6,18 @@ a multiple of 1, any other constant angle an atom of its own, `sqrt(2)`.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, reduce
 
 from flint import fmpq_mat
 
-from derive.algebra.opaque import Opaque
+from derive.algebra.generators import PI, letters_of
 from derive.algebra.rationals import Rational, lowest, to_flint
+from derive.errors import NotDerivable
 
-PI = "pi"  # the atom of fixed angles in degrees
-RADIAN = "1"  # the atom of fixed angles given as plain numbers
+MOST_TURNS = 200  # of an angle by another, as a polynomial
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,13 +65,6 @@ class Form:
         return "+".join(atom if n == 1 else f"{n}*{atom}" for atom, n in self.parts)
 
 
-def letters_of(atom: str) -> frozenset[str]:
-    """The names in an atom or a symbol: a product such as `w*t^2`, or a function and its arguments."""
-    if isinstance(atom, Opaque):
-        return frozenset().union(*(argument.letters() for argument in atom.arguments))
-    return frozenset(factor.partition("^")[0] for factor in atom.split("*")) - {PI, RADIAN}
-
-
 def is_fixed(atom: str) -> bool:
     """Whether an atom is a number: no name stands in it."""
     return not letters_of(atom)
@@ -107,3 +100,32 @@ def combination(form: Form, basis: Sequence[Form]) -> tuple[Fraction, ...] | Non
         return None
     entries = (reduced[row, len(basis)] for row in range(len(basis)))
     return tuple(Fraction(int(entry.p), int(entry.q)) for entry in entries)
+
+
+def multiples(form: Form, angles: Sequence[Form]) -> tuple[Fraction, ...] | None:
+    """How often each of the angles is in the moving part of a form (a fixed angle never is); None where they
+    do not make it up."""
+    moving = [k for k, angle in enumerate(angles) if angle.moving.parts]
+    found = combination(form.moving, [angles[k].moving for k in moving])
+    if found is None:
+        return None
+    often = dict(zip(moving, found, strict=True))
+    return tuple(often.get(k, Fraction(0)) for k in range(len(angles)))
+
+
+def require_few(form: Form, times: Iterable[Fraction]) -> None:
+    """Raises NotDerivable where an angle is so many times another that the one's sine fills pages in those
+    of the other."""
+    if any(max(abs(n.numerator), n.denominator) > MOST_TURNS for n in times):
+        raise NotDerivable(
+            f"the angle {form} is more than {MOST_TURNS} times another, or as small a part of one: "
+            "sines of both are no polynomials that could be written down"
+        )
+
+
+def fixed_parts(form: Form, angles: Sequence[Form], times: Sequence[Fraction]) -> Iterator[Form]:
+    """What is left of a form beside these multiples: a multiple of pi, and any other number."""
+    taken = (angle.scaled(-n) for angle, n in zip(angles, times, strict=True) if n)
+    rest = reduce(Form.__add__, taken, form).fixed
+    yield Form.of({PI: rest.of_atom(PI)})
+    yield rest.without(PI)

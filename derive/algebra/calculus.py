@@ -1,6 +1,6 @@
 """Partial derivatives of polynomials of a ring, by the chain rule through angles and roots of polynomials.
 
-Functions of functions are left to `derive.algebra.chain_rule`.
+Functions of functions are left to `derive.algebra.scalar`.
 """
 
 from __future__ import annotations

@@ -1,18 +1,21 @@
-"""Exact values of fixed angles and of square roots of numbers."""
+"""Exact values of fixed angles and of square roots of numbers; cosines and sines come as pairs."""
 
 from __future__ import annotations
 
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, reduce
 from math import isqrt
+from typing import TypeAlias
 
 from flint import fmpz
 
-from derive.algebra.angles import PI, Form
-from derive.algebra.pairs import Pair, added
-from derive.algebra.ring import Root, ring
+from derive.algebra.angles import Form
+from derive.algebra.generators import PI, Root
+from derive.algebra.ring import ring
 from derive.algebra.scalar import Scalar, trig
 from derive.errors import NotReal
+
+Pair: TypeAlias = tuple[Scalar, Scalar]  # (cosine, sine)
 
 LARGEST = 10**36  # that is factored in a moment
 TRIED = 10**4
@@ -30,6 +33,17 @@ def square_root(value: Fraction) -> Scalar:
     for prime in primes:
         result = result * _prime_root(prime)
     return result
+
+
+def added(a: Pair, b: Pair) -> Pair:
+    """Of the sum of two angles, by the addition theorem."""
+    return a[0] * b[0] - a[1] * b[1], a[1] * b[0] + a[0] * b[1]
+
+
+def multiple(pair: Pair, n: int) -> Pair:
+    """Of n times the angle."""
+    base = pair if n >= 0 else (pair[0], -pair[1])
+    return reduce(added, [base] * abs(n), (Scalar.of(1), Scalar.of(0)))
 
 
 def form_trig(form: Form) -> Pair:

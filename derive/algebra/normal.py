@@ -10,12 +10,12 @@ from typing import TypeAlias
 
 from flint import fmpq_mpoly
 
-from derive.algebra.angles import PI, Form
+from derive.algebra.angles import Form
 from derive.algebra.bounds import multiplied
-from derive.algebra.exact_values import fixed_trig
+from derive.algebra.exact_values import added, fixed_trig, multiple
+from derive.algebra.generators import PI
 from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.pairs import added, multiple
 from derive.algebra.powers import power
 from derive.algebra.ring import Ring, ring
 from derive.algebra.roots_and_functions import absolute, opaque, root

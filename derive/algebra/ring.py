@@ -7,7 +7,7 @@ polynomials are. The polynomials are FLINT's sparse ones (python-flint, `fmpq_mp
 
 A fixed angle, 25 deg, has a pair of its own however many there are, and angles that move are independent
 where their moving parts are: theta1 + 25 deg beside theta1 is the sum of theta1 and 25 deg. What else holds
-between fixed angles, and between them and roots, `derive.algebra.fixed_angles.zero_test` knows.
+between fixed angles, and between them and roots, `derive.algebra.fixed_angles.zero_recognition` knows.
 
 The order of generators is lexicographic with roots first (nested ones outermost first), then
 sines, cosines and symbols: the leading terms of the relations are then r^2 and s^2, and reduction
@@ -16,33 +16,20 @@ is one division each.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cache, cached_property, lru_cache, reduce
+from functools import cache, cached_property, lru_cache
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
-from derive.algebra.angles import PI, Form, combination, first_quarter, letters_of
+from derive.algebra.angles import Form, first_quarter, fixed_parts, multiples, require_few
 from derive.algebra.bounds import spend
-from derive.algebra.opaque import Opaque
+from derive.algebra.generators import PI, Opaque, Root, letters_of
 from derive.algebra.rationals import Rational, to_flint
-from derive.errors import NotDerivable
 
 Pair = tuple[fmpq_mpoly, fmpq_mpoly]
 EXACT = {Form(()): (1, 0), Form.of({PI: Fraction(1, 2)}): (0, 1)}  # cosine and sine of 0 and 90 degrees
-
-MOST_TURNS = 200  # of an angle by another, as a polynomial
-
-
-@dataclass(frozen=True, slots=True)
-class Root:
-    """A root, square unless its degree says otherwise; `radicand` is a polynomial as sorted text-keyed terms,
-    so that it can be a key."""
-
-    name: str
-    radicand: tuple[tuple[tuple[tuple[str, int], ...], Fraction], ...]
-    degree: int = 2
 
 
 @dataclass(frozen=True)
@@ -175,17 +162,15 @@ class Ring:
 
     def with_angle(self, form: Form) -> Ring:
         """A ring in which the form's sine and cosine are polynomials."""
-        multiples = _multiples(form, self)
-        if multiples is None:
+        times = multiples(form, self.angles)
+        if times is None:
             return ring(self.roots, (*self.angles, form), self.symbols)
-        _require_few(form, multiples)
-        if any(n.denominator != 1 for n in multiples):
-            finer = tuple(
-                angle.scaled(Fraction(1, n.denominator))
-                for angle, n in zip(self.angles, multiples, strict=True)
-            )
+        require_few(form, times)
+        if any(n.denominator != 1 for n in times):
+            pairs = zip(self.angles, times, strict=True)
+            finer = tuple(angle.scaled(Fraction(1, n.denominator)) for angle, n in pairs)
             return _with_roots_of(self, ring((), finer, self.symbols)).with_angle(form)
-        needed = (first_quarter(part)[2] for part in _fixed_parts(form, self.angles, multiples))
+        needed = (first_quarter(part)[2] for part in fixed_parts(form, self.angles, times))
         new = [angle for angle in needed if angle not in self.angles and angle not in EXACT]
         return ring(self.roots, (*self.angles, *new), self.symbols)
 
@@ -218,13 +203,13 @@ def _letters(home: Ring, generator: str) -> frozenset[str]:
 def _trig(home: Ring, form: Form) -> Pair | None:
     if form in home.angles:
         return home.pair(home.angles.index(form))
-    multiples = _multiples(form, home)
-    if multiples is None or any(n.denominator != 1 for n in multiples):
+    times = multiples(form, home.angles)
+    if times is None or any(n.denominator != 1 for n in times):
         return None
-    _require_few(form, multiples)
+    require_few(form, times)
     cosine, sine = home.one, home.zero
-    pairs = [(home.pair(k), n) for k, n in enumerate(multiples)]
-    for part in _fixed_parts(form, home.angles, multiples):
+    pairs = [(home.pair(k), n) for k, n in enumerate(times)]
+    for part in fixed_parts(form, home.angles, times):
         pair = _fixed_pair(part, home)
         if pair is None:
             return None
@@ -234,34 +219,6 @@ def _trig(home: Ring, form: Form) -> Pair | None:
         for _ in range(abs(int(n))):  # one addition theorem a turn
             cosine, sine = cosine * c - sine * s, sine * c + cosine * s
     return home.reduce(cosine), home.reduce(sine)
-
-
-def _require_few(form: Form, multiples: Iterable[Fraction]) -> None:
-    """Raises NotDerivable where an angle is so many times another that the one's sine fills pages in those
-    of the other."""
-    if any(max(abs(n.numerator), n.denominator) > MOST_TURNS for n in multiples):
-        raise NotDerivable(
-            f"the angle {form} is more than {MOST_TURNS} times another, or as small a part of one: "
-            "sines of both are no polynomials that could be written down"
-        )
-
-
-def _multiples(form: Form, home: Ring) -> tuple[Fraction, ...] | None:
-    """How often each angle of the ring is in the moving part of a form: a fixed angle never is."""
-    moving = [k for k, angle in enumerate(home.angles) if angle.moving.parts]
-    found = combination(form.moving, [home.angles[k].moving for k in moving])
-    if found is None:
-        return None
-    multiples = dict(zip(moving, found, strict=True))
-    return tuple(multiples.get(k, Fraction(0)) for k in range(len(home.angles)))
-
-
-def _fixed_parts(form: Form, angles: Sequence[Form], multiples: Sequence[Fraction]) -> Iterator[Form]:
-    """What is left of a form beside these multiples: a multiple of pi, and any other number."""
-    taken = (angle.scaled(-n) for angle, n in zip(angles, multiples, strict=True) if n)
-    rest = reduce(Form.__add__, taken, form).fixed
-    yield Form.of({PI: rest.of_atom(PI)})
-    yield rest.without(PI)
 
 
 def _fixed_pair(form: Form, home: Ring) -> Pair | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from functools import reduce
 from math import gcd, lcm
@@ -12,13 +12,23 @@ from flint import fmpq_mpoly
 
 from derive.algebra.angles import Form
 from derive.algebra.exact_values import square_root
-from derive.algebra.factorisation import factored, square_free
 from derive.algebra.fixed_angles.constants import ball, holds_zero, is_number
-from derive.algebra.opaque import Opaque
+from derive.algebra.generators import Opaque, Root
+from derive.algebra.multivariate import factored, square_free
 from derive.algebra.rationals import Rational, to_flint
-from derive.algebra.ring import Ring, Root, ring
+from derive.algebra.ring import Ring, ring
 from derive.algebra.scalar import Scalar, as_fraction
 
+# The derivative of a function from its value f, its arguments u, v and their derivatives du, dv.
+RATES: Mapping[str, Callable[..., Scalar]] = {
+    "exp": lambda f, u, du: f * du,
+    "log": lambda f, u, du: 1 / u * du,
+    "atan": lambda f, u, du: 1 / (1 + u * u) * du,
+    "asin": lambda f, u, du: 1 / root(1 - u * u) * du,
+    "acos": lambda f, u, du: -1 / root(1 - u * u) * du,
+    "atan2": lambda f, y, x, dy, dx: (x * dy - y * dx) / (x * x + y * y),
+    "pow": lambda f, u, n, du, dn: f * n * du / u + (f * opaque("log", (u,)) * dn if dn else dn),
+}
 # Functions with an argument at which they have a simple value, and that value.
 AT = {"exp": (0, 1), "log": (1, 0), "atan": (0, 0), "asin": (0, 0), "acos": (1, 0)}
 
@@ -70,8 +80,9 @@ def opaque(function: str, arguments: tuple[Scalar, ...]) -> Scalar:
     return Scalar.symbol(_named(function, arguments))
 
 
-def _named(function: str, arguments: tuple[Scalar, ...]) -> Opaque:
-    return Opaque(f"{function}({', '.join(map(canonical, arguments))})", function, arguments)
+def _named(function: str, arguments: tuple[Scalar, ...]) -> Opaque[Scalar]:
+    text = f"{function}({', '.join(map(canonical, arguments))})"
+    return Opaque(text, function, arguments, RATES.get(function))
 
 
 def canonical(value: Scalar) -> str:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterable, Iterator, Mapping
 from fractions import Fraction
 from functools import lru_cache, reduce
+from operator import mul
 from typing import Union
 
 from flint import fmpq_mpoly
@@ -16,10 +17,13 @@ from flint import fmpq_mpoly
 from derive.algebra.angles import Form
 from derive.algebra.bounds import multiplied
 from derive.algebra.calculus import derivative, with_rates
-from derive.algebra.fixed_angles.zero_test import vanishes
+from derive.algebra.fixed_angles.zero_recognition import vanishes
+from derive.algebra.generators import RADIAN, Opaque
+from derive.algebra.lowest_terms import lowest_terms
+from derive.algebra.multivariate import grouped
 from derive.algebra.rationals import to_flint
 from derive.algebra.ring import Ring, carry, ring
-from derive.errors import DivisionByZero
+from derive.errors import DivisionByZero, NotDerivable
 
 Like = Union["Scalar", int, Fraction]
 
@@ -168,9 +172,7 @@ class Scalar:
             u, v = Scalar(self.ring, self.numerator), Scalar(self.ring, self.denominator)
             return (u.diff(name) * v - u * v.diff(name)) / (v * v)
         if self.ring.layered:
-            from derive.algebra.chain_rule import along
-
-            return along(self, name)
+            return _along_generators(self, name)
         home = with_rates(self.ring, name)
         return fraction(home, *derivative(self.into(home).numerator, home, name))
 
@@ -199,30 +201,24 @@ def trig(form: Form) -> tuple[Scalar, Scalar]:
     return Scalar(home, pair[0]), Scalar(home, pair[1])
 
 
+def angle_of(form: Form) -> Scalar:
+    """The angle that a form stands for."""
+    return sum((atom_of(atom) * n for atom, n in form.parts), Scalar.of(0))
+
+
+def atom_of(atom: str) -> Scalar:
+    """What an atom of a form stands for."""
+    if isinstance(atom, Opaque):
+        return Scalar.of(atom.arguments[0])
+    if atom == RADIAN:
+        return Scalar.of(1)
+    factors = (factor.partition("^") for factor in atom.split("*"))
+    return reduce(mul, (Scalar.symbol(name) ** int(power or 1) for name, _, power in factors))
+
+
 def fraction(home: Ring, top: fmpq_mpoly, bottom: fmpq_mpoly | None) -> Scalar:
-    """top / bottom, reduced: no roots of numbers below, common factors cancelled, the leading
-    coefficient of the bottom 1."""
-    top = home.reduce(top)
-    if bottom is None or top == 0:
-        return Scalar(home, top)
-    top, bottom = _rational_bottom(home, top, home.reduce(bottom))
-    common = top.gcd(bottom)
-    if not common.is_constant():
-        top, bottom = divmod(top, common)[0], divmod(bottom, common)[0]
-    lead = bottom.leading_coefficient()
-    if bottom.is_constant():
-        return Scalar(home, top / lead)
-    return Scalar(home, top / lead, bottom / lead)
-
-
-def _rational_bottom(home: Ring, top: fmpq_mpoly, bottom: fmpq_mpoly) -> tuple[fmpq_mpoly, fmpq_mpoly]:
-    """Both multiplied by the conjugates of the bottom: 1/(a + b r) = (a - b r)/(a^2 - b^2 r^2)."""
-    for place, root in enumerate(home.roots):
-        along = bottom.derivative(place)
-        if along != 0 and root.degree == 2 and home.polynomial(root.radicand).is_constant():
-            conjugate = bottom - 2 * along * home.gen(root.name)
-            top, bottom = home.reduce(top * conjugate), home.reduce(bottom * conjugate)
-    return top, bottom
+    """top / bottom in lowest terms; None is a bottom of 1."""
+    return Scalar(home, *lowest_terms(home, top, bottom))
 
 
 def common_ring(scalars: Iterable[Scalar]) -> Ring:
@@ -251,18 +247,55 @@ def _times(left: fmpq_mpoly | None, right: fmpq_mpoly | None) -> fmpq_mpoly | No
     return left * right
 
 
+def _along_generators(value: Scalar, name: str) -> Scalar:
+    """The derivative of a scalar without a denominator where there are functions of functions: by the chain
+    rule over the generators. Each contributes its own rate, and the arguments are scalars themselves, so this
+    goes as deep as they do. Raises NotDerivable where the name stands inside a function that has none."""
+    home = value.ring
+    total = Scalar.of(0)
+    for place in range(len(home.names)):
+        slope = value.numerator.derivative(place)
+        if slope != 0 and (rate := _rate(home, place, name)):
+            total = total + Scalar(home, home.reduce(slope)) * rate
+    return total
+
+
+def _rate(home: Ring, place: int, name: str) -> Scalar:
+    """The derivative of one generator: with r^n = u that of r is u'/(n r^(n - 1))."""
+    roots, angles, generator = len(home.roots), len(home.angles), home.names[place]
+    if place < roots:
+        root = home.roots[place]
+        rate = Scalar(home, home.polynomial(root.radicand)).diff(name)
+        below = Scalar(home, home.gen(root.name)) ** (root.degree - 1) * root.degree
+        return rate / below if rate else rate
+    if place < roots + 2 * angles:
+        is_cosine, k = divmod(place - roots, angles)
+        rate = angle_of(home.angles[k]).diff(name)
+        c, s = (Scalar(home, each) for each in home.pair(k))
+        return -s * rate if is_cosine else c * rate
+    return (
+        _function_rate(generator, name)
+        if isinstance(generator, Opaque)
+        else Scalar.of(int(generator == name))
+    )
+
+
+def _function_rate(generator: Opaque[Scalar], name: str) -> Scalar:
+    rates = [argument.diff(name) for argument in generator.arguments]
+    if not any(rates):
+        return Scalar.of(0)
+    if generator.rate is None:
+        raise NotDerivable(f"the derivative of {generator.function} by {name} is not known")
+    return generator.rate(Scalar.symbol(generator), *generator.arguments, *rates)
+
+
 def _replaced(polynomial: fmpq_mpoly, source: Ring, home: Ring, values: Mapping[str, Scalar]) -> Scalar:
     """Term by term, powers of each replaced symbol collected."""
     total = Scalar(home, home.zero)
     places = {source.index[name]: values[name].into(home) for name in source.symbols if name in values}
-    groups: dict[tuple[int, ...], dict[tuple[int, ...], object]] = {}
-    for exponents, coefficient in polynomial.to_dict().items():
-        key = tuple(exponents[i] for i in places)
-        rest = tuple(0 if i in places else e for i, e in enumerate(exponents))
-        groups.setdefault(key, {})[rest] = coefficient
-    for key, rest_terms in groups.items():
-        term = Scalar(home, carry(source.context.from_dict(rest_terms), source, home))
-        for value, power in zip(places.values(), key, strict=True):
+    for powers, rest in grouped(polynomial, places).items():
+        term = Scalar(home, carry(rest, source, home))
+        for value, power in zip(places.values(), powers, strict=True):
             term = term * value**power if power else term
         total = total + term
     return total

@@ -7,9 +7,8 @@ from collections.abc import Mapping, Sequence
 from flint import fmpq_mpoly
 
 from derive.algebra.angles import Form
-from derive.algebra.exact_values import form_trig
+from derive.algebra.exact_values import Pair, added, form_trig, multiple
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.pairs import Pair, added, multiple
 from derive.algebra.ring import Ring, ring
 from derive.algebra.scalar import Scalar, common_ring
 from derive.errors import NotDerivable

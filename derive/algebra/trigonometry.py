@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import reduce
-from operator import mul
 
-from derive.algebra.angles import RADIAN, Form
-from derive.algebra.exact_values import form_trig
-from derive.algebra.opaque import ITSELF, Opaque
-from derive.algebra.pairs import Pair, added, multiple
+from derive.algebra.angles import Form
+from derive.algebra.exact_values import Pair, added, form_trig, multiple
+from derive.algebra.generators import ITSELF, RADIAN, Opaque
 from derive.algebra.ring import Ring
 from derive.algebra.roots_and_functions import canonical, in_single_angles, root
 from derive.algebra.scalar import Scalar, as_fraction
@@ -61,23 +59,8 @@ def _atom(home: Ring, exponents: tuple[int, ...]) -> str:
     return _whole(Scalar(home, home.context.from_dict({exponents: 1})))
 
 
-def _whole(part: Scalar) -> Opaque:
+def _whole(part: Scalar) -> Opaque[Scalar]:
     return Opaque(canonical(part), ITSELF, (part,))
-
-
-def angle_of(form: Form) -> Scalar:
-    """The angle that a form stands for."""
-    return sum((atom_of(atom) * n for atom, n in form.parts), Scalar.of(0))
-
-
-def atom_of(atom: str) -> Scalar:
-    """What an atom of a form stands for."""
-    if isinstance(atom, Opaque):
-        return atom.arguments[0]
-    if atom == RADIAN:
-        return Scalar.of(1)
-    factors = (factor.partition("^") for factor in atom.split("*"))
-    return reduce(mul, (Scalar.symbol(name) ** int(power or 1) for name, _, power in factors))
 
 
 def of_direction(y: Scalar, x: Scalar) -> Pair:

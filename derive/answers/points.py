@@ -11,7 +11,7 @@ from fractions import Fraction
 from flint import arb, ctx, fmpq
 
 from derive.algebra.infix import text
-from derive.algebra.precise import precise
+from derive.algebra.numbers.balls import precise
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Symbol, children, free_symbols, walk
 

@@ -17,10 +17,10 @@ from operator import mul
 
 from flint import fmpq_mpoly
 
-from derive.algebra.factorisation import factored
+from derive.algebra.exact_values import multiple
 from derive.algebra.formulas.quantities import rational
+from derive.algebra.multivariate import factored
 from derive.algebra.normal import Names, Walk
-from derive.algebra.pairs import multiple
 from derive.algebra.ring import Ring, ring
 from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar, as_fraction

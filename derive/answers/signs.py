@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from derive.algebra.angles import PI, RADIAN, Form
+from derive.algebra.angles import Form
+from derive.algebra.generators import PI, RADIAN
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.errors import NotDerivable

@@ -9,7 +9,7 @@ from typing import Literal, TypeAlias
 
 from flint import fmpq_mpoly
 
-from derive.algebra.factorisation import factored
+from derive.algebra.multivariate import factored
 from derive.algebra.readable.form import readable
 from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar, as_fraction, common_ring

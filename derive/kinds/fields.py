@@ -20,9 +20,9 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema, core_schema
 
-from derive.algebra.formulas.doubts import Doubt, doubtful_angle, words_like_units
 from derive.algebra.formulas.functions import ARGUMENTS
 from derive.algebra.formulas.grammar import parse, parse_equation, parse_starred
+from derive.algebra.formulas.likely_mistakes import Doubt, doubtful_angle, words_like_units
 from derive.algebra.formulas.tokens import tokens
 from derive.algebra.formulas.units import (
     ACCELERATION,

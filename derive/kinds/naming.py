@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.derivation import Step
 from derive.expression import Expr, Matrix, Symbol, number
 from derive.kinds.problem import Problem

@@ -15,7 +15,7 @@ from typing import Literal, TypeAlias
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
-from derive.algebra.solving.directions import unit
+from derive.algebra.solving.unit_vectors import unit
 from derive.mechanics.lines import Line, Relation, common_normal, dot, foot, on
 from derive.mechanics.poses import homogeneous, inverse_pose, position_part, rotation_part
 from derive.mechanics.robot import Convention

@@ -7,7 +7,7 @@ from typing import Literal, TypeAlias
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
-from derive.algebra.solving.directions import unit
+from derive.algebra.solving.unit_vectors import unit
 
 Relation: TypeAlias = Literal["skew", "intersecting", "parallel", "coincident"]
 

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any, TypeAlias, get_args
 
 from flint import arb
 
+from derive.algebra.numbers.balls import precise
 from derive.algebra.numbers.floats import Point, number
-from derive.algebra.precise import precise
 from derive.expression import Expr, Symbol, free_symbols
 from derive.mechanics.bodies import Body, moments
 from derive.mechanics.dh import moves

@@ -13,8 +13,8 @@ from functools import reduce
 from itertools import pairwise
 from operator import mul
 
-from derive.algebra.factorisation import square_free
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.multivariate import square_free
 from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.mechanics.chain import Chain

@@ -12,8 +12,8 @@ from collections.abc import Iterator, Sequence
 
 from flint import fmpq_mpoly
 
+from derive.algebra.generators import Opaque
 from derive.algebra.numbers.floats import atom_number, symbol_number
-from derive.algebra.opaque import Opaque
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar, as_fraction
 

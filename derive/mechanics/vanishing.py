@@ -14,9 +14,10 @@ from fractions import Fraction
 from itertools import product
 from typing import Any
 
+from derive.algebra.exact_values import Pair
+from derive.algebra.generators import Root
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.pairs import Pair
-from derive.algebra.ring import Root, ring
+from derive.algebra.ring import ring
 from derive.algebra.scalar import Scalar, common_ring
 from derive.algebra.solving.factors import TooLong, depends, effort, factored
 from derive.algebra.solving.half_angles import half_angles

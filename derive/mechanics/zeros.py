@@ -12,10 +12,10 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from derive.algebra.angles import Form
+from derive.algebra.exact_values import Pair
 from derive.algebra.normal import Walk
 from derive.algebra.numbers.floats import scalar_number
-from derive.algebra.pairs import Pair
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.algebra.roots_and_functions import absolute, root
 from derive.algebra.scalar import Scalar, as_fraction, trig
 from derive.algebra.solving.factors import depends

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from derive.algebra.formulas.doubts import doubtful_angle
 from derive.algebra.formulas.grammar import parse
+from derive.algebra.formulas.likely_mistakes import doubtful_angle
 from derive.algebra.formulas.tokens import tokens
 from derive.algebra.formulas.units import ANY
 from derive.errors import FormulaError, SheetError

@@ -9,10 +9,10 @@ from derive.algebra.infix import text
 from derive.algebra.normal import normal
 from derive.algebra.readable.factoring import factors_of, is_irreducible
 from derive.algebra.readable.form import readable
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.algebra.readable.terms import Alphabet, terms_of
 from derive.algebra.scalar import Scalar
-from tests.algebra.test_contraction import expression
+from tests.algebra.test_angle_sums import expression
 from tests.trees import formula
 
 

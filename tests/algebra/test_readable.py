@@ -9,7 +9,7 @@ from hypothesis import given
 from derive.algebra.infix import text
 from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.readable.form import readable, readable_matrix
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
 from derive.expression import Degrees, Expr, Sum, multiply, number, walk

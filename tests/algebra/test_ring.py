@@ -6,8 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from derive.algebra.angles import PI, Form, combination
+from derive.algebra.angles import Form, combination
 from derive.algebra.exact_values import square_root
+from derive.algebra.generators import PI
 from derive.algebra.normal import normal
 from derive.algebra.ring import ring
 from derive.algebra.scalar import Scalar

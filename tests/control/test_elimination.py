@@ -8,7 +8,7 @@ import pytest
 
 from derive.algebra.formulas.grammar import parse, parse_equation
 from derive.algebra.normal import normal
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.control.elimination import solve
 from derive.control.laplace import Numeric, value
 from derive.control.motor import motor

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from derive.algebra.formulas.grammar import parse
 from derive.algebra.normal import normal, normal_matrix
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.expression import Matrix
 
 

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from derive.algebra.formulas.doubts import doubtful_angle, words_like_units
 from derive.algebra.formulas.grammar import parse
+from derive.algebra.formulas.likely_mistakes import doubtful_angle, words_like_units
 from derive.sheet.load import load_sheet
 
 ROBOT = "links: [{theta: q1*, d: 0, a: A, alpha: B}]"

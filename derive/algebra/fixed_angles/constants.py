@@ -5,21 +5,32 @@ A ball that does not hold zero proves that a number is not zero; one that holds 
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from flint import arb, ctx, fmpq, fmpq_mpoly
 
-from derive.algebra.angles import PI, Form
-from derive.algebra.opaque import ITSELF, Opaque
-from derive.algebra.precise import FUNCTIONS
+from derive.algebra.angles import Form
+from derive.algebra.generators import ITSELF, PI, Opaque
+from derive.algebra.multivariate import ball_at
 from derive.algebra.rationals import to_flint
 from derive.algebra.ring import Ring
 
-if TYPE_CHECKING:
-    from derive.algebra.scalar import Scalar
-
 BITS = 192
+FUNCTIONS: Mapping[str, Callable[..., arb]] = {
+    "cos": arb.cos, "sin": arb.sin, "tan": arb.tan, "sqrt": arb.sqrt, "exp": arb.exp, "log": arb.log,
+    "acos": arb.acos, "asin": arb.asin, "atan": arb.atan, "atan2": arb.atan2, "abs": abs, "sign": arb.sgn,
+    "pow": arb.__pow__,
+}  # fmt: skip
+
+
+class Quotient(Protocol):
+    """What functions are applied to: a scalar, by its parts."""
+
+    ring: Ring
+    numerator: fmpq_mpoly
+    denominator: fmpq_mpoly | None
 
 
 def is_number(name: str, home: Ring) -> bool:
@@ -40,22 +51,11 @@ def number_places(home: Ring) -> frozenset[int]:
 def ball(number: fmpq_mpoly, home: Ring) -> arb:
     """The value of a polynomial in generators that are numbers."""
     with ctx.workprec(BITS):
-        return _polynomial(number, home)
+        return ball_at(number, _values(home).__getitem__)
 
 
 def holds_zero(value: arb) -> bool:
     return bool(value.contains(arb(0)))
-
-
-def _polynomial(number: fmpq_mpoly, home: Ring) -> arb:
-    values, total = _values(home), arb(0)
-    for exponents, coefficient in number.terms():
-        term = arb(coefficient)
-        for place, power in enumerate(exponents):
-            if power:
-                term = term * values[place] ** int(power)
-        total = total + term
-    return total
 
 
 @lru_cache(maxsize=1024)
@@ -88,10 +88,11 @@ def _symbol(name: str) -> arb:
     if not isinstance(name, Opaque):  # a power of pi, or one radian
         base, _, power = name.partition("^")
         return arb.pi() ** int(power or 1) if base == PI else arb(1)
-    values = [_scalar(argument) for argument in name.arguments]
+    values = [_quotient(argument) for argument in name.arguments]
     return values[0] if name.function == ITSELF else FUNCTIONS[name.function](*values)
 
 
-def _scalar(value: Scalar) -> arb:
-    top = _polynomial(value.numerator, value.ring)
-    return top if value.denominator is None else top / _polynomial(value.denominator, value.ring)
+def _quotient(value: Quotient) -> arb:
+    known = _values(value.ring).__getitem__
+    top = ball_at(value.numerator, known)
+    return top if value.denominator is None else top / ball_at(value.denominator, known)

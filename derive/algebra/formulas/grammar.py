@@ -13,8 +13,8 @@ metres where a length is wanted and two masses elsewhere; where either could be 
 from __future__ import annotations
 
 from derive.algebra.formulas.cursor import Cursor
-from derive.algebra.formulas.doubts import meant_unit
 from derive.algebra.formulas.functions import ARGUMENTS, TRIGONOMETRIC, meant, unknown_function
+from derive.algebra.formulas.likely_mistakes import meant_unit
 from derive.algebra.formulas.quantities import (
     Quantity,
     called,

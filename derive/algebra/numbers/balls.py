@@ -1,19 +1,56 @@
-"""Numbers in normal form in ball arithmetic: their values, and signs with as many bits as that takes."""
+"""Numbers in ball arithmetic: trees with many digits, normal forms with as many bits as their signs take."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from functools import lru_cache
 
-from flint import arb, ctx, fmpq_mpoly
+from flint import arb, ctx, fmpq, fmpq_mpoly
 
+from derive.algebra.fixed_angles.constants import FUNCTIONS
 from derive.algebra.infix import text
-from derive.algebra.precise import precise
+from derive.algebra.multivariate import ball_at
 from derive.algebra.readable.form import readable
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar
 from derive.errors import NotDerivable, NotReal
+from derive.expression import Approximate, Call, Degrees, Expr, Number, Power, Product, Quotient, Sum, Symbol
 
-BITS, MOST_BITS = 128, 1 << 14  # of the working precision, at first and at most
+BITS = 600
+FEWEST_BITS, MOST_BITS = 128, 1 << 14  # with which a sign is asked for, at first and at most
+
+
+def precise(expr: Expr, point: Mapping[str, arb]) -> arb:
+    """The value of a scalar expression, at the working precision of FLINT. Raises KeyError."""
+    match expr:
+        case Number(value):
+            return arb(fmpq(value.numerator, value.denominator))
+        case Symbol(name):
+            return arb.pi() if name == "pi" else point[name]
+        case Sum(terms):
+            return sum((precise(term, point) for term in terms), arb(0))
+        case Product(factors):
+            total = arb(1)
+            for factor in factors:
+                total = total * precise(factor, point)
+            return total
+        case Quotient(top, bottom):
+            return precise(top, point) / precise(bottom, point)
+        case Power(base, exponent):
+            return precise(base, point) ** precise(exponent, point)
+        case Degrees(value):
+            return arb.pi() * arb(fmpq(value.numerator, 180 * value.denominator))
+        case Call(function, arguments) if function in FUNCTIONS:
+            return FUNCTIONS[function](*(precise(argument, point) for argument in arguments))
+        case Approximate(approximate):
+            return arb(approximate)
+    raise NotDerivable(f"no number for {type(expr).__name__}")
+
+
+def slope(function: Callable[[arb], arb], at: arb) -> arb:
+    """A central difference over a step so small that hundreds of bits are right."""
+    step = arb(2) ** (-BITS // 4)
+    return (function(at + step).mid() - function(at - step).mid()) / (2 * step)
 
 
 def number_ball(value: Scalar) -> arb:
@@ -28,7 +65,7 @@ def number_sign(value: Scalar) -> int:
         return 0
     if (exact := value.constant) is not None:
         return 1 if exact > 0 else -1
-    bits = BITS
+    bits = FEWEST_BITS
     while bits <= MOST_BITS:
         with ctx.workprec(bits):
             ball = number_ball(value)
@@ -41,13 +78,7 @@ def number_sign(value: Scalar) -> int:
 
 
 def _polynomial(polynomial: fmpq_mpoly, home: Ring) -> arb:
-    total = arb(0)
-    for exponents, coefficient in polynomial.terms():
-        term = arb(coefficient)
-        for name, power in zip(home.names, exponents, strict=True):
-            term = term * _generator(home, name, ctx.prec) ** int(power) if power else term
-        total = total + term
-    return total
+    return ball_at(polynomial, lambda place: _generator(home, home.names[place], ctx.prec))
 
 
 @lru_cache(maxsize=1024)

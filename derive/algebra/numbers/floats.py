@@ -8,8 +8,8 @@ from typing import Any, TypeAlias
 
 from flint import fmpq, fmpq_mpoly
 
+from derive.algebra.generators import ITSELF, Opaque
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.opaque import ITSELF, Opaque
 from derive.algebra.scalar import Scalar
 from derive.errors import DivisionByZero, NotDerivable, NotReal, TooLarge
 from derive.expression import (

@@ -8,8 +8,7 @@ from functools import reduce
 from derive.algebra.rationals import Rational
 from derive.algebra.readable.angle_sums import contracted
 from derive.algebra.readable.factoring import common, divided_by
-from derive.algebra.readable.nesting import MOST_SEARCHED, Nesting
-from derive.algebra.readable.plans import Flat, Plan, Split, Taken, cheapest
+from derive.algebra.readable.nesting import MOST_SEARCHED, Flat, Nesting, Plan, Split, Taken, cheapest
 from derive.algebra.readable.repeated_sums import lumped
 from derive.algebra.readable.terms import Alphabet, Monomial, Terms, divided, frozen, times
 

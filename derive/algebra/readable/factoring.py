@@ -7,7 +7,7 @@ from math import gcd, lcm
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
-from derive.algebra.factorisation import factored
+from derive.algebra.multivariate import factored
 from derive.algebra.rationals import Rational, of_flint, over, to_flint
 from derive.algebra.readable.terms import Alphabet, Monomial, Terms, divided, terminates
 

@@ -15,8 +15,8 @@ from math import lcm
 from flint import fmpq_mpoly
 
 from derive.algebra.angles import Form, combination
+from derive.algebra.generators import ITSELF, Opaque
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.opaque import ITSELF, Opaque
 from derive.algebra.readable.angle_sums import contracted
 from derive.algebra.readable.by_mass import nested
 from derive.algebra.readable.terms import Alphabet, Style, Terms, terms_of

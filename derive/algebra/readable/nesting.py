@@ -8,14 +8,14 @@ What is found is a plan; `derive.algebra.readable.writing` turns it into a tree.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from itertools import chain
 from math import inf
+from typing import TypeAlias
 
 from derive.algebra.rationals import Rational
 from derive.algebra.readable.factoring import common, content, divided_by, factors_of, is_irreducible
-from derive.algebra.readable.plans import Flat, Plan, Split, Taken, cheapest
 from derive.algebra.readable.terms import Alphabet, Monomial, SortKey, Terms, frozen
 
 MOST_FACTORED = 40  # terms; above this no factorisation is tried
@@ -23,6 +23,40 @@ MOST_SEARCHED = 10  # terms; above this the most frequent atom is taken out and 
 PARENTHESES = {"trig": 0.25, "mass": 0.1, "other": 2.25}
 LARGEST_PART = 4  # a sum with smaller parts of one than a quarter is better over a common denominator
 OUT_OF_TURN = 0.4  # for taking out a later angle where an earlier one could be
+
+
+@dataclass(frozen=True, slots=True)
+class Flat:
+    """Terms as they stand."""
+
+    terms: Terms
+    price: float
+
+
+@dataclass(frozen=True, slots=True)
+class Split:
+    """The sum of parts, each nested on its own."""
+
+    parts: tuple[tuple[Terms, Plan], ...]
+    price: float
+
+
+@dataclass(frozen=True, slots=True)
+class Taken:
+    """coefficient * monomial * (sum)^power * ..."""
+
+    coefficient: Rational
+    monomial: Monomial
+    sums: tuple[tuple[Plan, int], ...]
+    price: float
+
+
+Plan: TypeAlias = Flat | Split | Taken
+
+
+def cheapest(plans: Iterable[Plan]) -> Plan:
+    """The first of the lowest price."""
+    return min(plans, key=lambda plan: plan.price)
 
 
 @dataclass(slots=True)

@@ -12,14 +12,13 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import TypeAlias
 
-from derive.algebra.angles import PI, RADIAN, Form, is_fixed
+from derive.algebra.angles import Form, is_fixed
 from derive.algebra.bounds import A_TERM_READ, spend
-from derive.algebra.opaque import ITSELF, Opaque
+from derive.algebra.generators import ITSELF, PI, RADIAN, Opaque
 from derive.algebra.powers import MAX_DEGREE
 from derive.algebra.rationals import Rational, decimal_places, lowest, of_flint
 from derive.algebra.ring import Ring
-from derive.algebra.scalar import Scalar
-from derive.algebra.trigonometry import angle_of
+from derive.algebra.scalar import Scalar, angle_of
 from derive.expression import (
     Call,
     Degrees,

@@ -8,7 +8,7 @@ from functools import cached_property
 from math import prod
 
 from derive.algebra.rationals import Rational
-from derive.algebra.readable.plans import Flat, Plan, Split, Taken
+from derive.algebra.readable.nesting import Flat, Plan, Split, Taken
 from derive.algebra.readable.terms import Alphabet, Monomial, SortKey, terminates
 from derive.expression import (
     Call,

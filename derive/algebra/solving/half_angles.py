@@ -14,7 +14,7 @@ from functools import cached_property, reduce
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
-from derive.algebra.factorisation import factored
+from derive.algebra.multivariate import factored
 from derive.algebra.ring import Ring
 
 

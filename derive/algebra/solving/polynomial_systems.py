@@ -16,8 +16,7 @@ from flint import arb, ctx
 
 from derive.algebra.scalar import Scalar
 from derive.algebra.signs import sign_of
-from derive.algebra.solving.groebner import groebner
-from derive.algebra.solving.polynomial_moves import (
+from derive.algebra.solving.elimination_rules import (
     Equation,
     Move,
     Moved,
@@ -35,6 +34,7 @@ from derive.algebra.solving.polynomial_moves import (
     square,
     whole,
 )
+from derive.algebra.solving.groebner import groebner
 from derive.algebra.solving.polynomials import ball, coefficients, factors, holds, monomials, numerator
 from derive.algebra.solving.real_roots import BITS, real_roots
 from derive.errors import NotDerivable

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from flint import arb
 
-from derive.algebra.factorisation import factored
+from derive.algebra.multivariate import ball_at, factored
 from derive.algebra.numbers.balls import number_sign
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.algebra.signs import sign_of
@@ -130,19 +130,8 @@ def ball(value: Scalar, at: Mapping[str, arb]) -> arb:
         if root.name in used:
             known[root.name] = ball(Scalar(home, home.polynomial(root.radicand)), at).root(root.degree)
     points = [known.get(name, arb(0)) for name in home.names]
-    top = _ball(value.numerator.to_dict(), points)
-    return top if value.denominator is None else top / _ball(value.denominator.to_dict(), points)
-
-
-def _ball(terms: Mapping[tuple[int, ...], object], points: list[arb]) -> arb:
-    total = arb(0)
-    for exponents, k in terms.items():
-        exact = as_fraction(k)
-        term = arb(exact.numerator) / arb(exact.denominator)
-        for point, power in zip(points, exponents, strict=True):
-            term = term * point ** int(power) if power else term
-        total = total + term
-    return total
+    top = ball_at(value.numerator, points.__getitem__)
+    return top if value.denominator is None else top / ball_at(value.denominator, points.__getitem__)
 
 
 def rational(value: Scalar) -> Fraction | None:

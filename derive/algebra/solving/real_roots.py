@@ -10,7 +10,7 @@ from math import isqrt
 from flint import arb, ctx, fmpq, fmpq_poly
 
 from derive.algebra.exact_values import square_root
-from derive.algebra.factorisation import square_free
+from derive.algebra.multivariate import square_free
 from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.algebra.solving.polynomials import (

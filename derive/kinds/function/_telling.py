@@ -7,9 +7,9 @@ from typing import TypeAlias
 
 from flint import arb
 
-from derive.algebra.factorisation import factored
+from derive.algebra.multivariate import factored
 from derive.algebra.scalar import Scalar
-from derive.algebra.solving.polynomial_moves import Move
+from derive.algebra.solving.elimination_rules import Move
 from derive.algebra.solving.polynomial_systems import Case, Solution
 from derive.algebra.solving.polynomials import coefficients
 from derive.derivation import Record

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from flint import arb
 
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar, as_fraction, fraction
 from derive.algebra.solving.polynomial_systems import Value
 from derive.algebra.solving.polynomials import monomials

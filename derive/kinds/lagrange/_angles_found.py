@@ -9,8 +9,9 @@ from fractions import Fraction
 
 from flint import arb
 
-from derive.algebra.angles import PI, Form, combination
+from derive.algebra.angles import Form, combination
 from derive.algebra.exact_values import fixed_trig
+from derive.algebra.generators import PI
 from derive.algebra.normal import normal
 from derive.algebra.readable.terms import Alphabet
 from derive.algebra.scalar import Scalar, as_fraction

@@ -9,7 +9,7 @@ from fractions import Fraction
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import matrix_numbers
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.derivation import Table
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Matrix, Number, Symbol, number, walk

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from itertools import product
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.expression import Expr, Symbol, free_symbols
 from derive.kinds.pose._given import Given

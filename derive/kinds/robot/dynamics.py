@@ -7,7 +7,7 @@ from typing import Literal
 
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.numbers.compiled import compiled
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.derivation import Claim, Derivation, Step
 from derive.expression import Expr, Matrix, Symbol, add, column
 from derive.kinds.checks import agreement, links

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numbers import floats as numeric
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Result, Step, Table, named_results
 from derive.expression import (

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.readable.matrix_factor import factored_matrix
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.derivation import Claim, Derivation, Step, named_results
 from derive.expression import ZERO, Expr, Matrix, Product, Sum, Symbol, children, free_symbols, transpose
 from derive.kinds.checks import agreement, law, links

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from derive.algebra.infix import text
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers import floats as numeric
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Step, Table
 from derive.expression import (

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from derive.algebra.readable.form import readable
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
 from derive.control.rational import Polynomial, written

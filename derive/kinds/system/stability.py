@@ -8,7 +8,7 @@ from typing import Any
 from derive.algebra.infix import text
 from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.readable.form import readable
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.polynomials import coefficients, known_sign, odd_part

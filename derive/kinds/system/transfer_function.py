@@ -7,7 +7,7 @@ from typing import Any
 
 from pydantic import Field
 
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.control.elimination import Elimination, without
 from derive.control.rational import written
 from derive.control.roots import roots

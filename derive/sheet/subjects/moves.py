@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal, TypeAlias
 
 from pydantic import Discriminator, Tag, ValidationInfo, field_validator
 
-from derive.algebra.formulas.doubts import Doubt
+from derive.algebra.formulas.likely_mistakes import Doubt
 from derive.algebra.formulas.quantities import rational
 from derive.expression import Expr
 from derive.kinds.fields import Angle, Formula, Length, OptionsModel, StarredAngle, StarredLength, doubt

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers import floats as numeric
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.derivation import Claim, Derivation, Step, named_results
 from derive.expression import (
     ZERO,

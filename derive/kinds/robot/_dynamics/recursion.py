@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Step
 from derive.expression import (

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.scalar import Scalar
-from derive.algebra.solving.dependence import dependencies
+from derive.algebra.solving.linear_dependence import dependencies
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Call, Expr, Indexed, Symbol, column, free_symbols, number
 from derive.kinds.problem import Problem

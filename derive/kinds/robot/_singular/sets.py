@@ -6,11 +6,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from derive.algebra.generators import Root
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.ring import Root
-from derive.algebra.solving.elimination import column_space, null_space
-from derive.algebra.solving.elimination import rank as rank_of
 from derive.algebra.solving.factors import TooLong
+from derive.algebra.solving.row_reduction import column_space, null_space
+from derive.algebra.solving.row_reduction import rank as rank_of
 from derive.algebra.substitution import in_single_angles, pinned_matrix, rationalised
 from derive.errors import NotDerivable
 from derive.expression import Expr, Matrix, Symbol, free_symbols

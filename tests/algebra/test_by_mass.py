@@ -7,7 +7,7 @@ from derive.algebra.infix import text
 from derive.algebra.normal import normal
 from derive.algebra.readable.by_mass import by_mass
 from derive.algebra.readable.form import readable
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.algebra.readable.terms import Alphabet, terms_of
 from derive.expression import Expr, Sum, Symbol, multiply
 from tests.trees import formula, polynomials

@@ -9,7 +9,7 @@ from derive.algebra.formulas.grammar import parse
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import matrix_numbers
-from derive.algebra.solving.elimination import column_space, null_space, rank
+from derive.algebra.solving.row_reduction import column_space, null_space, rank
 
 AT = {"q1": 0.3, "q2": 1.1, "a": 0.7, "b": 1.3}
 MATRICES = [

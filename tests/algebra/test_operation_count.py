@@ -6,7 +6,7 @@ from derive.algebra.formulas.grammar import parse
 from derive.algebra.infix import text
 from derive.algebra.normal import normal
 from derive.algebra.readable.form import readable, readable_matrix
-from derive.algebra.readable.operations import operations
+from derive.algebra.readable.operation_count import operations
 from derive.expression import ZERO, Expr, add, multiply, squared
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted

@@ -17,9 +17,9 @@ from functools import lru_cache
 
 from flint import fmpq_mpoly
 
+from derive.algebra.fixed_angles.addition_theorems import independent
 from derive.algebra.fixed_angles.constants import ball, holds_zero, number_places
-from derive.algebra.fixed_angles.sums import independent
-from derive.algebra.fixed_angles.waves import cancels
+from derive.algebra.fixed_angles.exponential_sums import cancels
 from derive.algebra.ring import Ring
 
 

@@ -9,7 +9,7 @@ from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.readable.form import readable
-from derive.algebra.solving.directions import unit
+from derive.algebra.solving.unit_vectors import unit
 
 SHORT = {
     ("0", "-L", "0"): ("0", "-1", "0"),

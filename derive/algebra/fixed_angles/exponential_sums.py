@@ -22,8 +22,8 @@ from typing import TypeAlias
 
 from flint import fmpq, fmpq_mpoly, fmpz, fmpz_poly
 
-from derive.algebra.angles import PI
-from derive.algebra.ring import Ring, Root
+from derive.algebra.generators import PI, Root
+from derive.algebra.ring import Ring
 from derive.errors import NotDerivable
 
 Turn: TypeAlias = tuple[int, ...]  # of pi, then of every other atom, each in parts of its own

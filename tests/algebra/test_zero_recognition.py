@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from derive.algebra.exact_values import fixed_trig
-from derive.algebra.fixed_angles.sums import independent
+from derive.algebra.fixed_angles.addition_theorems import independent
 from derive.algebra.normal import normal
 from tests.trees import formula
 

@@ -15,7 +15,8 @@ from typing import TypeAlias
 
 from flint import fmpq_mpoly
 
-from derive.algebra.angles import PI, Form
+from derive.algebra.angles import Form
+from derive.algebra.generators import PI
 from derive.algebra.ring import Pair, Ring, ring
 
 Sum: TypeAlias = tuple[int, tuple[tuple[Form, int], ...]]  # steps of 15 degrees, and angles with their signs

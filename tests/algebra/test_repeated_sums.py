@@ -7,7 +7,7 @@ from derive.algebra.normal import normal
 from derive.algebra.readable.repeated_sums import lumped
 from derive.algebra.readable.terms import Alphabet, terms_of
 from derive.expression import Expr
-from tests.algebra.test_contraction import expression
+from tests.algebra.test_angle_sums import expression
 from tests.trees import formula, polynomials
 
 
