@@ -31,6 +31,8 @@ BASE = re.compile(r"_d?dot$")  # what a rate has more than its variable
 MISSPELT = 0.85  # how like a name another is that was meant: theta2 of thetha2, but not of theta3
 ODD = re.compile(r"[^\w.-]+")
 NAMESAKES = "rename one, or build them into different folders with --output"
+UNPROVED = "nothing proves the answer of '{}': links from line to line hold of a wrong formula too"
+PROVE = "its author must claim a law or an independent route: see 'What proves an answer' in CONTRIBUTING.md"
 Warn = Callable[[SheetError], None]
 
 
@@ -234,6 +236,8 @@ def answered(question: Question, working: Working) -> Derivation:
     failed = next((claim for claim in _claims(derivation) if not claim.holds), None)
     if failed:
         raise SheetErrors([_failure(failed, question, working)])
+    if not derivation.proved:
+        raise SheetErrors([SheetError(UNPROVED.format(derivation.kind), question.place, PROVE)])
     return derivation
 
 

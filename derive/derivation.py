@@ -63,11 +63,16 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class Claim:
-    """Something verified about a derivation: what, by which means, and whether it holds."""
+    """Something verified about a derivation: what, by which means, and whether it holds.
+
+    A `link` says that a chain is equal from end to end. That holds of any formula, right or wrong, whose
+    value is computed from it: it proves no answer.
+    """
 
     claim: str
     by: str
     holds: bool
+    link: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -185,6 +190,11 @@ class Derivation:
         if isinstance(self.facts, PageFacts):
             return self.facts
         return PageFacts(**{name: self.facts[name] for name in self.facts if hasattr(PageFacts(), name)})
+
+    @property
+    def proved(self) -> bool:
+        """Whether a law or an independent route speaks for this answer, or for one that it rests on."""
+        return any(not claim.link for claim in self.claims) or any(used.proved for used in self.uses)
 
     def step(self, name: str) -> Step:
         """The step of this name, however deep. Raises KeyError."""

@@ -117,7 +117,7 @@ def _exact(step: Step, names: Names) -> tuple[Expr, ...]:
 def _link(name: str, chain: tuple[Expr, ...], walk_of: Walk) -> Claim:
     values = [_plain(walk_of.value(expr)) for expr in chain]
     holds = all(a == b for a, b in pairwise(values))
-    return Claim(f"{name}: every link of the chain", NORMAL_FORM, holds)
+    return Claim(f"{name}: every link of the chain", NORMAL_FORM, holds, link=True)
 
 
 def _plain(value: Value) -> Value:

@@ -1,48 +1,55 @@
-"""Kinds are found by walking the folders; nothing is registered and nothing imported until asked."""
+"""Kinds are found by walking the folders; nothing is registered and nothing imported until asked.
+
+A kind answers for the subject that its folder is named after, or for those that it states in a line of
+its own, `SUBJECTS = ("motor", "system")`. That line is read from the text of the module.
+"""
 
 from __future__ import annotations
 
+import re
+from ast import literal_eval
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-# Kinds stand in the folder of their subject; `pose` serves every subject that ends in a pose.
-FOLDERS = {
-    "motion": ("motion", "pose"),
-    "frames": ("frames", "pose"),
-    "robot": ("robot", "pose"),
-    "motor": ("system",),
-}
 KINDS = Path(__file__).parent
 PLUGINS = "derive.kinds"  # entry points named `subject/kind`, each a module like those here
-
-
-def folders_of(subject: str) -> tuple[str, ...]:
-    """The folders of the kinds of a subject."""
-    return FOLDERS.get(subject, (subject,))
+STATED = re.compile(r"^SUBJECTS = (\(.*?\))", re.MULTILINE | re.DOTALL)
 
 
 def kinds_of(subject: str) -> dict[str, str]:
     """Kind -> module name, for one subject, in alphabetical order; those of other packages too."""
-    found = {}
-    for folder in folders_of(subject):
-        for path in (KINDS / folder).glob("[!_]*.py"):
-            found[path.stem.replace("_", "-")] = f"derive.kinds.{folder}.{path.stem}"
+    found = {kind: module for (owner, kind), module in _ours("[!_]*").items() if owner == subject}
     return dict(sorted({**_plugins(subject), **found}.items()))
 
 
 def module_name(subject: str, kind: str) -> str:
     """Where a kind is kept. Raises KeyError."""
-    for folder in folders_of(subject):
-        stem = kind.replace("-", "_")
-        if stem.isidentifier() and stem[0] != "_" and (KINDS / folder / f"{stem}.py").is_file():
-            return f"derive.kinds.{folder}.{stem}"
-    return _plugins(subject)[kind]
+    stem = kind.replace("-", "_")
+    found = _ours(stem) if stem.isidentifier() and stem[0] != "_" else {}
+    return found.get((subject, stem.replace("_", "-"))) or _plugins(subject)[kind]
 
 
 def load(subject: str, kind: str) -> ModuleType:
     """The module of a kind: its `Options`, its `RESULTS` and its `derive`. Raises KeyError."""
     return import_module(module_name(subject, kind))
+
+
+def serves(path: Path) -> tuple[str, ...]:
+    """The subjects for which the kind in this file answers."""
+    stated = STATED.search(path.read_text(encoding="utf-8"))
+    return tuple(literal_eval(stated[1])) if stated else (path.parent.name,)
+
+
+@cache
+def _ours(stem: str) -> dict[tuple[str, str], str]:
+    """(subject, kind) -> module name, of the files with such a name."""
+    return {
+        (subject, path.stem.replace("_", "-")): f"derive.kinds.{path.parent.name}.{path.stem}"
+        for path in KINDS.glob(f"[!_]*/{stem}.py")
+        for subject in serves(path)
+    }
 
 
 def _plugins(subject: str) -> dict[str, str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from importlib import import_module
 from pathlib import Path
 
 import pytest
@@ -41,10 +42,19 @@ def pattern(listed: str) -> re.Pattern[str]:
     return re.compile("|".join(texts))
 
 
-def test_every_subject_has_kinds_and_every_folder_a_subject() -> None:
+def test_every_subject_has_kinds_and_every_kind_a_subject() -> None:
     assert all(registry.kinds_of(subject) for subject in subjects())
-    folders = {path.name for path in registry.KINDS.iterdir() if path.is_dir() and path.name[0] not in "_."}
-    assert folders == {folder for subject in subjects() for folder in registry.folders_of(subject)}
+    files = [path for path in registry.KINDS.glob("*/*.py") if path.name[0] != "_"]
+    assert {subject for path in files for subject in registry.serves(path)} == set(subjects())
+    answers = [(subject, path.stem) for path in files for subject in registry.serves(path)]
+    assert len(answers) == len(set(answers)), "two modules answer the same question"
+
+
+@pytest.mark.parametrize("module", MODULES)
+def test_the_subjects_of_a_kind_can_be_read_from_its_text(module: str) -> None:
+    loaded = import_module(module)
+    path = Path(loaded.__file__ or "")
+    assert registry.serves(path) == getattr(loaded, "SUBJECTS", (path.parent.name,))
 
 
 @every_kind
@@ -52,6 +62,12 @@ def test_the_example_is_of_this_kind_and_its_claims_hold(document, kind: str) ->
     derivations = [question.derivation for _, question in document.questions()]
     assert kind in {derivation.kind for derivation in derivations if derivation}
     assert all(claim.holds for derivation in derivations for claim in derivation.claims)
+
+
+@every_kind
+def test_a_law_or_an_independent_route_of_its_own_proves_it(document, kind: str) -> None:
+    own = [question.derivation for _, question in document.questions() if question.derivation.kind == kind]
+    assert any(not claim.link for derivation in own for claim in derivation.claims)
 
 
 @every_kind
@@ -90,7 +106,7 @@ def test_options_have_defaults_that_are_frozen(subject: str, kind: str) -> None:
 @pytest.mark.parametrize("module", MODULES)
 def test_a_kind_has_a_first_line_and_words(module: str) -> None:
     _, _, folder, stem = module.split(".")
-    loaded = __import__(module, fromlist=["derive"])
+    loaded = import_module(module)
     assert (loaded.__doc__ or "").strip()
     assert (WORDS / folder / f"{stem}.j2").is_file()
     assert loaded.derive.__doc__

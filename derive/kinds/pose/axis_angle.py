@@ -37,6 +37,7 @@ from derive.kinds.pose._rotation import Rotation, rotation_of
 from derive.kinds.problem import Problem
 from derive.mechanics.motion import Move
 
+SUBJECTS = ("motion", "frames", "robot")
 RESULTS = {
     "angle": "the angle, from 0 to pi",
     "axis": "the unit vector along the axis; any where nothing is turned",

@@ -20,6 +20,7 @@ from derive.kinds.problem import Problem
 from derive.mechanics.elementary import rotation_matrix
 from derive.mechanics.euler import Convention, Euler
 
+SUBJECTS = ("motion", "frames", "robot")
 RESULTS = {
     "R": "the rotation matrix of the three angles",
     "solutions": "each angle by its name, and when it is the solution; singular cases included",

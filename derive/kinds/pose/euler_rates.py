@@ -35,6 +35,7 @@ from derive.mechanics.euler_rates import rate_matrix
 from derive.mechanics.motion import Motion
 from derive.mechanics.poses import UNIT, skew
 
+SUBJECTS = ("motion", "frames", "robot")
 RESULTS = {
     "T": "omega = T times the rates of the angles (3 by 3), in the order of the angles",
     "det": "its determinant",

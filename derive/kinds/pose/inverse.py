@@ -16,6 +16,7 @@ from derive.kinds.values_at import completed
 from derive.mechanics.poses import inverse_pose, position_part
 
 NO_ROW = Symbol("0")  # three zeros side by side
+SUBJECTS = ("motion", "frames", "robot")
 RESULTS = {"T": "the inverse transform (4 by 4)"}
 EXAMPLE = """\
 title: The way back

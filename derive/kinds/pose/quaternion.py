@@ -29,6 +29,7 @@ from derive.kinds.pose._roots import over, size
 from derive.kinds.pose._rotation import Rotation, rotation_of
 from derive.kinds.problem import Problem
 
+SUBJECTS = ("motion", "frames", "robot")
 RESULTS = {"q": "the unit quaternion (q_0, q_x, q_y, q_z), its scalar part not negative"}
 EXAMPLE = """\
 title: A rotation as a quaternion

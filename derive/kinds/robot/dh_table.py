@@ -31,6 +31,7 @@ problems:
   - {find: dh-table}
   - {find: dh-table, convention: modified}
 """
+TABLE = Step("DH", (), "dh-parameters")
 
 
 class Options(OptionsModel):
@@ -48,9 +49,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     if given is None:
         return _found(robot, convention, problem)
     if convention == robot.convention:
-        return _derivation(given, problem, "given", (Step("DH", (), "dh-parameters"),), (), {})
+        return _derivation(given, problem, "given", (TABLE,), (given.each_pose(problem),), {})
     rows = restated(robot, given, convention)
-    steps = (*rows.ends(problem), Step("DH", (), "dh-parameters"))
+    steps = (*rows.ends(problem), TABLE)
     facts = {"before": given.table()}
     return _derivation(rows, problem, "restated", steps, rows.claims(problem), facts)
 
@@ -83,7 +84,7 @@ def restated(robot: Robot, given: Rows, convention: Convention) -> Rows:
 def _found(robot: Robot, convention: Convention, problem: Problem) -> Derivation:
     rows, found = found_rows(robot, convention, problem)
     frames = FrameSteps(problem, found, convention)
-    steps = (*frames.steps(), *rows.ends(problem), Step("DH", (), "dh-parameters"))
+    steps = (*frames.steps(), *rows.ends(problem), TABLE)
     claims = (
         *links(steps, {**problem.names, **frames.definitions()}),
         *rows.claims(problem),

@@ -34,6 +34,7 @@ from derive.kinds.system._plant import (
     zeros_json,
 )
 
+SUBJECTS = ("system", "motor")
 RESULTS = {
     "C": "the controller",
     "T": "output over reference",

@@ -39,6 +39,7 @@ from derive.kinds.system._options import ControllerField
 from derive.kinds.system._plant import Plant, asked, plant, point_chains
 from derive.kinds.system.closed_loop import closed
 
+SUBJECTS = ("system", "motor")
 RESULTS = {
     "matlab": "a script that draws the block diagram in Simulink and simulates a unit step",
     "python": "a script that does the same with python-control",

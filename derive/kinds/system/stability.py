@@ -52,6 +52,7 @@ from derive.kinds.system._stability_limit import (
     possible,
 )
 
+SUBJECTS = ("system", "motor")
 RESULTS = {
     "routh": "the array of Routh, a row for each power of s from the highest",
     "conditions": "what must hold for stability; none for a system that is stable anyway",

@@ -43,6 +43,7 @@ from derive.kinds.system._plant import (
 from derive.kinds.system._state_checks import characteristic_of, claims_of
 from derive.kinds.system._states import MATRICES, Answer, answered, readable_form
 
+SUBJECTS = ("system", "motor")
 RESULTS = {
     "A": "what multiplies the state, n by n",
     "B": "what multiplies the input, n by 1",

@@ -27,6 +27,7 @@ from derive.kinds.system._options import ControllerField
 from derive.kinds.system._plant import Plant, asked, plant, point_chains, root_tree, rounded, verdict
 from derive.kinds.system.closed_loop import closed
 
+SUBJECTS = ("system", "motor")
 RESULTS = {
     "rise_time": "from 10 to 90 % of the steady state [s]",
     "settling_time": "after which it stays within 2 % of the steady state [s]",

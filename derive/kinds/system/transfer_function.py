@@ -32,6 +32,7 @@ from derive.kinds.system._plant import (
     zeros_json,
 )
 
+SUBJECTS = ("system", "motor")
 RESULTS = {"G": "output over input; evaluated: num, den, poles, zeros"}
 EXAMPLE = """\
 title: DC motor

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import reduce
+from math import cos, sin
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import matrix_numbers
+from derive.algebra.numbers.floats import number as at_point
 from derive.derivation import Claim, Step, Table
 from derive.expression import MINUS_ONE, Expr, Indexed, Matrix, Sum, Symbol, number, replace
 from derive.kinds.checks import agreement, law
@@ -84,18 +85,41 @@ class Rows:
         exact = normal_matrix(problem.readable_matrix(T), names)
         given = normal_matrix(problem.readable_matrix(chain_of(problem).T_tool), names)
 
-        def other(at: Mapping[str, float]) -> Any:
-            return oracle.tool(oracle.at(at))
-
         return (
             law("the rows give the pose of the end-effector", exact == given),
             agreement(
                 "the rows agree with the arm composed in numbers",
                 problem.symbols,
                 lambda at: matrix_numbers(T, oracle.at(at)),
-                other,
+                lambda at: oracle.tool(oracle.at(at)),
             ),
         )
+
+    def each_pose(self, problem: Problem) -> Claim:
+        """The rows as printed give the poses (4 by 4) of the links, by the entries that books print."""
+        oracle, printed = oracle_of(problem), self.matrix(problem).rows
+        typed = TYPED[self.convention]
+        return agreement(
+            "each row gives the pose of its link in numbers",
+            problem.symbols,
+            lambda at: [typed(*(at_point(entry, at) for entry in row)) for row in printed],
+            lambda at: oracle.local(oracle.at(at)),
+        )
+
+
+def _standard(theta: float, d: float, a: float, alpha: float) -> list[list[float]]:
+    """T of frame i in frame i - 1 (Spong, Hutchinson, Vidyasagar, eq. 3.10, multiplied out)."""
+    c, s, ca, sa = cos(theta), sin(theta), cos(alpha), sin(alpha)
+    return [[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]]
+
+
+def _modified(theta: float, d: float, a: float, alpha: float) -> list[list[float]]:
+    """T of frame i in frame i - 1, a and alpha those of the axis before (Craig, eq. 3.6)."""
+    c, s, ca, sa = cos(theta), sin(theta), cos(alpha), sin(alpha)
+    return [[c, -s, 0, a], [s * ca, c * ca, -sa, -sa * d], [s * sa, c * sa, ca, ca * d], [0, 0, 0, 1]]
+
+
+TYPED = {"standard": _standard, "modified": _modified}
 
 
 def values(row: DHRow) -> tuple[Expr, Expr, Expr, Expr]:
