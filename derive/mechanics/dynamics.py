@@ -70,29 +70,6 @@ def _derivative(D: ScalarMatrix, name: str) -> list[list[Scalar]]:
 
 
 def potential_energy(links: Sequence[LinkMotion], gravity: ScalarMatrix) -> Scalar:
-    """P = - sum of m g^T p_c; `gravity` is the acceleration (3 by 1) in the base frame."""
-    total = Scalar.of(0)
-    for link in links:
-        total = total - link.mass * (gravity.T @ link.com)[0, 0]
-    return total
-
-
-def equations(
-    D: ScalarMatrix,
-    symbols: dict[tuple[int, int, int], Scalar],
-    g: Sequence[Scalar],
-    variables: Sequence[str],
-) -> tuple[Scalar, ...]:
-    """tau_k = sum d_kj qddot_j + sum c_ijk qdot_i qdot_j + g_k (Spong et al., eq. 6.39)."""
-    rates = [Scalar.symbol(f"{name}_dot") for name in variables]
-    accelerations = [Scalar.symbol(f"{name}_ddot") for name in variables]
-    torques = []
-    for k in range(len(variables)):
-        torque = g[k]
-        for j, acceleration in enumerate(accelerations):
-            torque = torque + D[k, j] * acceleration
-        for (i, j, l), symbol in symbols.items():
-            if l == k + 1 and symbol:
-                torque = torque + symbol * rates[i - 1] * rates[j - 1]
-        torques.append(torque)
-    return tuple(torques)
+    """P = - sum of m g^T p_c (Spong et al., eq. 6.33); `gravity` is the acceleration (3 by 1) in the base
+    frame, so that P is in joules where all else is in SI units."""
+    return sum((-(link.mass * (gravity.T @ link.com)[0, 0]) for link in links), Scalar.of(0))

@@ -6,12 +6,13 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numbers import floats as numeric
 from derive.derivation import Claim, Derivation, Step, named_results
-from derive.expression import ZERO, Derivative, Expr, Matrix, Product, Sum, Symbol, column, negate, transpose
+from derive.expression import ZERO, Derivative, Expr, Matrix, Product, Symbol, add, column, negate, transpose
 from derive.kinds.checks import agreement, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, closing, oracle_of
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
+from derive.mechanics.dynamics import potential_energy
 from derive.mechanics.robot import Robot, gravity_of
 
 RESULTS = {"P": "potential energy", "g": "its partial derivatives (n)"}
@@ -38,7 +39,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     bodies = weighted(problem, chain_of(problem))
     vector = column(gravity_of(robot))
     energies = tuple(_energy(problem, body, vector) for body in bodies)
-    P = _total(problem, energies)
+    P = _total(problem, bodies, vector)
     torques = tuple(_torque(problem, P.result, name, k) for k, name in enumerate(robot.variables, 1))
     steps = (Step("g_0", (Symbol("g_0"), vector), "given"), *energies, P, *torques)
     g = Matrix(tuple((problem.final(step.result),) for step in torques))
@@ -52,19 +53,20 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 def _energy(problem: Problem, body: Weighted, gravity: Matrix) -> Step:
     """P_i = -m g^T o_ci."""
     name, g, o = Symbol(f"P_{body.i}"), Symbol("g_0"), Symbol(f"o_c{body.i}")
-    value = -(body.motion.mass * (normal_matrix(gravity).T @ body.motion.com)[0, 0])
-    formula = negate(Product((body.body.mass, transpose(g), o)))
     if body.body.mass == ZERO:
         return Step(name.name, (name, ZERO), "potential-energy")
-    return Step(name.name, (name, formula, problem.readable(value)), "potential-energy")
+    value = problem.readable(potential_energy([body.motion], normal_matrix(gravity)))
+    return Step(
+        name.name, (name, negate(Product((body.body.mass, transpose(g), o))), value), "potential-energy"
+    )
 
 
-def _total(problem: Problem, energies: tuple[Step, ...]) -> Step:
+def _total(problem: Problem, bodies: tuple[Weighted, ...], gravity: Matrix) -> Step:
     """P, the names of `where` replaced."""
-    names = tuple(Symbol(step.name) for step in energies)
-    value = problem.readable(sum((normal(step.result) for step in energies[1:]), normal(energies[0].result)))
-    chain = (Symbol("P"), Sum(names), value) if len(names) > 1 else (Symbol("P"), names[0], value)
-    return closing(Step("P", chain, "sum"), problem.final(value))
+    names = add(*(Symbol(f"P_{body.i}") for body in bodies))
+    motions = [body.motion for body in bodies]
+    value = problem.readable(potential_energy(motions, normal_matrix(gravity)))
+    return closing(Step("P", (Symbol("P"), names, value), "sum"), problem.final(value))
 
 
 def _torque(problem: Problem, P: Expr, variable: str, k: int) -> Step:
