@@ -22,10 +22,10 @@ from derive.expression import (
     sqrt,
     squared,
 )
+from derive.figures.courses import panels
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
-from derive.kinds.profile._curves import panels
 from derive.kinds.profile._ends import RATES, Ends, ends_of, laws, system, t, term, upper
 from derive.kinds.profile._limits import limits_drawn, limits_told
 from derive.kinds.values_at import point_of

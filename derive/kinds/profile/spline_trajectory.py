@@ -28,11 +28,11 @@ from derive.expression import (
     subtract,
     symbols,
 )
+from derive.figures.courses import panels
 from derive.kinds.checks import SECOND_ROUTE, close, law, links, random_points
 from derive.kinds.evaluation import Evaluation, Place
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.profile._curves import panels
 from derive.kinds.profile._limits import limits_drawn, limits_told
 from derive.kinds.profile._pieces import Span, branch, in_floats, joined, q_at
 from derive.kinds.values_at import point_of

@@ -10,11 +10,11 @@ from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Branch, Derivation, Figure, Result
 from derive.errors import NotDerivable
 from derive.expression import Expr, is_negative
+from derive.figures.courses import panels
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.profile._axis import Solved, claims_of, solved, steps_of, told
-from derive.kinds.profile._curves import panels
 from derive.kinds.profile._together import together
 from derive.kinds.profile._trapezoid import NAMES
 from derive.kinds.values_at import point_of

@@ -3,16 +3,15 @@ that moves in a plane."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Any
 
 from derive.algebra.numbers import floats as numeric
 from derive.derivation import Claim, Plot, Result, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Matrix, Symbol, column
+from derive.figures.ellipses import at_the_tip
 from derive.kinds.checks import SECOND_ROUTE, close
 from derive.kinds.evaluation import Place
 from derive.kinds.robot._chain import oracle_of
@@ -20,8 +19,6 @@ from derive.kinds.robot._velocity.task import Task
 from derive.kinds.values_at import point_of
 
 NONE = 1e-9  # a semi-axis that is none, relative to the largest
-CORNERS = 181  # of a drawn ellipse
-SHARE = 0.35  # of the arm's reach: how large an ellipse is drawn
 INFINITE = "infinite"
 PLANE = (("vx", "vy"), ("vx", "vz"), ("vy", "vz"))
 
@@ -136,17 +133,13 @@ def _pictures(
     """The arm with both ellipses at its tip, where two components in a plane are asked for."""
     if tuple(sorted(task.rows)) not in PLANE or not values[-1]:
         return ()
-    plane = ["xyz".index(row[1]) for row in task.rows]
-    points = _arm(task, here, plane)
-    reach = sum(math.dist(a, b) for a, b in pairwise(points)) or 1.0
-    tip = points[-1]
-    sizes = {"velocity ellipse": values, "force ellipse": [1 / value for value in values]}
-    series = {"arm": _coordinates(points)}
-    for name, axes in sizes.items():
-        scale = SHARE * reach / max(axes)
-        series[name] = _coordinates(_ellipse(tip, [scale * float(a) for a in axes], directions))
-    labels = [f"{row[1]}" for row in task.rows]
-    return (Plot("ellipsoids", labels[0], labels[1], series, equal=True),)
+    labels = [row[1] for row in task.rows]
+    sizes = {
+        "velocity ellipse": [float(value) for value in values],
+        "force ellipse": [float(1 / value) for value in values],
+    }
+    vectors = [(along[0], along[1]) for along in directions]
+    return (at_the_tip(_arm(task, here, ["xyz".index(each) for each in labels]), sizes, vectors, labels),)
 
 
 def _arm(task: Task, here: Mapping[str, float], plane: list[int]) -> list[tuple[float, float]]:
@@ -155,17 +148,3 @@ def _arm(task: Task, here: Mapping[str, float], plane: list[int]) -> list[tuple[
     tip = [row[0] for row in numeric.matrix_numbers(task.point.position, here)]
     points: list[Any] = [*origins[: task.point.last], tip]
     return [(float(p[plane[0]]), float(p[plane[1]])) for p in points]
-
-
-def _ellipse(center: tuple[float, float], axes: list[float], directions: list[list[float]]) -> list[Any]:
-    turns = [2 * math.pi * k / (CORNERS - 1) for k in range(CORNERS)]
-    a, b = axes
-    u, w = directions[0], directions[1]
-    return [
-        tuple(center[i] + a * math.cos(t) * u[i] + b * math.sin(t) * w[i] for i in range(2)) for t in turns
-    ]
-
-
-def _coordinates(points: list[Any]) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    xs, ys = zip(*points, strict=True)
-    return xs, ys
