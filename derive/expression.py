@@ -109,6 +109,11 @@ class Matrix:
     def shape(self) -> tuple[int, int]:
         return len(self.rows), len(self.rows[0])
 
+    @property
+    def T(self) -> Matrix:
+        """Transposed."""
+        return Matrix(tuple(zip(*self.rows, strict=True)))
+
 
 @dataclass(frozen=True, slots=True)
 class Derivative:

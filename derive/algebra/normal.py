@@ -31,6 +31,7 @@ from derive.algebra.values import (
     matrix_of,
     product,
     raised,
+    scalar_of,
     times,
     total,
 )
@@ -50,9 +51,9 @@ from derive.expression import (
     Symbol,
     children,
 )
+from derive.names import NAMESAKE
 
 Names: TypeAlias = Mapping[Expr, Expr]
-NAMESAKE = "the sheet's own '{}' is also a name of this answer; choose another name for it"
 
 
 def normal(expr: Expr, names: Names | None = None) -> Scalar:
@@ -62,37 +63,32 @@ def normal(expr: Expr, names: Names | None = None) -> Scalar:
     """
     if isinstance(expr, Symbol | Number) and expr not in (names or ()):
         return Scalar.symbol(expr.name) if isinstance(expr, Symbol) else Scalar.of(expr.value)
-    value = walk_over([expr], names or {}).value(expr)
-    if isinstance(value, ScalarMatrix):
-        if value.shape != (1, 1):
-            raise NotDerivable("a matrix stands where a scalar is needed")
-        return value[0, 0]
-    return value
+    return scalar_of(walk_over([expr], names or {}).value(expr))
 
 
 def normal_matrix(expr: Expr, names: Names | None = None) -> ScalarMatrix:
     """The matrix an expression stands for; blocks are joined."""
-    value = walk_over([expr], names or {}).value(expr)
-    return value if isinstance(value, ScalarMatrix) else ScalarMatrix.of([[value]])
+    return matrix_of(walk_over([expr], names or {}).value(expr))
 
 
-def walk_over(exprs: Iterable[Expr], names: Names) -> Walk:
-    """A walk whose leaves are already known, all in one ring: what follows never changes rings."""
-    walk = Walk(names)
-    values = {leaf: walk.value(leaf) for leaf in _leaves(exprs, names)}
-    leaves = {leaf: value for leaf, value in values.items() if isinstance(value, Scalar)}
-    home = common_ring(leaves.values())
-    return Walk(names, home, {leaf: value.into(home) for leaf, value in leaves.items()})
+def walk_over(exprs: Iterable[Expr], names: Names, known: Mapping[Expr, Value] | None = None) -> Walk:
+    """A walk whose leaves are already known, all in one ring: what follows never changes rings. `known` are
+    values of names that were computed before, which no one looks through again."""
+    walk = Walk(names, known={**(known or {})})
+    values = {leaf: walk.value(leaf) for leaf in _leaves(exprs, names, known or {})}
+    home = common_ring(value for value in values.values() if isinstance(value, Scalar))
+    ours = {leaf: value.into(home) if isinstance(value, Scalar) else value for leaf, value in values.items()}
+    return Walk(names, home, ours)
 
 
-def _leaves(exprs: Iterable[Expr], names: Names) -> dict[Expr, None]:
+def _leaves(exprs: Iterable[Expr], names: Names, known: Mapping[Expr, Value]) -> dict[Expr, None]:
     """Symbols, and sines and cosines as a whole, in order, through the definitions of names."""
     found: dict[Expr, None] = {}
     seen: set[Expr] = set()
     pending = list(exprs)[::-1]
     while pending:
         expr = pending.pop()
-        if isinstance(expr, Symbol | Indexed) and expr in names:
+        if isinstance(expr, Symbol | Indexed) and expr in names and expr not in known:
             if expr not in seen:
                 seen.add(expr)  # a definition is looked through once
                 pending.append(names[expr])

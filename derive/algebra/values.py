@@ -78,6 +78,15 @@ def _block(value: Value, shape: tuple[int, int]) -> ScalarMatrix:
     return ScalarMatrix.of([[value] * shape[1]] * shape[0])
 
 
+def scalar_of(value: Value) -> Scalar:
+    """A scalar; a matrix of one entry is one. Raises NotDerivable for any other matrix."""
+    if not isinstance(value, ScalarMatrix):
+        return value
+    if value.shape != (1, 1):
+        raise NotDerivable("a matrix stands where a scalar is needed")
+    return value[0, 0]
+
+
 def matrix_of(value: Value) -> ScalarMatrix:
     return value if isinstance(value, ScalarMatrix) else ScalarMatrix.of([[value]])
 

@@ -36,3 +36,8 @@ class System:
         """Every name in the equations: those of signals and those of parameters."""
         sides = (side for equation in self.equations for side in (equation.left, equation.right))
         return frozenset[str]().union(*map(free_symbols, sides))
+
+    @property
+    def defines(self) -> frozenset[str]:
+        """Names of the author's that an answer may define again: all of them, as the equations do."""
+        return self.names

@@ -15,6 +15,7 @@ from derive.control.realisation import Branch, Realised, realisations
 from derive.control.system import System
 from derive.errors import NotDerivable
 from derive.expression import ONE, ZERO, Expr, Symbol, is_negative, negate
+from derive.names import free
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +61,7 @@ def gain_names(controller: Controller, taken: frozenset[str]) -> tuple[Symbol, .
 
 def filter_name(system: System) -> Symbol:
     """The time constant of the filter behind an ideal derivative."""
-    return Symbol("T_f" if "T_f" not in system.names else "T_filter")
+    return Symbol(free(system.names, "T_f", "T_filter"))
 
 
 class _Drawing:
@@ -198,10 +199,9 @@ class _Drawing:
         self.lines += [Line(each, block.name, port) for port, each in enumerate(inputs, 1)]
 
     def fresh(self, name: str) -> str:
-        while name in self.taken:
-            name += "_"
-        self.taken.add(name)
-        return name
+        found = free(self.taken, *(name + "_" * k for k in range(len(self.taken) + 1)))
+        self.taken.add(found)
+        return found
 
     def finished(self, start: str) -> Diagram:
         return Diagram(tuple(self.blocks), tuple(self.lines), start, self.system.output.name)

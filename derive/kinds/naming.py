@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from derive.algebra.readable.operation_count import operations
 from derive.derivation import Step
 from derive.expression import Expr, Matrix, Symbol, number
-from derive.kinds.problem import Problem
 
 # A row with more operations than this would not fit on a line of a page.
 LONGEST_ROW = 24
@@ -47,17 +44,3 @@ def _plain(expr: Expr) -> bool:
 def _with(matrix: Matrix, named: dict[tuple[int, int], Symbol]) -> Matrix:
     rows = enumerate(matrix.rows)
     return Matrix(tuple(tuple(named.get((i, j), e) for j, e in enumerate(row)) for i, row in rows))
-
-
-def free_letter(problem: Problem, indices: Iterable[str], *letters: str) -> str:
-    """The first letter that with these indices is printed like no name of the sheet: `I_` for I_1, I_2
-    where there is no I1 and no I_1. The last one if all are."""
-    taken = {_printed(name) for name in (*problem.symbols, *problem.where)}
-    found = list(indices)
-    free = (letter for letter in letters if not taken & {_printed(letter + index) for index in found})
-    return next(free, letters[-1])
-
-
-def _printed(name: str) -> str:
-    """I1 and I_1 look alike on a page."""
-    return name.replace("_", "")

@@ -10,20 +10,29 @@ from typing import Any, get_args
 
 from derive.algebra.bounds import count, one_answer
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import NAMESAKE, Names, normal, normal_matrix
+from derive.algebra.normal import Names, normal, normal_matrix
 from derive.algebra.readable.form import readable, readable_matrix
 from derive.algebra.readable.terms import Style
 from derive.algebra.readable.writing import opposite
 from derive.algebra.scalar import Scalar
-from derive.control.system import System
 from derive.derivation import Derivation
-from derive.errors import NotDerivable
 from derive.expression import Degrees, Expr, Indexed, Matrix, Number, Symbol, free_symbols, walk
 from derive.kinds.registry import load
+from derive.names import require_free
 
 TREES = get_args(Expr)
 NAMES = (Symbol, Indexed)
 LONG = 10  # terms
+
+
+@dataclass(frozen=True, slots=True)
+class Memo:
+    """What has been found about a problem so far, so that nothing is found twice."""
+
+    answers: dict[tuple[str, Any], Derivation] = field(default_factory=dict)  # by kind and options
+    written: dict[Hashable, Expr] = field(default_factory=dict)  # readable forms, by the keys of normal forms
+    values: dict[Expr, ScalarMatrix] = field(default_factory=dict)  # of matrices that were made readable
+    terms: Counter[Hashable] = field(default_factory=Counter)  # written out so far, ring by ring
 
 
 @dataclass(frozen=True)
@@ -35,11 +44,8 @@ class Problem:
     subject: Any
     where: Mapping[str, Expr] = field(default_factory=dict)
     assumptions: Mapping[str, str] = field(default_factory=dict)
-    derived: dict[tuple[str, Any], Derivation] = field(default_factory=dict)
-    written: dict[Hashable, Expr] = field(default_factory=dict)
-    values: dict[int, tuple[Expr, ScalarMatrix]] = field(default_factory=dict)
-    terms: Counter[Hashable] = field(default_factory=Counter)  # written out so far
     questions: tuple[tuple[str, Any], ...] = ()  # kind and options of all that is asked about the subject
+    memo: Memo = field(default_factory=Memo)
 
     def ask(self, kind: str, /, **options: Any) -> Derivation:
         """The derivation of a question about this subject, made once however often it is asked.
@@ -52,26 +58,18 @@ class Problem:
     def answer(self, kind: str, options: Any) -> Derivation:
         """The same with the options as the kind's own model."""
         key = (kind, options)
-        if key not in self.derived:
-            try:
-                with one_answer():
-                    derivation = load(self.name, kind).derive(self.subject, options, self)
-            except RecursionError as error:
-                raise NotDerivable(
-                    "a formula of this problem is nested too deeply, with the values of its names put in"
-                ) from error
-            self.derived[key] = self._distinct(derivation)
-        return self.derived[key]
+        if key not in self.memo.answers:
+            with one_answer():
+                derivation = load(self.name, kind).derive(self.subject, options, self)
+            own = {name.name for name in derivation.definitions if isinstance(name, Symbol)}
+            require_free(self.symbols - getattr(self.subject, "defines", frozenset()), *own)
+            self.memo.answers[key] = derivation
+        return self.memo.answers[key]
 
-    def _distinct(self, derivation: Derivation) -> Derivation:
-        """The derivation, unless one of its names means something else on the sheet."""
-        if isinstance(self.subject, System):  # its equations define the author's own names
-            return derivation
-        own = {name.name for name in derivation.definitions if isinstance(name, Symbol)}
-        taken = sorted(own & self.symbols)
-        if taken:
-            raise NotDerivable(NAMESAKE.format(taken[0]))
-        return derivation
+    @cached_property
+    def taken(self) -> frozenset[str]:
+        """Every name that means something on the sheet; an answer calls nothing else so."""
+        return self.symbols | self.where.keys()
 
     @cached_property
     def symbols(self) -> frozenset[str]:
@@ -104,28 +102,29 @@ class Problem:
     def readable(self, value: Scalar) -> Expr:
         """As a person would write it, names of `where` kept; the same value is read once."""
         key = value.key()
-        if key not in self.written:
-            self.terms[value.ring] += len(value.numerator)
-            count(len(value.numerator), self.terms.total())
-            self.written[key] = self._read(value)
-        return self.written[key]
+        if key not in self.memo.written:
+            self.memo.terms[value.ring] += len(value.numerator)
+            count(len(value.numerator), self.memo.terms.total())
+            self.memo.written[key] = self._read(value)
+        return self.memo.written[key]
 
     def _read(self, value: Scalar) -> Expr:
         """A long one whose opposite is written already is not searched for again."""
         if len(value.numerator) > LONG:
-            known = self.written.get((-value).key())
+            known = self.memo.written.get((-value).key())
             if known is not None:
                 return opposite(known)
         return readable(value, self.style)
 
     def readable_matrix(self, value: ScalarMatrix) -> Matrix:
+        """As a person would write it, entry by entry."""
         found = Matrix(tuple(tuple(map(self.readable, row)) for row in value.rows))
-        self.values[id(found)] = found, value
+        self.memo.values[found] = value
         return found
 
     def normal_matrix(self, expr: Expr) -> ScalarMatrix:
         """The normal form of a tree; of one that was made readable here, that which it was made of."""
-        _, value = self.values.get(id(expr), (None, None))
+        value = self.memo.values.get(expr)
         return normal_matrix(expr) if value is None else value
 
     def final(self, expr: Expr, names: Names | None = None) -> Expr:

@@ -24,7 +24,7 @@ from derive.sheet.subjects import registry
 from derive.sheet.subjects.registry import Known
 from derive.sheet.unfilled import unfilled
 from derive.sheet.unused import unused
-from derive.sheet.where import contradictions, cycle
+from derive.sheet.where import contradictions, cycle, nested
 
 
 def load_sheet(path: Path) -> Sheet:
@@ -189,6 +189,10 @@ def _known(at: At, given: GivenSheet | GivenProblem, outer: Known) -> Known:
     where = {**outer.where, **given.where}
     if name := cycle(where):
         raise SheetErrors([at.fault(f"the value of {name} leads back to itself", ("where", name))])
+    if name := nested(where):
+        hint = "give a name on the way to it no value"
+        message = f"with the values of its names put in, {name} is nested too deeply"
+        raise SheetErrors([at.fault(message, ("where", name), hint)])
     assumptions: Mapping[str, str] = {**outer.assumptions, **given.symbols}
     for name, assumed in sorted(contradictions(where, assumptions)):
         key = "where" if name in given.where else "symbols"

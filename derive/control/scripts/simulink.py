@@ -8,6 +8,7 @@ from derive.control.diagram import Block, Diagram
 from derive.control.scripts.code import MATLAB
 from derive.control.scripts.model import Model
 from derive.expression import Expr
+from derive.names import free
 
 LIBRARY = {
     "source": "simulink/Sources/Step",
@@ -94,8 +95,7 @@ def _row(coefficients: Sequence[Expr]) -> str:
 
 
 def _free(diagram: Diagram, name: str) -> str:
-    taken = {block.name for block in diagram.blocks}
-    return name if name not in taken else f"{name}_of_{diagram.output}"
+    return free([block.name for block in diagram.blocks], name, f"{name}_of_{diagram.output}")
 
 
 def _simulation(model: Model) -> Iterator[str]:

@@ -28,8 +28,9 @@ from derive.expression import (
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.working import Working, named
+from derive.kinds.work import Work
 from derive.mechanics.sensing import Drive
+from derive.names import named
 
 RESULTS = {
     "G": "the best gear ratio",
@@ -67,16 +68,16 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
     torque at the load that is G = sqrt(J_l/J_m)."""
     torque = drive.torque or Symbol("tau_m")
     J_m, J_l, tau_m = (
-        named("J_m", drive.rotor, problem),
-        named("J_l", drive.load, problem),
-        named("tau_m", torque, problem),
+        named("J_m", drive.rotor, problem.taken),
+        named("J_l", drive.load, problem.taken),
+        named("tau_m", torque, problem.taken),
     )
     values: dict[Expr, Expr] = {J_m: drive.rotor, J_l: drive.load, tau_m: torque}
     tau_l = None
     if drive.load_torque is not None:
-        tau_l = named("tau_l", drive.load_torque, problem)
+        tau_l = named("tau_l", drive.load_torque, problem.taken)
         values[tau_l] = drive.load_torque
-    working = Working(problem, values)
+    working = Work(problem, values)
     G = _gear(drive, problem)
     law, slope, top = _slope(G, J_m, J_l, tau_m, tau_l)
     working = _best(working, J_m, J_l, tau_m, tau_l)
@@ -85,10 +86,10 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
         Step("slope", (Derivative(ALPHA, G), slope)),
         *working.steps,
     )
-    best: dict[Expr, Expr] = {BEST: working.values[BEST]}
+    best: dict[Expr, Expr] = {BEST: working.known[BEST]}
     results = {
         "G": working.final("G_opt"),
-        "alpha": problem.final(replace(working.values[Symbol("alpha_max")], best)),
+        "alpha": problem.final(replace(working.known[Symbol("alpha_max")], best)),
     }
     names = {**problem.names, **working.definitions}
     claims = (
@@ -97,7 +98,7 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
         _second_route(drive, problem, results),
     )
     facts = Facts(
-        given=working.given, tau_m=tau_m, tau_l=tau_l, top=top, G=G,
+        given=working.typed, tau_m=tau_m, tau_l=tau_l, top=top, G=G,
         balance=(Product((squared(BEST), J_m)), J_l),
     )  # fmt: skip
     return Derivation("gear-ratio", steps, results, claims, working.definitions, facts=facts)
@@ -125,24 +126,24 @@ def _slope(G: Symbol, J_m: Expr, J_l: Expr, tau_m: Expr, tau_l: Expr | None) -> 
     return Quotient(subtract(push, tau_l), whole), Quotient(top, squared(whole)), top
 
 
-def _best(working: Working, J_m: Expr, J_l: Expr, tau_m: Expr, tau_l: Expr | None) -> Working:
+def _best(working: Work, J_m: Expr, J_l: Expr, tau_m: Expr, tau_l: Expr | None) -> Work:
     """The positive root, and the acceleration there; roots of symbols stay as a person writes them."""
-    open_ = bool(free_symbols(working.problem.final(working.value(Quotient(J_l, J_m)))))
-    ratio = working.value(Quotient(J_l, J_m))
+    open_ = bool(free_symbols(working.problem.final(working.shown(Quotient(J_l, J_m)))))
+    ratio = working.shown(Quotient(J_l, J_m))
 
     def put_in(tree: Expr) -> Expr:
         return replace(tree, working.definitions)
 
     if tau_l is None:
-        working = working.line("G_opt", sqrt(Quotient(J_l, J_m)), sqrt(ratio) if open_ else None)
+        working = working.worked("G_opt", sqrt(Quotient(J_l, J_m)), sqrt(ratio) if open_ else None)
         force = Quotient(tau_m, Product((number(2), sqrt(Product((J_m, J_l))))))
-        return working.line("alpha_max", force, put_in(force) if open_ else None)
+        return working.worked("alpha_max", force, put_in(force) if open_ else None)
     pull = Quotient(tau_l, tau_m)
     root = add(pull, sqrt(add(squared(pull), Quotient(J_l, J_m))))
-    open_ = open_ or bool(free_symbols(working.problem.final(working.value(pull))))
-    working = working.line("G_opt", root, put_in(root) if open_ else None)
+    open_ = open_ or bool(free_symbols(working.problem.final(working.shown(pull))))
+    working = working.worked("G_opt", root, put_in(root) if open_ else None)
     force = Quotient(tau_m, Product((number(2), BEST, J_m)))
-    return working.line("alpha_max", force, put_in(force) if open_ else None)
+    return working.worked("alpha_max", force, put_in(force) if open_ else None)
 
 
 def _second_route(drive: Drive, problem: Problem, results: Mapping[str, Expr]) -> Claim:

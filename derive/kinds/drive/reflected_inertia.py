@@ -8,8 +8,9 @@ from derive.expression import ONE, Expr, Product, Quotient, Symbol, add, number,
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.working import Working, named
+from derive.kinds.work import Work
 from derive.mechanics.sensing import Drive
+from derive.names import named
 
 NEEDS = ("gear",)
 RESULTS = {
@@ -38,20 +39,20 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
     """The kinetic energy in the speed of the one and of the other (Lynch and Park, section 8.9)."""
     gear = drive.gear or ONE
     J_m, J_l, G = (
-        named("J_m", drive.rotor, problem),
-        named("J_l", drive.load, problem),
-        named("G", gear, problem),
+        named("J_m", drive.rotor, problem.taken),
+        named("J_l", drive.load, problem.taken),
+        named("G", gear, problem.taken),
     )
     values: dict[Expr, Expr] = {J_m: drive.rotor, J_l: drive.load, G: gear}
-    working = Working(problem, values)
-    working = working.line("J_load", add(Product((squared(G), J_m)), J_l))
-    working = working.line("J_motor", add(J_m, Quotient(J_l, squared(G))))
+    working = Work(problem, values)
+    working = working.worked("J_load", add(Product((squared(G), J_m)), J_l))
+    working = working.worked("J_motor", add(J_m, Quotient(J_l, squared(G))))
     results = {name: working.final(name) for name in RESULTS}
     claims = (
         *links(working.steps, {**problem.names, **working.definitions}),
         Claim("both hold the same kinetic energy", SECOND_ROUTE, _same_energy(drive, problem, results)),
     )
-    facts = Facts(given=working.given, G=G, energy=_energy(J_m, J_l, G))
+    facts = Facts(given=working.typed, G=G, energy=_energy(J_m, J_l, G))
     return Derivation("reflected-inertia", working.steps, results, claims, working.definitions, facts=facts)
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from derive.expression import Symbol
 from derive.kinds.problem import Problem
 from derive.mechanics.lagrangian import LagrangianSystem
+from derive.names import free
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,13 +28,13 @@ class Letters:
     @staticmethod
     def of(system: LagrangianSystem, problem: Problem) -> Letters:
         """The usual ones where they are free."""
-        taken = problem.symbols | set(problem.where) | set(system.coordinates)
+        taken = problem.taken | set(system.coordinates)
         choices = (
             ("r", "p", "calR"), ("v", "u", "calV"), ("omega", "Omega", "w"), ("T", "K", "calT"),
             ("P", "V", "calP"), ("L", "calL"), ("D", "R", "calD"), ("lambda", "mu", "nu"), ("E", "H", "calE"),
         )  # fmt: skip
-        count = max(len(system.bodies), len(system.constraints), 1)
-        r, v, omega, T, P, L, D, multiplier, E = (_free(letters, taken, count) for letters in choices)
+        indices = ("", *map(str, range(1, max(len(system.bodies), len(system.constraints), 1) + 1)))
+        r, v, omega, T, P, L, D, multiplier, E = (free(taken, *each, indices=indices) for each in choices)
         return Letters(r, v, omega, T, P, L, D, multiplier, E, len(system.bodies) > 1)
 
     def of_body(self, letter: str, number: int) -> Symbol:
@@ -45,11 +46,3 @@ class Letters:
         if count == 1:
             return (Symbol(self.multiplier),)
         return tuple(Symbol(f"{self.multiplier}_{k}") for k in range(1, count + 1))
-
-
-def _free(letters: tuple[str, ...], taken: set[str] | frozenset[str], count: int) -> str:
-    for letter in letters:
-        names = {letter, *(f"{letter}{mark}{k}" for k in range(1, count + 1) for mark in ("", "_"))}
-        if not names & taken:
-            return letter
-    return f"cal{letters[0][0].upper()}"

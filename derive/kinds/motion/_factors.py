@@ -34,6 +34,7 @@ from derive.mechanics.elementary import factor_name, homogeneous, rotation_matri
 from derive.mechanics.motion import Axis, Move
 from derive.mechanics.poses import pose, rotation_part, unit_vector
 from derive.mechanics.sequences import placings
+from derive.names import free
 
 IDENTITY = Symbol("I")
 NO_ROW = Symbol("0")  # three zeros side by side
@@ -134,8 +135,7 @@ def _value(move: Move, problem: Problem, size: int) -> ScalarMatrix:
 def _axis_symbols(moves: Sequence[Move], problem: Problem) -> dict[Axis, Symbol]:
     """x, y, z by their names; written axes k, or k_1, k_2, ..., by another letter where k is taken."""
     written = list(dict.fromkeys(move.axis for move in moves if not isinstance(move.axis, str)))
-    taken = problem.symbols | set(problem.where)
-    letter = next((name for name in "kuwn" if name not in taken), "k_r")
+    letter = free(problem.taken, *"kuwn", "k_r")
     found: dict[Axis, Symbol] = {"x": Symbol("x"), "y": Symbol("y"), "z": Symbol("z")}
     for i, axis in enumerate(written, 1):
         found[axis] = Symbol(letter if len(written) == 1 else f"{letter}_{i}")

@@ -15,13 +15,13 @@ from derive.expression import ONE, Derivative, Expr, Product, Symbol, add, free_
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import Name, OptionsModel
 from derive.kinds.naming import fits
-from derive.kinds.pose._numbers import free_name
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
 from derive.mechanics.lagrangian import TIME
 from derive.mechanics.motion import Motion
 from derive.mechanics.poses import pose, position_part, rotation_part
 from derive.mechanics.sequences import in_product_order
+from derive.names import free
 
 RESULTS = {
     "omega": "the angular velocity in the axes of the world (3); rates are written phi_dot",
@@ -99,7 +99,7 @@ class _Velocity:
 
     def __init__(self, problem: Problem, T: ScalarMatrix, varying: tuple[str, ...]) -> None:
         self.problem, self.varying = problem, varying
-        self.name = free_name(problem, "omega", "w", "omega_R")  # omega*t is a common angle
+        self.name = Symbol(free(problem.taken, "omega", "w", "omega_R"))  # omega*t is a common angle
         self.R = rotation_part(T)
         if not any(self.R.diff(name) for name in varying):
             raise NotDerivable("no rotation changes with the names it is by, so nothing turns")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import number
-from derive.expression import Approximate, Expr, Matrix, Symbol, free_symbols
+from derive.expression import Approximate, Expr, Matrix, free_symbols
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
 
@@ -26,9 +26,3 @@ def rounded(entry: Expr, problem: Problem) -> Expr:
 def rounded_matrix(matrix: Matrix, problem: Problem) -> Matrix:
     """Entry by entry."""
     return Matrix(tuple(tuple(rounded(entry, problem) for entry in row) for row in matrix.rows))
-
-
-def free_name(problem: Problem, *candidates: str) -> Symbol:
-    """The first name that stands for nothing else in the problem; the last one if all do."""
-    taken = problem.symbols | set(problem.where)
-    return Symbol(next((name for name in candidates if name not in taken), candidates[-1]))

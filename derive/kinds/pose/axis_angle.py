@@ -30,12 +30,12 @@ from derive.expression import (
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.pose._angles import known_angle
 from derive.kinds.pose._given import Given, PoseOptions, given_pose
-from derive.kinds.pose._numbers import free_name
 from derive.kinds.pose._roots import over
 from derive.kinds.pose._roots import size as length_of
 from derive.kinds.pose._rotation import Rotation, rotation_of
 from derive.kinds.problem import Problem
 from derive.mechanics.motion import Move
+from derive.names import free
 
 SUBJECTS = ("motion", "frames", "robot")
 RESULTS = {
@@ -67,9 +67,9 @@ class _Names:
 
 def _names(problem: Problem) -> _Names:
     return _Names(
-        free_name(problem, "theta", "phi", "alpha", "theta_k"),
-        free_name(problem, "k", "u", "n", "k_r"),
-        free_name(problem, "w", "v", "m", "w_r"),
+        Symbol(free(problem.taken, "theta", "phi", "alpha", "theta_k")),
+        Symbol(free(problem.taken, "k", "u", "n", "k_r")),
+        Symbol(free(problem.taken, "w", "v", "m", "w_r")),
     )
 
 

@@ -80,7 +80,7 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
 
 def _names(options: Options, problem: Problem) -> tuple[str, str, str]:
     """Names that stand for nothing else. Raises NotDerivable where the author's own ones do."""
-    taken = problem.symbols | set(problem.where)
+    taken = problem.taken
     if options.angles is None:
         return next((names for names in DEFAULTS if not taken & set(names)), DEFAULTS[-1])
     if len(set(options.angles)) < 3:

@@ -98,7 +98,7 @@ def _names(options: Options, problem: Problem) -> tuple[str, str, str]:
         if len(set(options.angles)) < 3:
             raise NotDerivable("the three angles need three different names")
         return options.angles
-    taken = problem.symbols | set(problem.where)
+    taken = problem.taken
     own = _of_motion(problem.subject, Convention.of(options.convention))
     return own or next((names for names in DEFAULTS if not taken & set(names)), DEFAULTS[-1])
 

@@ -24,10 +24,10 @@ from derive.expression import (
 )
 from derive.kinds.checks import agreement
 from derive.kinds.pose._given import Given, PoseOptions, given_pose
-from derive.kinds.pose._numbers import free_name
 from derive.kinds.pose._roots import over, size
 from derive.kinds.pose._rotation import Rotation, rotation_of
 from derive.kinds.problem import Problem
+from derive.names import free
 
 SUBJECTS = ("motion", "frames", "robot")
 RESULTS = {"q": "the unit quaternion (q_0, q_x, q_y, q_z), its scalar part not negative"}
@@ -59,7 +59,7 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     R = rotation_of(given, problem)
     square = sum((R.matrix[i, i] for i in range(3)), Scalar.of(1)) / 4
     half = square == 0
-    name = free_name(problem, "q", "h", "q_r")
+    name = Symbol(free(problem.taken, "q", "h", "q_r"))
     scalar = Symbol(f"{name.name}_0")
     steps = _half_turn(R, name, scalar, problem) if half else _general(R, square, name, scalar, problem)
     q = steps[-1].result if half else _value(R, square, problem)

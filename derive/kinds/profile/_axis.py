@@ -47,7 +47,7 @@ class Solved:
         """The shortest time that is possible; where the acceleration has no limit, what it stays above."""
         if self.axis.a_max is None:
             working = self.given.working
-            return self.problem.final(working.value(Quotient(self.given.d, self.given.fastest)))
+            return self.problem.final(working.shown(Quotient(self.given.d, self.given.fastest)))
         return (self.fastest or self.outcomes)[0].working.final("t_3")
 
 
@@ -76,7 +76,7 @@ def told(each: Solved, prefix: str = "") -> dict[str, Any]:
     probe = each.outcomes[0].probe
     return {
         "timed": each.time is not None,
-        "given": tuple((name, value, _rate(given, name)) for name, value in given.working.given),
+        "given": tuple((name, value, _rate(given, name)) for name, value in given.working.typed),
         "d": given.d, "v_M": given.fastest, "a_M": given.strongest, "t_3": given.t_3,
         "backwards": given.backwards,
         **_laws(given, each.time is not None),

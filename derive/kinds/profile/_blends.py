@@ -29,8 +29,9 @@ from derive.expression import (
 )
 from derive.kinds.problem import Problem
 from derive.kinds.profile._pieces import Span, term
-from derive.kinds.working import Working, named
+from derive.kinds.work import Work
 from derive.mechanics.profile import Journey, Profile
+from derive.names import named
 
 t, T_B, V, A = symbols("t t_b v a")
 RATES = {"q_0": 0, "q_f": 0, "v": 1, "a": 2, "t_f": None, "t_b": None}
@@ -40,7 +41,7 @@ RATES = {"q_0": 0, "q_f": 0, "v": 1, "a": 2, "t_f": None, "t_b": None}
 class Blended:
     """The working up to t_b, v and a, the names of the ends and of the time, and what was given."""
 
-    working: Working
+    working: Work
     start: Expr
     end: Expr
     T: Symbol
@@ -84,7 +85,7 @@ def blended(journey: Journey, profile: Profile, problem: Problem) -> Blended:
     rates: dict[Expr, int | None] = {}
 
     def name(standard: str, value: Expr) -> Symbol:
-        symbol = named(standard, value, problem)
+        symbol = named(standard, value, problem.taken)
         values[symbol], rates[symbol] = value, RATES[standard]
         return symbol
 
@@ -98,41 +99,41 @@ def blended(journey: Journey, profile: Profile, problem: Problem) -> Blended:
     if profile.time is None:
         raise NotDerivable("no time is given: add time: t_f, or v_max: and a_max: for the shortest")
     T = name("t_f", profile.time)
-    value = _same_way(dict(chosen)[by] or ZERO, by, subtract(end, start), Working(problem, values, angular))
+    value = _same_way(dict(chosen)[by] or ZERO, by, subtract(end, start), Work(problem, values, angular))
     given = name(by, value)
-    working = _solved(Working(problem, values, angular), by, given, subtract(end, start), T)
+    working = _solved(Work(problem, values, angular), by, given, subtract(end, start), T)
     return Blended(working, start, end, T, by, rates, given=given)
 
 
-def _same_way(value: Expr, by: str, way: Expr, working: Working) -> Expr:
+def _same_way(value: Expr, by: str, way: Expr, working: Work) -> Expr:
     """A velocity or an acceleration has the sign of the way; a duration has none."""
     signs = working.sign(value), working.sign(way)
     if signs[1] == 0:
         raise NotDerivable("start and end are the same: there is nowhere to go")
     return (
-        working.value(negate(value)) if by != "t_b" and None not in signs and signs[0] != signs[1] else value
+        working.shown(negate(value)) if by != "t_b" and None not in signs and signs[0] != signs[1] else value
     )
 
 
-def _solved(working: Working, by: str, given: Symbol, way: Expr, T: Symbol) -> Working:
+def _solved(working: Work, by: str, given: Symbol, way: Expr, T: Symbol) -> Work:
     """The other two of t_b, v and a."""
     if by == "v":
-        working = working.line("v", given).line("t_b", add(T, _minus(Quotient(way, given))))
+        working = working.worked("v", given).worked("t_b", add(T, _minus(Quotient(way, given))))
         _need(working, T, "the velocity must lie between the way over the time and twice that")
-        return working.line("a", Quotient(given, T_B))
+        return working.worked("a", Quotient(given, T_B))
     if by == "a":
-        working = working.line("a", given)
+        working = working.worked("a", given)
         inside = add(Quotient(squared(T), number(4)), _minus(Quotient(way, given)))
         if working.sign(inside) == -1:
             raise NotDerivable("the acceleration must be at least four times the way over the time squared")
-        working = working.line("t_b", subtract(Quotient(T, number(2)), sqrt(inside)))
-        duration = working.values[T_B]
-        return working.line(
+        working = working.worked("t_b", subtract(Quotient(T, number(2)), sqrt(inside)))
+        duration = working.known[T_B]
+        return working.worked(
             "v", Product((given, T_B)), Product((given, duration)) if free_symbols(duration) else None
         )
-    working = working.line("t_b", given)
+    working = working.worked("t_b", given)
     _need(working, T, "the two blends cannot last longer than the whole")
-    return working.line("v", Quotient(way, subtract(T, T_B))).line("a", Quotient(V, T_B))
+    return working.worked("v", Quotient(way, subtract(T, T_B))).worked("a", Quotient(V, T_B))
 
 
 def _minus(expr: Expr) -> Expr:
@@ -140,7 +141,7 @@ def _minus(expr: Expr) -> Expr:
     return negate(expr) if is_negative(expr) else Product((MINUS_ONE, expr))
 
 
-def _need(working: Working, T: Symbol, why: str) -> None:
+def _need(working: Work, T: Symbol, why: str) -> None:
     """0 < t_b <= t_f/2. Raises NotDerivable."""
     if working.sign(T_B) in (0, -1) or working.sign(subtract(Quotient(T, number(2)), T_B)) == -1:
         raise NotDerivable(f"this cannot be done in the time: {why}")
@@ -158,16 +159,16 @@ def _by_limits(
     base = problem.ask("trapezoidal-profile")
     if base.results["case"] not in ("trapezoidal", "triangular"):
         raise NotDerivable(f"the profile is {base.results['case']}: its pieces cannot be written down")
-    sign = number(Working(problem, values).sign(subtract(end, start)) or 1)
+    sign = number(Work(problem, values).sign(subtract(end, start)) or 1)
     T = Symbol("t_f")
     found: dict[Symbol, Any] = {
         Symbol(key): base.results[name]
         for key, name in (("t_b", "t_1"), ("v", "v"), ("a", "a"), ("t_f", "t_3"))
     }
-    working = Working(problem, values, angular)
+    working = Work(problem, values, angular)
     for symbol, value in found.items():
         signed = value if symbol in (T, T_B) or sign == number(1) else negate(value)
-        working = working.given_too({symbol: working.value(signed)})
+        working = working.knowing({symbol: working.shown(signed)})
         rates[symbol] = RATES[symbol.name]
     return Blended(working, start, end, T, "limits", rates, (base,))
 
@@ -175,17 +176,17 @@ def _by_limits(
 # -- with numbers put in ---------------------------------------------------------------------------
 
 
-def with_values(tree: Expr, working: Working) -> Expr:
+def with_values(tree: Expr, working: Work) -> Expr:
     """With the values of all names."""
-    return replace(tree, {name: value for name, value in working.values.items() if name != value})
+    return replace(tree, {name: value for name, value in working.known.items() if name != value})
 
 
-def filled_span(span: Span, working: Working) -> Span:
+def filled_span(span: Span, working: Work) -> Span:
     values = tuple(worked_out(c, working) for c in span.coefficients)
     return Span(worked_out(span.start, working), worked_out(span.end, working), values)
 
 
-def filled_laws(found: Blended, working: Working) -> tuple[Expr, ...]:
+def filled_laws(found: Blended, working: Work) -> tuple[Expr, ...]:
     """q of t in the three pieces, with numbers where there are."""
     if found.open:
         return tuple(with_values(tree, working) for tree in found.laws())
@@ -199,7 +200,7 @@ def filled_laws(found: Blended, working: Working) -> tuple[Expr, ...]:
     )
 
 
-def worked_out(tree: Expr, working: Working) -> Expr:
+def worked_out(tree: Expr, working: Work) -> Expr:
     """Worked out where it is a number, with all names put in where it is not."""
     put_in = with_values(tree, working)
-    return put_in if free_symbols(working.problem.final(put_in)) else working.value(tree)
+    return put_in if free_symbols(working.problem.final(put_in)) else working.shown(tree)

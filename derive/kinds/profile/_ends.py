@@ -28,8 +28,8 @@ from derive.expression import (
     subtract,
 )
 from derive.kinds.problem import Problem
-from derive.kinds.working import named
 from derive.mechanics.profile import Journey, Profile
+from derive.names import named
 
 t = Symbol("t")
 RATES = ("q", "qdot", "qddot")
@@ -68,7 +68,7 @@ def ends_of(journey: Journey, profile: Profile, order: int, problem: Problem) ->
     def name(rate: int, where: str, value: Expr) -> Expr:
         if value == ZERO:
             return ZERO
-        symbol = named(f"{('q', 'v', 'alpha')[rate]}_{where}", value, problem)
+        symbol = named(f"{('q', 'v', 'alpha')[rate]}_{where}", value, problem.taken)
         values[symbol], rates[symbol] = value, rate
         return symbol
 
@@ -77,7 +77,7 @@ def ends_of(journey: Journey, profile: Profile, order: int, problem: Problem) ->
     start = tuple(name(rate, "0", value) for rate, value in enumerate(starts))
     end = tuple(name(rate, "f", value) for rate, value in enumerate(stops))
     time = profile.time or ONE
-    T = named("t_f", time, problem)
+    T = named("t_f", time, problem.taken)
     values[T], rates[T] = time, None
     return Ends(start, end, T, values, rates)
 

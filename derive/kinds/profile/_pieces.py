@@ -17,7 +17,7 @@ from derive.kinds.checks import law
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import point_of
-from derive.kinds.working import Working
+from derive.kinds.work import Work
 from derive.mechanics.course import Course, Piece, at
 
 t = Symbol("t")
@@ -38,7 +38,7 @@ class Span:
         tau = t if self.start == ZERO else subtract(t, self.start)
         return add(*(term(c, tau, k) for k, c in enumerate(self.coefficients))) or ZERO
 
-    def derivative(self, working: Working, tau: Scalar, order: int) -> Scalar:
+    def derivative(self, working: Work, tau: Scalar, order: int) -> Scalar:
         """Exactly, at the time tau after the start."""
         coefficients = [working.scalar(c) for c in self.coefficients]
         for _ in range(order):
@@ -63,7 +63,7 @@ def branch(q: Expr, start: Expr, end: Expr, problem: Problem) -> Branch:
     return Branch({"q": problem.final(q)}, f"{sides[0]} <= t <= {sides[1]}")
 
 
-def joined(spans: Sequence[Span], working: Working, orders: int) -> Iterator[Claim]:
+def joined(spans: Sequence[Span], working: Work, orders: int) -> Iterator[Claim]:
     """Where two pieces meet, the derivatives below `orders` agree."""
     for order in range(orders):
         holds = True

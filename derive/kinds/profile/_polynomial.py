@@ -29,7 +29,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.profile._ends import RATES, Ends, ends_of, laws, system, t, term, upper
 from derive.kinds.profile._limits import limits_drawn, limits_told
 from derive.kinds.values_at import point_of
-from derive.kinds.working import Working
+from derive.kinds.work import Work
 from derive.mechanics.course import Course, Piece, at, extremes
 from derive.mechanics.profile import Journey, Profile
 
@@ -42,14 +42,14 @@ def polynomial(
     """The polynomial with 2 `order` coefficients (Craig, section 7.3; Spong et al., section 5.5)."""
     journey = _journey(profile)
     ends = ends_of(journey, profile, order, problem)
-    working = Working(problem, ends.values, profile.sort == "angle" and problem.style.degrees)
+    working = Work(problem, ends.values, profile.sort == "angle" and problem.style.degrees)
     for k, start in enumerate(ends.start):
         formula = start if k < 2 else multiply(Quotient(ONE, number(factorial(k))), start)
-        working = working.line(f"a_{k}", formula)
+        working = working.worked(f"a_{k}", formula)
     for k, formula in enumerate(upper(ends), order):
-        working = working.line(f"a_{k}", formula)
+        working = working.worked(f"a_{k}", formula)
     count = len(working.steps)
-    terms = [working.values[Symbol(f"a_{k}")] for k in range(2 * order)]
+    terms = [working.known[Symbol(f"a_{k}")] for k in range(2 * order)]
     law = add(*(term(each, k) for k, each in enumerate(terms)))
     extra, peaks = _peaks(working, ends, order)
     steps = (*laws(order), system(ends), *working.steps, Step("q_of_t", (q, law)), *extra.steps[count:])
@@ -67,7 +67,7 @@ def polynomial(
     )
     facts = {
         "given": tuple(
-            (name, value, ends.rates[name]) for name, value in working.given if name in ends.rates
+            (name, value, ends.rates[name]) for name, value in working.typed if name in ends.rates
         ),
         "backwards": False,
         "units": profile.units,
@@ -100,7 +100,7 @@ def _journey(profile: Profile) -> Journey:
 # -- peaks --------------------------------------------------------------------------------------------
 
 
-def _peaks(working: Working, ends: Ends, order: int) -> tuple[Working, tuple[str, ...]]:
+def _peaks(working: Work, ends: Ends, order: int) -> tuple[Work, tuple[str, ...]]:
     """From rest to rest: the velocity in the middle, and the greatest acceleration."""
     if not ends.at_rest:
         return working, ()
@@ -111,7 +111,7 @@ def _peaks(working: Working, ends: Ends, order: int) -> tuple[Working, tuple[str
     else:
         fast = Quotient(multiply(number(15), way), multiply(number(8), T))
         strong = Quotient(multiply(number(10), way), multiply(sqrt(number(3)), squared(T)))
-    return working.line("v_peak", fast).line("a_peak", strong), ("v_peak", "a_peak")
+    return working.worked("v_peak", fast).worked("a_peak", strong), ("v_peak", "a_peak")
 
 
 # -- in numbers ---------------------------------------------------------------------------------------

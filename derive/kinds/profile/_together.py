@@ -74,7 +74,7 @@ class Together:
         rows = []
         for k, axis in enumerate(self.axes, 1):
             outcome = axis.outcomes[0]
-            values = [outcome.working.values[Symbol(name)] for name in NAMES]
+            values = [outcome.working.known[Symbol(name)] for name in NAMES]
             rows.append((number(k), outcome.case, *values))
         return Table(HEADINGS, tuple(rows))
 
@@ -86,7 +86,7 @@ def together(profile: Profile, problem: Problem) -> Together:
     if any(each.open for each in alone):
         raise NotDerivable("the slowest axis cannot be told without numbers; give values under where:")
     last = None if profile.time is not None else slowest(alone)
-    time = profile.time if last is None else alone[last].outcomes[0].working.values[Symbol("t_3")]
+    time = profile.time if last is None else alone[last].outcomes[0].working.known[Symbol("t_3")]
     if time is None:
         raise NotDerivable("no time is known")
     axes = tuple(solved(axis, time, profile, problem) for axis in profile.axes)

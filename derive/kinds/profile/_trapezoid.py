@@ -24,8 +24,9 @@ from derive.expression import (
 from derive.expression import add as plus
 from derive.expression import replace as replaced
 from derive.kinds.problem import Problem
-from derive.kinds.working import Working, named
+from derive.kinds.work import Work
 from derive.mechanics.profile import Axis
+from derive.names import named
 
 T_1, T_2, T_M = symbols("t_1 t_2 t_m")
 RENAMED = frozenset({"v", "a"})  # answers that make way for an author's own symbols
@@ -41,7 +42,7 @@ class Given:
     fastest: Symbol
     strongest: Symbol
     t_3: Symbol
-    working: Working
+    working: Work
     backwards: bool = False
 
 
@@ -63,7 +64,7 @@ class Outcome:
     """A case with its working; `when` is the condition that symbols leave open."""
 
     case: str
-    working: Working
+    working: Work
     when: tuple[Condition, ...] = ()
     probe: Step | None = None  # the comparison that decided for it
     too_fast: bool = False  # infeasible because even the greatest velocity does not suffice
@@ -76,25 +77,23 @@ class Outcome:
 
 def begun(problem: Problem, axis: Axis, time: Expr | None, angular: bool) -> Given:
     """The given quantities under their names; a distance backwards is counted as its size."""
-    bare = Working(problem, {}, angular)
+    bare = Work(problem, {}, angular)
     sign = bare.sign(axis.distance)
     backwards = sign == -1 or (sign is None and is_negative(axis.distance))
-    size = bare.value(negate(axis.distance)) if backwards else axis.distance
-    d = named("d", size, problem)
+    size = bare.shown(negate(axis.distance)) if backwards else axis.distance
+    d = named("d", size, problem.taken)
     values: dict[Expr, Expr] = {d: size}
-    v_M = named("v_M", axis.v_max, problem)
+    v_M = named("v_M", axis.v_max, problem.taken)
     values[v_M] = axis.v_max
     a_M = Symbol("a_M")
     if axis.a_max is not None:
-        a_M = named("a_M", axis.a_max, problem)
+        a_M = named("a_M", axis.a_max, problem.taken)
         values[a_M] = axis.a_max
     t_3 = Symbol("t_3")
     if time is not None:
-        t_3 = named("t_3", time, problem)
+        t_3 = named("t_3", time, problem.taken)
         values[t_3] = time
-    return Given(
-        d, v_M, a_M, t_3, Working(problem, values, angular, taken=RENAMED & problem.symbols), backwards
-    )
+    return Given(d, v_M, a_M, t_3, Work(problem, values, angular, taken=RENAMED & problem.symbols), backwards)
 
 
 # -- in the shortest time -----------------------------------------------------------------------------
@@ -104,7 +103,7 @@ def shortest(given: Given) -> tuple[Outcome, ...]:
     """With a plateau where there is room for it, else a triangle."""
     d, v_M, a_M, working = given.d, given.fastest, given.strongest, given.working
     ramps = Quotient(squared(v_M), a_M)
-    probe = working.line("ramps", ramps).steps[-1]
+    probe = working.worked("ramps", ramps).steps[-1]
     probe = replace(probe, chain=probe.chain[1:])
     room = working.sign(subtract(d, ramps))
     left, right = (_condition(working, side) for side in (ramps, d))
@@ -117,15 +116,15 @@ def shortest(given: Given) -> tuple[Outcome, ...]:
     return (replace(with_plateau if room >= 0 else without, when=()),)
 
 
-def _fast_trapezoid(given: Given) -> Working:
-    working = given.working.line("t_1", Quotient(given.fastest, given.strongest))
-    working = working.line("t_2", Quotient(given.d, given.fastest))
-    total = plus(working.values[T_2], working.values[T_1]) if free_symbols(working.final("t_2")) else None
-    working = working.line("t_3", plus(T_1, T_2), total)
-    return working.line("v", given.fastest).line("a", given.strongest)
+def _fast_trapezoid(given: Given) -> Work:
+    working = given.working.worked("t_1", Quotient(given.fastest, given.strongest))
+    working = working.worked("t_2", Quotient(given.d, given.fastest))
+    total = plus(working.known[T_2], working.known[T_1]) if free_symbols(working.final("t_2")) else None
+    working = working.worked("t_3", plus(T_1, T_2), total)
+    return working.worked("v", given.fastest).worked("a", given.strongest)
 
 
-def _fast_triangle(given: Given) -> Working:
+def _fast_triangle(given: Given) -> Work:
     """d = a_M t_1^2; with symbols the roots are written as a person writes them."""
     d, a_M, working = given.d, given.strongest, given.working
     full, half, peak = (
@@ -133,16 +132,18 @@ def _fast_triangle(given: Given) -> Working:
         Quotient(Symbol("t_3"), number(2)),
         Product((a_M, T_1)),
     )
-    if not free_symbols(working.problem.final(working.value(Quotient(d, a_M)))):
-        working = working.line("t_3", full).line("t_1", half).line("t_2", T_1)
-        return working.line("v", peak).line("a", a_M)
-    root = sqrt(working.value(Quotient(d, a_M)))
+    if not free_symbols(working.problem.final(working.shown(Quotient(d, a_M)))):
+        working = working.worked("t_3", full).worked("t_1", half).worked("t_2", T_1)
+        return working.worked("v", peak).worked("a", a_M)
+    root = sqrt(working.shown(Quotient(d, a_M)))
     working = (
-        working.line("t_3", full, Product((number(2), root))).line("t_1", half, root).line("t_2", T_1, root)
+        working.worked("t_3", full, Product((number(2), root)))
+        .worked("t_1", half, root)
+        .worked("t_2", T_1, root)
     )
     # a sqrt(d/a) is sqrt(a d) for a > 0 only, which the normal form does not know: the search checks it
-    working = working.line("v", peak, sqrt(working.value(Product((a_M, d)))), rule="law")
-    return working.line("a", a_M)
+    working = working.worked("v", peak, sqrt(working.shown(Product((a_M, d)))), rule="law")
+    return working.worked("a", a_M)
 
 
 # -- in a given time ----------------------------------------------------------------------------------
@@ -152,7 +153,7 @@ def timed(given: Given) -> tuple[Outcome, ...]:
     """With the least acceleration: a triangle unless its peak is too fast, then a plateau at v_M."""
     d, v_M, t_3, working = given.d, given.fastest, given.t_3, given.working
     peak = Quotient(Product((number(2), d)), t_3)
-    probe = working.line("peak", peak).steps[-1]
+    probe = working.worked("peak", peak).steps[-1]
     probe = replace(probe, chain=probe.chain[1:])
     triangle, trapezoid = _slow_triangle(given), _slow_trapezoid(given)
     left, right = (_condition(working, side) for side in (peak, v_M))
@@ -169,22 +170,22 @@ def timed(given: Given) -> tuple[Outcome, ...]:
 
 
 def _slow_triangle(given: Given) -> Outcome:
-    working = given.working.line("t_1", Quotient(given.t_3, number(2))).line("t_2", T_1)
+    working = given.working.worked("t_1", Quotient(given.t_3, number(2))).worked("t_2", T_1)
     working = _keep_time(working, given.t_3)
-    working = working.line("v", Quotient(given.d, T_1)).line("a", Quotient(working.symbol("v"), T_1))
+    working = working.worked("v", Quotient(given.d, T_1)).worked("a", Quotient(working.symbol("v"), T_1))
     return Outcome("triangular", working, plateau=False)
 
 
 def _slow_trapezoid(given: Given) -> Outcome:
     """The plateau follows from the area, d = v (t_3 + t_m)/2."""
     d, v_M, t_3 = given.d, given.fastest, given.t_3
-    working = given.working.line("v", v_M)
-    working = working.line("t_m", subtract(Quotient(Product((number(2), d)), working.symbol("v")), t_3))
-    working = working.line("t_1", Quotient(subtract(t_3, T_M), number(2)))
+    working = given.working.worked("v", v_M)
+    working = working.worked("t_m", subtract(Quotient(Product((number(2), d)), working.symbol("v")), t_3))
+    working = working.worked("t_1", Quotient(subtract(t_3, T_M), number(2)))
     room = working.sign(T_1)
     if room is not None and room <= 0:
         return Outcome("infeasible", working, too_fast=True)
-    working = _keep_time(working.line("t_2", subtract(t_3, T_1)), t_3).line(
+    working = _keep_time(working.worked("t_2", subtract(t_3, T_1)), t_3).worked(
         "a", Quotient(working.symbol("v"), T_1)
     )
     limit = _condition(working, Quotient(d, v_M))
@@ -192,15 +193,15 @@ def _slow_trapezoid(given: Given) -> Outcome:
     return Outcome("trapezoidal", working, when)
 
 
-def _keep_time(working: Working, t_3: Symbol) -> Working:
+def _keep_time(working: Work, t_3: Symbol) -> Work:
     """t_3 is a result under its own name too."""
-    values: Mapping[Expr, Expr] = {**working.values, Symbol("t_3"): working.values[t_3]}
-    return replace(working, values=values)
+    values: Mapping[Expr, Expr] = {**working.known, Symbol("t_3"): working.known[t_3]}
+    return replace(working, known=values)
 
 
 def _checked(outcome: Outcome, given: Given) -> Outcome:
     """Infeasible where the acceleration is beyond its limit; a condition where symbols leave that open."""
-    if outcome.case == "infeasible" or given.strongest not in given.working.values:
+    if outcome.case == "infeasible" or given.strongest not in given.working.known:
         return outcome
     beyond = outcome.working.sign(subtract(outcome.working.symbol("a"), given.strongest))
     if beyond is None:
@@ -213,7 +214,7 @@ def _checked(outcome: Outcome, given: Given) -> Outcome:
     return replace(outcome, case="infeasible") if beyond > 0 else outcome
 
 
-def _condition(working: Working, expr: Expr) -> Expr:
+def _condition(working: Work, expr: Expr) -> Expr:
     """A side of a condition, in the symbols of the sheet."""
-    shown = replaced(expr, {name: value for name, value in working.values.items() if name != value})
-    return working.value(shown)
+    shown = replaced(expr, {name: value for name, value in working.known.items() if name != value})
+    return working.shown(shown)

@@ -27,7 +27,7 @@ from derive.kinds.profile._blends import T_B, A, Blended, V, blended, filled_law
 from derive.kinds.profile._limits import limits_drawn, limits_told
 from derive.kinds.profile._pieces import Span, branch, in_floats, joined, q_at
 from derive.kinds.values_at import point_of
-from derive.kinds.working import Working
+from derive.kinds.work import Work
 from derive.mechanics.course import Course
 from derive.mechanics.profile import Journey, Profile
 
@@ -73,7 +73,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     laws = filled_laws(found, working)
     course = in_floats(spans, options.evaluate, problem)
     results = {name: working.final(name) for name in ("t_b", "v", "a")}
-    results["t_f"] = problem.final(working.values[found.T])
+    results["t_f"] = problem.final(working.known[found.T])
     bounds = found.spans() if found.open else spans
     pieces = tuple(branch(q_t, s.start, s.end, problem) for q_t, s in zip(laws, bounds, strict=True))
     steps = (*working.steps, *_piece_steps(found.laws(), laws, found.open))
@@ -108,7 +108,7 @@ def _piece_steps(named_laws: tuple[Expr, ...], laws: tuple[Expr, ...], open_: bo
     return tuple(steps)
 
 
-def _ends_of(found: Blended, working: Working) -> tuple[Claim, Claim]:
+def _ends_of(found: Blended, working: Work) -> tuple[Claim, Claim]:
     last = found.spans()[-1]
     length = working.scalar(T_B)
     there = last.derivative(working, length, 0) == working.scalar(found.end)
@@ -164,7 +164,7 @@ def _facts(
     steps = tuple(step.name for step in working.steps)
     ratio = Quotient(way, T)
     return {
-        "given": tuple((n, value, found.rates[n]) for n, value in working.given if n in found.rates),
+        "given": tuple((n, value, found.rates[n]) for n, value in working.typed if n in found.rates),
         "backwards": False,
         "units": profile.units,
         "by": found.by,

@@ -36,7 +36,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.profile._limits import limits_drawn, limits_told
 from derive.kinds.profile._pieces import Span, branch, in_floats, joined, q_at
 from derive.kinds.values_at import point_of
-from derive.kinds.working import Working
+from derive.kinds.work import Work
 from derive.mechanics.course import Course
 from derive.mechanics.profile import Journey, Profile
 from derive.mechanics.splines import solved_in_floats
@@ -81,7 +81,7 @@ class Knots:
     places: tuple[Expr, ...]
     velocities: tuple[Expr | None, ...]
     ends: Ends
-    working: Working
+    working: Work
 
     @property
     def spans(self) -> int:
@@ -107,7 +107,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     A, b = _system(knots)
     velocities = (A.inverse() @ b).entries
     working = knots.working
-    written = tuple(working.written(v) for v in velocities)
+    written = tuple(working.readable(v) for v in velocities)
     names: dict[Expr, Expr] = {Symbol(f"v_{k}"): value for k, value in enumerate(written)}
     spans = tuple(_span(knots, velocities, k) for k in range(knots.spans))
     course = in_floats(spans, options.evaluate, problem)
@@ -139,7 +139,7 @@ def _knots(journey: Journey, profile: Profile, ends: Ends, problem: Problem) -> 
         *(via.velocity for via in journey.via),
         journey.end_velocity if clamped else None,
     )
-    working = Working(problem, {}, profile.sort == "angle" and problem.style.degrees)
+    working = Work(problem, {}, profile.sort == "angle" and problem.style.degrees)
     return Knots(times, places, velocities, ends, working)
 
 
@@ -174,7 +174,7 @@ def _span(knots: Knots, velocities: Sequence[Scalar], k: int) -> Span:
     slope, before, after = (q[1] - q[0]) / h, velocities[k], velocities[k + 1]
     upper = (slope * 3 - before * 2 - after) / h, (before + after - slope * 2) / (h * h)
     coefficients = (q[0], before, *upper)
-    return Span(knots.times[k], knots.times[k + 1], tuple(map(knots.working.written, coefficients)))
+    return Span(knots.times[k], knots.times[k + 1], tuple(map(knots.working.readable, coefficients)))
 
 
 # -- steps and facts ----------------------------------------------------------------------------------
@@ -182,7 +182,7 @@ def _span(knots: Knots, velocities: Sequence[Scalar], k: int) -> Span:
 
 def _steps(knots: Knots, A: ScalarMatrix, b: ScalarMatrix, written: Sequence[Expr]) -> Iterator[Step]:
     unknown = column(Symbol(f"v_{k}") for k in range(knots.spans + 1))
-    right = column(knots.working.written(entry) for entry in b.entries)
+    right = column(knots.working.readable(entry) for entry in b.entries)
     yield Step("system", (Product((_plain(A, knots), unknown)), right))
     shown = column(_read(each, knots.working.problem.style.decimals) for each in written)
     yield Step("velocities", (unknown, shown))

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from derive.derivation import Step
 from derive.expression import ZERO, Expr, Product, Symbol, column, cross, subtract
-from derive.kinds.naming import free_letter
 from derive.kinds.problem import Problem
 from derive.mechanics.chain import Chain
 from derive.mechanics.coupling import Coupling, Drive
 from derive.mechanics.robot import DHRow, Robot
+from derive.names import free
 
 # What the moves of a row are, in their order.
 COLUMNS = {"standard": ("theta", "d", "a", "alpha"), "modified": ("alpha", "a", "theta", "d")}
@@ -16,12 +16,12 @@ COLUMNS = {"standard": ("theta", "d", "a", "alpha"), "modified": ("alpha", "a", 
 
 def phi_of(problem: Problem) -> Symbol:
     """The motions of the rows, one below the other."""
-    return Symbol(free_letter(problem, ("",), "phi", "psi", "xi"))
+    return Symbol(free(problem.taken, "phi", "psi", "xi"))
 
 
 def gamma_of(problem: Problem) -> Symbol:
     """Their partial derivatives by the joint variables."""
-    return Symbol(free_letter(problem, ("",), "Gamma", "Psi", "Xi"))
+    return Symbol(free(problem.taken, "Gamma", "Psi", "Xi"))
 
 
 def motion_steps(problem: Problem, coupling: Coupling) -> tuple[Step, ...]:

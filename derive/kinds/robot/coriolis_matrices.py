@@ -20,8 +20,8 @@ from derive.kinds.robot._dynamics.khatib import (
     velocity_of,
 )
 from derive.kinds.robot._dynamics.rates import is_long, pairs, squares, velocity_agreement
-from derive.kinds.robot._reserved import reserve
 from derive.mechanics.robot import Robot
+from derive.names import require_free
 
 RESULTS = {
     "C": "the centrifugal matrix; its entry i, j is b_ijj (n by n)",
@@ -47,7 +47,7 @@ class Options(OptionsModel):
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """v = C [qdot^2] + B [qdot qdot] (Khatib, Introduction to Robotics, dynamics; Craig, eq. 6.63)."""
-    reserve(problem, "C", "B", "v")
+    require_free(problem.symbols, "C", "B", "v")
     inertia = problem.ask("inertia-matrix")
     D, big, n = inertia.definitions[Symbol("D")], is_long(problem), len(robot.variables)
     velocity = velocity_of(problem, big)

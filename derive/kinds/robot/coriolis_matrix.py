@@ -23,8 +23,8 @@ from derive.kinds.robot._dynamics.rates import (
     velocity_agreement,
     velocity_terms,
 )
-from derive.kinds.robot._reserved import reserve
 from derive.mechanics.robot import Robot
+from derive.names import require_free
 
 RESULTS = {"C": "the matrix with c_kj = sum of c_ijk qdot_i (n by n); rates are written theta1_dot"}
 NEEDS = ("bodies",)
@@ -45,7 +45,7 @@ class Options(OptionsModel):
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """c_kj = sum of c_ijk qdot_i (Spong et al., eq. 6.42; Siciliano et al., eq. 7.45)."""
-    reserve(problem, "C")
+    require_free(problem.symbols, "C")
     inertia, speed = problem.ask("inertia-matrix"), problem.ask("christoffel")
     names, named = robot.variables, moment_names(inertia)
     symbols = symbols_of(problem)

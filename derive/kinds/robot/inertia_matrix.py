@@ -24,10 +24,10 @@ from derive.kinds.robot._dynamics.body_steps import (
 )
 from derive.kinds.robot._dynamics.drives import rotor_steps, with_rotors
 from derive.kinds.robot._dynamics.local_jacobians import local_definitions, local_parts, local_steps
-from derive.kinds.robot._reserved import reserve
 from derive.mechanics.chain import Chain
 from derive.mechanics.dynamics import inertia_matrix, link_inertia
 from derive.mechanics.robot import Robot
+from derive.names import require_free
 
 RESULTS = {
     "D": "the inertia matrix (n by n)",
@@ -54,7 +54,7 @@ class Options(OptionsModel):
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """D = sum of m J_v^T J_v + J_w^T R I R^T J_w (Spong et al., eq. 6.30)."""
-    reserve(problem, "D")
+    require_free(problem.symbols, "D")
     found = chain_of(problem)
     bodies = weighted(problem, found)
     D = with_rotors(inertia_matrix([body.motion for body in bodies]), robot)

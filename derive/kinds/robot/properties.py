@@ -26,9 +26,9 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of, moment_names
 from derive.kinds.robot._dynamics.rates import is_long, oracle, rate_column
-from derive.kinds.robot._reserved import reserve
 from derive.mechanics.robot import Robot
 from derive.mechanics.sampled import physical_points
+from derive.names import require_free
 
 RESULTS = {
     "D_dot": "dD/dt (n by n); rates are written theta1_dot",
@@ -58,7 +58,7 @@ class Options(OptionsModel):
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """N = dD/dt - 2C is skew-symmetric, D positive definite, tau linear in the parameters (Spong et al.,
     section 6.5)."""
-    reserve(problem, "N")
+    require_free(problem.symbols, "N")
     inertia, coriolis, linear = (
         problem.ask(kind) for kind in ("inertia-matrix", "coriolis-matrix", "regressor")
     )

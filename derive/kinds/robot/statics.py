@@ -7,19 +7,20 @@ from typing import Any
 
 from pydantic import Field
 
-from derive.algebra.normal import normal, normal_matrix
+from derive.algebra.normal import normal
 from derive.algebra.numbers import floats as numeric
-from derive.derivation import Derivation, Step
+from derive.derivation import Derivation, PageFacts
 from derive.errors import NotDerivable
-from derive.expression import Expr, Matrix, Product, Symbol, column, free_symbols, transpose
-from derive.kinds.checks import agreement, links
+from derive.expression import Expr, Product, Symbol, column, free_symbols, transpose
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import chain_of, closing, oracle_of
+from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._point import PointOn, tracked
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
+from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import moving_rows
+from derive.names import free
 
 RESULTS = {"tau": "torques of revolute and forces of prismatic joints (n)"}
 EXAMPLE = """\
@@ -46,36 +47,43 @@ class Options(OptionsModel):
     point: PointOn | None = None
 
 
+class Facts(PageFacts):
+    """What the words need to know."""
+
+    rows: tuple[Symbol, ...]
+    only: bool
+    revolute: bool
+    moments: bool
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """tau = J^T F, by virtual work (Siciliano et al., section 3.8; Spong et al., section 4.10).
 
     Raises NotDerivable where the force has not one component for each row.
     """
     task = task_of(problem, _rows(options, problem), options.point)
-    force = options.force or tuple(Symbol(_free(FORCES[row], problem)) for row in task.rows)
+    force = options.force or tuple(_symbol(row, problem) for row in task.rows)
     if len(force) != len(task.rows):
         which = f"the {len(task.rows)} rows {', '.join(task.rows)}"
         raise NotDerivable(f"{len(force)} components of the force for {which}; give one for each")
-    load, shown = column(force), task.written
-    tau = task.J.T @ normal_matrix(load)
-    written = problem.readable_matrix(tau)
-    turned = Matrix(tuple(zip(*shown.rows, strict=True)))
-    final = problem.final(written)
-    step = Step("tau", (TAU, Product((transpose(J), F)), Product((turned, load)), written), "virtual-work")
-    given = Step("F", (F, load), "given")
-    definitions: dict[Expr, Expr] = {J: shown, F: load, TAU: written}
-    steps = (given, task.step, closing(step, final))
-    claim = agreement(
+    work = Work(problem, uses=(task.base,)).given(F, column(force)).given(J, task.J, "rows")
+    written = Product((work.matrix(J).T, work[F]))
+    work = work.line(TAU, Product((transpose(J), F)), written, rule="virtual-work")
+    tau = work.value_matrix(TAU)
+    work = work.closed(TAU).agrees(
         "tau agrees with the work done in a small displacement",
         task.symbols.union(*map(free_symbols, force)),
         lambda at: numeric.matrix_numbers(tau, oracle_of(problem).at(at)),
         lambda at: _by_work(task, force, at),
         DIFFERENCES,
     )
-    claims = (*links(steps, {**problem.names, **definitions}), claim)
-    return Derivation(
-        "statics", steps, {"tau": final}, claims, definitions, uses=(task.base,), facts=_facts(task)
-    )
+    return work.answer("statics", {"tau": work.final(TAU)}, _facts(task))
+
+
+def _symbol(row: str, problem: Problem) -> Symbol:
+    """fx, or f_ex where the sheet means something else by that."""
+    name = FORCES[row]
+    return Symbol(free(problem.taken, name, f"{name[0]}_e{name[1]}"))
 
 
 def _rows(options: Options, problem: Problem) -> tuple[str, ...]:
@@ -91,12 +99,6 @@ def _rows(options: Options, problem: Problem) -> tuple[str, ...]:
     return next((rows for rows in choices if len(rows) == len(options.force)), linear)
 
 
-def _free(name: str, problem: Problem) -> str:
-    """A name that stands for nothing else."""
-    taken = problem.symbols | set(problem.where)
-    return name if name not in taken else f"{name[0]}_e{name[1]}"
-
-
 def _by_work(task: Task, force: tuple[Expr, ...], at: Mapping[str, float]) -> Any:
     import numpy as np
 
@@ -105,10 +107,10 @@ def _by_work(task: Task, force: tuple[Expr, ...], at: Mapping[str, float]) -> An
     return task.numbers(at).T @ F_now
 
 
-def _facts(task: Task) -> dict[str, Any]:
-    return {
-        "rows": task.velocities,
-        "only": not set(task.rows) >= {"vx", "vy", "vz", "wx", "wy", "wz"},
-        "revolute": all(joint.type == "revolute" for _, joint in task.found.moving),
-        "moments": any(row[0] == "w" for row in task.rows),
-    }
+def _facts(task: Task) -> Facts:
+    return Facts(
+        rows=task.velocities,
+        only=not set(task.rows) >= {"vx", "vy", "vz", "wx", "wy", "wz"},
+        revolute=all(joint.type == "revolute" for _, joint in task.found.moving),
+        moments=any(row[0] == "w" for row in task.rows),
+    )

@@ -8,8 +8,9 @@ from derive.expression import ONE, ZERO, Expr, Product, Quotient, Symbol, add, s
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.working import Working, named
+from derive.kinds.work import Work
 from derive.mechanics.sensing import PulseWidth
+from derive.names import named
 
 NEEDS = ("voltage",)
 RESULTS = {
@@ -46,7 +47,7 @@ class Facts(PageFacts):
 
 def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivation:
     """The area under one period over its length."""
-    high, low = named("U", voltage.high, problem), named("U_0", voltage.low, problem)
+    high, low = named("U", voltage.high, problem.taken), named("U_0", voltage.low, problem.taken)
     values: dict[Expr, Expr] = {high: voltage.high}
     bipolar = problem.final(voltage.low) != ZERO
     values |= {low: voltage.low} if bipolar else {}
@@ -55,11 +56,11 @@ def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivatio
         values[duty] = voltage.duty
     if voltage.mean is not None:
         values[mean] = voltage.mean
-    working = _solved(Working(problem, values), voltage, (high, low, mean, duty), bipolar)
-    results = {"mean": problem.final(working.values[mean]), "duty": problem.final(working.values[duty])}
+    working = _solved(Work(problem, values), voltage, (high, low, mean, duty), bipolar)
+    results = {"mean": problem.final(working.known[mean]), "duty": problem.final(working.known[duty])}
     if voltage.frequency is not None:
-        f = named("f", voltage.frequency, problem)
-        working = working.given_too({f: voltage.frequency}).line("t_on", Quotient(duty, f))
+        f = named("f", voltage.frequency, problem.taken)
+        working = working.knowing({f: voltage.frequency}).worked("t_on", Quotient(duty, f))
         results["t_on"] = working.final("t_on")
     claims = (
         *links(working.steps, {**problem.names, **working.definitions}),
@@ -70,7 +71,7 @@ def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivatio
         ),
     )
     facts = Facts(
-        given=working.given, bipolar=bipolar, inverse=voltage.duty is None, high=high, low=low, duty=duty,
+        given=working.typed, bipolar=bipolar, inverse=voltage.duty is None, high=high, low=low, duty=duty,
         timed=voltage.frequency is not None, law=(mean, _mean(high, low, duty, bipolar)),
     )  # fmt: skip
     return Derivation("mean-voltage", working.steps, results, claims, working.definitions, facts=facts)
@@ -78,8 +79,8 @@ def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivatio
 
 def _names(voltage: PulseWidth, problem: Problem) -> tuple[Symbol, Symbol]:
     return (
-        MEAN if voltage.mean is None else named("U_m", voltage.mean, problem),
-        DUTY if voltage.duty is None else named("D", voltage.duty, problem),
+        MEAN if voltage.mean is None else named("U_m", voltage.mean, problem.taken),
+        DUTY if voltage.duty is None else named("D", voltage.duty, problem.taken),
     )
 
 
@@ -89,13 +90,13 @@ def _mean(high: Expr, low: Expr, duty: Expr, bipolar: bool) -> Expr:
 
 
 def _solved(
-    working: Working, voltage: PulseWidth, names: tuple[Symbol, Symbol, Symbol, Symbol], bipolar: bool
-) -> Working:
+    working: Work, voltage: PulseWidth, names: tuple[Symbol, Symbol, Symbol, Symbol], bipolar: bool
+) -> Work:
     high, low, mean, duty = names
     if voltage.duty is not None:
-        return working.line(mean.name, _mean(high, low, duty, bipolar))
+        return working.worked(mean.name, _mean(high, low, duty, bipolar))
     above = subtract(mean, low) if bipolar else mean
-    return working.line(duty.name, Quotient(above, subtract(high, low) if bipolar else high))
+    return working.worked(duty.name, Quotient(above, subtract(high, low) if bipolar else high))
 
 
 def _sampled(voltage: PulseWidth, problem: Problem, results: dict[str, Expr]) -> bool:

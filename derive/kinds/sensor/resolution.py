@@ -55,7 +55,7 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
         ),
     )
     edges = encoder.disc.edges if isinstance(encoder.disc, Incremental) else None
-    facts = Facts(edges=edges, gear=gear, gear_value=working.values[gear] if gear else None)
+    facts = Facts(edges=edges, gear=gear, gear_value=working.known[gear] if gear else None)
     return Derivation("resolution", working.steps, results, claims, working.definitions, facts=facts)
 
 

@@ -15,8 +15,8 @@ from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
 from derive.kinds.fields import Formula, OptionsModel, Time
 from derive.kinds.problem import Problem
 from derive.kinds.sensor._encoder import DELTA, counted
-from derive.kinds.working import named
 from derive.mechanics.sensing import Encoder
+from derive.names import named
 
 NEEDS = ("encoder",)
 RESULTS = {
@@ -69,14 +69,14 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
     base = problem.ask("resolution")
     working, gear = counted(problem, encoder)
     told = len(working.steps)
-    n, T = named("n", options.counts, problem), named("T", options.period, problem)
-    working = working.given_too({n: options.counts, T: options.period})
-    working = working.line("omega", Quotient(Product((n, DELTA)), T))
+    n, T = named("n", options.counts, problem.taken), named("T", options.period, problem.taken)
+    working = working.knowing({n: options.counts, T: options.period})
+    working = working.worked("omega", Quotient(Product((n, DELTA)), T))
     if gear:
-        working = working.line("omega_m", Product((gear, OMEGA)))
+        working = working.worked("omega_m", Product((gear, OMEGA)))
     backwards = (rational(problem.final(options.counts)) or 0) < 0
     size, speed = (Call("abs", (each,)) if backwards else each for each in (n, OMEGA))
-    working = working.line("delta_omega", Quotient(DELTA, T)).line("relative", Quotient(ONE, size))
+    working = working.worked("delta_omega", Quotient(DELTA, T)).worked("relative", Quotient(ONE, size))
     results: dict[str, Expr] = {"omega": working.final("omega")}
     if gear:
         results["omega_motor"] = working.final("omega_m")
@@ -91,7 +91,7 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
         ),
     )
     facts = Facts(
-        given=tuple((name, value) for name, value in working.given if name in (n, T)),
+        given=tuple((name, value) for name, value in working.typed if name in (n, T)),
         n=n, T=T, gear=gear, numbers=("omega", "omega_motor", "quantum", "relative"),
     )  # fmt: skip
     return Derivation("speed", steps, results, claims, working.definitions, uses=(base,), facts=facts)

@@ -34,6 +34,7 @@ from derive.expression import (
 from derive.kinds.checks import law
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
+from derive.names import free
 
 WHOLE_BELOW = 10**6
 J = Symbol("j")
@@ -60,9 +61,7 @@ class Plant:
 
     def named(self, name: str) -> Symbol:
         """A name for a result; with the output as its index where the equations use it already."""
-        sides = (side for equation in self.system.equations for side in (equation.left, equation.right))
-        taken = frozenset[str]().union(*map(free_symbols, sides))
-        return Symbol(f"{name}_{self.system.output.name}" if name in taken else name)
+        return Symbol(free(self.system.names, name, f"{name}_{self.system.output.name}"))
 
     def final(self, rational: Rational) -> Expr:
         """With the names of `where` replaced."""
@@ -128,7 +127,7 @@ def delay_claims(system: System) -> Iterator[Claim]:
 
 def asked(problem: Problem, kind: str, **options: Any) -> Derivation:
     """The derivation of a question: the sheet's own, whatever it is evaluated at, if the sheet asks it."""
-    for name, given in (*problem.questions, *problem.derived):
+    for name, given in (*problem.questions, *problem.memo.answers):
         if name == kind and all(getattr(given, key) == value for key, value in options.items()):
             return problem.answer(name, given)
     return problem.ask(kind, **options)

@@ -32,6 +32,7 @@ from derive.kinds.system._plant import (
 )
 from derive.kinds.system._routh_steps import Array, trees_of
 from derive.kinds.system.closed_loop import closed
+from derive.names import free
 
 MOST_SYMBOLIC, MOST = 8, 24  # degrees that are looked at, with symbols and without
 
@@ -116,20 +117,12 @@ def _array(polynomial: Polynomial, solved: Plant, controller: Controller | None)
     sides = [side for equation in solved.system.equations for side in (equation.left, equation.right)]
     sides += [*solved.problem.where.values(), *(controller.gains if controller else ())]
     taken = frozenset[str]().union(*map(free_symbols, sides)) | set(solved.problem.where)
-    epsilon = free_name(("epsilon", "delta", "eta"), taken)
-    letter = _free_letter(("r", "q", "w"), taken)
-    auxiliary = _free_letter(("A", "P", "Q"), taken)
+    indexed = {name[0] for name in taken if name[1:].strip("_").isdigit()}
+    epsilon = free(taken, "epsilon", "delta", "eta")
+    letter = free(indexed, "r", "q", "w")
+    auxiliary = free(indexed, "A", "P", "Q")
     rows = routh(polynomial, epsilon)
     return Array(polynomial, rows, trees_of(rows, solved.style), solved.style, letter, epsilon, auxiliary)
-
-
-def free_name(names: tuple[str, ...], taken: frozenset[str]) -> str:
-    return next((name for name in names if name not in taken), names[0] + "_0")
-
-
-def _free_letter(letters: tuple[str, ...], taken: frozenset[str]) -> str:
-    """One that no name with an index begins with."""
-    return free_name(letters, frozenset(name[0] for name in taken if name[1:].strip("_").isdigit()))
 
 
 def right_of_axis(found: tuple[complex, ...]) -> int:

@@ -41,7 +41,7 @@ from derive.kinds.system._plant import (
     verdict,
 )
 from derive.kinds.system._routh_steps import LONG, entry_steps
-from derive.kinds.system._stability_answer import Answer, answered, free_name, right_of_axis
+from derive.kinds.system._stability_answer import Answer, answered, right_of_axis
 from derive.kinds.system._stability_checks import claims_of, signs_at
 from derive.kinds.system._stability_limit import (
     frequency_squared,
@@ -51,6 +51,7 @@ from derive.kinds.system._stability_limit import (
     of_one_sign,
     possible,
 )
+from derive.names import free
 
 SUBJECTS = ("system", "motor")
 RESULTS = {
@@ -131,8 +132,7 @@ def _definitions(answer: Answer) -> dict[Expr, Expr]:
 
 
 def _omega(answer: Answer) -> Symbol:
-    taken = frozenset(answer.symbols)
-    return Symbol(free_name(("omega_0", "omega_n", "w_0"), taken))
+    return Symbol(free(answer.symbols, "omega_0", "omega_n", "w_0"))
 
 
 def _limit_steps(answer: Answer) -> Iterator[Step]:

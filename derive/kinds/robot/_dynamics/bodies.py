@@ -10,13 +10,13 @@ from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Matrix, Symbol
-from derive.kinds.naming import free_letter
 from derive.kinds.problem import Problem
 from derive.mechanics.bodies import Body, Moments, PointMass, moments
 from derive.mechanics.chain import Chain
 from derive.mechanics.dynamics import LinkMotion
 from derive.mechanics.jacobian import MovingPoint, drift
 from derive.mechanics.poses import position_part, rotation_part
+from derive.names import free
 
 ELEMENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
 
@@ -55,7 +55,7 @@ def weighted(problem: Problem, found: Chain) -> tuple[Weighted, ...]:
     if any(joint.pitch for _, joint in found.moving):
         raise NotDerivable("the dynamics of a helical joint is not derived; only its kinematics is")
     alike = len({(body.mass, body.inertia) for _, body in carried}) == 1
-    letter = free_letter(problem, [str(i) for i, _ in carried], "I_", "I_c", "I_C")
+    letter = free(problem.taken, "I_", "I_c", "I_C", indices=[str(i) for i, _ in carried])
     return tuple(_weighted(problem, found, i, body, "" if alike else str(i), letter) for i, body in carried)
 
 

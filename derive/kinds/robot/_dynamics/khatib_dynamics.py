@@ -28,8 +28,8 @@ from derive.kinds.robot._chain import chain_of, matrix_of, moment_names
 from derive.kinds.robot._dynamics.bodies import weighted
 from derive.kinds.robot._dynamics.drives import friction_column
 from derive.kinds.robot._dynamics.rates import is_long, oracle, rated, rises
-from derive.kinds.robot._reserved import reserve
 from derive.mechanics.robot import gravity_of
+from derive.names import require_free
 
 LONGEST = 45  # operations; a longer equation stays in the names of its terms
 MASS, WEIGHT, FRICTION, ACCELERATION = Symbol("M"), Symbol("G"), Symbol("F"), Symbol("q_ddot")
@@ -37,7 +37,7 @@ MASS, WEIGHT, FRICTION, ACCELERATION = Symbol("M"), Symbol("G"), Symbol("F"), Sy
 
 def khatib_dynamics(problem: Problem) -> Derivation:
     """tau = M qddot + v + G, with G from the Jacobians of the centers of mass."""
-    reserve(problem, "M", "G", "F", "q_ddot")
+    require_free(problem.symbols, "M", "G", "F", "q_ddot")
     inertia, speed = problem.ask("inertia-matrix"), problem.ask("coriolis-matrices")
     weight = problem.ask("gravity")
     M, v, g = matrix_of(inertia, "D"), matrix_of(speed, "v"), matrix_of(weight, "g")

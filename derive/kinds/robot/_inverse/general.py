@@ -23,6 +23,7 @@ from derive.mechanics.inverse.budget import Budget
 from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.plan import Search
 from derive.mechanics.inverse.sample import configurations
+from derive.names import free
 
 POINTS = 5
 
@@ -34,15 +35,15 @@ def derive(chain: Chain, options: Any, problem: Problem) -> Derivation:
     refuse(chain, goal)
     points = sample_points(chain, goal, problem, POINTS)
     loose(chain, goal, problem, points)
-    free = partial(free_name, problem=problem, goal=goal)
-    plan = Search(chain, goal, points[:2], free, Budget()).plan()
+    unused = partial(free, problem.taken | set(goal.names))
+    plan = Search(chain, goal, points[:2], unused, Budget()).plan()
     if not plan.complete and problem.subject.by_screws:
         return by_rows("inverse-kinematics", problem, given=options.given, evaluate=options.evaluate)
     if not plan.complete:
         raise NotDerivable(no_closed_form(plan, goal, problem))
-    page = Page(problem, chain, goal, plan, Opening(problem, chain, goal, plan, free).written())
+    page = Page(problem, chain, goal, plan, Opening(problem, chain, goal, plan, unused).written())
     slides = frozenset(plan.knowledge.slides)
-    solutions = Solutions(page.items, chain.variables, slides, problem, free)
+    solutions = Solutions(page.items, chain.variables, slides, problem, unused)
     trial = tried(solutions, goal, problem, points)
     if trial.partial:
         solutions = replace(solutions, reached=trial.reached)
@@ -81,12 +82,3 @@ def sample_points(chain: Chain, goal: Goal, problem: Problem, count: int) -> tup
         at = dict(oracle.at(point))
         points.append({**at, **goal.numbers(oracle.tool(at))})
     return tuple(points)
-
-
-def free_name(name: str, problem: Problem, goal: Goal) -> str:
-    """The name, or one like it that stands for nothing else."""
-    taken = problem.symbols | set(problem.where) | set(goal.names)
-    while name in taken:
-        stem, _, index = name.partition("_")
-        name = f"{stem}{stem[-1]}_{index}"
-    return name

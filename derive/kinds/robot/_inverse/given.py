@@ -51,7 +51,7 @@ def goal_of(given: tuple[str, ...] | str, chain: Chain, problem: Problem) -> Goa
         goal = of_orientation()
     else:
         goal = of_coordinates(chain.T_tool, given, chain.variables)
-    taken = set(goal.names) & (problem.symbols | set(problem.where))
+    taken = set(goal.names) & problem.taken
     if taken:
         raise NotDerivable(
             f"'{min(taken)}' names a known coordinate of the end-effector and something else on this sheet; "

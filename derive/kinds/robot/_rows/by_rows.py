@@ -12,7 +12,7 @@ from derive.expression import ZERO, Expr, free_symbols, negate, sqrt, squared
 from derive.expression import add as total
 from derive.expression import atan2 as direction
 from derive.kinds.pose._angles import known_angle
-from derive.kinds.problem import Problem
+from derive.kinds.problem import Memo, Problem
 from derive.kinds.robot._rows.dh_found import found_rows
 from derive.mechanics.motion import Move
 from derive.mechanics.poses import position_part, rotation_part
@@ -23,7 +23,7 @@ ALONG: tuple[Literal["x", "y", "z"], ...] = ("x", "y", "z")
 
 def by_rows(kind: str, problem: Problem, **options: Any) -> Derivation:
     """The answer for the same arm by link parameters, which it rests on. Raises NotDerivable."""
-    other = replace(problem, subject=arm_of_rows(problem.subject, problem), derived={}, written={})
+    other = replace(problem, subject=arm_of_rows(problem.subject, problem), memo=Memo())
     found = other.ask(kind, **options)
     return replace(found, uses=(problem.ask("dh-table"), *found.uses))
 

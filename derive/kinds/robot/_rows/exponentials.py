@@ -31,6 +31,7 @@ from derive.kinds.values_at import completed
 from derive.mechanics.poses import composed
 from derive.mechanics.robot import Robot
 from derive.mechanics.screws import Screw, home_of, screws_of
+from derive.names import free
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -58,14 +59,9 @@ class Exponentials:
         self.home = home_of(robot)
         self.base = composed(robot.base)
         self.name = name or Symbol(f"T_{last}^0")
-        self.letters = {letter: self._free(*names) for letter, names in LETTERS.items()}
+        beginnings = {name.rstrip("0123456789").rstrip("_") for name in problem.taken}
+        self.letters = {letter: free(beginnings, *names) for letter, names in LETTERS.items()}
         self.M = Symbol(self.letters["M"])
-
-    def _free(self, *candidates: str) -> str:
-        """The first letter that no name of the problem begins with."""
-        names = (*self.problem.symbols, *self.problem.where)
-        taken = {name.rstrip("0123456789").rstrip("_") for name in names}
-        return next((letter for letter in candidates if letter not in taken), candidates[-1])
 
     @property
     def pose(self) -> ScalarMatrix:

@@ -12,6 +12,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._singular.saying import clauses
 from derive.kinds.robot._singular.sets import Analysed, Case, rooted, written
 from derive.kinds.robot._singular.work import Work
+from derive.names import free
 
 
 def facts_of(problem: Problem, work: Work, sets: tuple[Analysed, ...]) -> dict[str, Any]:
@@ -98,8 +99,7 @@ def _case(problem: Problem, work: Work, each: Analysed, case: Case) -> dict[str,
 
 def _letters(problem: Problem) -> tuple[Symbol, ...]:
     """Names of the null space, the range and the lost directions that the sheet does not use itself."""
-    taken = problem.symbols | set(problem.where)
-    return tuple(Symbol(letter if letter not in taken else f"{letter}_J") for letter in ("N", "R", "U"))
+    return tuple(Symbol(free(problem.taken, letter, f"{letter}_J")) for letter in ("N", "R", "U"))
 
 
 def _basis(problem: Problem, name: Symbol, columns: tuple[ScalarMatrix, ...]) -> tuple[tuple[Expr, ...], ...]:

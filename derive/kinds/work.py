@@ -1,0 +1,297 @@
+"""The board of one answer: what is given, the lines worked out from it, and what is claimed about them.
+
+A formula is written once. `line` puts it on the board; its value is computed from it by the normal form and
+written down by the readable form, so that nothing is narrated afterwards. Big matrices are computed by matrix
+arithmetic and handed to `line` as its `value`; the link from the formula to that value is then what is
+verified. Every method gives a new board.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from derive.algebra.infix import text
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal, walk_over
+from derive.algebra.numbers.floats import scalar_number
+from derive.algebra.scalar import Scalar
+from derive.algebra.signs import sign_of
+from derive.algebra.values import Value, matrix_of, scalar_of
+from derive.derivation import Claim, Derivation, PageFacts, Record, Result, Step
+from derive.errors import FormulaError, NotDerivable
+from derive.expression import (
+    Degrees,
+    Expr,
+    Indexed,
+    Matrix,
+    Number,
+    Quotient,
+    Symbol,
+    children,
+    free_symbols,
+    walk,
+)
+from derive.expression import replace as put_in
+from derive.kinds.checks import TOLERANCE, agreement, law, links
+from derive.kinds.problem import Problem
+from derive.names import NAMESAKE
+
+CLOSE = 1e-12
+Name = Symbol | Indexed
+
+
+@dataclass(frozen=True, slots=True)
+class Work:
+    """What stands on the board.
+
+    `known` are names of the page and what they stand for, the same name for a quantity that its author calls
+    so; `aside` are names that chains may hold and no page defines. `uses` are the derivations this one rests
+    on. `angular` writes multiples of pi in degrees, as the author typed them. An answer whose name is `taken`
+    by the author gets a `_p` on the page.
+    """
+
+    problem: Problem
+    known: Mapping[Expr, Expr] = field(default_factory=dict)
+    angular: bool = False
+    taken: frozenset[str] = frozenset()
+    aside: Mapping[Expr, Expr] = field(default_factory=dict)
+    uses: tuple[Derivation, ...] = ()
+    steps: tuple[Step, ...] = ()
+    claims: tuple[Claim, ...] = ()
+    checked: bool = False  # whether the chains are among the claims
+    values: Mapping[Expr, Value] = field(default_factory=dict)  # normal forms of names, as they were computed
+
+    # -- what stands there ------------------------------------------------------------------------
+
+    def __getitem__(self, name: str | Name) -> Expr:
+        """What a name stands for. Raises KeyError."""
+        return self.known[self.symbol(name) if isinstance(name, str) else name]
+
+    def matrix(self, name: str | Name) -> Matrix:
+        """What stands for a name that is one of a matrix. Raises TypeError for any other."""
+        return as_matrix(self[name], str(name))
+
+    @property
+    def definitions(self) -> dict[Expr, Expr]:
+        """What every name stands for, that of a symbol of the sheet left out."""
+        return {name: value for name, value in self.known.items() if name != value}
+
+    @property
+    def typed(self) -> tuple[tuple[Expr, Expr], ...]:
+        """Names that stand for something the author typed, as chains; those worked out are left out."""
+        worked = {self.symbol(step.name) for step in self.steps}
+        return tuple((name, value) for name, value in self.definitions.items() if name not in worked)
+
+    def symbol(self, name: str) -> Symbol:
+        """What an answer is called on the page."""
+        return Symbol(f"{name}_p" if name in self.taken else name)
+
+    def value(self, expr: Expr) -> Value:
+        """The normal form of a formula in the names of the board, names of `where` kept."""
+        value = self.values.get(expr)
+        if value is None:
+            names = {**self.aside, **self.definitions}
+            return walk_over([expr], names, self.values).value(expr)
+        return value
+
+    def value_scalar(self, expr: Expr) -> Scalar:
+        """The normal form of a formula that is a scalar, as g^T o. Raises NotDerivable for a matrix."""
+        return scalar_of(self.value(expr))
+
+    def value_matrix(self, expr: Expr) -> ScalarMatrix:
+        """The normal form of a formula that is a matrix; one entry where it is a scalar."""
+        return matrix_of(self.value(expr))
+
+    def scalar(self, expr: Expr) -> Scalar:
+        """The normal form in the symbols of the sheet, those of `where` replaced."""
+        return normal(expr, {**self.problem.names, **self.aside, **self.definitions})
+
+    def final(self, name: str | Name) -> Expr:
+        """The value of a line with everything replaced."""
+        return self.problem.final(self[name])
+
+    def sign(self, expr: Expr) -> int | None:
+        """1, 0 or -1; None where symbols leave it open."""
+        value = self.scalar(expr)
+        positive = (name for name, what in self.problem.assumptions.items() if what == "positive")
+        if (known := sign_of(value, frozenset(positive))) is not None:
+            return known
+        try:
+            number = scalar_number(value, {})
+        except (KeyError, ValueError, ZeroDivisionError):
+            return None
+        return 0 if abs(number) < CLOSE else 1 if number > 0 else -1
+
+    # -- what is put there ------------------------------------------------------------------------
+
+    def resting_on(self, *used: Derivation) -> Work:
+        """With derivations this one rests on, and the names they define."""
+        names = {name: value for each in used for name, value in each.definitions.items()}
+        return replace(self, uses=(*self.uses, *used), known={**self.known, **names})
+
+    def knowing(self, names: Mapping[Expr, Expr]) -> Work:
+        """With more quantities that are given and need no step of their own."""
+        return replace(self, known={**self.known, **names})
+
+    def given(self, name: Symbol, value: Value | Expr, rule: str = "given") -> Work:
+        """A quantity that is given, as a step."""
+        return self.line(name, value=value, rule=rule)
+
+    def step(self, *steps: Step) -> Work:
+        """Steps that were made elsewhere; the name of each stands for its result."""
+        names: dict[Expr, Expr] = {Symbol(each.name): each.result for each in steps if each.chain}
+        return replace(self, steps=(*self.steps, *steps), known={**self.known, **names})
+
+    def line(
+        self,
+        name: str | Symbol,
+        *formulas: Expr,
+        value: Value | Expr | None = None,
+        rule: str = "",
+        facts: Record | None = None,
+        steps: tuple[Step, ...] = (),
+    ) -> Work:
+        """A line more, `name = formula = formula = value`: the value of the first formula, or one that was
+        computed in another way, which the chain is then checked against."""
+        symbol = self.symbol(name) if isinstance(name, str) else name
+        found = self.value(formulas[0]) if value is None else value
+        written = self.readable(found) if isinstance(found, Scalar | ScalarMatrix) else found
+        step = Step(symbol.name, distinct((symbol, *formulas, written)), rule, facts or Record(), steps)
+        more: dict[Expr, Value] = {symbol: found} if isinstance(found, Scalar | ScalarMatrix) else {}
+        return replace(self.step(step), values={**self.values, **more})
+
+    def worked(self, name: str, formula: Expr, answer: Expr | None = None, rule: str = "") -> Work:
+        """A line more, `name = formula = numbers put in = what comes out`; `answer` is that where it is to be
+        written in a certain way. A quantity that is given makes no line. Raises NotDerivable where the author
+        means something else by the name."""
+        symbol = self.symbol(name)
+        if formula == symbol:
+            return self
+        if self.known.get(symbol) == symbol:
+            raise NotDerivable(NAMESAKE.format(symbol.name))
+        filled = put_in(formula, self.definitions)
+        if answer is None:  # a formula in the author's own symbols stays as books print it
+            answer = formula if filled == formula else self.shown(formula)
+        shown = (filled,) if not free_symbols(filled) and not _piled(filled) else ()
+        step = Step(name, distinct((symbol, formula, *shown, answer)), rule)
+        return replace(self, steps=(*self.steps, step), known={**self.known, symbol: answer})
+
+    def closed(self, *names: str | Name) -> Work:
+        """The lines of these names ended by their values with the names of `where` replaced; lines after them
+        start from there."""
+        ends: dict[Expr, Expr] = {self.symbol(n) if isinstance(n, str) else n: self.final(n) for n in names}
+        steps = (closing(s, ends[Symbol(s.name)]) if Symbol(s.name) in ends else s for s in self.steps)
+        values = {name: value for name, value in self.values.items() if name not in ends}
+        return replace(self, steps=tuple(steps), known={**self.known, **ends}, values=values)
+
+    # -- how it is written ------------------------------------------------------------------------
+
+    def readable(self, value: Value) -> Expr:
+        """A normal form as a person writes it; an angle in degrees where the author did."""
+        if isinstance(value, ScalarMatrix):
+            return self.problem.readable_matrix(value)
+        if self.angular:
+            turns = (value / Scalar.symbol("pi")).constant
+            if turns is not None and value.constant is None:
+                return Degrees(turns * 180)
+        return self.problem.readable(value)
+
+    def shown(self, expr: Expr) -> Expr:
+        """What a formula comes to, names of `where` kept; as it stands, with what is known put in, where that
+        cannot be read back, as 2^b of a symbol."""
+        try:
+            return self.readable(normal(expr, self.definitions))
+        except FormulaError:
+            return put_in(expr, self.definitions)
+
+    # -- what is claimed of it --------------------------------------------------------------------
+
+    def law(self, claim: str, holds: bool) -> Work:
+        """What the answer must obey, decided by normal form."""
+        return self.claim(law(claim, holds))
+
+    def agrees(
+        self,
+        claim: str,
+        symbols: Iterable[str],
+        ours: Callable[[Mapping[str, float]], Any],
+        other: Callable[[Mapping[str, float]], Any],
+        tolerance: float = TOLERANCE,
+    ) -> Work:
+        """The same numbers by a route that shares nothing with the lines of this board."""
+        return self.claim(agreement(claim, symbols, ours, other, tolerance))
+
+    def claim(self, *claims: Claim) -> Work:
+        return replace(self, claims=(*self.claims, *claims))
+
+    def linked(self, but: Iterable[str] = ()) -> Work:
+        """With the claim that each chain is equal from end to end; `but` names steps that are left out.
+
+        `answer` makes this claim first of all where no one has made it before.
+        """
+        steps = [step for step in self.steps if step.name not in {*but}]
+        found = links(steps, {**self.problem.names, **self.aside, **self.definitions})
+        return replace(self, claims=(*self.claims, *found), checked=True)
+
+    def answer(
+        self, kind: str, results: Mapping[str, Result], facts: PageFacts | None = None, **others: Any
+    ) -> Derivation:
+        """The derivation that stands on the board. `others` are further fields of it."""
+        if not self.checked:
+            whole = replace(self, claims=()).linked()
+            return replace(whole, claims=(*whole.claims, *self.claims)).answer(kind, results, facts, **others)
+        return Derivation(
+            kind,
+            self.steps,
+            results,
+            self.claims,
+            self.definitions,
+            uses=self.uses,
+            facts=facts or PageFacts(),
+            **others,
+        )
+
+
+def as_matrix(value: Result, name: str) -> Matrix:
+    """A result that is a matrix. Raises TypeError for any other."""
+    if not isinstance(value, Matrix):
+        raise TypeError(f"{name} is no matrix")
+    return value
+
+
+def closing(step: Step, result: Expr) -> Step:
+    """The step ended by its result with every name replaced, where that says anything new."""
+    if step.chain and step.result == result:
+        return step
+    return replace(step, chain=(*step.chain, result))
+
+
+def distinct(chain: Iterable[Expr]) -> tuple[Expr, ...]:
+    """A chain without an expression that reads like the one before it."""
+    found: list[Expr] = []
+    for expr in chain:
+        if not found or text(expr) != text(found[-1]):
+            found.append(expr)
+    return tuple(found)
+
+
+def number_of(problem: Problem, expr: Expr) -> float:
+    """A value without symbols left. Raises NotDerivable that names one that is left."""
+    try:
+        return scalar_number(normal(expr, problem.names), {})
+    except KeyError as error:
+        raise NotDerivable(f"no value is known for {error.args[0]}") from error
+
+
+def _piled(expr: Expr) -> bool:
+    """Whether a fraction stands in a fraction, which no one would write."""
+    quotients = [node for node in walk(expr) if isinstance(node, Quotient)]
+    return any(_fractional(part) for each in quotients for side in children(each) for part in walk(side))
+
+
+def _fractional(expr: Expr) -> bool:
+    return isinstance(expr, Quotient) or (
+        isinstance(expr, Number) and expr.value.denominator != 1 and not expr.decimal
+    )

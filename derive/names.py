@@ -1,0 +1,49 @@
+"""Names that an answer gives: one policy for which are free, and what is said where one is not.
+
+A name is taken where the author means something by it, or by one that looks like it on a page: I1 and I_1 are
+printed alike. A kind offers its candidates, the usual letter of the books first; where all of them are
+taken the last letter of the last is doubled, F_x to FF_x, until it is free.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable
+
+from derive.errors import NotDerivable
+from derive.expression import PI, Expr, Symbol
+
+UNDERSCORE = re.compile(r"_(?=.)")
+NAMESAKE = "the sheet's own '{}' is also a name of this answer; choose another name for it"
+
+
+def printed(name: str) -> str:
+    """A name as it looks on the page, where I1 and I_1 are one."""
+    return UNDERSCORE.sub("", name)
+
+
+def free(taken: Collection[str], *candidates: str, indices: Iterable[str] = ("",)) -> str:
+    """The first candidate that stands for nothing else, alone or with any of the `indices` behind it."""
+    looks, ends = {*map(printed, taken)}, tuple(indices)
+    pending = list(candidates)
+    for name in pending:
+        if not any(printed(name + end) in looks for end in ends):
+            return name
+        if name == pending[-1]:
+            stem, mark, index = name.partition("_")
+            pending.append(f"{stem}{stem[-1]}{mark}{index}")
+    raise ValueError("a name has no candidate")
+
+
+def named(usual: str, value: Expr, taken: Collection[str]) -> Symbol:
+    """What a given quantity is called: as its author calls it, else by its usual name, with a mark where the
+    author means something else by that."""
+    if isinstance(value, Symbol) and value != PI:
+        return value
+    return Symbol(free(taken, usual, f"{usual}_g"))
+
+
+def require_free(taken: Collection[str], *names: str) -> None:
+    """Raises NotDerivable where the author means something else by one of the names of an answer."""
+    if clash := sorted({*names} & {*taken}):
+        raise NotDerivable(NAMESAKE.format(clash[0]))
