@@ -9,7 +9,7 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from derive.derivation import Claim, Derivation, Figure
+from derive.derivation import Claim, Derivation, Figure, Phrase
 from derive.errors import NotDerivable, Place, SheetError, SheetErrors
 from derive.kinds.checks import SECOND_ROUTE, far_apart
 from derive.kinds.measured import InDecimals
@@ -233,22 +233,26 @@ def answered(question: Question, working: Working) -> Derivation:
     except Exception as error:  # an accident of ours: where it was is told with it
         error.add_note(f"{question.place}: ")
         raise
-    failed = next((claim for claim in _claims(derivation) if not claim.holds), None)
-    if failed:
-        raise SheetErrors([_failure(failed, question, working)])
+    for rested_on, claim in _claims(derivation):
+        if not claim.holds:
+            raise SheetErrors([_failure(rested_on, claim, question, working)])
     if not derivation.proved:
         raise SheetErrors([SheetError(UNPROVED.format(derivation.kind), question.place, PROVE)])
     return derivation
 
 
-def _failure(failed: Claim, question: Question, working: Working) -> SheetError:
+def _failure(derivation: Derivation, failed: Claim, question: Question, working: Working) -> SheetError:
     """What is told of a claim that does not hold: an accident of ours, or numbers that floats cannot hold."""
+    from derive.render.phrases import spoken
+
     apart = far_apart((working.subject, *working.where.values())) if failed.by == SECOND_ROUTE else None
     if apart:
         small, large = apart
         message = f"numbers as far apart as {small:.3g} and {large:.3g} cannot be checked in floating point"
         return SheetError(message, question.place, "give them in other units")
-    message = f"the answer failed its own check: {failed.claim} (by {failed.by})"
+    speech = spoken(_folder(derivation, working.name), derivation.kind)
+    claim, means = speech.claim(failed), speech.say(Phrase(failed.by))
+    message = f"the answer failed its own check: {claim} (by {means})"
     return SheetError(message, question.place, "please report this with the sheet")
 
 
@@ -263,9 +267,9 @@ def _place_of(about: str, question: Question, working: Working) -> Place:
     return question.place
 
 
-def _claims(derivation: Derivation) -> Iterator[Claim]:
-    """Those of the answer and of all it rests on."""
-    yield from derivation.claims
+def _claims(derivation: Derivation) -> Iterator[tuple[Derivation, Claim]]:
+    """Those of the answer and of all it rests on, with the derivation that makes each."""
+    yield from ((derivation, claim) for claim in derivation.claims)
     for used in derivation.uses:
         yield from _claims(used)
 
@@ -298,8 +302,9 @@ def _question(
         answer = _evaluated(answer, question, working)
     marks = question.marks if sheet.marks else None
     at = question.evaluate or {}
+    folder = _folder(answer, working.name) if answer else ""
     return QuestionPage(
-        question.number, question.find, question.text, marks, question.hint, answer, order, at
+        question.number, question.find, question.text, marks, question.hint, answer, order, at, folder=folder
     )
 
 

@@ -62,16 +62,38 @@ class Step:
 
 
 @dataclass(frozen=True, slots=True)
+class Phrase:
+    """Something said in words: their key in `templates/words/`, and what fills their fields."""
+
+    key: str
+    about: Mapping[str, Said] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Relation:
+    """`left sign right`, as theta2 > 0; with a relation on its left a chain, as 0 <= t <= 1."""
+
+    left: Expr | Relation
+    sign: str
+    right: Expr
+
+
+Condition: TypeAlias = Relation | Phrase
+Said: TypeAlias = "Phrase | Relation | Expr | str | int | tuple[Said, ...]"  # texts as they stand
+
+
+@dataclass(frozen=True, slots=True)
 class Claim:
-    """Something verified about a derivation: what, by which means, and whether it holds.
+    """Something verified about a derivation: what, as a phrase, by which means, and whether it holds.
 
     A `link` says that a chain is equal from end to end. That holds of any formula, right or wrong, whose
     value is computed from it: it proves no answer.
     """
 
-    claim: str
+    key: str
     by: str
     holds: bool
+    about: Mapping[str, Said] = field(default_factory=dict)
     link: bool = False
 
 
@@ -85,7 +107,7 @@ class Branch:
     """
 
     values: Mapping[str, Expr]
-    when: str
+    when: tuple[Condition, ...] | str
     short: Mapping[str, Expr] = field(default_factory=dict)
     true_at: bool = True
     facts: Mapping[str, Any] = field(default_factory=dict)
@@ -93,10 +115,10 @@ class Branch:
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """Rows under headings; an entry is mathematics or plain text."""
+    """Rows under headings; an entry is mathematics, something said in words, or a text as it stands."""
 
-    headings: tuple[Expr | str, ...]
-    rows: tuple[tuple[Expr | str, ...], ...]
+    headings: tuple[Said, ...]
+    rows: tuple[tuple[Said, ...], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,7 +174,16 @@ class Drawing:
 
 
 Figure: TypeAlias = Plot | Panels | Drawing
-Result: TypeAlias = Expr | tuple[Branch, ...] | tuple[tuple[Expr, ...], ...] | tuple[str, ...] | float | str
+Result: TypeAlias = (
+    Expr
+    | tuple[Branch, ...]
+    | tuple[tuple[Expr, ...], ...]
+    | tuple[Condition, ...]
+    | tuple[str, ...]
+    | Phrase
+    | float
+    | str
+)
 
 
 @dataclass(frozen=True, slots=True)

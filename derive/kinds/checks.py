@@ -10,13 +10,13 @@ from typing import Any
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, Walk, walk_over
 from derive.algebra.values import Value
-from derive.derivation import Claim, Step
+from derive.derivation import Claim, Said, Step
 from derive.errors import NotReal
 from derive.expression import Approximate, Expr, Indexed, Number, Symbol, walk
 from derive.kinds.problem import expressions
 
-NORMAL_FORM = "normal form"
-SECOND_ROUTE = "independent route"
+NORMAL_FORM = "normal-form"
+SECOND_ROUTE = "independent-route"
 TOLERANCE = 1e-9
 FAR = 1e12  # times as large: of the sum of such floats a claim at 1e-9 has too few digits left
 TRIES = 40  # points drawn for those that count
@@ -32,18 +32,20 @@ def links(steps: Iterable[Step], names: Names) -> tuple[Claim, ...]:
     return tuple(_link(name, chain, walk_of) for name, chain in chains.items() if len(chain) > 1)
 
 
-def law(claim: str, holds: bool) -> Claim:
-    """A law decided by normal form: `law("R^T R = 1", R.T @ R == identity)`."""
-    return Claim(claim, NORMAL_FORM, holds)
+def law(key: str, holds: bool, **about: Said) -> Claim:
+    """A law decided by normal form: `law("orthogonal", R.T @ R == identity, R="R_AB")`. The words of the kind
+    have a line for the key, `orthogonal: {R}^T {R} = 1`."""
+    return Claim(key, NORMAL_FORM, holds, about)
 
 
 def agreement(
-    claim: str,
+    key: str,
     symbols: Iterable[str],
     ours: Callable[[Mapping[str, float]], Any],
     other: Callable[[Mapping[str, float]], Any],
     tolerance: float = TOLERANCE,
     points: int = 3,
+    **about: Said,
 ) -> Claim:
     """Two routes to the same numbers at random points of the symbols where they are real. Raises NotReal
     where no such point is found."""
@@ -58,7 +60,7 @@ def agreement(
             break
     if not met:
         raise NotReal("no values of the symbols were found for which this is real, so nothing was verified")
-    return Claim(claim, SECOND_ROUTE, holds)
+    return Claim(key, SECOND_ROUTE, holds, about)
 
 
 def random_points(names: Iterable[str], count: int) -> Iterator[dict[str, float]]:
@@ -101,8 +103,8 @@ def far_apart(value: Any) -> tuple[float, float] | None:
 def is_rotation(R: ScalarMatrix, name: str = "R") -> tuple[Claim, ...]:
     """R^T R = 1 and det R = 1."""
     return (
-        law(f"{name}^T {name} = 1", ScalarMatrix.identity(3) == R.T @ R),
-        law(f"det {name} = 1", R.det() == 1),
+        law("orthogonal", ScalarMatrix.identity(3) == R.T @ R, R=name),
+        law("right-handed", R.det() == 1, R=name),
     )
 
 
@@ -117,7 +119,7 @@ def _exact(step: Step, names: Names) -> tuple[Expr, ...]:
 def _link(name: str, chain: tuple[Expr, ...], walk_of: Walk) -> Claim:
     values = [_plain(walk_of.value(expr)) for expr in chain]
     holds = all(a == b for a, b in pairwise(values))
-    return Claim(f"{name}: every link of the chain", NORMAL_FORM, holds, link=True)
+    return Claim("links", NORMAL_FORM, holds, {"step": name}, link=True)
 
 
 def _plain(value: Value) -> Value:

@@ -9,7 +9,7 @@ from typing import Any
 
 from derive.algebra.numbers.floats import Point, number
 from derive.algebra.readable.terms import Style
-from derive.derivation import Branch, Derivation, Result
+from derive.derivation import Branch, Condition, Derivation, Phrase, Relation, Result
 from derive.expression import Expr, Matrix, Number, Symbol, free_symbols, walk
 from derive.kinds.partly import put_in
 
@@ -92,13 +92,13 @@ def _result(derivation: Derivation, name: str, result: Result, here: Here) -> An
     return _value(result, here)
 
 
-def _value(result: Result | Branch | tuple[Expr, ...], here: Here) -> Any:
+def _value(result: Result | Branch | Condition | tuple[Expr, ...], here: Here) -> Any:
     match result:
         case Branch():
             return _branch(result, here)
         case tuple():
             return [_value(part, here) for part in result]
-        case float() | int() | str() | dict():
+        case float() | int() | str() | dict() | Phrase() | Relation():
             return result
         case _:
             return here.numbers(result)

@@ -28,10 +28,10 @@ class Worked:
 class QuestionPage:
     """A question and its answer.
 
-    `text` and `hint` are the author's Markdown; a `text` of "" prints none. `order` holds what to print
-    for it, prerequisites first and only those no earlier question printed; it is empty on a problem sheet.
-    `at` is the point its results are evaluated at. `rounded` are the places of rotations that were given
-    rounded, where that is to be said here.
+    `text` and `hint` are the author's Markdown; a `text` of "" prints none. `folder` is that of the words of
+    its answer. `order` holds what to print for it, prerequisites first and only those no earlier question
+    printed; it is empty on a problem sheet. `at` is the point its results are evaluated at. `rounded` are the
+    places of rotations that were given rounded, where that is to be said here.
     """
 
     number: int
@@ -43,6 +43,7 @@ class QuestionPage:
     order: tuple[Worked, ...] = ()
     at: Mapping[str, Expr] = field(default_factory=dict)
     rounded: int = 0
+    folder: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +81,7 @@ class Document:
                 yield problem, question
 
     def verified(self) -> Counter[str]:
-        """How many claims were verified by each means, over all that is printed."""
+        """How many claims were verified by each means (the key of its words), over all that is printed."""
         return Counter(
             claim.by
             for _, question in self.questions()

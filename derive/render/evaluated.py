@@ -28,6 +28,7 @@ from derive.render.conditions import condition
 from derive.render.latex import Printer
 from derive.render.layout import Chain, lay_out
 from derive.render.notation import Notation
+from derive.render.phrases import Speech, on_page
 from derive.render.skin import Skin, environment
 from derive.render.words import chain_links
 
@@ -37,7 +38,9 @@ ABOUT = ("when", "real", "free", "fixed", "true_at")  # a branch, beside its val
 IMAGINARY = Symbol("j")
 
 
-def evaluated_words(derivation: Derivation, at: Mapping[str, Expr], skin: Skin, notation: Notation) -> str:
+def evaluated_words(
+    derivation: Derivation, folder: str, at: Mapping[str, Expr], skin: Skin, notation: Notation
+) -> str:
     """The sentence "At theta1 = 30 deg:" and the numbers; "" where nothing was evaluated.
 
     What is printed, and by which name, the facts of the derivation say; see `PageFacts`.
@@ -47,7 +50,9 @@ def evaluated_words(derivation: Derivation, at: Mapping[str, Expr], skin: Skin, 
     values = {name: value for name, value in derivation.evaluated.items() if name in shown}
     if not values:
         return ""
-    telling = _Telling(Printer(notation), skin, facts.angle_results, _style(facts.style, at))
+    printer, style = Printer(notation), _style(facts.style, at)
+    speech = on_page(folder, derivation.kind, printer, skin.plain, style)
+    telling = _Telling(printer, speech, skin, facts.angle_results, style)
     chains = [
         chain
         for name, value in values.items()
@@ -103,6 +108,7 @@ class _Telling:
     """Values on one page; `angles` are the names of those that are angles."""
 
     printer: Printer
+    speech: Speech
     skin: Skin
     angles: tuple[str, ...]
     style: Style
@@ -123,8 +129,11 @@ class _Telling:
         values = {name: value for name, value in branch.items() if name not in ABOUT}
         chains = [self.chain(Symbol(name), value, name) for name, value in values.items()]
         equations = [f"${each[0].latex} {each[1].relation} {each[1].latex}$" for each in chains if each]
-        said, known = branch.get("when", ""), names | values.keys()
-        when = condition(said, known, self.printer, self.skin.plain, self.style)
+        said, known = branch.get("when", ()), names | values.keys()
+        if isinstance(said, str):
+            when = condition(said, known, self.printer, self.skin.plain, self.style)
+        else:
+            when = self.speech.when(said)
         return {"when": when, "real": branch.get("real", True), "equations": equations}
 
 

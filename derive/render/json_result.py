@@ -7,9 +7,10 @@ from collections.abc import Iterator
 from typing import Any, get_args
 
 from derive.algebra.infix import text
-from derive.derivation import Branch, Claim, Derivation, Result
+from derive.derivation import Branch, Claim, Condition, Derivation, Phrase, Relation, Result
 from derive.expression import Expr, Matrix
 from derive.render.document import Document, ProblemPage, QuestionPage
+from derive.render.phrases import Speech, spoken
 
 TREES = get_args(Expr)
 Plain = str | float | list[Any] | dict[str, Any]
@@ -29,61 +30,76 @@ def _problem(problem: ProblemPage) -> dict[str, Any]:
 def _question(question: QuestionPage) -> dict[str, Any]:
     found: dict[str, Any] = {"number": question.number, "find": question.find}
     if question.derivation:
-        found |= _derivation(question.derivation)
+        speech = spoken(question.folder, question.derivation.kind)
+        found |= _derivation(question.derivation, speech)
         found["checks"] = [
-            {"claim": claim.claim, "by": claim.by, "holds": claim.holds} for claim in _claims(question)
+            {"claim": speech.claim(claim), "by": speech.say(Phrase(claim.by)), "holds": claim.holds}
+            for speech, claim in _claims(question, speech)
         ]
     return found
 
 
-def _derivation(derivation: Derivation) -> dict[str, Any]:
+def _derivation(derivation: Derivation, speech: Speech) -> dict[str, Any]:
     results: dict[str, Plain] = {}
     written: dict[tuple[int, bool], Plain] = {}  # c_121 and c_211 are one tree
     for name, result in derivation.results.items():
         key = id(result), name in derivation.matrices
         if key not in written:
-            written[key] = plain(result, name in derivation.matrices)
+            written[key] = plain(result, speech, name in derivation.matrices)
         results[name] = written[key]
-    evaluated = {"evaluated": _numbers(dict(derivation.evaluated))} if derivation.evaluated else {}
+    evaluated = {"evaluated": _numbers(dict(derivation.evaluated), speech)} if derivation.evaluated else {}
     return {"results": results, **evaluated}
 
 
-def _numbers(value: Any) -> Any:
-    """Evaluated values as they are; what symbols are left in as a text."""
+def _numbers(value: Any, speech: Speech) -> Any:
+    """Evaluated values as they are; what symbols are left in and what is said in words as a text."""
     match value:
         case dict():
-            return {name: _numbers(part) for name, part in value.items()}
+            return {
+                name: speech.when(part) if name == "when" else _numbers(part, speech)
+                for name, part in value.items()
+            }
         case list():
-            return [_numbers(part) for part in value]
+            return [_numbers(part, speech) for part in value]
+        case Phrase() | Relation():
+            return speech.say(value)
     return text(value) if isinstance(value, TREES) else value
 
 
-def _claims(question: QuestionPage) -> Iterator[Claim]:
-    """What was verified of the answer, then of what it rests on and is printed with it."""
-    own = question.derivation
-    if own:
-        yield from own.claims
+def _claims(question: QuestionPage, speech: Speech) -> Iterator[tuple[Speech, Claim]]:
+    """What was verified of the answer, then of what it rests on and is printed with it; with how each is
+    said."""
+    own = question.derivation.claims if question.derivation else ()
+    yield from ((speech, claim) for claim in own)
     for worked in question.order:
-        if own is None or worked.derivation.claims is not own.claims:
-            yield from worked.derivation.claims
+        if worked.derivation.claims is not own:
+            theirs = spoken(worked.folder, worked.derivation.kind)
+            yield from ((theirs, claim) for claim in worked.derivation.claims)
 
 
-def plain(result: Result | Branch | tuple[Expr, ...] | dict[str, Any], matrix: bool = False) -> Plain:
+def plain(
+    result: Result | Branch | Condition | tuple[Expr, ...] | dict[str, Any],
+    speech: Speech,
+    matrix: bool = False,
+) -> Plain:
     """A result as JSON: a scalar is a text, a matrix a list of rows, a column vector a flat list (unless it
     is a `matrix` of one column), branches a list of objects with `when`."""
     match result:
         case str() | float() | int():
             return result
         case Matrix(rows) if matrix or result.shape[1] > 1:
-            return [[plain(entry) for entry in row] for row in rows]
+            return [[plain(entry, speech) for entry in row] for row in rows]
         case Matrix(rows):
-            return [plain(entry) for (entry,) in rows]
+            return [plain(entry, speech) for (entry,) in rows]
         case Branch(values, when, short, true_at, facts):
-            shown = {name: plain(value) for name, value in (short or values).items()}
-            return {**shown, "when": when, **({} if true_at else {"true_at": False}), **facts}
+            shown = {name: plain(value, speech) for name, value in (short or values).items()}
+            facts = {name: _numbers(fact, speech) for name, fact in facts.items()}
+            return {**shown, "when": speech.when(when), **({} if true_at else {"true_at": False}), **facts}
         case dict():
             return result
+        case Phrase() | Relation():
+            return speech.say(result)
         case tuple():
-            return [plain(part) for part in result]
+            return [plain(part, speech) for part in result]
         case _:
             return text(result)

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 
+from derive.derivation import Phrase
 from derive.render.author_text import latex_prose, markdown_prose
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked, file_path, plot_path
 from derive.render.evaluated import evaluated_words
+from derive.render.phrases import Speech, shared_lines
 from derive.render.plain_text import latex_text, markdown_text
 from derive.render.skin import HELD_LINE, Skin, environment
 from derive.render.words import words
@@ -36,7 +38,9 @@ def _page(document: Document, skin: Skin, front: bool) -> str:
         for problem, question in document.questions()
     }
     template = environment().get_template(f"{skin.name}/page.j2")
-    return template.render(document=document, answers=answers, skin=skin, front=front)
+    shared = Speech(shared_lines(), plain=skin.plain)
+    verified = {shared.say(Phrase(means)): count for means, count in document.verified().items()}
+    return template.render(document=document, answers=answers, skin=skin, front=front, verified=verified)
 
 
 def _answer(document: Document, problem: ProblemPage, question: QuestionPage, skin: Skin) -> str:
@@ -46,7 +50,9 @@ def _answer(document: Document, problem: ProblemPage, question: QuestionPage, sk
     if question.rounded and document.solutions:
         told.insert(0, environment().get_template("words/_rounded.j2").render(places=question.rounded))
     if question.derivation and document.solutions:
-        told.append(evaluated_words(question.derivation, question.at, skin, document.notation))
+        told.append(
+            evaluated_words(question.derivation, question.folder, question.at, skin, document.notation)
+        )
     return "\n\n".join(filter(None, told))
 
 

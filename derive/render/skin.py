@@ -41,6 +41,11 @@ def environment() -> Environment:
     return made
 
 
+def words_file(folder: str, kind: str) -> str:
+    """The template with the words of a kind."""
+    return f"words/{folder}/{kind.replace('-', '_')}.j2"
+
+
 def _beside_the_module(name: str) -> str | None:
     """The words of another package's kind: `words/their.package/kind.j2` stands beside its module."""
     folder, package, file = PurePosixPath(name).parts if name.count("/") == 2 else ("", "", "")

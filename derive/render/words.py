@@ -1,9 +1,9 @@
 """Runs the words of a kind: a Jinja template whose sentences refer to the steps of a derivation.
 
 In scope of a words template: `d`, `step(name)`, `facts`, `asked`, the filters `m`
-and `listed`, and the functions `show`, `inline`, `tell`, `table`, `plot`, `listing`, `path`, `em`, `strong`,
-`items`. Its block `question` is left out here. A step the words neither show nor tell is an error: nothing
-that was derived goes unsaid unnoticed.
+and `listed`, and the functions `show`, `inline`, `tell`, `table`, `plot`, `say`, `listing`, `path`, `em`,
+`strong`, `items`. Its blocks `question` and `phrases` are left out here. A step the words neither show nor
+tell is an error: nothing that was derived goes unsaid unnoticed.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import Any, Literal
 
 from jinja2 import Template
 
-from derive.derivation import Derivation, Step, Table
+from derive.derivation import Derivation, Phrase, Relation, Said, Step, Table
 from derive.expression import Expr, Number
 from derive.render.conditions import RELATION, condition
 from derive.render.entries import with_named_entries
@@ -23,7 +23,8 @@ from derive.render.latex import Printer, is_approximate
 from derive.render.layout import Chain, Display, Link, lay_out
 from derive.render.names import name_latex
 from derive.render.notation import Notation
-from derive.render.skin import Skin, environment
+from derive.render.phrases import PHRASES, on_page
+from derive.render.skin import Skin, environment, words_file
 
 QUESTION = "question"  # the block of a words template that asks for its derivation
 Mathematics = Expr | Step | str | int | tuple[Expr, ...]
@@ -47,10 +48,11 @@ def words(
     Raises ForgottenStep; where the derivation was not asked for, its words may leave steps out.
     """
     notation = replace(notation, short_names=frozenset(derivation.shared.short_names))
-    telling = Telling(derivation, skin, notation, plots or {}, files or {})
+    telling = Telling(derivation, folder, skin, notation, plots or {}, files or {})
     template = words_of(folder, derivation.kind)
     context = template.new_context({**telling.scope(), "asked": asked})
-    context.blocks[QUESTION] = [lambda _: iter(())]  # asked on the page already: see render/questions.py
+    for block in (QUESTION, PHRASES):  # asked on the page already, see render/questions.py; said one by one
+        context.blocks[block] = [lambda _: iter(())]
     written = "".join(template.root_render_func(context))
     if asked and (forgotten := telling.forgotten()):
         raise ForgottenStep(derivation.kind, forgotten)
@@ -59,7 +61,7 @@ def words(
 
 def words_of(folder: str, kind: str) -> Template:
     """The template with the words of a kind."""
-    return environment().get_template(f"words/{folder}/{kind.replace('-', '_')}.j2")
+    return environment().get_template(words_file(folder, kind))
 
 
 def chain_links(chain: tuple[Expr, ...], printer: Printer) -> Chain:
@@ -78,6 +80,7 @@ class Telling:
     """One derivation being told in one format; remembers which steps were."""
 
     d: Derivation
+    folder: str
     skin: Skin
     notation: Notation
     plots: Mapping[str, str]
@@ -91,6 +94,7 @@ class Telling:
             "show": self.show, "inline": self.inline, "tell": self.tell, "table": self.table,
             "plot": self.plot, "em": self.skin.em, "strong": self.skin.strong, "items": self.skin.items,
             "listing": self.listing, "path": self.path, "math": self.math, "formula": self.formula,
+            "say": self.say,
         }  # fmt: skip
 
     def show(
@@ -121,6 +125,10 @@ class Telling:
     def math(self, value: Mathematics, trig: Literal["short", "long"] | None = None) -> str:
         """Inline mathematics of an expression, a name, or a chain (a tuple) joined by equal signs."""
         return f"${self._latex(value, self._printer(trig))}$"
+
+    def say(self, said: Said) -> str:
+        """A phrase, a relation, or several, in a line of text."""
+        return on_page(self.folder, self.d.kind, self._printer(None), self.skin.plain).say(said)
 
     def table(self, table: Table) -> str:
         """A table; its mathematics is set inline, a number with the unit its author gave it."""
@@ -173,9 +181,11 @@ class Telling:
             case _:
                 return printer.write(value)
 
-    def _cell(self, entry: Expr | str) -> str:
+    def _cell(self, entry: Said) -> str:
         if isinstance(entry, str):
             found = RELATION.search(entry)  # "stable if k - m > 0"
             return condition(entry, (), self._printer(None), self.skin.plain) if found else entry
+        if isinstance(entry, Phrase | Relation | tuple):
+            return self.say(entry)
         unit = entry.unit if isinstance(entry, Number) and entry.value else ""
         return f"{self.math(entry)} {unit}".rstrip()

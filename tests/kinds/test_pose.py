@@ -14,6 +14,7 @@ from derive.errors import NotDerivable
 from derive.expression import Degrees, Symbol
 from derive.kinds.problem import Problem
 from derive.mechanics.motion import Motion, Move
+from derive.render.phrases import spoken
 from tests.kinds.published import matrix, same
 
 PUBLISHED = """
@@ -80,7 +81,7 @@ def test_numbers_have_the_singular_case_only():
         Rotation.from_euler("y", 90, degrees=True) * Rotation.from_euler("x", 20, degrees=True)
     ).as_matrix()
     assert np.allclose(Rotation.from_euler("ZYX", angles).as_matrix(), expected)
-    assert "theta = 90 deg" in branch.when and holds(d)
+    assert "theta = 90 deg" in spoken("pose", "euler-angles").when(branch.when) and holds(d)
 
 
 def test_evaluated_says_which_case_occurs():

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from derive.derivation import Branch, Claim, Derivation, Plot, Step, Table
+from derive.derivation import Branch, Claim, Derivation, Phrase, Plot, Step, Table
 from derive.expression import (
     MINUS_ONE,
     ONE,
@@ -43,6 +43,10 @@ c12, s12 = cos(Sum((theta1, theta2))), sin(Sum((theta1, theta2)))
 
 WORDS = {
     "words/sample/arm.j2": """\
+{% block phrases %}
+elbow-up: elbow up
+pose: the pose, composed in numbers
+{% endblock %}
 The transformations between neighbouring frames of the {{ em("arm") }} are
 {{ show(*facts.factors) }}
 
@@ -153,11 +157,14 @@ def arm() -> Derivation:
         results={
             "T_2^0": _pose(),
             "o": column((a1, number("7/20", True), Degrees(Fraction(30)))),
-            "solutions": (Branch({"theta2": negate(theta)}, "elbow up"),),
+            "solutions": (Branch({"theta2": negate(theta)}, (Phrase("elbow-up"),)),),
             "DH": ((theta1, ZERO), (theta2, ONE)),
             "dof": "3",
         },
-        claims=(Claim("R^T R = 1", "normal form", True), Claim("pose", "an independent route", True)),
+        claims=(
+            Claim("orthogonal", "normal-form", True, {"R": "R"}),
+            Claim("pose", "independent-route", True),
+        ),
         evaluated={"T_2^0": [[0.5, -0.8660254037844386], [0.0, 1.0]], "poles": [{"re": -1.0, "im": 2.5}]},
         plots=(step,),
         facts={
@@ -195,6 +202,7 @@ def sheet() -> Document:
     first = QuestionPage(
         1, "arm", "Find the pose for $d_2 = 0.1$ m.", 10, "Use _both_ angles.", worked,
         (Worked(worked, "sample"),), {"theta1": Degrees(Fraction(30)), "a1": number("0.5", True)},
+        folder="sample",
     )  # fmt: skip
     second = QuestionPage(2, "arm", "Say *why* 100% of `it_works` & costs $5 at θ = 30°.")
     problem = ProblemPage(1, (first, second), "Two links", "The arm of the figure:\n\n- one\n- two $x_1$\n")

@@ -37,7 +37,7 @@ def test_the_page_has_its_parts() -> None:
     parts = ("# Solutions & more", "Robotics · A. Teacher", "## Problem 1: Two links",
              "### Question 1 (10 marks)",
              "*Hint*: Use *both*", "#### Solution", "At $\\theta_1 = 30^\\circ$, $a_1 = 0.5$:",
-             "Verified: 1 claim by normal form, 1 by an independent route.")  # fmt: skip
+             "Verified: 1 claim by normal form, 1 by independent route.")  # fmt: skip
     assert [part for part in parts if part not in page] == []
     assert "\n\n\n" not in page
 

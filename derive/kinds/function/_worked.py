@@ -219,7 +219,7 @@ def _put_back(task: Task, found: Sequence[Point]) -> Iterator[Claim]:
         else:
             holds = all(_vanishes(each, point, task) for each in equations)
             claim = f"point {k} satisfies every equation"
-            yield law(claim, holds) if point.is_exact else Claim(claim, "ball arithmetic", holds)
+            yield law(claim, holds) if point.is_exact else Claim(claim, "ball-arithmetic", holds)
 
 
 def _vanishes(equation: Scalar, point: Point, task: Task) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from derive.algebra.normal import normal
-from derive.derivation import Derivation, PageFacts, Step
+from derive.derivation import Derivation, PageFacts, Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Call, Expr, Matrix, Product, Symbol, column, multiply, walk
 from derive.kinds.checks import agreement
@@ -40,7 +40,7 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
     if told.zero:  # whatever the axis is
         vector = column((ZERO, ZERO, ZERO))
         step = Step("r", (name, vector), "rotation-vector")
-    elif not isinstance(axis, Matrix) or isinstance(angle, tuple | float | str | Matrix):
+    elif not isinstance(axis, Matrix) or isinstance(angle, tuple | Phrase | float | str | Matrix):
         raise NotDerivable("this rotation has no single axis")
     else:
         vector = column(_entry(angle, entry, problem) for (entry,) in axis.rows)

@@ -132,8 +132,8 @@ def _claims(
     import numpy as np
 
     turned = np.array(fit.R)
-    yield Claim("R^T R = 1", "floating point", close(turned.T @ turned, np.eye(len(turned))))
-    yield Claim("det R = 1", "floating point", close([float(np.linalg.det(turned))], [1.0]))
+    yield Claim("orthogonal-in-floats", "floating-point", close(turned.T @ turned, np.eye(len(turned))))
+    yield Claim("right-handed-in-floats", "floating-point", close([float(np.linalg.det(turned))], [1.0]))
     other = by_quaternion(matrix_numbers(exact_H, {}))
     claim = "R agrees with the eigenvector of Horn's matrix" if len(other) == 3 else "R agrees with its angle"
     yield Claim(claim, SECOND_ROUTE, close(fit.R, other, 1e-7))

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from derive.algebra.numbers.floats import number
 from derive.derivation import Branch, Claim
@@ -15,16 +15,18 @@ from derive.mechanics.euler import SIGNS, Euler
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+Rotated: TypeAlias = "Callable[[Mapping[str, float]], NDArray[Any]]"
+
 
 def put_back(euler: Euler, work: Work, solutions: tuple[Branch, ...]) -> Iterator[Claim]:
     """The formulas at random rotations, singular ones at singular rotations; then the answer itself."""
     for sign in SIGNS if work.regular else ():
-        claim = f"branch {'+' if sign > 0 else '-'}: put back at random rotations"
-        yield _again(euler, claim, euler.regular(sign), {})
+        routes = _again(euler, euler.regular(sign), {})
+        yield agreement("branch-again", euler.names, *routes, sign="+" if sign > 0 else "-")
     for case in work.singular_cases:
-        fixed = {euler.outer[1]: number(case.middle, {})}
-        claim = f"{euler.outer[1]} = {fixed[euler.outer[1]]:.3g} rad: put back at random rotations"
-        yield _again(euler, claim, euler.singular_angles(case), fixed)
+        name, value = euler.outer[1], number(case.middle, {})
+        routes = _again(euler, euler.singular_angles(case), {name: value})
+        yield agreement("singular-again", euler.names, *routes, angle=name, value=f"{value:.3g}")
     yield from _answers(euler, work, solutions)
 
 
@@ -41,14 +43,19 @@ def composed(euler: Euler, angles: Mapping[str, float]) -> NDArray[Any]:
     return R
 
 
-def _again(euler: Euler, claim: str, values: Mapping[str, Expr], fixed: Mapping[str, float]) -> Claim:
+def _again(euler: Euler, values: Mapping[str, Expr], fixed: Mapping[str, float]) -> tuple[Rotated, Rotated]:
+    """The rotation of the angles found at a rotation, and the rotation itself."""
+
     def back(point: Mapping[str, float]) -> NDArray[Any]:
-        R = composed(euler, {**point, **fixed})
+        R = there(point)
         known = {f"r_{i + 1}{j + 1}": float(R[i, j]) for i in range(3) for j in range(3)}
         free = {**known, euler.outer[2]: 0.7}
         return composed(euler, {name: number(value, free) for name, value in values.items()})
 
-    return agreement(claim, euler.names, back, lambda point: composed(euler, {**point, **fixed}))
+    def there(point: Mapping[str, float]) -> NDArray[Any]:
+        return composed(euler, {**point, **fixed})
+
+    return back, there
 
 
 def _answers(euler: Euler, work: Work, solutions: tuple[Branch, ...]) -> Iterator[Claim]:
@@ -63,8 +70,9 @@ def _answers(euler: Euler, work: Work, solutions: tuple[Branch, ...]) -> Iterato
             return composed(euler, {name: number(value, free) for name, value in branch.values.items()})
 
         yield agreement(
-            f"{branch.when}: the given orientation comes back",
+            "orientation-again",
             work.problem.symbols,
             back,
             lambda point: work.given.oracle(point)[:3, :3],
+            when=branch.when,
         )

@@ -8,13 +8,12 @@ from dataclasses import replace as replace_fields
 from functools import cached_property
 from typing import Any, TypeAlias
 
-from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numbers.floats import number, numbers
 from derive.algebra.readable.form import readable_matrix
 from derive.algebra.scalar import Scalar
-from derive.derivation import Branch, Claim, PageFacts, Record, Step
+from derive.derivation import Branch, Claim, PageFacts, Phrase, Record, Relation, Step
 from derive.expression import (
     MINUS_ONE,
     ZERO,
@@ -195,16 +194,16 @@ class Work:
 
     def _regular(self, sign: Sign) -> Branch:
         values = {name: self._value(value) for name, value in self.euler.regular(sign).items()}
-        function = "sin" if self.euler.even else "cos"
-        return Branch(values, f"{function}({self.euler.outer[1]}) {'>' if sign > 0 else '<'} 0")
+        g = (sin if self.euler.even else cos)(Symbol(self.euler.outer[1]))
+        return Branch(values, (Relation(g, ">" if sign > 0 else "<", ZERO),))
 
     def _singular(self, case: Singular) -> Branch:
         _, middle, last = self.euler.outer
         values = {name: self._value(value) for name, value in self.euler.singular_angles(case).items()}
         values[middle] = self.middle_value(case)
-        degrees = int(180 * turns_of(case.middle))
-        only = text(self.determined(case))
-        return Branch(values, f"{middle} = {degrees} deg, where {last} is free: only {only} is determined")
+        there = Relation(Symbol(middle), "=", Degrees(180 * turns_of(case.middle)))
+        only = self.determined(case)
+        return Branch(values, (Phrase("free", {"at": there, "free": Symbol(last), "only": only}),))
 
     def middle_value(self, case: Singular) -> Expr:
         return fixed_angle(turns_of(case.middle), self.problem)
@@ -224,8 +223,8 @@ class Work:
         for case in self.singular_cases:
             again = normal_matrix(self.written, {middle: case.middle})
             shown = normal_matrix(self.singular_matrix(case))
-            claim = f"R at {middle.name} = {int(180 * turns_of(case.middle))} deg"
-            yield law(claim, again == shown)
+            there = Relation(middle, "=", Degrees(180 * turns_of(case.middle)))
+            yield law("singular-matrix", again == shown, at=there)
 
     def facts(self) -> Facts:
         euler = self.euler

@@ -131,7 +131,9 @@ def claims_of(each: Solved, prefix: str = "") -> Iterator[Claim]:
     for outcome in each.outcomes:
         names = {**each.problem.names, **outcome.working.definitions}
         for claim in links(outcome.working.steps, names):
-            yield replace(claim, claim=f"{prefix}{outcome.case}, {claim.claim}")
+            yield replace(
+                claim, key=f"{prefix}{outcome.case}, {claim.about['step']}: every link of the chain"
+            )
     what = "no time is shorter"
     if each.infeasible:
         what = "the time is below the shortest"

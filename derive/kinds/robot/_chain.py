@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.derivation import Derivation, Step
+from derive.derivation import Derivation, Phrase, Step
 from derive.expression import Expr, Matrix, Symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._couplings import drive_names
@@ -115,6 +115,6 @@ def matrix_of(derivation: Derivation, name: str) -> Matrix:
 def scalar_of(derivation: Derivation, name: str) -> Expr:
     """A result that is a scalar expression. Raises TypeError for any other."""
     value = derivation.results[name]
-    if isinstance(value, tuple | str | float | Matrix):
+    if isinstance(value, tuple | Phrase | str | float | Matrix):
         raise TypeError(f"{name} is no scalar")
     return value

@@ -79,7 +79,7 @@ def _second_route(problem: Problem, g: Matrix) -> Claim:
     still = {f"{name}_dot": 0.0 for name in names} | {f"{name}_ddot": 0.0 for name in names}
     torques: ScalarMatrix = normal_matrix(g)
     return agreement(
-        "g agrees with the torques at rest (Newton-Euler)",
+        "torques-at-rest",
         problem.symbols | {"g"},
         lambda at: numeric.matrix_numbers(torques, oracle.at(at)),
         lambda at: oracle.torques({**at, **still}),

@@ -195,5 +195,5 @@ def _evaluated(
         except (ValueError, ZeroDivisionError):
             yield Leaf({}, {})
 
-    conditions = [each.when.split(", ") for each in branches]
+    conditions = [str(each.when).split(", ") for each in branches]
     return at_point(leaves, conditions, chain, goal, problem, point)

@@ -1,0 +1,143 @@
+"""What a derivation says in words: phrases by their keys, and relations as mathematics.
+
+A phrase is a line `key: words with {fields}` in the block `phrases` of the words of its kind, in that of
+`_phrases.j2` in their folder, or in that of the `_phrases.j2` that all folders share. `{field}` writes what
+the derivation gives for it, several things as "a and b"; in plain text `{field:typed}` writes mathematics as
+it is typed in a sheet, x^2 and 90 deg.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from string import Formatter
+
+from jinja2 import TemplateNotFound
+
+from derive.algebra.infix import text
+from derive.algebra.normal import normal
+from derive.algebra.readable.form import readable
+from derive.algebra.readable.terms import Style
+from derive.derivation import Claim, Condition, Phrase, Relation, Said
+from derive.expression import PI, Degrees, Expr, Quotient, walk
+from derive.render.latex import Printer
+from derive.render.skin import environment, words_file
+
+PHRASES = "phrases"  # the block of a words template that holds them
+LATEX_SIGNS = {"<=": r"\leq", ">=": r"\geq", "!=": r"\neq"}
+
+
+class MissingPhrase(Exception):
+    """A derivation says something that its words have no line for."""
+
+    def __init__(self, key: str) -> None:
+        super().__init__(
+            f"no words for '{key}': write a line '{key}: ...' in the block {PHRASES} of the kind"
+        )
+
+
+def in_text(tree: Expr, notation: str = "") -> str:
+    """A tree in plain text: as SymPy reads it, or as it is `typed` in a sheet."""
+    if notation != "typed":
+        return text(tree)
+    return f"{tree.value} deg" if isinstance(tree, Degrees) else text(tree).replace("**", "^")
+
+
+@dataclass(frozen=True, slots=True)
+class Speech:
+    """How the derivations of one kind say things in one format: `tree` writes an expression (in the notation
+    a field asks for), `formula` sets mathematics in a line of text, `plain` makes words safe."""
+
+    lines: Mapping[str, str]
+    tree: Callable[[Expr, str], str] = in_text
+    formula: str = "{}"
+    plain: Callable[[str], str] = str
+    signs: Mapping[str, str] = field(default_factory=dict)
+
+    def say(self, said: Said, notation: str = "") -> str:
+        """A phrase or a relation as it stands in a text. Raises MissingPhrase."""
+        match said:
+            case Phrase():
+                return "".join(self._phrase(said))
+            case Relation():
+                return self.formula.format(self._relation(said, notation))
+            case str() | int():
+                return self.plain(str(said))
+            case tuple():
+                return f" {self._line('and')} ".join(self.say(part, notation) for part in said)
+            case _:
+                return self.formula.format(self.tree(said, notation))
+
+    def when(self, conditions: Iterable[Condition] | str) -> str:
+        """Conditions that all hold: `elbow up, theta2 > 0`."""
+        if isinstance(conditions, str):
+            return conditions
+        return ", ".join(map(self.say, conditions))
+
+    def claim(self, claim: Claim) -> str:
+        """What was verified."""
+        if " " in claim.key:
+            return claim.key
+        return self.say(Phrase(claim.key, claim.about))
+
+    def _phrase(self, phrase: Phrase) -> Iterable[str]:
+        for words, name, notation, _ in Formatter().parse(self._line(phrase.key)):
+            yield self.plain(words)
+            if name is not None:
+                yield self.say(phrase.about[name], notation or "")
+
+    def _line(self, key: str) -> str:
+        try:
+            return self.lines[key]
+        except KeyError:
+            raise MissingPhrase(key) from None
+
+    def _relation(self, relation: Relation, notation: str) -> str:
+        left = relation.left
+        first = self._relation(left, notation) if isinstance(left, Relation) else self.tree(left, notation)
+        sign = self.signs.get(relation.sign, relation.sign)
+        return f"{first} {sign} {self.tree(relation.right, notation)}"
+
+
+def spoken(folder: str, kind: str) -> Speech:
+    """How the derivations of a kind speak in plain text: in the JSON, in messages."""
+    return Speech(lines_of(folder, kind))
+
+
+def on_page(
+    folder: str, kind: str, printer: Printer, plain: Callable[[str], str], style: Style | None = None
+) -> Speech:
+    """How they speak on a page; decimals and fixed angles are written in the author's `style`."""
+
+    def tree(expr: Expr, _: str) -> str:
+        return printer.write(_in_style(expr, style or Style()))
+
+    return Speech(lines_of(folder, kind), tree, "${}$", plain, LATEX_SIGNS)
+
+
+def lines_of(folder: str, kind: str) -> dict[str, str]:
+    """The phrases that the derivations of a kind may say, by their keys."""
+    return shared_lines() | _lines_in(f"words/{folder}/_phrases.j2") | _lines_in(words_file(folder, kind))
+
+
+def shared_lines() -> dict[str, str]:
+    """The phrases that every derivation may say."""
+    return _lines_in("words/_phrases.j2")
+
+
+def _lines_in(name: str) -> dict[str, str]:
+    try:
+        template = environment().get_template(name)
+    except TemplateNotFound:
+        return {}
+    block = template.blocks.get(PHRASES)
+    written = "".join(block(template.new_context({}))) if block else ""
+    return dict(line.split(": ", 1) for line in written.splitlines() if line)
+
+
+def _in_style(tree: Expr, style: Style) -> Expr:
+    """Written anew where it holds what this style writes otherwise."""
+    nodes = [*walk(tree)]
+    fixed = style.degrees and PI in nodes
+    fractions = style.decimals and any(isinstance(node, Quotient) for node in nodes)
+    return readable(normal(tree), style) if fixed or fractions else tree

@@ -1,0 +1,72 @@
+from __future__ import annotations
+
+import pytest
+from jinja2 import ChoiceLoader, DictLoader
+
+from derive.algebra.formulas.grammar import parse
+from derive.derivation import Condition, Phrase, Relation
+from derive.expression import Degrees, Symbol, number
+from derive.render.latex import Printer
+from derive.render.notation import Notation
+from derive.render.phrases import MissingPhrase, on_page, spoken
+from derive.render.plain_text import markdown_text
+from derive.render.skin import environment
+
+WORDS = """\
+{% block phrases %}
+elbow-up: elbow up
+always: always
+free: {at:typed}, where {free} is free: only {only} is determined
+odd: what is <this> =
+{% endblock %}
+"""
+theta, psi, phi = Symbol("theta"), Symbol("psi"), Symbol("phi")
+FREE = Phrase(
+    "free",
+    {"at": Relation(theta, "=", Degrees(90)), "free": (psi, phi), "only": parse("psi - phi")},
+)
+POSITIVE = Relation(Symbol("theta2"), ">", number(0))
+
+
+@pytest.fixture(autouse=True)
+def words(monkeypatch: pytest.MonkeyPatch) -> None:
+    loader = environment().loader
+    assert loader is not None
+    monkeypatch.setattr(
+        environment(), "loader", ChoiceLoader([DictLoader({"words/any/kind.j2": WORDS}), loader])
+    )
+
+
+@pytest.mark.parametrize(
+    ("when", "page", "text"),
+    [
+        ((Phrase("elbow-up"), POSITIVE), r"elbow up, $\theta_2 > 0$", "elbow up, theta2 > 0"),
+        (
+            (Relation(parse("x^2"), "<=", number(4)),),
+            r"$x^2 \leq 4$",
+            "x**2 <= 4",
+        ),
+        (
+            (Relation(Relation(number(0), "<=", Symbol("t")), "<=", number(1)),),
+            r"$0 \leq t \leq 1$",
+            "0 <= t <= 1",
+        ),
+        ((Phrase("odd"),), r"what is \<this\> =", "what is <this> ="),
+        ((Phrase("always"),), "always", "always"),
+        (
+            (FREE,),
+            r"$\theta = 90^\circ$, where $\psi$ and $\phi$ is free: only $\psi - \phi$ is determined",
+            "theta = 90 deg, where psi and phi is free: only psi - phi is determined",
+        ),
+    ],
+)
+def test_conditions_are_typeset_on_the_page_and_plain_in_the_json(
+    when: tuple[Condition, ...], page: str, text: str
+) -> None:
+    assert on_page("any", "kind", Printer(Notation()), markdown_text).when(when) == page
+    assert spoken("any", "kind").when(when) == text
+
+
+def test_a_phrase_without_words_is_an_error_that_says_where_they_go() -> None:
+    with pytest.raises(MissingPhrase, match="no words for 'elbow-down': write a line"):
+        spoken("any", "kind").say(Phrase("elbow-down"))
