@@ -2,24 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from fractions import Fraction
-from typing import Any
+from typing import Any, NoReturn
 
+from derive.algebra.fold import Domain, fold
+from derive.algebra.readable.form import readable
 from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
 from derive.errors import NotDerivable
 from derive.expression import (
-    Approximate,
     Call,
-    Degrees,
     Expr,
     Matrix,
     Number,
     Power,
-    Product,
-    Quotient,
-    Sum,
     Symbol,
     add,
     multiply,
@@ -36,36 +32,47 @@ def to_sympy(value: Expr | Scalar) -> Any:
 
     Raises NotDerivable for what has no value of its own, such as an indexed name.
     """
-    import sympy
-
     if isinstance(value, Scalar):
-        from derive.algebra.readable.form import readable
+        value = readable(value, Style())
+    return fold(value, _SymPy())
 
-        return to_sympy(readable(value, Style()))
-    match value:
-        case Number(exact):
-            return sympy.Rational(exact.numerator, exact.denominator)
-        case Approximate(approximate):
-            return sympy.Float(approximate)
-        case Degrees(exact):
-            return sympy.Rational(exact.numerator, exact.denominator) * sympy.pi / 180
-        case Symbol("pi"):
-            return sympy.pi
-        case Symbol(name):
-            return sympy.Symbol(name, real=True)
-        case Sum(terms):
-            return sympy.Add(*map(to_sympy, terms))
-        case Product(factors):
-            return sympy.Mul(*map(to_sympy, factors))
-        case Quotient(top, bottom):
-            return to_sympy(top) / to_sympy(bottom)
-        case Power(base, exponent):
-            return to_sympy(base) ** to_sympy(exponent)
-        case Call(function, arguments):
-            return _function(function)(*map(to_sympy, arguments))
-        case Matrix(rows):
-            return sympy.ImmutableMatrix([[to_sympy(entry) for entry in row] for row in rows])
-    raise NotDerivable(f"{type(value).__name__} has no counterpart in SymPy")
+
+class _SymPy(Domain[Any]):
+    """Expressions of SymPy, in the forms its own constructors give them."""
+
+    def __init__(self) -> None:
+        import sympy
+
+        self.sympy = sympy
+
+    def number(self, value: Fraction) -> Any:
+        return self.sympy.Rational(value.numerator, value.denominator)
+
+    def approximate(self, value: float) -> Any:
+        return self.sympy.Float(value)
+
+    def degrees(self, value: Fraction) -> Any:
+        return self.number(value) * self.sympy.pi / 180
+
+    def symbol(self, name: str) -> Any:
+        return self.sympy.pi if name == "pi" else self.sympy.Symbol(name, real=True)
+
+    def sum(self, terms: list[Any]) -> Any:
+        return self.sympy.Add(*terms)
+
+    def product(self, factors: list[Any]) -> Any:
+        return self.sympy.Mul(*factors)
+
+    def call(self, function: str, arguments: list[Any]) -> Any:
+        called = {ours: theirs for theirs, ours in RENAMED.items()}.get(function, function)
+        known = function == "sqrt" or called in FUNCTIONS
+        return getattr(self.sympy, called)(*arguments) if known else self.refuse(function)
+
+    def matrix(self, rows: list[list[Any]]) -> Any:
+        return self.sympy.ImmutableMatrix(rows)
+
+    def refuse(self, what: str) -> NoReturn:
+        raise NotDerivable(f"{what} has no counterpart in SymPy")
 
 
 def from_sympy(value: Any) -> Expr:
@@ -103,14 +110,3 @@ def _power(base: Any, exponent: Any) -> Expr:
     if exponent.is_Rational and exponent.q == 2:
         return Power(sqrt(from_sympy(base)), Number(Fraction(int(exponent.p))))
     return Power(from_sympy(base), from_sympy(exponent))
-
-
-def _function(name: str) -> Callable[..., Any]:
-    """SymPy's function of our name. Raises NotDerivable."""
-    import sympy
-
-    called = {ours: theirs for theirs, ours in RENAMED.items()}.get(name, name)
-    if name == "sqrt" or called in FUNCTIONS:
-        found: Callable[..., Any] = getattr(sympy, called)
-        return found
-    raise NotDerivable(f"{name} has no counterpart in SymPy")

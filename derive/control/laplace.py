@@ -6,36 +6,49 @@ import cmath
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
-from derive.algebra.numbers.floats import number
+from derive.algebra.fold import Domain, fold
+from derive.algebra.numbers.floats import FUNCTIONS
 from derive.control.signals import signals, unknowns
 from derive.control.system import Equation, System
-from derive.expression import Expr, Number, Power, Product, Quotient, Sum, Symbol, free_symbols
+from derive.expression import Expr, Symbol, free_symbols
 
 EULER = 12  # terms averaged by Euler summation
 DAMPING = 20.0  # e^-DAMPING is the error of the method
 
 
+class _Complex(Domain[complex]):
+    """Complex numbers; functions only of real ones."""
+
+    def __init__(self, point: Mapping[str, complex]) -> None:
+        self.point = point
+
+    def number(self, value: Fraction) -> complex:
+        return complex(float(value))
+
+    def approximate(self, value: float) -> complex:
+        return complex(value)
+
+    def degrees(self, value: Fraction) -> complex:
+        return complex(math.radians(float(value)))
+
+    def symbol(self, name: str) -> complex:
+        return complex(math.pi if name == "pi" else self.point[name])
+
+    def call(self, function: str, arguments: list[complex]) -> complex:
+        if any(each.imag for each in arguments):
+            raise ValueError(f"{function} at complex numbers")
+        known = function in FUNCTIONS
+        return complex(
+            FUNCTIONS[function](*(each.real for each in arguments)) if known else self.refuse(function)
+        )
+
+
 def value(expr: Expr, point: Mapping[str, complex]) -> complex:
-    """A tree at complex values of some of its names."""
-    match expr:
-        case Number(exact):
-            return complex(float(exact))
-        case Symbol(name):
-            return complex(math.pi if name == "pi" else point[name])
-        case Sum(terms):
-            return sum((value(term, point) for term in terms), 0j)
-        case Product(factors):
-            return math.prod((value(factor, point) for factor in factors), start=1 + 0j)
-        case Quotient(top, bottom):
-            return value(top, point) / value(bottom, point)
-        case Power(base, exponent):
-            return complex(value(base, point) ** value(exponent, point))
-    names = free_symbols(expr)
-    if any(isinstance(point[name], complex) and point[name].imag for name in names):
-        raise ValueError(f"{type(expr).__name__} at complex numbers")
-    return complex(number(expr, {name: point[name].real for name in names}))
+    """A tree at complex values of some of its names. Raises ValueError for a function of what is not real."""
+    return fold(expr, _Complex(point))
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,11 +9,12 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import comb, log10
 
+from derive.algebra.fold import Domain, fold
 from derive.algebra.formulas.functions import INVERSE, TRIGONOMETRIC
 from derive.algebra.formulas.undefined import always_zero, negative, undefined
 from derive.algebra.formulas.units import ANGLE, LENGTH, PLAIN, Dimension, Unit, agree, power, spoken, times
 from derive.algebra.rationals import decimal_places
-from derive.errors import FormulaError
+from derive.errors import FormulaError, NotDerivable
 from derive.expression import (
     PI,
     Call,
@@ -149,39 +150,26 @@ def ends_in_number(quantity: Quantity) -> bool:
     return quantity.numeric or rational(_split(quantity.expr)[1]) is not None
 
 
+class _Rationals(Domain[Fraction]):
+    """Rational numbers, whose powers are no longer than a formula may be."""
+
+    def number(self, value: Fraction) -> Fraction:
+        return value
+
+    def quotient(self, top: Fraction, bottom: Fraction) -> Fraction:
+        return top / bottom if bottom else self.refuse("a division by zero")
+
+    def power(self, base: Fraction, exponent: Fraction) -> Fraction:
+        whole = exponent.denominator == 1 and abs(exponent) <= MAX_POWER
+        return base ** int(exponent) if whole and base else self.refuse("this power")
+
+
 def rational(expr: Expr) -> Fraction | None:
     """The value of a tree of rational numbers, None for any other."""
-    match expr:
-        case Number(value):
-            return value
-        case Quotient(top, bottom):
-            above, below = rational(top), rational(bottom)
-            return above / below if above is not None and below else None
-        case Product(factors):
-            return _rational_product(factors)
-        case Sum(terms):
-            values = [rational(term) for term in terms]
-            return (
-                sum((value for value in values if value is not None), Fraction(0))
-                if None not in values
-                else None
-            )
-        case Power(base, exponent):
-            below, above = rational(base), rational(exponent)
-            whole = above is not None and above.denominator == 1 and abs(above) <= MAX_POWER
-            return below ** int(above) if whole and above is not None and below else None
-        case _:
-            return None
-
-
-def _rational_product(factors: tuple[Expr, ...]) -> Fraction | None:
-    value = Fraction(1)
-    for factor in factors:
-        part = rational(factor)
-        if part is None:
-            return None
-        value *= part
-    return value
+    try:
+        return fold(expr, _Rationals())
+    except NotDerivable:
+        return None
 
 
 def _joined(

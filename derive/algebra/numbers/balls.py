@@ -3,48 +3,52 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from fractions import Fraction
 from functools import lru_cache
 
-from flint import arb, ctx, fmpq, fmpq_mpoly
+from flint import arb, ctx, fmpq_mpoly
 
 from derive.algebra.fixed_angles.constants import FUNCTIONS
+from derive.algebra.fold import Domain, fold
 from derive.algebra.infix import text
 from derive.algebra.multivariate import ball_at
+from derive.algebra.rationals import to_flint
 from derive.algebra.readable.form import readable
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar
 from derive.errors import NotDerivable, NotReal
-from derive.expression import Approximate, Call, Degrees, Expr, Number, Power, Product, Quotient, Sum, Symbol
+from derive.expression import Expr
 
 BITS = 600
 FEWEST_BITS, MOST_BITS = 128, 1 << 14  # with which a sign is asked for, at first and at most
 
 
+class Balls(Domain[arb]):
+    """Numbers in ball arithmetic, at the working precision of FLINT, where each symbol has one."""
+
+    def __init__(self, point: Mapping[str, arb]) -> None:
+        self.point = point
+
+    def number(self, value: Fraction) -> arb:
+        return arb(to_flint(value))
+
+    def approximate(self, value: float) -> arb:
+        return arb(value)
+
+    def degrees(self, value: Fraction) -> arb:
+        return arb.pi() * arb(to_flint(value / 180))
+
+    def symbol(self, name: str) -> arb:
+        return arb.pi() if name == "pi" else self.point[name]
+
+    def call(self, function: str, arguments: list[arb]) -> arb:
+        return FUNCTIONS[function](*arguments) if function in FUNCTIONS else self.refuse(function)
+
+
 def precise(expr: Expr, point: Mapping[str, arb]) -> arb:
-    """The value of a scalar expression, at the working precision of FLINT. Raises KeyError."""
-    match expr:
-        case Number(value):
-            return arb(fmpq(value.numerator, value.denominator))
-        case Symbol(name):
-            return arb.pi() if name == "pi" else point[name]
-        case Sum(terms):
-            return sum((precise(term, point) for term in terms), arb(0))
-        case Product(factors):
-            total = arb(1)
-            for factor in factors:
-                total = total * precise(factor, point)
-            return total
-        case Quotient(top, bottom):
-            return precise(top, point) / precise(bottom, point)
-        case Power(base, exponent):
-            return precise(base, point) ** precise(exponent, point)
-        case Degrees(value):
-            return arb.pi() * arb(fmpq(value.numerator, 180 * value.denominator))
-        case Call(function, arguments) if function in FUNCTIONS:
-            return FUNCTIONS[function](*(precise(argument, point) for argument in arguments))
-        case Approximate(approximate):
-            return arb(approximate)
-    raise NotDerivable(f"no number for {type(expr).__name__}")
+    """The value of a scalar expression, at the working precision of FLINT. Raises KeyError for a symbol
+    without one, NotDerivable for what is no scalar."""
+    return fold(expr, Balls(point))
 
 
 def slope(function: Callable[[arb], arb], at: arb) -> arb:

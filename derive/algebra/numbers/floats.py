@@ -4,27 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from fractions import Fraction
 from typing import Any, TypeAlias
 
 from flint import fmpq, fmpq_mpoly
 
+from derive.algebra.fold import Domain, fold
 from derive.algebra.generators import ITSELF, Opaque
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
-from derive.errors import DivisionByZero, NotDerivable, NotReal, TooLarge
-from derive.expression import (
-    Approximate,
-    Call,
-    Degrees,
-    Expr,
-    Matrix,
-    Number,
-    Power,
-    Product,
-    Quotient,
-    Sum,
-    Symbol,
-)
+from derive.errors import DivisionByZero, NotReal, TooLarge
+from derive.expression import Expr, Matrix
 
 Point: TypeAlias = Mapping[str, float]
 
@@ -73,32 +63,49 @@ FUNCTIONS: dict[str, Callable[..., float]] = {
 }
 
 
+class Floats(Domain[float]):
+    """Floating-point numbers, where each symbol has a value."""
+
+    __slots__ = ("point",)
+
+    def __init__(self, point: Point) -> None:
+        self.point = point
+
+    def number(self, value: Fraction) -> float:
+        return float(value)
+
+    def approximate(self, value: float) -> float:
+        return value
+
+    def degrees(self, value: Fraction) -> float:
+        return math.radians(float(value))
+
+    def symbol(self, name: str) -> float:
+        return math.pi if name == "pi" else self.point[name]
+
+    def sum(self, terms: list[float]) -> float:
+        return math.fsum(terms)
+
+    def product(self, factors: list[float]) -> float:
+        return math.prod(factors)
+
+    def quotient(self, top: float, bottom: float) -> float:
+        return quotient(top, bottom)
+
+    def power(self, base: float, exponent: float) -> float:
+        return FUNCTIONS["pow"](base, exponent)
+
+    def call(self, function: str, arguments: list[float]) -> float:
+        return float(FUNCTIONS[function](*arguments)) if function in FUNCTIONS else self.refuse(function)
+
+
 def number(expr: Expr, point: Point) -> float:
     """The value of a scalar expression where each symbol has a value.
 
-    Raises KeyError for a symbol without one, ValueError or ZeroDivisionError where it is not real.
+    Raises KeyError for a symbol without one, ValueError or ZeroDivisionError where it is not real,
+    NotDerivable for what is no scalar.
     """
-    match expr:
-        case Number(value):
-            return float(value)
-        case Approximate(approximate):
-            return approximate
-        case Degrees(value):
-            return math.radians(float(value))
-        case Symbol(name):
-            return math.pi if name == "pi" else point[name]
-        case Sum(terms):
-            return math.fsum(number(term, point) for term in terms)
-        case Product(factors):
-            return math.prod(number(factor, point) for factor in factors)
-        case Quotient(top, bottom):
-            return quotient(number(top, point), number(bottom, point))
-        case Power(base, exponent):
-            return FUNCTIONS["pow"](number(base, point), number(exponent, point))
-        case Call(function, arguments) if function in FUNCTIONS:
-            return float(FUNCTIONS[function](*(number(a, point) for a in arguments)))
-        case _:
-            raise NotDerivable(f"no number for {type(expr).__name__}")
+    return fold(expr, Floats(point))
 
 
 def numbers(expr: Expr, point: Point) -> Any:

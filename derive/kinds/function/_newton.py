@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Mapping, Sequence
+from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
-from derive.errors import NotDerivable
-from derive.expression import Call, Degrees, Expr, Number, Power, Product, Quotient, Sum, Symbol
+from derive.algebra.fold import Domain, fold
+from derive.expression import Expr
 
 STEPS = 30
 STARTS = 12
@@ -30,7 +32,7 @@ def stationary(tree: Expr, known: Mapping[str, float], names: Sequence[str]) -> 
 
     def values(points: Any) -> Any:
         columns = {name: points[..., k] for k, name in enumerate(names)}
-        return np.broadcast_to(_value(tree, {**known, **columns}), points.shape[:-1])
+        return np.broadcast_to(fold(tree, _Arrays({**known, **columns})), points.shape[:-1])
 
     with np.errstate(all="ignore"):
         for _ in range(STEPS):
@@ -85,29 +87,23 @@ def _derivatives(f: Any, size: int) -> tuple[Any, Any]:
     return slope, curvature
 
 
-def _value(expr: Expr, at: Mapping[str, Any]) -> Any:
-    """A tree of numbers and arrays."""
-    import numpy as np
+class _Arrays(Domain[Any]):
+    """Numbers, and arrays of NumPy for the names that have many values."""
 
-    match expr:
-        case Number(value):
-            return float(value)
-        case Degrees(value):
-            return np.radians(float(value))
-        case Symbol(name):
-            return np.pi if name == "pi" else at[name]
-        case Sum(terms):
-            return sum(_value(term, at) for term in terms)
-        case Product(factors):
-            total = 1.0
-            for factor in factors:
-                total = total * _value(factor, at)
-            return total
-        case Quotient(top, bottom):
-            return _value(top, at) / _value(bottom, at)
-        case Power(base, exponent):
-            return _value(base, at) ** _value(exponent, at)
-        case Call(function, arguments):
-            named = {"atan2": "arctan2", "acos": "arccos", "asin": "arcsin", "atan": "arctan"}
-            return getattr(np, named.get(function, function))(*(_value(a, at) for a in arguments))
-    raise NotDerivable(f"no number for {type(expr).__name__}")
+    def __init__(self, at: Mapping[str, Any]) -> None:
+        self.at = at
+
+    def number(self, value: Fraction) -> Any:
+        return float(value)
+
+    def degrees(self, value: Fraction) -> Any:
+        return math.radians(float(value))
+
+    def symbol(self, name: str) -> Any:
+        return math.pi if name == "pi" else self.at[name]
+
+    def call(self, function: str, arguments: list[Any]) -> Any:
+        import numpy as np
+
+        named = {"atan2": "arctan2", "acos": "arccos", "asin": "arcsin", "atan": "arctan"}
+        return getattr(np, named.get(function, function))(*arguments)
