@@ -55,6 +55,10 @@ class OptionsModel(BaseModel):
     )
 
 
+class NoOptions(OptionsModel):
+    """None."""
+
+
 @dataclass(frozen=True, slots=True)
 class Starred:
     """A formula and the joint variable marked in it by a star, if one is."""

@@ -36,7 +36,7 @@ from derive.expression import (
 from derive.expression import replace as put_in
 from derive.kinds.checks import TOLERANCE, agreement, law, links
 from derive.kinds.problem import Problem
-from derive.names import NAMESAKE
+from derive.names import NAMESAKE, named
 
 CLOSE = 1e-12
 Name = Symbol | Indexed
@@ -134,6 +134,12 @@ class Work:
     def knowing(self, names: Mapping[Expr, Expr]) -> Work:
         """With more quantities that are given and need no step of their own."""
         return replace(self, known={**self.known, **names})
+
+    def naming(self, **usual: Expr) -> tuple[Work, tuple[Symbol, ...]]:
+        """With quantities that are given, each by the name its author uses, else by the usual one; and these
+        names in the same order."""
+        names = tuple(named(name, value, self.problem.taken) for name, value in usual.items())
+        return self.knowing(dict[Expr, Expr](zip(names, usual.values(), strict=True))), names
 
     def given(self, name: Symbol, value: Value | Expr, rule: str = "given") -> Work:
         """A quantity that is given, as a step."""

@@ -25,12 +25,12 @@ from derive.expression import (
     subtract,
     symbols,
 )
-from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
+from derive.kinds.checks import SECOND_ROUTE, close, random_points
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.sensing import Drive
-from derive.names import named
+from derive.names import free
 
 RESULTS = {
     "G": "the best gear ratio",
@@ -67,47 +67,26 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
     """alpha = (G tau_m - tau_l)/(G^2 J_m + J_l) is greatest where its derivative by G vanishes; without a
     torque at the load that is G = sqrt(J_l/J_m)."""
     torque = drive.torque or Symbol("tau_m")
-    J_m, J_l, tau_m = (
-        named("J_m", drive.rotor, problem.taken),
-        named("J_l", drive.load, problem.taken),
-        named("tau_m", torque, problem.taken),
-    )
-    values: dict[Expr, Expr] = {J_m: drive.rotor, J_l: drive.load, tau_m: torque}
+    work, (J_m, J_l, tau_m) = Work(problem).naming(J_m=drive.rotor, J_l=drive.load, tau_m=torque)
     tau_l = None
     if drive.load_torque is not None:
-        tau_l = named("tau_l", drive.load_torque, problem.taken)
-        values[tau_l] = drive.load_torque
-    working = Work(problem, values)
+        work, (tau_l,) = work.naming(tau_l=drive.load_torque)
     G = _gear(drive, problem)
     law, slope, top = _slope(G, J_m, J_l, tau_m, tau_l)
-    working = _best(working, J_m, J_l, tau_m, tau_l)
-    steps = (
-        Step("alpha", (ALPHA, law)),
-        Step("slope", (Derivative(ALPHA, G), slope)),
-        *working.steps,
-    )
-    best: dict[Expr, Expr] = {BEST: working.known[BEST]}
-    results = {
-        "G": working.final("G_opt"),
-        "alpha": problem.final(replace(working.known[Symbol("alpha_max")], best)),
-    }
-    names = {**problem.names, **working.definitions}
-    claims = (
-        *links(steps[:2], {ALPHA: law}),
-        *links(working.steps, names),
-        _second_route(drive, problem, results),
-    )
+    laws = (Step("alpha", (ALPHA, law)), Step("slope", (Derivative(ALPHA, G), slope)))
+    work = _best(Work(problem, work.known, aside={ALPHA: law}, steps=laws), J_m, J_l, tau_m, tau_l)
+    fastest = problem.final(replace(work["alpha_max"], {BEST: work[BEST]}))
+    results = {"G": work.final(BEST), "alpha": fastest}
     facts = Facts(
-        given=working.typed, tau_m=tau_m, tau_l=tau_l, top=top, G=G,
+        given=work.typed, tau_m=tau_m, tau_l=tau_l, top=top, G=G,
         balance=(Product((squared(BEST), J_m)), J_l),
     )  # fmt: skip
-    return Derivation("gear-ratio", steps, results, claims, working.definitions, facts=facts)
+    return work.claim(_second_route(drive, problem, results)).answer("gear-ratio", results, facts)
 
 
 def _gear(drive: Drive, problem: Problem) -> Symbol:
     trees = [drive.rotor, drive.load, drive.torque or ONE, drive.load_torque or ONE, *problem.where.values()]
-    taken = frozenset(problem.where).union(*map(free_symbols, trees))
-    return Symbol(next(name for name in GEARS if name not in taken))
+    return Symbol(free(frozenset(problem.where).union(*map(free_symbols, trees)), *GEARS))
 
 
 def _slope(G: Symbol, J_m: Expr, J_l: Expr, tau_m: Expr, tau_l: Expr | None) -> tuple[Expr, Expr, Expr]:
@@ -126,24 +105,24 @@ def _slope(G: Symbol, J_m: Expr, J_l: Expr, tau_m: Expr, tau_l: Expr | None) -> 
     return Quotient(subtract(push, tau_l), whole), Quotient(top, squared(whole)), top
 
 
-def _best(working: Work, J_m: Expr, J_l: Expr, tau_m: Expr, tau_l: Expr | None) -> Work:
+def _best(work: Work, J_m: Expr, J_l: Expr, tau_m: Expr, tau_l: Expr | None) -> Work:
     """The positive root, and the acceleration there; roots of symbols stay as a person writes them."""
-    open_ = bool(free_symbols(working.problem.final(working.shown(Quotient(J_l, J_m)))))
-    ratio = working.shown(Quotient(J_l, J_m))
+    open_ = bool(free_symbols(work.problem.final(work.shown(Quotient(J_l, J_m)))))
+    ratio = work.shown(Quotient(J_l, J_m))
 
     def put_in(tree: Expr) -> Expr:
-        return replace(tree, working.definitions)
+        return replace(tree, work.definitions)
 
     if tau_l is None:
-        working = working.worked("G_opt", sqrt(Quotient(J_l, J_m)), sqrt(ratio) if open_ else None)
+        work = work.worked("G_opt", sqrt(Quotient(J_l, J_m)), sqrt(ratio) if open_ else None)
         force = Quotient(tau_m, Product((number(2), sqrt(Product((J_m, J_l))))))
-        return working.worked("alpha_max", force, put_in(force) if open_ else None)
+        return work.worked("alpha_max", force, put_in(force) if open_ else None)
     pull = Quotient(tau_l, tau_m)
     root = add(pull, sqrt(add(squared(pull), Quotient(J_l, J_m))))
-    open_ = open_ or bool(free_symbols(working.problem.final(working.shown(pull))))
-    working = working.worked("G_opt", root, put_in(root) if open_ else None)
+    open_ = open_ or bool(free_symbols(work.problem.final(work.shown(pull))))
+    work = work.worked("G_opt", root, put_in(root) if open_ else None)
     force = Quotient(tau_m, Product((number(2), BEST, J_m)))
-    return working.worked("alpha_max", force, put_in(force) if open_ else None)
+    return work.worked("alpha_max", force, put_in(force) if open_ else None)
 
 
 def _second_route(drive: Drive, problem: Problem, results: Mapping[str, Expr]) -> Claim:

@@ -5,12 +5,11 @@ from __future__ import annotations
 from derive.algebra.numbers.floats import number as at
 from derive.derivation import Claim, Derivation, PageFacts
 from derive.expression import ONE, Expr, Product, Quotient, Symbol, add, number, squared
-from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
-from derive.kinds.fields import OptionsModel
+from derive.kinds.checks import SECOND_ROUTE, close, random_points
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.sensing import Drive
-from derive.names import named
 
 NEEDS = ("gear",)
 RESULTS = {
@@ -25,10 +24,6 @@ problems:
 """
 
 
-class Options(OptionsModel):
-    """None."""
-
-
 class Facts(PageFacts):
     given: tuple[tuple[Expr, Expr], ...]
     G: Symbol
@@ -38,22 +33,15 @@ class Facts(PageFacts):
 def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
     """The kinetic energy in the speed of the one and of the other (Lynch and Park, section 8.9)."""
     gear = drive.gear or ONE
-    J_m, J_l, G = (
-        named("J_m", drive.rotor, problem.taken),
-        named("J_l", drive.load, problem.taken),
-        named("G", gear, problem.taken),
+    work, (J_m, J_l, G) = Work(problem).naming(J_m=drive.rotor, J_l=drive.load, G=gear)
+    work = work.worked("J_load", add(Product((squared(G), J_m)), J_l))
+    work = work.worked("J_motor", add(J_m, Quotient(J_l, squared(G))))
+    results = {name: work.final(name) for name in RESULTS}
+    work = work.claim(
+        Claim("both hold the same kinetic energy", SECOND_ROUTE, _same_energy(drive, problem, results))
     )
-    values: dict[Expr, Expr] = {J_m: drive.rotor, J_l: drive.load, G: gear}
-    working = Work(problem, values)
-    working = working.worked("J_load", add(Product((squared(G), J_m)), J_l))
-    working = working.worked("J_motor", add(J_m, Quotient(J_l, squared(G))))
-    results = {name: working.final(name) for name in RESULTS}
-    claims = (
-        *links(working.steps, {**problem.names, **working.definitions}),
-        Claim("both hold the same kinetic energy", SECOND_ROUTE, _same_energy(drive, problem, results)),
-    )
-    facts = Facts(given=working.typed, G=G, energy=_energy(J_m, J_l, G))
-    return Derivation("reflected-inertia", working.steps, results, claims, working.definitions, facts=facts)
+    facts = Facts(given=work.typed, G=G, energy=_energy(J_m, J_l, G))
+    return work.answer("reflected-inertia", results, facts)
 
 
 def _energy(J_m: Expr, J_l: Expr, G: Expr) -> tuple[Expr, Expr]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from derive.algebra.numbers.floats import number as at
 from derive.derivation import Claim, Derivation, PageFacts
 from derive.expression import ONE, ZERO, Expr, Product, Quotient, Symbol, add, subtract, symbols
-from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
-from derive.kinds.fields import OptionsModel
+from derive.kinds.checks import SECOND_ROUTE, close, random_points
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.sensing import PulseWidth
@@ -30,10 +30,6 @@ MEAN, DUTY, PERIOD = symbols("U_m D T")
 SAMPLES = 1000
 
 
-class Options(OptionsModel):
-    """None."""
-
-
 class Facts(PageFacts):
     given: tuple[tuple[Expr, Expr], ...]
     bipolar: bool
@@ -47,41 +43,28 @@ class Facts(PageFacts):
 
 def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivation:
     """The area under one period over its length."""
-    high, low = named("U", voltage.high, problem.taken), named("U_0", voltage.low, problem.taken)
-    values: dict[Expr, Expr] = {high: voltage.high}
+    work, (high,) = Work(problem).naming(U=voltage.high)
+    low, mean, duty = named("U_0", voltage.low, problem.taken), MEAN, DUTY
     bipolar = problem.final(voltage.low) != ZERO
-    values |= {low: voltage.low} if bipolar else {}
-    mean, duty = _names(voltage, problem)
+    if bipolar:
+        work, (low,) = work.naming(U_0=voltage.low)
     if voltage.duty is not None:
-        values[duty] = voltage.duty
+        work, (duty,) = work.naming(D=voltage.duty)
     if voltage.mean is not None:
-        values[mean] = voltage.mean
-    working = _solved(Work(problem, values), voltage, (high, low, mean, duty), bipolar)
-    results = {"mean": problem.final(working.known[mean]), "duty": problem.final(working.known[duty])}
+        work, (mean,) = work.naming(U_m=voltage.mean)
+    work = _solved(work, voltage, (high, low, mean, duty), bipolar)
+    results = {"mean": work.final(mean), "duty": work.final(duty)}
     if voltage.frequency is not None:
-        f = named("f", voltage.frequency, problem.taken)
-        working = working.knowing({f: voltage.frequency}).worked("t_on", Quotient(duty, f))
-        results["t_on"] = working.final("t_on")
-    claims = (
-        *links(working.steps, {**problem.names, **working.definitions}),
-        Claim(
-            "the mean of the voltage, sampled over a period",
-            SECOND_ROUTE,
-            _sampled(voltage, problem, results),
-        ),
-    )
+        work, (f,) = work.naming(f=voltage.frequency)
+        work = work.worked("t_on", Quotient(duty, f))
+        results["t_on"] = work.final("t_on")
+    sampled = _sampled(voltage, problem, results)
+    work = work.claim(Claim("the mean of the voltage, sampled over a period", SECOND_ROUTE, sampled))
     facts = Facts(
-        given=working.typed, bipolar=bipolar, inverse=voltage.duty is None, high=high, low=low, duty=duty,
+        given=work.typed, bipolar=bipolar, inverse=voltage.duty is None, high=high, low=low, duty=duty,
         timed=voltage.frequency is not None, law=(mean, _mean(high, low, duty, bipolar)),
     )  # fmt: skip
-    return Derivation("mean-voltage", working.steps, results, claims, working.definitions, facts=facts)
-
-
-def _names(voltage: PulseWidth, problem: Problem) -> tuple[Symbol, Symbol]:
-    return (
-        MEAN if voltage.mean is None else named("U_m", voltage.mean, problem.taken),
-        DUTY if voltage.duty is None else named("D", voltage.duty, problem.taken),
-    )
+    return work.answer("mean-voltage", results, facts)
 
 
 def _mean(high: Expr, low: Expr, duty: Expr, bipolar: bool) -> Expr:
@@ -90,13 +73,13 @@ def _mean(high: Expr, low: Expr, duty: Expr, bipolar: bool) -> Expr:
 
 
 def _solved(
-    working: Work, voltage: PulseWidth, names: tuple[Symbol, Symbol, Symbol, Symbol], bipolar: bool
+    work: Work, voltage: PulseWidth, names: tuple[Symbol, Symbol, Symbol, Symbol], bipolar: bool
 ) -> Work:
     high, low, mean, duty = names
     if voltage.duty is not None:
-        return working.worked(mean.name, _mean(high, low, duty, bipolar))
+        return work.worked(mean.name, _mean(high, low, duty, bipolar))
     above = subtract(mean, low) if bipolar else mean
-    return working.worked(duty.name, Quotient(above, subtract(high, low) if bipolar else high))
+    return work.worked(duty.name, Quotient(above, subtract(high, low) if bipolar else high))
 
 
 def _sampled(voltage: PulseWidth, problem: Problem, results: dict[str, Expr]) -> bool:

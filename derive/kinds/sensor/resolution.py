@@ -7,8 +7,8 @@ from math import tau
 from derive.algebra.numbers.floats import number as at
 from derive.derivation import Claim, Derivation, PageFacts
 from derive.expression import ONE, Expr, Symbol
-from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
-from derive.kinds.fields import OptionsModel
+from derive.kinds.checks import SECOND_ROUTE, close, random_points
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.sensor._encoder import counted
 from derive.mechanics.sensing import Encoder, Incremental
@@ -29,10 +29,6 @@ problems:
 """
 
 
-class Options(OptionsModel):
-    """None."""
-
-
 class Facts(PageFacts):
     edges: Expr | None  # that are counted; None of an absolute encoder
     gear: Symbol | None
@@ -41,22 +37,16 @@ class Facts(PageFacts):
 
 def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
     """2 pi over the counts of a turn, divided by the gear (Siciliano et al., section 5.3.1)."""
-    working, gear = counted(problem, encoder)
-    results: dict[str, Expr] = {"counts": working.final("N")}
+    work, gear = counted(problem, encoder)
+    results: dict[str, Expr] = {"counts": work.final("N")}
     if gear:
-        results["resolution_motor"] = working.final("Delta_m")
-    results["resolution"] = working.final("Delta")
-    claims = (
-        *links(working.steps, {**problem.names, **working.definitions}),
-        Claim(
-            "so many counts make a whole turn of the link",
-            SECOND_ROUTE,
-            _whole_turn(encoder, problem, results),
-        ),
-    )
+        results["resolution_motor"] = work.final("Delta_m")
+    results["resolution"] = work.final("Delta")
+    whole = _whole_turn(encoder, problem, results)
+    work = work.claim(Claim("so many counts make a whole turn of the link", SECOND_ROUTE, whole))
     edges = encoder.disc.edges if isinstance(encoder.disc, Incremental) else None
-    facts = Facts(edges=edges, gear=gear, gear_value=working.known[gear] if gear else None)
-    return Derivation("resolution", working.steps, results, claims, working.definitions, facts=facts)
+    facts = Facts(edges=edges, gear=gear, gear_value=work[gear] if gear else None)
+    return work.answer("resolution", results, facts)
 
 
 def _whole_turn(encoder: Encoder, problem: Problem, results: dict[str, Expr]) -> bool:

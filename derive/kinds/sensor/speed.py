@@ -11,12 +11,11 @@ from derive.algebra.formulas.quantities import rational
 from derive.algebra.numbers.floats import number as at
 from derive.derivation import Claim, Derivation, PageFacts
 from derive.expression import ONE, Call, Expr, Product, Quotient, Symbol, free_symbols
-from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
+from derive.kinds.checks import SECOND_ROUTE, close, random_points
 from derive.kinds.fields import Formula, OptionsModel, Time
 from derive.kinds.problem import Problem
 from derive.kinds.sensor._encoder import DELTA, counted
 from derive.mechanics.sensing import Encoder
-from derive.names import named
 
 NEEDS = ("encoder",)
 RESULTS = {
@@ -67,34 +66,33 @@ class Facts(PageFacts):
 def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
     """Counts times the angle of one, over the period; one count more or less is not seen in between."""
     base = problem.ask("resolution")
-    working, gear = counted(problem, encoder)
-    told = len(working.steps)
-    n, T = named("n", options.counts, problem.taken), named("T", options.period, problem.taken)
-    working = working.knowing({n: options.counts, T: options.period})
-    working = working.worked("omega", Quotient(Product((n, DELTA)), T))
+    work, gear = counted(problem, encoder)
+    told = len(work.steps)
+    work, (n, T) = work.naming(n=options.counts, T=options.period)
+    work = work.worked("omega", Quotient(Product((n, DELTA)), T))
     if gear:
-        working = working.worked("omega_m", Product((gear, OMEGA)))
+        work = work.worked("omega_m", Product((gear, OMEGA)))
     backwards = (rational(problem.final(options.counts)) or 0) < 0
     size, speed = (Call("abs", (each,)) if backwards else each for each in (n, OMEGA))
-    working = working.worked("delta_omega", Quotient(DELTA, T)).worked("relative", Quotient(ONE, size))
-    results: dict[str, Expr] = {"omega": working.final("omega")}
+    work = work.worked("delta_omega", Quotient(DELTA, T)).worked("relative", Quotient(ONE, size))
+    results: dict[str, Expr] = {"omega": work.final("omega")}
     if gear:
-        results["omega_motor"] = working.final("omega_m")
-    results |= {"quantum": working.final("delta_omega"), "relative": working.final("relative")}
+        results["omega_motor"] = work.final("omega_m")
+    results |= {"quantum": work.final("delta_omega"), "relative": work.final("relative")}
     share = Quotient(Symbol("delta_omega"), speed)
-    last = working.steps[-1]
-    steps = (*working.steps[told:-1], replace(last, chain=(share, *last.chain[1:])))
-    claims = (
-        *links(steps, {**problem.names, **working.definitions}),
-        Claim(
-            "the link turns so far in the period", SECOND_ROUTE, _so_far(encoder, options, problem, results)
-        ),
+    last = work.steps[-1]
+    so_far = _so_far(encoder, options, problem, results)
+    work = replace(
+        work,
+        uses=(base,),
+        steps=(*work.steps[told:-1], replace(last, chain=(share, *last.chain[1:]))),
+        claims=(Claim("the link turns so far in the period", SECOND_ROUTE, so_far),),
     )
     facts = Facts(
-        given=tuple((name, value) for name, value in working.typed if name in (n, T)),
+        given=tuple((name, value) for name, value in work.typed if name in (n, T)),
         n=n, T=T, gear=gear, numbers=("omega", "omega_motor", "quantum", "relative"),
     )  # fmt: skip
-    return Derivation("speed", steps, results, claims, working.definitions, uses=(base,), facts=facts)
+    return work.answer("speed", results, facts)
 
 
 def _so_far(encoder: Encoder, options: Options, problem: Problem, results: dict[str, Expr]) -> bool:
