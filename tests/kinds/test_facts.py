@@ -35,23 +35,35 @@ def test_declared_facts_are_those_read(kind: str):
     assert {name for other in sharing for name in _read(f"words/{other}.j2")} == declared
 
 
-def _read(template: str, *macros: str) -> Iterator[str]:
-    """The names read of `facts` by the words, or by these macros of theirs, and by all they include."""
-    text, _, _ = environment().loader.get_source(environment(), template)
-    whole = environment().parse(text)
-    called = [macro for macro in whole.find_all(nodes.Macro) if macro.name in macros]
-    for part in called or [whole]:
-        yield from _names(part, {"facts"})
-        for other in part.find_all(nodes.Include):
-            yield from _read(other.template.value)
-        calls = {call.node.name for call in part.find_all(nodes.Call) if isinstance(call.node, nodes.Name)}
-        for other in whole.find_all(nodes.FromImport):
-            names = {name if isinstance(name, str) else name[0] for name in other.names}
-            if (called and not calls & names) or not names:
-                continue
-            yield from _read(other.template.value, *names)
-        if called and (inner := calls & {macro.name for macro in whole.find_all(nodes.Macro)} - {*macros}):
-            yield from _read(template, *inner)
+def _tree(template: str) -> nodes.Template:
+    return environment().parse(environment().loader.get_source(environment(), template)[0])
+
+
+def _read(template: str) -> Iterator[str]:
+    """The names read of `facts` by the words, by what they include and by the macros they call."""
+    yield from _followed(_tree(template), {"facts"}, {})
+
+
+def _followed(node: nodes.Node, known: set[str], scope: dict[str, nodes.Macro]) -> Iterator[str]:
+    """What a part reads of the facts, which are also called as in `known`, with its macros followed."""
+    scope = {**scope, **_macros(node)}
+    yield from _names(node, known)
+    for each in node.find_all(nodes.Include):
+        yield from _read(each.template.value)
+    for call in node.find_all(nodes.Call):
+        if isinstance(call.node, nodes.Name) and (macro := scope.get(call.node.name)):
+            passed = zip(macro.args, call.args, strict=False)
+            known_there = {to.name for to, value in passed if getattr(value, "name", "") in known}
+            inner = {name: other for name, other in scope.items() if other is not macro}
+            yield from _followed(macro, {"facts", *known_there}, inner)
+
+
+def _macros(node: nodes.Node) -> dict[str, nodes.Macro]:
+    """The macros that are defined or imported there, with those of the files imported from."""
+    found = {macro.name: macro for macro in node.find_all(nodes.Macro)}
+    for each in node.find_all(nodes.FromImport):
+        found |= _macros(_tree(each.template.value))
+    return found
 
 
 def _names(node: nodes.Node, known: set[str]) -> Iterator[str]:
@@ -59,6 +71,8 @@ def _names(node: nodes.Node, known: set[str]) -> Iterator[str]:
     for part in node.iter_child_nodes():
         match part:
             case nodes.Block(name=str(name)) if name == QUESTION:
+                continue
+            case nodes.Macro():
                 continue
             case nodes.Assign(target=nodes.Name(name=str(name)), node=nodes.Name(name=str(value))):
                 known |= {name} if value in known else set()

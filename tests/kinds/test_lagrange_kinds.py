@@ -133,7 +133,7 @@ def test_what_is_conserved_of_the_hoop_is_not_its_energy() -> None:
 def test_a_spherical_pendulum_keeps_its_angular_momentum() -> None:
     position = "l*sin(theta)*cos(phi); l*sin(theta)*sin(phi); -l*cos(theta)"
     found = ask(system("theta phi", body("m", position)))
-    ((name, momentum),) = found.facts["cyclic"]
+    ((name, momentum),) = found.facts.cyclic
     assert name == Symbol("phi")
     assert normal(momentum) == normal(parse("m*l^2*phi_dot*sin(theta)^2"))
     assert are(
@@ -268,7 +268,7 @@ def test_the_cart_and_pole_linearised_upright() -> None:
         normal(row[0]) == normal(parse(text))
         for row, text in zip(B, ("0", "0", "1/m_c", "1/(m_c*l)"), strict=True)
     ]
-    assert found.facts["stability"] == "unstable"
+    assert found.facts.stability == "unstable"
 
 
 def _rows(found: Derivation, name: str) -> list[list[Expr]]:

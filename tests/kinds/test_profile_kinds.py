@@ -213,10 +213,10 @@ def test_limits_are_checked(tmp_path: Path) -> None:
     found = ask(
         tmp_path, "{from: 0, to: 60 deg, time: 3 s, v_max: 25 deg/s, a_max: 50 deg/s^2}", "cubic-trajectory"
     )
-    velocity, acceleration = found.facts["limits"]
-    assert not velocity["kept"] and acceleration["kept"]
+    velocity, acceleration = found.facts.limits
+    assert not velocity.kept and acceleration.kept
     # 40 t - 40/3 t^2 = 25 deg/s
-    assert value(velocity["first"]) == pytest.approx((3 - sqrt(9 - 7.5)) / 2, abs=0.03)
+    assert value(velocity.first) == pytest.approx((3 - sqrt(9 - 7.5)) / 2, abs=0.03)
 
 
 # -- lines with blends --------------------------------------------------------------------------------

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any
 
 from derive.algebra.normal import derivative
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, Result, Step
+from derive.derivation import Claim, Derivation, PageFacts, Record, Result, Step
 from derive.errors import NotReal
 from derive.expression import ZERO, Derivative, Expr, Symbol, column
 from derive.kinds.checks import SECOND_ROUTE, close, law, links, random_points
@@ -61,6 +60,30 @@ class Options(OptionsModel):
     solve: bool = False
 
 
+class Conserved(Record):
+    total: bool  # it is the energy, and not only Jacobi's integral
+
+
+class Facts(PageFacts):
+    coordinates: tuple[Symbol, ...]
+    L: str
+    P: str
+    D: str
+    several: bool  # bodies
+    turning: bool
+    gravity: Expr | None
+    still: bool  # the potential energy
+    dissipation: tuple[Expr, Expr] | None
+    forces: tuple[tuple[Expr, Expr], ...]
+    constraints: tuple[tuple[Expr, Expr], ...]
+    velocity: bool  # a constraint of velocities is among them
+    multiplier: str
+    multipliers: tuple[Symbol, ...]
+    equations: tuple[str, ...]  # steps
+    across: tuple[str, ...]  # steps
+    cyclic: tuple[tuple[Symbol, Expr], ...]
+
+
 def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Derivation:
     """d/dt dL/dqdot_k - dL/dq_k + dD/dqdot_k = Q_k + sum lambda_i a_ik (Goldstein et al., sections 1.4,
     1.5 and 2.4). Raises NotDerivable where solving was asked for and is out of reach."""
@@ -104,7 +127,7 @@ def _partials(model: Model) -> Iterator[Step]:
 
 def _equations(model: Model, lefts: list[Expr], rights: list[Expr]) -> Iterator[Step]:
     for k, (left, right) in enumerate(zip(lefts, rights, strict=True), 1):
-        yield Step(f"equation_{k}", (left, right), "law", {"k": k})
+        yield Step(f"equation_{k}", (left, right), "law")
 
 
 def _conserved(model: Model) -> Iterator[Step]:
@@ -116,7 +139,7 @@ def _conserved(model: Model) -> Iterator[Step]:
         total = energy(model.lagrangian, system)
         whole = sum((*model.kinetic, *model.potential), Scalar.of(0))
         name = Symbol(model.letters.energy)
-        facts = {"total": total == whole}
+        facts = Conserved(total=total == whole)
         yield Step(name.name, (name, written_side(total, system, model.problem)), "energy", facts)
 
 
@@ -178,36 +201,34 @@ def _solution(problem: Problem, found: Mapping[str, Scalar]) -> Expr:
     return _columns(problem, [written_fraction(value, problem) for value in found.values()])
 
 
-def _facts(model: Model, options: Options, lefts: list[Expr], rights: list[Expr]) -> dict[str, Any]:
+def _facts(model: Model, options: Options, lefts: list[Expr], rights: list[Expr]) -> Facts:
     system, letters = model.system, model.letters
-    return {
-        "coordinates": tuple(map(Symbol, system.coordinates)),
-        "L": letters.lagrangian, "T": letters.kinetic, "P": letters.potential, "D": letters.dissipation,
-        "several": letters.indexed, "bodies": len(system.bodies),
-        "turning": any(body.inertia is not None for body in system.bodies),
-        "gravity": column(system.gravity) if any(map(model.scalar, system.gravity)) else None,
-        "dissipation": None if system.dissipation == ZERO else system.dissipation,
-        "forces": [(Symbol(f"Q_{q}"), value) for q, value in system.forces],
-        "constraints": [(c.left, c.right) for c in system.constraints],
-        "velocity": any(condition.sort == "velocity" for condition in model.conditions),
-        "multiplier": letters.multiplier, "dissipation_name": Symbol(letters.dissipation),
-        "multipliers": model.multipliers,
-        "equations": [f"equation_{k}" for k in range(1, len(lefts) + 1)],
-        "across": [f"constraint_{k}" for k in range(1, len(model.conditions) + 1)],
-        "cyclic": _cyclic(model), "solve": options.solve, "energy": letters.energy,
-        "still": not sum(model.potential, Scalar.of(0)),
-    }  # fmt: skip
+    lost = None if system.dissipation == ZERO else (Symbol(letters.dissipation), system.dissipation)
+    return Facts(
+        coordinates=tuple(map(Symbol, system.coordinates)),
+        L=letters.lagrangian, P=letters.potential, D=letters.dissipation,
+        several=letters.indexed,
+        turning=any(body.inertia is not None for body in system.bodies),
+        gravity=column(system.gravity) if any(map(model.scalar, system.gravity)) else None,
+        still=not sum(model.potential, Scalar.of(0)),
+        dissipation=lost,
+        forces=tuple((Symbol(f"Q_{q}"), value) for q, value in system.forces),
+        constraints=tuple((c.left, c.right) for c in system.constraints),
+        velocity=any(condition.sort == "velocity" for condition in model.conditions),
+        multiplier=letters.multiplier, multipliers=model.multipliers,
+        equations=tuple(f"equation_{k}" for k in range(1, len(lefts) + 1)),
+        across=tuple(f"constraint_{k}" for k in range(1, len(model.conditions) + 1)),
+        cyclic=tuple(_cyclic(model)),
+    )  # fmt: skip
 
 
-def _cyclic(model: Model) -> list[tuple[Expr, Expr]]:
+def _cyclic(model: Model) -> Iterator[tuple[Symbol, Expr]]:
     """Coordinates that neither L nor any force holds, with what is conserved for each."""
-    found: list[tuple[Expr, Expr]] = []
     lost = model.scalar(model.system.dissipation)
     for k, (q, along) in enumerate(zip(model.system.coordinates, model.system.rates, strict=True)):
         free = not model.forces[q] and not model.reaction(k) and not derivative(lost, along)
         if free and not derivative(model.lagrangian, q):
-            found.append((Symbol(q), model.problem.readable(derivative(model.lagrangian, along))))
-    return found
+            yield Symbol(q), model.problem.readable(derivative(model.lagrangian, along))
 
 
 # -- what it is held to ----------------------------------------------------------------------------------

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import derivative
 from derive.algebra.numbers.floats import number
 from derive.algebra.scalar import Scalar
 from derive.algebra.signs import signed
-from derive.derivation import Branch, Claim, Derivation, Step, Table
+from derive.derivation import Branch, Claim, Derivation, PageFacts, Step, Table
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Expr, Symbol, free_symbols, walk
+from derive.expression import PI, ZERO, Expr, Symbol, free_symbols, walk
 from derive.kinds.checks import SECOND_ROUTE, law, links, random_points
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
@@ -46,6 +45,16 @@ class Options(OptionsModel):
     inputs: Evaluation = None
 
 
+class Facts(PageFacts):
+    inputs: tuple[Symbol, ...]  # at zero
+    given: tuple[tuple[Symbol, Expr], ...]
+    table: Table
+    count: int
+    single: bool
+    free: tuple[Symbol, ...]
+    angles: bool
+
+
 def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Derivation:
     """Every rate zero, and every input without a value; stable where the potential energy is least.
 
@@ -72,15 +81,15 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
         *(_put_back(model, left, each, k, positive) for k, each in enumerate(found, 1) if is_exact(each)),
         _second_route(model, found, given),
     )
-    facts: dict[str, Any] = {
-        "coordinates": tuple(map(Symbol, system.coordinates)),
-        "inputs": tuple(name for name, value in given.items() if value == ZERO),
-        "given": tuple((name, value) for name, value in given.items() if value not in (ZERO, name)),
-        "table": _table(system, branches), "count": len(found), "single": len(system.coordinates) == 1,
-        "free": [Symbol(q) for q in dict.fromkeys(q for each in found for q in each.free)],
-        "angles": any(isinstance(node, Symbol) and node.name == "pi" for b in branches
-                      for tree in b.values.values() for node in walk(tree)),
-    }  # fmt: skip
+    facts = Facts(
+        inputs=tuple(name for name, value in given.items() if value == ZERO),
+        given=tuple((name, value) for name, value in given.items() if value not in (ZERO, name)),
+        table=_table(system, branches),
+        count=len(found),
+        single=len(system.coordinates) == 1,
+        free=tuple(Symbol(q) for q in dict.fromkeys(q for each in found for q in each.free)),
+        angles=any(PI in walk(tree) for branch in branches for tree in branch.values.values()),
+    )
     return Derivation(
         "equilibria", steps, {"solutions": branches}, claims, uses=(equations(problem),), facts=facts
     )

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import islice
-from typing import Any
 
 from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import derivative
 from derive.algebra.numbers.floats import matrix_numbers
 from derive.algebra.solving.polynomials import known_sign
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable, NotReal
 from derive.expression import ZERO, Expr, Matrix, Product, Symbol, column, free_symbols
 from derive.kinds.checks import SECOND_ROUTE, close, law, links, random_points
@@ -68,6 +67,16 @@ class Linear:
     K: ScalarMatrix
     F: ScalarMatrix | None
     inputs: tuple[str, ...]
+
+
+class Facts(PageFacts):
+    at: tuple[tuple[Symbol, Expr], ...]
+    held: tuple[tuple[Symbol, Expr], ...]  # inputs
+    inputs: tuple[Symbol, ...]
+    damped: bool
+    state: tuple[Expr, Expr]  # z = ...
+    single: bool
+    stability: str  # "stable", "unstable", ""
 
 
 def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Derivation:
@@ -176,15 +185,17 @@ def _written(matrix: ScalarMatrix, problem: Problem) -> Matrix:
     return Matrix(tuple(tuple(written_fraction(entry, problem) for entry in row) for row in matrix.rows))
 
 
-def _facts(model: Model, options: Options, linear: Linear, at: Mapping[Expr, Expr]) -> dict[str, Any]:
+def _facts(model: Model, options: Options, linear: Linear, at: Mapping[Expr, Expr]) -> Facts:
     system = model.system
-    return {
-        "at": [(Symbol(q), at[Symbol(q)]) for q in system.coordinates if Symbol(q) in at],
-        "held": [(Symbol(u), at[Symbol(u)]) for u in linear.inputs if at[Symbol(u)] != ZERO],
-        "inputs": tuple(map(Symbol, linear.inputs)), "damped": bool(linear.C),
-        "z": Symbol("z"), "state": _state_vector(system),
-        "single": len(system.coordinates) == 1, "stability": _stability(model, linear),
-    }  # fmt: skip
+    return Facts(
+        at=tuple((Symbol(q), at[Symbol(q)]) for q in system.coordinates if Symbol(q) in at),
+        held=tuple((Symbol(u), at[Symbol(u)]) for u in linear.inputs if at[Symbol(u)] != ZERO),
+        inputs=tuple(map(Symbol, linear.inputs)),
+        damped=bool(linear.C),
+        state=(Symbol("z"), _state_vector(system)),
+        single=len(system.coordinates) == 1,
+        stability=_stability(model, linear),
+    )
 
 
 def _state_vector(system: LagrangianSystem) -> Matrix:

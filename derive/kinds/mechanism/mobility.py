@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from derive.derivation import Claim, Derivation, Result, Step, Table
+from derive.derivation import Claim, Derivation, PageFacts, Result, Step, Table
 from derive.expression import Expr, Product, Sum, Symbol, add, number, subtract
 from derive.kinds.checks import SECOND_ROUTE, links
 from derive.kinds.fields import OptionsModel
@@ -41,6 +39,24 @@ OTHERS: dict[Space, tuple[Space, ...]] = {"spatial": ("planar", "spherical"), "p
 
 class Options(OptionsModel):
     """None."""
+
+
+class Facts(PageFacts):
+    space: Space
+    bodies: Expr
+    pairs: Expr
+    loops: Expr
+    closed: bool
+    table: Table
+    coincident: tuple[tuple[str, Expr, Expr, Expr], ...]  # joints: name, count, bodies, pairs
+    legs: tuple[tuple[str, Expr, Expr], ...]  # chain, count, bodies between
+    sign: int  # of the degrees of freedom
+    missing: Expr
+    idle: Expr | None
+    effective: Expr
+    may_spin: bool
+    others: tuple[tuple[Space, Expr], ...]
+    known: str
 
 
 def derive(mechanism: Mechanism, options: Options, problem: Problem) -> Derivation:
@@ -93,35 +109,32 @@ def _distinct(*chain: Expr) -> tuple[Expr, ...]:
     return tuple(expr for k, expr in enumerate(chain) if k == 0 or expr != chain[k - 1])
 
 
-def _facts(mechanism: Mechanism, size: int) -> dict[str, Any]:
+def _facts(mechanism: Mechanism, size: int) -> Facts:
     spherical = sum(each.pairs for each in mechanism.joints if each.name == "spherical")
-    return {
-        "space": mechanism.space,
-        "size": number(size),
-        "bodies": number(mechanism.bodies),
-        "pairs": number(mechanism.pairs),
-        "loops": number(mechanism.loops),
-        "closed": mechanism.loops > 0,
-        "table": _table(mechanism.joints, size),
-        "coincident": tuple(
+    return Facts(
+        space=mechanism.space,
+        bodies=number(mechanism.bodies),
+        pairs=number(mechanism.pairs),
+        loops=number(mechanism.loops),
+        closed=mechanism.loops > 0,
+        table=_table(mechanism.joints, size),
+        coincident=tuple(
             (each.name, number(each.count), number(each.joining), number(each.joining - 1))
             for each in mechanism.joints
             if each.joining > 2
         ),
-        "legs": tuple((chain, number(count), number(len(chain) - 1)) for chain, count in mechanism.legs),
-        "dof": number(mechanism.dof),
-        "sign": (mechanism.dof > 0) - (mechanism.dof < 0),
-        "missing": number(-mechanism.dof),
-        "idle": number(mechanism.rods) if mechanism.rods else None,
-        "effective": number(mechanism.dof - mechanism.rods),
-        "may_spin": mechanism.space == "spatial"
+        legs=tuple((chain, number(count), number(len(chain) - 1)) for chain, count in mechanism.legs),
+        sign=(mechanism.dof > 0) - (mechanism.dof < 0),
+        missing=number(-mechanism.dof),
+        idle=number(mechanism.rods) if mechanism.rods else None,
+        effective=number(mechanism.dof - mechanism.rods),
+        may_spin=mechanism.space == "spatial"
         and not mechanism.rods
         and spherical >= 2
         and mechanism.loops > 0,
-        "others": _others(mechanism),
-        "known": _known(mechanism),
-        "lower": mechanism.space == "spatial" and mechanism.loops > 0,
-    }
+        others=_others(mechanism),
+        known=_known(mechanism),
+    )
 
 
 def _table(joints: tuple[Joints, ...], size: int) -> Table:

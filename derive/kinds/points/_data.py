@@ -10,7 +10,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import matrix_numbers
 from derive.algebra.readable.operation_count import operations
-from derive.derivation import Table
+from derive.derivation import PageFacts, Record, Table
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Matrix, Number, Symbol, number, walk
 from derive.kinds.problem import Problem
@@ -90,6 +90,29 @@ def _is_short(entry: Expr) -> bool:
 
 def _is_small(value: Fraction) -> bool:
     return abs(value.numerator) <= LARGEST and value.denominator <= LARGEST
+
+
+class SvdTold(Record):
+    exact: bool
+    flat: bool
+    spatial: bool
+    reflected: bool  # V U^T, of points that are not flat
+    det: int  # of V U^T
+    turned: tuple[Expr, Expr]  # D = ..., which turns the last direction over
+
+
+class RowsTold(Record):
+    unit: bool  # all rows have the length 1
+    rotation: bool
+    reflected: bool
+    numbers: int  # that are fitted
+    freedoms: int  # of a rigid motion
+
+
+class Facts(PageFacts):
+    points: Table
+    svd: SvdTold | None = None
+    rows: RowsTold | None = None
 
 
 def point_table(pairs: PointPairs) -> Table:

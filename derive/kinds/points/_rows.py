@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import matrix_numbers
@@ -14,7 +13,7 @@ from derive.derivation import Claim, Derivation, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Matrix, Product, Symbol, number, transpose
 from derive.kinds.checks import SECOND_ROUTE, close, law, links
-from derive.kinds.points._data import Data, point_table, rounded, rounded_matrix, shown
+from derive.kinds.points._data import Data, Facts, RowsTold, point_table, rounded, rounded_matrix, shown
 from derive.kinds.problem import Problem
 from derive.mechanics.fitting import PointPairs, residual
 
@@ -55,14 +54,15 @@ def fitted(pairs: PointPairs, problem: Problem) -> Derivation:
         Step("rms", (Symbol("rms"), rounded(rms)), "law"),
     )
     results: dict[str, Result] = {"R": scaled.R, "p": p, "rms": rounded(rms), "T": whole}
-    facts: dict[str, Any] = {
-        "numbers": (),
-        "method": "rows", "points": point_table(pairs), "count": len(pairs.source), "A": A, "size": size,
-        "rotation": scaled.orthogonal and scaled.det == number(1),
-        "unit": all(length == number(1) for length in scaled.lengths), "unknowns": size + 1,
-        "reflected": scaled.orthogonal and scaled.det == number(-1),
-    }  # fmt: skip
+    told = RowsTold(
+        unit=all(length == number(1) for length in scaled.lengths),
+        rotation=scaled.orthogonal and scaled.det == number(1),
+        reflected=scaled.orthogonal and scaled.det == number(-1),
+        numbers=size * (size + 1),
+        freedoms=6 if size == 3 else 3,
+    )
     claims = (*links(steps, problem.names), *_claims(data, table, rows, targets))
+    facts = Facts(points=point_table(pairs), rows=told, numbers=())
     return Derivation("fit-transform", steps, results, claims, facts=facts)
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import matrix_numbers, number
@@ -21,7 +20,7 @@ from derive.expression import (
 )
 from derive.expression import number as whole
 from derive.kinds.checks import SECOND_ROUTE, close, law, links
-from derive.kinds.points._data import Data, point_table, rounded, rounded_matrix, shown
+from derive.kinds.points._data import Data, Facts, SvdTold, point_table, rounded, rounded_matrix, shown
 from derive.kinds.problem import Problem
 from derive.mechanics.fitting import (
     Fit,
@@ -61,12 +60,11 @@ def fitted(pairs: PointPairs, problem: Problem) -> Derivation:
     steps = (*steps, Step("rms", (Symbol("rms"), rounded(rms)), "law"))
     results: dict[str, Result] = {"R": rotation, "p": position, "rms": rounded(rms)}
     claims = (*links(steps, {**problem.names, **definitions}), *_claims(data, fit, exact, rms, exact_H))
-    facts: dict[str, Any] = {
-        "numbers": (),
-        "method": "svd", "points": point_table(pairs), "count": len(pairs.source), "exact": exact is not None,
-        "flat": fit.is_flat, "reflected": fit.det < 0 and not fit.is_flat, "spatial": len(fit.S) == 3,
-        "det": whole(fit.det), "a": A_MEAN, "b": B_MEAN, "diagonal": _diagonal(fit), "D": D,
-    }  # fmt: skip
+    told = SvdTold(
+        exact=exact is not None, flat=fit.is_flat, reflected=fit.det < 0 and not fit.is_flat,
+        spatial=len(fit.S) == 3, det=fit.det, turned=(D, _diagonal(fit)),
+    )  # fmt: skip
+    facts = Facts(points=point_table(pairs), svd=told, numbers=())
     return Derivation("fit-transform", steps, results, claims, definitions, facts=facts)
 
 

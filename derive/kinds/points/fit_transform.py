@@ -7,6 +7,7 @@ from typing import Literal
 from derive.derivation import Derivation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.points import _rows, _svd
+from derive.kinds.points._data import Facts as Facts
 from derive.kinds.problem import Problem
 from derive.mechanics.fitting import PointPairs
 

@@ -5,18 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from math import inf
-from typing import Any
+from typing import TypeAlias
 
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Claim, Step
+from derive.derivation import Claim, Record, Step
 from derive.expression import Expr, Product, Quotient, Sum, Symbol, number, squared, symbols
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
 from derive.kinds.problem import Problem
-from derive.kinds.profile._trapezoid import Given, Outcome, begun, shortest, timed
+from derive.kinds.profile._trapezoid import Condition, Given, Outcome, begun, shortest, timed
 from derive.mechanics import trapezoid
 from derive.mechanics.profile import Axis, Profile
 
 TRIES = 60
+Equation: TypeAlias = tuple[Expr, Expr]
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,52 +71,76 @@ def steps_of(each: Solved, prefix: str = "") -> Iterator[Step]:
             yield replace(step, name=_name(each, outcome, step, prefix))
 
 
-def told(each: Solved, prefix: str = "") -> dict[str, Any]:
-    """What the words need of it."""
-    given = each.given
-    probe = each.outcomes[0].probe
-    return {
-        "timed": each.time is not None,
-        "given": tuple((name, value, _rate(given, name)) for name, value in given.working.typed),
-        "d": given.d, "v_M": given.fastest, "a_M": given.strongest, "t_3": given.t_3,
-        "backwards": given.backwards,
-        **_laws(given, each.time is not None),
-        "open": each.open,
-        "infeasible": each.infeasible,
-        "least": (Symbol("t_min"), each.least),
-        "probe": f"{prefix}{probe.name}" if probe else "",
-        "cases": tuple(
-            {
-                "case": outcome.case,
-                "when": outcome.when,
-                "conditions": outcome.when[1 if len(each.outcomes) > 1 else 0 :],
-                "too_fast": outcome.too_fast,
-                "plateau": outcome.plateau,
-                "lines": tuple(_name(each, outcome, step, prefix) for step in outcome.working.steps),
-            }
-            for outcome in each.outcomes
-        ),
-    }  # fmt: skip
+class CaseTold(Record):
+    case: str
+    when: tuple[Condition, ...]
+    conditions: tuple[Condition, ...]  # those that do not decide between the cases
+    too_fast: bool
+    plateau: bool
+    lines: tuple[str, ...]  # steps
+
+
+class AxisTold(Record):
+    timed: bool
+    given: tuple[tuple[Expr, Expr, int | None], ...]  # each with how often it is differentiated
+    backwards: bool
+    d: Symbol
+    fastest: Symbol
+    strongest: Symbol
+    t_3: Symbol
+    to_fastest: Equation
+    area: Equation
+    half: Equation
+    peak: Equation
+    plateau_area: Equation
+    open: bool
+    infeasible: bool
+    least: Equation
+    probe: str  # a step
+    cases: tuple[CaseTold, ...]
+
+
+def told(each: Solved, prefix: str = "") -> AxisTold:
+    """What the words read of an axis, with the areas under its velocity as they are quoted."""
+    given, probe, timed = each.given, each.outcomes[0].probe, each.time is not None
+    d, v_M, a_M, t_3 = given.d, given.fastest, given.strongest, given.t_3
+    v, (t_1, t_2, t_m) = given.working.symbol("v"), symbols("t_1 t_2 t_m")
+    last = t_3 if timed else Symbol("t_3")
+    cases = (
+        CaseTold(
+            case=outcome.case,
+            when=outcome.when,
+            conditions=outcome.when[1 if len(each.outcomes) > 1 else 0 :],
+            too_fast=outcome.too_fast,
+            plateau=outcome.plateau,
+            lines=tuple(_name(each, outcome, step, prefix) for step in outcome.working.steps),
+        )
+        for outcome in each.outcomes
+    )
+    return AxisTold(
+        timed=timed,
+        given=tuple((name, value, _rate(given, name)) for name, value in given.working.typed),
+        backwards=given.backwards,
+        d=d,
+        fastest=v_M,
+        strongest=a_M,
+        t_3=t_3,
+        to_fastest=(t_1, Quotient(v_M, a_M)),
+        area=(d, Product((v_M, t_2))),
+        half=(Quotient(d, number(2)), Quotient(Product((a_M, squared(t_1))), number(2))),
+        peak=(v, Quotient(Product((number(2), d)), last)),
+        plateau_area=(d, Quotient(Product((v, Sum((last, t_m)))), number(2))),
+        open=each.open,
+        infeasible=each.infeasible,
+        least=(Symbol("t_min"), each.least),
+        probe=f"{prefix}{probe.name}" if probe else "",
+        cases=tuple(cases),
+    )
 
 
 def _rate(given: Given, name: Expr) -> int | None:
     """0 for the distance, 1 for the velocity, 2 for the acceleration; None for the time."""
     return {given.d: 0, given.fastest: 1, given.strongest: 2}.get(name) if isinstance(name, Symbol) else None
-
-
-def _laws(given: Given, timed: bool) -> dict[str, Any]:
-    """The areas under the velocity, as the words quote them."""
-    d, v_M, a_M, t_3 = given.d, given.fastest, given.strongest, given.t_3
-    v, (t_1, t_2, t_m) = given.working.symbol("v"), symbols("t_1 t_2 t_m")
-    last = t_3 if timed else Symbol("t_3")
-    return {
-        "tried": timed,
-        "t_M": (t_1, Quotient(v_M, a_M)),
-        "area": (d, Product((v_M, t_2))),
-        "half": (Quotient(d, number(2)), Quotient(Product((a_M, squared(t_1))), number(2))),
-        "peak": (v, Quotient(Product((number(2), d)), last)),
-        "plateau_area": (d, Quotient(Product((v, Sum((last, t_m)))), number(2))),
-    }
 
 
 def _name(each: Solved, outcome: Outcome, step: Step, prefix: str) -> str:

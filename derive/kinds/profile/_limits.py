@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from fractions import Fraction
 from math import degrees
-from typing import Any
 
 from derive.algebra.numbers.floats import number as value_of
+from derive.derivation import Record
 from derive.expression import Approximate, Degrees, Expr
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
@@ -17,13 +17,22 @@ from derive.mechanics.profile import Profile
 SLACK = 1e-9
 
 
+class LimitTold(Record):
+    name: str
+    limit: Expr
+    rate: int  # 1 for a velocity, 2 for an acceleration
+    reached: Expr
+    kept: bool
+    first: Expr | None  # when it is not kept any more
+
+
 def limits_told(
     profile: Profile, course: Course | None, problem: Problem, evaluate: Place | None
-) -> dict[str, Any]:
-    """For the words: each limit that is given, what is reached, whether that is kept, and when it is not."""
+) -> tuple[LimitTold, ...]:
+    """Each limit that is given, what is reached, whether that is kept, and when it is not."""
     journey = profile.journey
     if journey is None or course is None:
-        return {"limits": ()}
+        return ()
     given = (("velocity", journey.v_max, 1), ("acceleration", journey.a_max, 2))
     turned = profile.sort == "angle" and problem.style.degrees
     point = () if evaluate is None else evaluate
@@ -32,7 +41,7 @@ def limits_told(
         for name, limit, order in given
         if limit is not None
     ]
-    return {"limits": tuple(each for each in found if each)}
+    return tuple(each for each in found if each)
 
 
 def limits_drawn(profile: Profile, problem: Problem) -> tuple[float | None, float | None]:
@@ -57,17 +66,17 @@ def _shown(value: float, in_degrees: bool) -> Expr:
 
 def _limit(
     name: str, limit: Expr, order: int, course: Course, most: float | None, turned: bool
-) -> dict[str, Any] | None:
+) -> LimitTold | None:
     if most is None:
         return None
     reached = max(map(abs, extremes(course, order)))
     times, values = sampled(course, order)
     beyond = [t for t, value in zip(times, values, strict=True) if abs(value) > most * (1 + SLACK)]
-    return {
-        "name": name,
-        "limit": limit,
-        "rate": order,
-        "reached": _shown(reached, turned),
-        "kept": reached <= most * (1 + SLACK),
-        "first": Approximate(beyond[0]) if beyond else None,
-    }
+    return LimitTold(
+        name=name,
+        limit=limit,
+        rate=order,
+        reached=_shown(reached, turned),
+        kept=reached <= most * (1 + SLACK),
+        first=Approximate(beyond[0]) if beyond else None,
+    )

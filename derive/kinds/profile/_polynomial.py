@@ -7,7 +7,7 @@ from math import factorial, perm
 from typing import Any
 
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Claim, Derivation, Figure, Step
+from derive.derivation import Claim, Derivation, Figure, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     ONE,
@@ -26,14 +26,30 @@ from derive.figures.courses import panels
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
-from derive.kinds.profile._ends import RATES, Ends, ends_of, laws, system, t, term, upper
-from derive.kinds.profile._limits import limits_drawn, limits_told
+from derive.kinds.profile._ends import Ends, ends_of, laws, system, t, term, upper
+from derive.kinds.profile._limits import LimitTold, limits_drawn, limits_told
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
 from derive.mechanics.course import Course, Piece, at, extremes
-from derive.mechanics.profile import Journey, Profile
+from derive.mechanics.profile import Journey, Profile, Units
 
 q = Symbol("q")
+
+
+class Facts(PageFacts):
+    given: tuple[tuple[Expr, Expr, int | None], ...]  # each with how often it is differentiated
+    backwards: bool = False
+    units: Units
+    order: int
+    T: Symbol
+    t: Symbol = t
+    zero: Expr = ZERO
+    long: bool
+    lower: tuple[str, ...]  # steps
+    upper: tuple[str, ...]  # steps
+    peaks: tuple[str, ...]  # steps
+    drawn: bool
+    limits: tuple[LimitTold, ...]
 
 
 def polynomial(
@@ -65,26 +81,18 @@ def polynomial(
             _solves(journey, profile, problem, results, order),
         ),
     )
-    facts = {
-        "given": tuple(
-            (name, value, ends.rates[name]) for name, value in working.typed if name in ends.rates
-        ),
-        "backwards": False,
-        "units": profile.units,
-        "order": order,
-        "start": tuple(zip(RATES, ends.start, strict=False)),
-        "end": tuple(zip(RATES, ends.end, strict=False)),
-        "T": ends.T,
-        "zero": ZERO,
-        "t": t,
-        "long": bool(free_symbols(law) - {"t"}) and not ends.at_rest,
-        "lower": tuple(f"a_{k}" for k in range(order)),
-        "upper": tuple(f"a_{k}" for k in range(order, 2 * order)),
-        "at_rest": ends.at_rest,
-        "peaks": peaks,
-        "drawn": course is not None,
-        **limits_told(profile, course, problem, evaluate),
-    }
+    facts = Facts(
+        given=tuple((name, value, ends.rates[name]) for name, value in working.typed if name in ends.rates),
+        units=profile.units,
+        order=order,
+        T=ends.T,
+        long=bool(free_symbols(law) - {"t"}) and not ends.at_rest,
+        lower=tuple(f"a_{k}" for k in range(order)),
+        upper=tuple(f"a_{k}" for k in range(order, 2 * order)),
+        peaks=peaks,
+        drawn=course is not None,
+        limits=limits_told(profile, course, problem, evaluate),
+    )
     return Derivation(
         kind, steps, results, claims, working.definitions, _evaluated(results, course, evaluate, problem),
         plots=_plots(course, profile, problem), facts=facts,

@@ -4,18 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Claim, Result, Step, Table
+from derive.derivation import Claim, Record, Result, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol, column, number
 from derive.kinds.problem import Problem
-from derive.kinds.profile._axis import Solved, claims_of, solved, steps_of, told
+from derive.kinds.profile._axis import AxisTold, Equation, Solved, claims_of, solved, steps_of, told
 from derive.kinds.profile._trapezoid import NAMES
 from derive.mechanics.profile import Profile
 
 HEADINGS: tuple[Expr | str, ...] = ("axis", "case", *(Symbol(name) for name in NAMES))
+
+
+class TogetherTold(Record):
+    alone: tuple[AxisTold, ...]
+    axes: tuple[AxisTold, ...]
+    slowest: int | None  # from 1; None where a time was given
+    time: Equation
+    least: Equation
+    table: Table | None  # None where the time is too short
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,16 +65,15 @@ class Together:
             found[name] = self.time if name == "t_3" else column(each[name] for each in values)
         return found
 
-    def facts(self) -> dict[str, Any]:
-        return {
-            "alone": tuple(told(axis, f"alone_{k}_") for k, axis in enumerate(self.alone, 1)),
-            "axes": tuple(told(axis, f"axis_{k}_") for k, axis in enumerate(self.axes, 1)),
-            "slowest": None if self.slowest is None else self.slowest + 1,
-            "time": (Symbol("t_3"), self.time),
-            "infeasible": self.infeasible,
-            "least": (Symbol("t_min"), self.alone[slowest(self.alone)].least),
-            "table": self._table(),
-        }
+    def told(self) -> TogetherTold:
+        return TogetherTold(
+            alone=tuple(told(axis, f"alone_{k}_") for k, axis in enumerate(self.alone, 1)),
+            axes=tuple(told(axis, f"axis_{k}_") for k, axis in enumerate(self.axes, 1)),
+            slowest=None if self.slowest is None else self.slowest + 1,
+            time=(Symbol("t_3"), self.time),
+            least=(Symbol("t_min"), self.alone[slowest(self.alone)].least),
+            table=self._table(),
+        )
 
     def _table(self) -> Table | None:
         if self.infeasible:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     Expr,
@@ -23,13 +23,13 @@ from derive.kinds.checks import SECOND_ROUTE, close, law, links, random_points
 from derive.kinds.evaluation import Evaluation, Place
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.profile._blends import T_B, A, Blended, V, blended, filled_laws, filled_span
-from derive.kinds.profile._limits import limits_drawn, limits_told
+from derive.kinds.profile._blends import T_B, Blended, V, blended, filled_laws, filled_span
+from derive.kinds.profile._limits import LimitTold, limits_drawn, limits_told
 from derive.kinds.profile._pieces import Span, branch, in_floats, joined, q_at
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
 from derive.mechanics.course import Course
-from derive.mechanics.profile import Journey, Profile
+from derive.mechanics.profile import Journey, Profile, Units
 
 NEEDS = ("journey",)
 USES = frozenset({"cruise", "acceleration", "blend"})
@@ -57,6 +57,26 @@ class Options(OptionsModel):
     """Where symbols stand for something, `evaluate` draws the trajectory at a point; with t also q there."""
 
     evaluate: Evaluation = None
+
+
+class Facts(PageFacts):
+    given: tuple[tuple[Expr, Expr, int | None], ...]  # each with how often it is differentiated
+    backwards: bool = False
+    units: Units
+    by: str
+    lines: tuple[str, ...]  # steps
+    name: Symbol | None
+    V: Symbol = V
+    t_b: Symbol = T_B
+    area: tuple[Expr, Expr]
+    between: tuple[Expr, Expr]
+    least: Expr
+    half: Expr
+    open: bool
+    bounds: tuple[tuple[Expr, Expr], ...]
+    plateau: bool
+    drawn: bool
+    limits: tuple[LimitTold, ...]
 
 
 def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
@@ -159,25 +179,21 @@ def _facts(
     course: Course | None,
     problem: Problem,
     evaluate: Place | None,
-) -> dict[str, Any]:
+) -> Facts:
     working, way, T = found.working, found.way, found.T
-    steps = tuple(step.name for step in working.steps)
-    ratio = Quotient(way, T)
-    return {
-        "given": tuple((n, value, found.rates[n]) for n, value in working.typed if n in found.rates),
-        "backwards": False,
-        "units": profile.units,
-        "by": found.by,
-        "lines": steps,
-        "way": way, "T": T, "name": found.given, "V": V, "a": A, "t_b": T_B,
-        "area": (way, Product((V, subtract(T, T_B)))),
-        "between": (ratio, Quotient(Product((number(2), way)), T)),
-        "least": Quotient(Product((number(4), way)), squared(T)),
-        "half": Quotient(T, number(2)),
-        "open": found.open,
-        "bounds": tuple((each.start, each.end) for each in found.spans()),
-        "plateau": working.sign(subtract(T, Product((number(2), T_B)))) != 0,
-        "zero": number(0),
-        "drawn": course is not None,
-        **limits_told(profile, course, problem, evaluate),
-    }  # fmt: skip
+    return Facts(
+        given=tuple((n, value, found.rates[n]) for n, value in working.typed if n in found.rates),
+        units=profile.units,
+        by=found.by,
+        lines=tuple(step.name for step in working.steps),
+        name=found.given,
+        area=(way, Product((V, subtract(T, T_B)))),
+        between=(Quotient(way, T), Quotient(Product((number(2), way)), T)),
+        least=Quotient(Product((number(4), way)), squared(T)),
+        half=Quotient(T, number(2)),
+        open=found.open,
+        bounds=tuple((each.start, each.end) for each in found.spans()),
+        plateau=working.sign(subtract(T, Product((number(2), T_B)))) != 0,
+        drawn=course is not None,
+        limits=limits_told(profile, course, problem, evaluate),
+    )

@@ -6,6 +6,7 @@ from derive.derivation import Derivation
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
+from derive.kinds.profile._polynomial import Facts as Facts
 from derive.kinds.profile._polynomial import polynomial
 from derive.mechanics.profile import Profile
 

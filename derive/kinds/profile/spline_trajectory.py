@@ -11,7 +11,7 @@ from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import number as value_of
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, Step, Table
+from derive.derivation import Claim, Derivation, PageFacts, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import (
     ZERO,
@@ -33,12 +33,12 @@ from derive.kinds.checks import SECOND_ROUTE, close, law, links, random_points
 from derive.kinds.evaluation import Evaluation, Place
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.profile._limits import limits_drawn, limits_told
+from derive.kinds.profile._limits import LimitTold, limits_drawn, limits_told
 from derive.kinds.profile._pieces import Span, branch, in_floats, joined, q_at
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
 from derive.mechanics.course import Course
-from derive.mechanics.profile import Journey, Profile
+from derive.mechanics.profile import Journey, Profile, Units
 from derive.mechanics.splines import solved_in_floats
 
 NEEDS = ("journey", "time")
@@ -89,6 +89,16 @@ class Knots:
 
     def scalars(self, trees: Sequence[Expr]) -> list[Scalar]:
         return [self.working.scalar(tree) for tree in trees]
+
+
+class Facts(PageFacts):
+    natural: bool
+    given_velocity: bool
+    points: Table
+    pieces: Table
+    units: Units
+    drawn: bool
+    limits: tuple[LimitTold, ...]
 
 
 def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
@@ -208,9 +218,8 @@ def _facts(
     course: Course | None,
     problem: Problem,
     options: Options,
-) -> dict[str, Any]:
+) -> Facts:
     c = symbols("c_0 c_1 c_2 c_3")
-    tau = Symbol("tau")
     rows = tuple(
         (number(k), s.start, s.end, *(_read(each, problem.style.decimals) for each in s.coefficients))
         for k, s in enumerate(spans, 1)
@@ -219,17 +228,15 @@ def _facts(
         (number(k), time, place)
         for k, (time, place) in enumerate(zip(knots.times, knots.places, strict=True))
     )
-    t, q, v, h = (Symbol(name) for name in "tqvh")
-    return {
-        "natural": options.ends == "natural",
-        "given_velocity": any(velocity is not None for velocity in knots.velocities[1:-1]),
-        "points": Table(("point", t, q), points),
-        "pieces": Table(("piece", "from", "to", *c), rows),
-        "tau": tau, "v": v, "h": h,
-        "units": profile.units,
-        "drawn": course is not None,
-        **limits_told(profile, course, problem, options.evaluate),
-    }  # fmt: skip
+    return Facts(
+        natural=options.ends == "natural",
+        given_velocity=any(velocity is not None for velocity in knots.velocities[1:-1]),
+        points=Table(("point", Symbol("t"), Symbol("q")), points),
+        pieces=Table(("piece", "from", "to", *c), rows),
+        units=profile.units,
+        drawn=course is not None,
+        limits=limits_told(profile, course, problem, options.evaluate),
+    )
 
 
 def _evaluated(

@@ -3,23 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from math import inf
 from typing import Any
 
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Branch, Derivation, Figure, Result
+from derive.derivation import Branch, Derivation, Figure, PageFacts, Result
 from derive.errors import NotDerivable
 from derive.expression import Expr, is_negative
 from derive.figures.courses import panels
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.profile._axis import Solved, claims_of, solved, steps_of, told
-from derive.kinds.profile._together import together
+from derive.kinds.profile._axis import AxisTold, Solved, claims_of, solved, steps_of, told
+from derive.kinds.profile._together import TogetherTold, together
 from derive.kinds.profile._trapezoid import NAMES
 from derive.kinds.values_at import point_of
 from derive.mechanics import trapezoid
-from derive.mechanics.profile import Axis, Profile
+from derive.mechanics.profile import Axis, Profile, Units
 
 NEEDS = ("limits",)
 RESULTS = {
@@ -53,6 +54,14 @@ class Options(OptionsModel):
     evaluate: Evaluation = None
 
 
+class Facts(PageFacts):
+    units: Units
+    axis: AxisTold | None = None
+    together: TogetherTold | None = None
+    drawn: bool
+    at_point: str  # the case there
+
+
 def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     """The switching times t_1, t_2, t_3 (Khatib's notes; Siciliano et al., section 4.2.1).
 
@@ -70,7 +79,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
         each.outcomes[0].working.definitions,
         _evaluated(found, options),
         plots=_plots(profile, found, problem),
-        facts={"several": False, "units": profile.units, **told(each), **_drawn(found, options)},
+        facts=replace(_facts(profile, found, options), axis=told(each)),
     )
 
 
@@ -84,7 +93,7 @@ def _several(profile: Profile, options: Options, problem: Problem) -> Derivation
         tuple(all_axes.claims()),
         evaluated=_evaluated(found, options),
         plots=_plots(profile, found, problem),
-        facts={"several": True, "units": profile.units, **all_axes.facts(), **_drawn(found, options)},
+        facts=replace(_facts(profile, found, options), together=all_axes.told()),
     )
 
 
@@ -133,11 +142,11 @@ def _evaluated(found: Found | None, options: Options) -> dict[str, Any]:
     return {name: [getattr(each, name) for each in found] for name in names} | {"t_3": found[0].t_3}
 
 
-def _drawn(found: Found | None, options: Options) -> dict[str, Any]:
-    """For the words: whether there is a picture, and of which case at the point asked for."""
+def _facts(profile: Profile, found: Found | None, options: Options) -> Facts:
+    """Whether there is a picture, and of which case at the point asked for."""
     feasible = found is not None and all(each.case != "infeasible" for each in found)
     at_point = found[0].case if found and options.evaluate else ""
-    return {"drawn": feasible, "at_point": at_point, "numbers": NAMES}
+    return Facts(units=profile.units, drawn=feasible, at_point=at_point, numbers=NAMES)
 
 
 def _plots(profile: Profile, found: Found | None, problem: Problem) -> tuple[Figure, ...]:
