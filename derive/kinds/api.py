@@ -5,4 +5,100 @@ problem)`, and a file of words of the same name in `templates/words/`. CONTRIBUT
 end.
 """
 
-__all__ = [name for name in dir() if name[0] != "_"]
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal, normal_matrix
+from derive.algebra.numbers.floats import matrix_numbers, numbers, scalar_number
+from derive.algebra.scalar import Scalar
+from derive.derivation import Branch, Claim, Derivation, PageFacts, Plot, Record, Step, Table
+from derive.errors import NotDerivable
+from derive.expression import (
+    ONE,
+    PI,
+    ZERO,
+    Derivative,
+    Expr,
+    Matrix,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+    add,
+    column,
+    cos,
+    free_symbols,
+    multiply,
+    negate,
+    number,
+    sin,
+    sqrt,
+    squared,
+    subtract,
+    symbols,
+    transpose,
+)
+from derive.kinds.checks import agreement, close, is_rotation, law, links, random_points
+from derive.kinds.evaluation import Evaluation
+from derive.kinds.fields import NoOptions, OptionsModel, Quantity
+from derive.kinds.problem import Problem
+from derive.kinds.work import Work
+from derive.names import free, named
+
+__all__ = [
+    "ONE",
+    "PI",
+    "ZERO",
+    "Branch",
+    "Claim",
+    "Derivation",
+    "Derivative",
+    "Evaluation",
+    "Expr",
+    "Matrix",
+    "NoOptions",
+    "NotDerivable",
+    "Number",
+    "OptionsModel",
+    "PageFacts",
+    "Plot",
+    "Power",
+    "Problem",
+    "Product",
+    "Quantity",
+    "Quotient",
+    "Record",
+    "Scalar",
+    "ScalarMatrix",
+    "Step",
+    "Sum",
+    "Symbol",
+    "Table",
+    "Work",
+    "add",
+    "agreement",
+    "close",
+    "column",
+    "cos",
+    "free",
+    "free_symbols",
+    "is_rotation",
+    "law",
+    "links",
+    "matrix_numbers",
+    "multiply",
+    "named",
+    "negate",
+    "normal",
+    "normal_matrix",
+    "number",
+    "numbers",
+    "random_points",
+    "scalar_number",
+    "sin",
+    "sqrt",
+    "squared",
+    "subtract",
+    "symbols",
+    "transpose",
+]  # fmt: skip
