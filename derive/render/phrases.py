@@ -14,7 +14,7 @@ from string import Formatter
 
 from jinja2 import TemplateNotFound
 
-from derive.algebra.infix import text
+from derive.algebra.infix import SYMPY_NAMES, text
 from derive.algebra.normal import normal
 from derive.algebra.readable.form import readable
 from derive.algebra.readable.terms import Style
@@ -40,7 +40,12 @@ def in_text(tree: Expr, notation: str = "") -> str:
     """A tree in plain text: as SymPy reads it, or as it is `typed` in a sheet."""
     if notation != "typed":
         return text(tree)
-    return f"{tree.value} deg" if isinstance(tree, Degrees) else text(tree).replace("**", "^")
+    if isinstance(tree, Degrees):
+        return f"{tree.value} deg"
+    typed = text(tree).replace("**", "^")
+    for ours, theirs in SYMPY_NAMES.items():
+        typed = typed.replace(f"{theirs}(", f"{ours}(")
+    return typed
 
 
 @dataclass(frozen=True, slots=True)

@@ -147,4 +147,4 @@ def _second_route(drive: Drive, problem: Problem, results: Mapping[str, Expr]) -
         best = at(results["G"], point)
         holds &= close(gives(best), at(results["alpha"], point))
         holds &= all(copysign(1, push) * (gives(best) - gives(near * best)) > 0 for near in NEAR)
-    return Claim("gears beside it accelerate less", SECOND_ROUTE, holds)
+    return Claim("gears-beside", SECOND_ROUTE, holds)

@@ -37,9 +37,7 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
     work = work.worked("J_load", add(Product((squared(G), J_m)), J_l))
     work = work.worked("J_motor", add(J_m, Quotient(J_l, squared(G))))
     results = {name: work.final(name) for name in RESULTS}
-    work = work.claim(
-        Claim("both hold the same kinetic energy", SECOND_ROUTE, _same_energy(drive, problem, results))
-    )
+    work = work.claim(Claim("same-energy", SECOND_ROUTE, _same_energy(drive, problem, results)))
     facts = Facts(given=work.typed, G=G, energy=_energy(J_m, J_l, G))
     return work.answer("reflected-inertia", results, facts)
 

@@ -138,7 +138,7 @@ def _second_route(frames: Frames, options: Options, source: int, exact: Expr, pr
         return (T @ lifted)[:3]
 
     return agreement(
-        "homogeneous coordinates in numbers",
+        "in-numbers",
         problem.symbols,
         lambda point: numbers(exact, completed(point, problem.where)),
         lambda point: other(dict(point)),

@@ -152,10 +152,11 @@ class _Loop:
 
         exact = self.problem.readable_matrix(self.error)
         return agreement(
-            f"{self.E.name}: around the loop in numbers",
+            "around-the-loop",
             self.problem.symbols,
             lambda point: numbers(exact, completed(point, self.problem.where)),
             around,
+            E=self.E.name,
         )
 
     def facts(self) -> LoopTold:

@@ -138,8 +138,9 @@ def _second_route(path: Way, exact: Expr, name: Symbol, problem: Problem) -> Cla
         return np.linalg.solve(numeric_pose(path.down, at), numeric_pose(path.up, at))
 
     return agreement(
-        f"{name.name}: composed in numbers",
+        "composed",
         problem.symbols,
         lambda point: numbers(exact, completed(point, problem.where)),
         lambda point: other(dict(point)),
+        T=name.name,
     )

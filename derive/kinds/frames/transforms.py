@@ -96,10 +96,11 @@ def _second_route(path: tuple[Frame, ...], result: Result, name: str, problem: P
     if not isinstance(result, Matrix):
         raise TypeError(f"{name} is no matrix")
     return agreement(
-        f"{name}: composed in numbers",
+        "composed",
         problem.symbols,
         lambda point: numbers(result, completed(point, problem.where)),
         lambda point: numeric_pose(path, completed(point, problem.where)),
+        T=name,
     )
 
 

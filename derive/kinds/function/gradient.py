@@ -52,4 +52,4 @@ def derive(function: Function, options: Options, problem: Problem) -> Derivation
 def _second_route(function: Function, problem: Problem, steps: tuple[Step, ...]) -> Claim:
     found = [step.result for step in steps if step.rule == "partial"]
     pairs = [(function.values[0], each) for each in function.variables]
-    return agrees("the gradient agrees with differences of the function", problem, found, pairs)
+    return agrees("differences", problem, found, pairs)

@@ -40,7 +40,7 @@ def derive(function: Function, options: Options, problem: Problem) -> Derivation
     definitions: dict[Expr, Expr] = {**gradient.definitions, Symbol("H"): H}
     claims = (
         *links(steps, {**problem.names, **definitions}),
-        law("H is symmetric", symmetric),
-        agrees("H agrees with differences of the gradient", problem, [e for r in H.rows for e in r], pairs),
+        law("symmetric", symmetric),
+        agrees("differences", problem, [e for r in H.rows for e in r], pairs),
     )
     return Derivation("hessian", steps, {"H": problem.final(H)}, claims, definitions, uses=(gradient,))

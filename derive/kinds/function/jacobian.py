@@ -51,7 +51,7 @@ def derive(function: Function, options: Options, problem: Problem) -> Derivation
     entries = [entry for row in J.rows for entry in row]
     claims = (
         *links(steps, {**problem.names, **definitions}),
-        agrees("J agrees with differences of the function", problem, entries, pairs),
+        agrees("differences", problem, entries, pairs),
     )
     return Derivation("jacobian", steps, results, claims, definitions)
 

@@ -71,7 +71,7 @@ def derive(mechanism: Mechanism, options: Options, problem: Problem) -> Derivati
     claims = (
         *links(steps, definitions),
         Claim(
-            "the freedoms of the joints less those of the loops",
+            "loop-freedoms",
             SECOND_ROUTE,
             mechanism.by_loops == mechanism.dof,
         ),

@@ -8,7 +8,7 @@ from typing import Any, Literal
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import numbers
-from derive.derivation import Claim, Derivation, PageFacts, Result, Step
+from derive.derivation import Claim, Derivation, PageFacts, Phrase, Result, Step
 from derive.expression import Expr, Matrix, Symbol
 from derive.kinds.checks import agreement, is_rotation, law, links
 from derive.kinds.motion._factors import Factors, Placed, factors_of
@@ -99,10 +99,10 @@ def _laws(value: ScalarMatrix, problem: Problem, name: str) -> tuple[Claim, ...]
     if value.shape == (3, 3):
         return is_rotation(R, name)
     inverse = homogeneous(rotation_part(R).T, (-(rotation_part(R).T @ position_part(R))).entries)
-    return (*is_rotation(rotation_part(R)), law("T^-1 T = 1", inverse @ R == ScalarMatrix.identity(4)))
+    return (*is_rotation(rotation_part(R)), law("inverse-of", inverse @ R == ScalarMatrix.identity(4)))
 
 
-def second_route(name: str, moves: Sequence[Move], exact: Expr, problem: Problem) -> Claim:
+def second_route(name: str | Phrase, moves: Sequence[Move], exact: Expr, problem: Problem) -> Claim:
     """The motion made in numbers, every move as it is told, on the axes themselves."""
     from derive.mechanics.oracle import elementary
 
@@ -116,8 +116,9 @@ def second_route(name: str, moves: Sequence[Move], exact: Expr, problem: Problem
         return T[:3, :3] if isinstance(exact, Matrix) and exact.shape == (3, 3) else T
 
     return agreement(
-        f"{name}: the motion made in numbers",
+        "motion-made",
         problem.symbols,
         lambda point: numbers(exact, completed(point, problem.where)),
         lambda point: other(dict(point)),
+        name=name,
     )

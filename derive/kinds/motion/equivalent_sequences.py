@@ -6,7 +6,7 @@ from typing import Any
 
 from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
-from derive.derivation import Claim, Derivation, PageFacts, Record, Step
+from derive.derivation import Claim, Derivation, PageFacts, Phrase, Record, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol
 from derive.kinds.checks import law, links
@@ -96,8 +96,8 @@ def _claims(
     for number, alternative in enumerate(found, 1):
         again = factors_of(alternative.moves, problem, factors.size)
         product = again.product(order(alternative.moves))
-        claims.append(law(f"sequence {number}: the same matrix", product == value))
-        claims.append(second_route(f"sequence {number}", alternative.moves, exact, problem))
+        claims.append(law("same-matrix", product == value, number=number))
+        claims.append(second_route(Phrase("sequence", {"number": number}), alternative.moves, exact, problem))
     return claims
 
 

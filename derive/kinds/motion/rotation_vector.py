@@ -48,7 +48,7 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
         step = Step("r", (name, product, vector), "rotation-vector")
     moves = motion.moves
     claim = agreement(
-        "the exponential of r is the given rotation",
+        "exponential",
         problem.symbols,
         lambda point: _exponential(vector, dict(point), problem),
         lambda point: _made(moves, dict(point), problem),

@@ -72,7 +72,7 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
         results["v"] = problem.final(problem.readable_matrix(ScalarMatrix.column(work.v)))
     claims = (
         *links(steps, {**problem.names, **definitions}),
-        law("S + S^T = 0", not work.S + work.S.T),
+        law("skew-symmetric", not work.S + work.S.T),
         work.second_route(moves),
     )
     turning = tuple(Symbol(name) for name in varying if work.R.diff(name))
@@ -160,7 +160,7 @@ class _Velocity:
             return (at(STEP) - at(-STEP)) / (2 * STEP) @ at(0).T
 
         return agreement(
-            "S agrees with differences of rotations",
+            "differences",
             {*self.problem.symbols, *names},
             lambda point: matrix_numbers(self.S, completed(point, self.problem.where)),
             differences,

@@ -145,7 +145,7 @@ def _claims(
 
     for k, (row, target) in enumerate(zip(rows, targets, strict=True), 1):
         left_over = table @ row - target
-        yield law(f"what row {k} leaves over is orthogonal to the columns of A", not table.T @ left_over)
+        yield law("left-over", not table.T @ left_over, k=k)
     numbers = np.array(matrix_numbers(table, {}))
     ours = [[entry[0] for entry in matrix_numbers(row, {})] for row in rows]
     theirs = [
@@ -153,7 +153,7 @@ def _claims(
         for target in targets
     ]
     yield Claim(
-        "the rows agree with the singular value solution",
+        "singular-values",
         SECOND_ROUTE,
         close(ours, [*map(list, theirs)], 1e-7),
     )

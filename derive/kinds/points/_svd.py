@@ -133,8 +133,8 @@ def _claims(
     yield Claim("orthogonal-in-floats", "floating-point", close(turned.T @ turned, np.eye(len(turned))))
     yield Claim("right-handed-in-floats", "floating-point", close([float(np.linalg.det(turned))], [1.0]))
     other = by_quaternion(matrix_numbers(exact_H, {}))
-    claim = "R agrees with the eigenvector of Horn's matrix" if len(other) == 3 else "R agrees with its angle"
+    claim = "eigenvector" if len(other) == 3 else "angle"
     yield Claim(claim, SECOND_ROUTE, close(fit.R, other, 1e-7))
     if exact is not None:
-        yield law("R brings every point exactly to its partner", exact_rotation(*data.centred) is not None)
-        yield Claim("the exact R agrees with V D U^T", SECOND_ROUTE, close(fit.R, matrix_numbers(exact, {})))
+        yield law("exactly", exact_rotation(*data.centred) is not None)
+        yield Claim("exact-agrees", SECOND_ROUTE, close(fit.R, matrix_numbers(exact, {})))

@@ -227,8 +227,8 @@ def _laws(R: Rotation, axis: Matrix) -> tuple[Claim, ...]:
         return ()
     k = ScalarMatrix.column([normal(entry) for (entry,) in axis.rows])
     return (
-        law("k^T k = 1", (k.T @ k)[0, 0] == 1),
-        law("R k = k", R.matrix @ k == k),
+        law("unit-axis", (k.T @ k)[0, 0] == 1),
+        law("axis-stays", R.matrix @ k == k),
     )
 
 
@@ -239,7 +239,7 @@ def _second_route(given: Given, problem: Problem, results: Mapping[str, Any]) ->
     (x,), (y,), (z,) = results["axis"].rows
     turn = Move("rotate", (x, y, z), results["angle"])
     return agreement(
-        "the given orientation comes back",
+        "orientation-again",
         problem.symbols,
         lambda point: elementary(turn, point)[:3, :3],
         lambda point: given.oracle(point)[:3, :3],

@@ -11,9 +11,10 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import matrix_numbers
 from derive.algebra.scalar import Scalar
-from derive.derivation import Branch, Claim, Derivation, PageFacts, Result, Step
+from derive.derivation import Branch, Claim, Derivation, PageFacts, Phrase, Relation, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import (
+    ZERO,
     Call,
     Expr,
     Indexed,
@@ -175,7 +176,8 @@ class _Rates:
         """Where the middle angle makes det vanish."""
         middle = self.euler.outer[1]
         cases = [self.euler.singular(sign) for sign in SIGNS]
-        return tuple(Branch({middle: case.middle}, "det(T) = 0") for case in cases)
+        singular = Phrase("singular-where", {"zero": Relation(Call("det", (T,)), "=", ZERO)})
+        return tuple(Branch({middle: case.middle}, (singular,)) for case in cases)
 
     def laws(self) -> tuple[Claim, ...]:
         """S(t_i) = dR/dangle R^T for each angle, T T^-1 = 1, and det zero where it is said to be."""
@@ -186,9 +188,9 @@ class _Rates:
         middle = self.euler.outer[1]
         zeros = all(self._det_at(middle, case.values[middle]) == 0 for case in self.singular())
         return (
-            law("S(t_i) = dR/dphi_i R^T", holds),
-            law("T T^-1 = 1", self.matrix @ self.inverse == ScalarMatrix.identity(3)),
-            law("det T = 0 at the singular angles", zeros),
+            law("angular-velocities", holds),
+            law("inverse", self.matrix @ self.inverse == ScalarMatrix.identity(3)),
+            law("singular", zeros),
         )
 
     def _det_at(self, middle: str, value: Expr) -> Scalar:
@@ -212,7 +214,7 @@ class _Rates:
             return np.array(columns).T
 
         return agreement(
-            "T agrees with differences of rotations",
+            "differences",
             self.euler.names,
             lambda point: matrix_numbers(self.matrix, point),
             differences,

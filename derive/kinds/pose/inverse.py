@@ -57,9 +57,9 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     back = normal_matrix(exact, problem.names)
     claims = (
         *links((step,), {**problem.names, **definitions}),
-        law("T T^-1 = 1", T @ back == ScalarMatrix.identity(4)),
+        law("inverse", T @ back == ScalarMatrix.identity(4)),
         agreement(
-            "inverted in numbers",
+            "in-numbers",
             problem.symbols,
             lambda point: numbers(exact, completed(point, problem.where)),
             lambda point: _inverted(given.oracle(point)),

@@ -109,7 +109,7 @@ def _second_route(given: Given, problem: Problem, results: Mapping[str, Any]) ->
         return np.array([e + 2 * np.cross(vector, np.cross(vector, e) + w * e) for e in np.eye(3)]).T
 
     return agreement(
-        "the quaternion turns the axes as R does",
+        "turns-the-axes",
         problem.symbols,
         turned,
         lambda point: given.oracle(point)[:3, :3],

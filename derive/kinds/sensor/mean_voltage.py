@@ -59,7 +59,7 @@ def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivatio
         work = work.worked("t_on", Quotient(duty, f))
         results["t_on"] = work.final("t_on")
     sampled = _sampled(voltage, problem, results)
-    work = work.claim(Claim("the mean of the voltage, sampled over a period", SECOND_ROUTE, sampled))
+    work = work.claim(Claim("sampled-mean", SECOND_ROUTE, sampled))
     facts = Facts(
         given=work.typed, bipolar=bipolar, inverse=voltage.duty is None, high=high, low=low, duty=duty,
         timed=voltage.frequency is not None, law=(mean, _mean(high, low, duty, bipolar)),

@@ -43,7 +43,7 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
         results["resolution_motor"] = work.final("Delta_m")
     results["resolution"] = work.final("Delta")
     whole = _whole_turn(encoder, problem, results)
-    work = work.claim(Claim("so many counts make a whole turn of the link", SECOND_ROUTE, whole))
+    work = work.claim(Claim("whole-turn", SECOND_ROUTE, whole))
     edges = encoder.disc.edges if isinstance(encoder.disc, Incremental) else None
     facts = Facts(edges=edges, gear=gear, gear_value=work[gear] if gear else None)
     return work.answer("resolution", results, facts)

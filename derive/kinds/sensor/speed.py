@@ -86,7 +86,7 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
         work,
         uses=(base,),
         steps=(*work.steps[told:-1], replace(last, chain=(share, *last.chain[1:]))),
-        claims=(Claim("the link turns so far in the period", SECOND_ROUTE, so_far),),
+        claims=(Claim("turned-so-far", SECOND_ROUTE, so_far),),
     )
     facts = Facts(
         given=tuple((name, value) for name, value in work.typed if name in (n, T)),
