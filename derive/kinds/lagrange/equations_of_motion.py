@@ -236,14 +236,14 @@ def _cyclic(model: Model) -> Iterator[tuple[Symbol, Expr]]:
 
 def _laws(model: Model, found: Solved | None) -> Iterator[Claim]:
     system, mass = model.system, model.mass
-    yield law("M is symmetric", mass == mass.T)
+    yield law("symmetric", mass == mass.T)
     power = Scalar.of(0)
     for name, side in zip(system.rates, model.sides, strict=True):
         power = power + Scalar.symbol(name) * side
     balance = rate(energy(model.lagrangian, system), system) == power - derivative(model.lagrangian, TIME)
-    yield law("the energy changes by the power of the forces", balance)
+    yield law("power", balance)
     if found is not None:
-        yield law("what was solved for satisfies every equation and constraint", satisfies(model, found))
+        yield law("solved-for", satisfies(model, found))
 
 
 def _second_route(model: Model, lefts: list[Expr]) -> Claim:
@@ -261,7 +261,7 @@ def _second_route(model: Model, lefts: list[Expr]) -> Claim:
         tried += 1
         if tried == POINTS:
             break
-    claim = "the equations agree with differences of the Lagrangian along a motion"
+    claim = "along-a-motion"
     if not tried:
         raise NotReal("no values of the symbols were found for which this is real, so nothing was verified")
     return Claim(claim, SECOND_ROUTE, holds)

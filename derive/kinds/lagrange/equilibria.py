@@ -130,7 +130,7 @@ def _table(system: LagrangianSystem, branches: tuple[Branch, ...]) -> Table:
 
 def _put_back(model: Model, left: list[Scalar], found: Found, k: int, positive: set[str]) -> Claim:
     holds = not any(signed(put_in(model, each, found), positive) for each in left)
-    return law(f"equilibrium {k} satisfies every equation", holds)
+    return law("satisfies", holds, k=k)
 
 
 def _second_route(model: Model, found: list[Found], given: Mapping[Symbol, Expr]) -> Claim:
@@ -147,7 +147,7 @@ def _second_route(model: Model, found: list[Found], given: Mapping[Symbol, Expr]
             for place in _places(each, known):
                 lefts = differences.left_over({**known, **place})
                 holds &= all(abs(left) < NEARLY * (1 + max(map(abs, known.values())) ** 4) for left in lefts)
-    return Claim("held there, the system needs no force", SECOND_ROUTE, holds)
+    return Claim("needs-no-force", SECOND_ROUTE, holds)
 
 
 def _places(found: Found, known: Mapping[str, float]) -> Iterator[dict[str, float]]:

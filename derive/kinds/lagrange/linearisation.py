@@ -100,7 +100,7 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     results = {step.name: problem.final(step.result) for step in steps if step.rule != "law"}
     claims = (
         *links(steps, {**problem.names, **definitions}),
-        law("M_0 is symmetric", linear.M == linear.M.T),
+        law("symmetric", linear.M == linear.M.T),
         _second_route(model, linear, at),
     )
     facts = _facts(model, options, linear, at)
@@ -230,7 +230,7 @@ def _second_route(model: Model, linear: Linear, at: Mapping[Expr, Expr]) -> Clai
     real = list(islice((holds for holds in found if holds is not None), 2))
     if not real:
         raise NotDerivable("this state is not real wherever it was tried, so nothing could be checked", "at")
-    return Claim("a small motion obeys the linear equations", SECOND_ROUTE, all(real))
+    return Claim("small-motion", SECOND_ROUTE, all(real))
 
 
 def _agree(

@@ -20,7 +20,7 @@ POINTS = 3
 
 
 def agrees(
-    claim: str, system: System, source: Symbol, rational: Rational, controller: Controller | None = None
+    key: str, system: System, source: Symbol, rational: Rational, controller: Controller | None = None
 ) -> Claim:
     """A transfer function against the equations (with the loop closed, if there is a controller) at random
     values of the parameters and of s."""
@@ -29,7 +29,7 @@ def agrees(
         _at(system, source, rational, controller, at, complex(at.pop("s"), 1.0 + k))
         for k, at in enumerate(random_points([*names, "s"], POINTS))
     )
-    return Claim(claim, SECOND_ROUTE, holds)
+    return Claim(key, SECOND_ROUTE, holds)
 
 
 def _at(

@@ -121,8 +121,7 @@ def delay_steps(system: System) -> Iterator[Step]:
 
 def delay_claims(system: System) -> Iterator[Claim]:
     for delay in system.delays:
-        claim = f"the fraction has the series of {text(delay.typed)} up to s^{2 * delay.order}"
-        yield law(claim, delay.agrees())
+        yield law("delay-series", delay.agrees(), delay=delay.typed, order=2 * delay.order)
 
 
 def asked(problem: Problem, kind: str, **options: Any) -> Derivation:

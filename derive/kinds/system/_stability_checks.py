@@ -41,21 +41,17 @@ def claims_of(answer: Answer) -> Iterator[Claim]:
         for i, row in enumerate(array.rows, 1):
             if row.origin == "derivative":
                 left = remainder(array.polynomial, array.rows[i - 2].polynomial)
-                yield law(
-                    f"the polynomial of row {i - 1} divides the characteristic polynomial", not any(left)
-                )
+                yield law("auxiliary-divides", not any(left), row=i - 1)
     limit = limiting(answer)
     if limit is not None and frequency_squared(answer) is not None:
-        claim = "where the row of s vanishes, that of s^2 divides the polynomial"
-        yield law(claim, _divides(answer, limit))
+        yield law("row-divides", _divides(answer, limit))
     if not answer.symbols:
         right = right_of_axis(roots(array.polynomial))
-        yield Claim(
-            "sign changes of the first column: roots on the right", SECOND_ROUTE, answer.changes == right
-        )
+        yield Claim("sign-changes", SECOND_ROUTE, answer.changes == right)
     if len(answer.hidden) > 1:
-        claim = "the hidden motion solves the equations without an input"
-        yield Claim(claim, SECOND_ROUTE, all(map(partial(_solves, answer), range(POINTS_OF_MOTION))))
+        yield Claim(
+            "hidden-motion", SECOND_ROUTE, all(map(partial(_solves, answer), range(POINTS_OF_MOTION)))
+        )
     yield from _at_random(answer)
 
 
@@ -101,12 +97,11 @@ def _at_random(answer: Answer) -> Iterator[Claim]:
     places = (dict[Expr, Expr]({Symbol(k): number(x) for k, x in point.items()}) for point in tried)
     found = [each for place in places if (each := _compared(answer, place)) is not None]
     stable, marginal, right = (all(each[k] for each in found) for k in range(3))
-    yield Claim("the conditions hold exactly where all roots lie left", SECOND_ROUTE, stable)
+    yield Claim("exactly-stable", SECOND_ROUTE, stable)
     if answer.symbols and is_marginal(answer):
-        claim = "the other conditions hold where it is marginally stable, and at their limits at most"
-        yield Claim(claim, SECOND_ROUTE, marginal)
+        yield Claim("marginally-stable", SECOND_ROUTE, marginal)
     if answer.symbols and "epsilon" not in answer.array.mended:
-        yield Claim("sign changes at random values: roots on the right", SECOND_ROUTE, right)
+        yield Claim("sign-changes-at-random", SECOND_ROUTE, right)
 
 
 def _compared(answer: Answer, place: Mapping[Expr, Expr]) -> tuple[bool, bool, bool] | None:

@@ -28,17 +28,17 @@ def claims_of(answer: Answer) -> Iterator[Claim]:
     space, n = answer.space, len(answer.state)
     s, x = Scalar.symbol("s"), ScalarMatrix.column(_responses(answer))
     moving = ScalarMatrix.identity(n).scaled(s) - space.A
-    yield law("(s 1 - A) x = B u, with x by the equations in s", moving @ x == space.B)
+    yield law("state-in-s", moving @ x == space.B)
     G = answer.transfer.value
-    yield law("C (s 1 - A)^-1 B + D = G", (space.C @ x)[0, 0] + space.D[0, 0] == G)
+    yield law("transfer-function", (space.C @ x)[0, 0] + space.D[0, 0] == G)
     characteristic = characteristic_of(space.A)
     left = remainder(characteristic, answer.transfer.den)
-    yield law("the denominator of G divides det(s 1 - A): its poles are eigenvalues", not any(left))
+    yield law("poles-are-eigenvalues", not any(left))
     points = tuple(random_points(_parameters(answer.plant.system), POINTS))
     holds = all(_is_determinant(space.A, characteristic, point) for point in points)
-    yield Claim("det(s 1 - A) by elimination in complex numbers", SECOND_ROUTE, holds)
+    yield Claim("characteristic", SECOND_ROUTE, holds)
     holds = all(_gains_agree(answer, point, complex(0.3 + k, 1.1)) for k, point in enumerate(points))
-    yield Claim("the matrices make up the equations solved in complex numbers", SECOND_ROUTE, holds)
+    yield Claim("equations-again", SECOND_ROUTE, holds)
 
 
 def _parameters(system: System) -> list[str]:

@@ -163,10 +163,10 @@ def _tracks(found: Closed) -> bool:
 
 def _claims(found: Closed) -> Iterator[Claim]:
     through, transfer = found.loop.open.value, found.reduced.value
-    yield law("T (1 + C G) = C G", transfer * (1 + through) == through)
+    yield law("loop", transfer * (1 + through) == through)
     if _tracks(found):
-        yield law("T(0) = 1: an integrator in the loop leaves no error", _value_at_zero(found.reduced))
-    claim = "T agrees with the equations and the controller solved in complex numbers"
+        yield law("no-error", _value_at_zero(found.reduced))
+    claim = "in-complex-numbers"
     solved = found.plant
     yield agrees(claim, solved.system, solved.system.input, found.reduced, found.controller)
 

@@ -211,12 +211,9 @@ def _facts(answer: Answer, options: Options) -> dict[str, Any]:
 
 def _claims(answer: Answer) -> Iterator[Claim]:
     name = "T" if answer.controller else "G"
-    yield Claim(
-        f"the blocks and lines make up {name}, composed in complex numbers", SECOND_ROUTE, _composes(answer)
-    )
+    yield Claim("blocks", SECOND_ROUTE, _composes(answer), {"name": name})
     if answer.filter:
-        claim = "with the filter they make up the loop of the equations and the filtered controller"
-        yield Claim(claim, SECOND_ROUTE, _composes_filtered(answer))
+        yield Claim("filtered-loop", SECOND_ROUTE, _composes_filtered(answer))
 
 
 def _composes(answer: Answer) -> bool:

@@ -211,16 +211,14 @@ def _slope(answer: Answer) -> Expr | None:
 
 def _claims(answer: Answer, options: Options) -> Iterator[Claim]:
     numeric = answer.numeric
-    yield law("the transfer function is proper", numeric.proper)
+    yield law("proper", numeric.proper)
     if answer.final is not None and answer.response.steady_state is not None:
         last = answer.response.steady_state
-        yield Claim("the curve ends at the steady state", SECOND_ROUTE, _ends(answer.response, last))
-    yield law("no sample of the curve contradicts what is read off it", _samples_agree(answer.response))
+        yield Claim("ends-at-the-steady-state", SECOND_ROUTE, _ends(answer.response, last))
+    yield law("samples-agree", _samples_agree(answer.response))
     transform = _transform(answer, options.controller)
-    claim = "the modes have the Laplace transform of the equations, solved in complex numbers"
-    yield Claim(claim, SECOND_ROUTE, _transforms_back(answer.response, transform))
-    claim = "the curve agrees with the inverted Laplace transform of the equations"
-    yield Claim(claim, SECOND_ROUTE, _is_inverse(answer.response, transform))
+    yield Claim("modes", SECOND_ROUTE, _transforms_back(answer.response, transform))
+    yield Claim("inverse-transform", SECOND_ROUTE, _is_inverse(answer.response, transform))
 
 
 def _ends(response: StepResponse, last: float) -> bool:

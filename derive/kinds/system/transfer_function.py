@@ -146,10 +146,9 @@ def _claims(solved: Plant) -> Iterator[Claim]:
     rational = solved.rational
     yield from delay_claims(solved.system)
     if rational.proper:
-        yield law("G is proper: its denominator has at least the degree of its numerator", rational.proper)
-    yield law("G times its denominator is its numerator", _multiplies(solved))
-    claim = "G agrees with the equations solved in complex numbers"
-    yield agrees(claim, solved.system, solved.solution.source, rational)
+        yield law("proper", rational.proper)
+    yield law("fraction", _multiplies(solved))
+    yield agrees("in-complex-numbers", solved.system, solved.solution.source, rational)
 
 
 def _multiplies(solved: Plant) -> bool:
