@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
+from derive.algebra.infix import ATOM, POWER, PRODUCT, SUM
 from derive.expression import (
     Approximate,
     Call,
@@ -30,9 +31,6 @@ from derive.render.names import Name, name_latex, name_parts, script
 from derive.render.notation import Notation
 from derive.render.numbers import fraction_latex, rounded_latex
 from derive.render.trig import SHORT, followed_by_function, is_short_argument, is_written_out, short_index
-
-# How tightly printed mathematics holds together; a looser part stands in parentheses.
-SUM, PRODUCT, RAISED, ATOM = 1, 2, 3, 4
 
 OPERATORS = {
     "cos": r"\cos", "sin": r"\sin", "tan": r"\tan", "acos": r"\arccos", "asin": r"\arcsin",
@@ -76,7 +74,7 @@ class Printer:
         """The LaTeX of a tree and how tightly it holds together."""
         match expr:
             case Symbol(name):
-                return name_latex(name), RAISED if name_parts(name).upper else ATOM
+                return name_latex(name), POWER if name_parts(name).upper else ATOM
             case Number(value, decimal):
                 return _number(value, decimal)
             case Call(function, arguments):
@@ -100,9 +98,9 @@ class Printer:
                 written = rounded_latex(value, self.notation.digits)
                 return written, SUM if value < 0 else PRODUCT if "cdot" in written else ATOM
             case Degrees(value):
-                return rf"{_whole(fraction_latex(value, decimal=True))}^\circ", SUM if value < 0 else RAISED
+                return rf"{_whole(fraction_latex(value, decimal=True))}^\circ", SUM if value < 0 else POWER
             case Indexed(base, lower, upper):
-                return self.indexed(base, lower, upper), RAISED if upper else ATOM
+                return self.indexed(base, lower, upper), POWER if upper else ATOM
             case Derivative(of, by):
                 return self.derivative(of, by), PRODUCT
             case _:
@@ -172,20 +170,20 @@ class Printer:
 
     def power(self, base: Expr, exponent: Expr) -> tuple[str, int]:
         if exponent == Number(Fraction(1, 2)):
-            return rf"\sqrt{{{self.write(base)}}}", RAISED
+            return rf"\sqrt{{{self.write(base)}}}", POWER
         raised = script("^", self._exponent(exponent))
         if isinstance(base, Call) and is_written_out(base, self.notation):
             return self._function(
                 base.function + raised, base.arguments[0], OPERATORS[base.function] + raised
             )
-        return self.held(base, ATOM) + raised, RAISED
+        return self.held(base, ATOM) + raised, POWER
 
     def _exponent(self, exponent: Expr) -> str:
         match exponent:
             case Number(value, False):
                 return str(value)
             case Quotient(top, bottom):
-                return f"{self.held(top, PRODUCT)}/{self.held(bottom, RAISED)}"
+                return f"{self.held(top, PRODUCT)}/{self.held(bottom, POWER)}"
             case _:
                 return self.write(exponent)
 
@@ -194,12 +192,12 @@ class Printer:
         if function in SHORT and (index := short_index(first, self.notation)):
             return SHORT[function] + script("_", index), ATOM
         if function in MARKS:
-            return f"{self.held(first, ATOM)}{script('^', MARKS[function])}", RAISED
+            return f"{self.held(first, ATOM)}{script('^', MARKS[function])}", POWER
         match function:
             case "sqrt":
-                return rf"\sqrt{{{self.write(first)}}}", RAISED
+                return rf"\sqrt{{{self.write(first)}}}", POWER
             case "exp":
-                return f"e{script('^', self._exponent(first))}", RAISED
+                return f"e{script('^', self._exponent(first))}", POWER
             case "abs":
                 return rf"\lvert {self.write(first)} \rvert", ATOM
             case "bracket":
@@ -207,18 +205,18 @@ class Printer:
             case "cross":
                 return r" \times ".join(self.held(part, PRODUCT) for part in arguments), SUM
             case "atan2":
-                return self._atan2(*arguments), RAISED
+                return self._atan2(*arguments), POWER
             case _ if function in OPERATORS:
                 return self._function(function, first, OPERATORS[function])
             case _:
                 inside = ", ".join(map(self.write, arguments))
-                return _function_name(function) + parenthesised(inside), RAISED
+                return _function_name(function) + parenthesised(inside), POWER
 
     def _function(self, function: str, argument: Expr, operator: str) -> tuple[str, int]:
         written = self.write(argument)
         short = is_short_argument(argument) or isinstance(argument, Matrix)
         bare = function.startswith(BARE_ARGUMENT) and short
-        return f"{operator} {written}" if bare else f"{operator}{parenthesised(written)}", RAISED
+        return f"{operator} {written}" if bare else f"{operator}{parenthesised(written)}", POWER
 
     def _atan2(self, y: Expr, x: Expr) -> str:
         name, order = ("Atan2", (x, y)) if self.notation.atan2 == "xy" else ("atan2", (y, x))
@@ -275,7 +273,7 @@ def _numerator(entry: Expr) -> Expr | None:
 def _number(value: Fraction, decimal: bool) -> tuple[str, int]:
     written = fraction_latex(value, decimal)
     loose = "frac" in written or "cdot" in written
-    return written, SUM if value < 0 else PRODUCT if loose else RAISED if "^" in written else ATOM
+    return written, SUM if value < 0 else PRODUCT if loose else POWER if "^" in written else ATOM
 
 
 def _function_name(function: str) -> str:
