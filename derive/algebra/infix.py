@@ -122,9 +122,8 @@ class Infix:
         return written if bare else f"({written})"
 
 
-SYMPY = Infix(
-    "**", {"abs": "Abs", "max": "Max", "inverse": "Inverse", "det": "Determinant", "cross": "Cross"}
-)
+SYMPY_NAMES = {"abs": "Abs", "max": "Max", "inverse": "Inverse", "det": "Determinant", "cross": "Cross"}
+SYMPY = Infix("**", SYMPY_NAMES)
 
 
 def text(expr: Expr) -> str:
