@@ -15,11 +15,11 @@ from typing import Any
 from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, walk_over
-from derive.algebra.numbers.floats import scalar_number
+from derive.algebra.numbers.floats import Point, numbers, scalar_number
 from derive.algebra.scalar import Scalar
 from derive.algebra.signs import sign_of
 from derive.algebra.values import Value, matrix_of, scalar_of
-from derive.derivation import Claim, Derivation, PageFacts, Record, Result, Step
+from derive.derivation import Claim, Derivation, PageFacts, Record, Result, Said, Step
 from derive.errors import FormulaError, NotDerivable
 from derive.expression import (
     Degrees,
@@ -36,6 +36,7 @@ from derive.expression import (
 from derive.expression import replace as put_in
 from derive.kinds.checks import TOLERANCE, agreement, law, links
 from derive.kinds.problem import Problem
+from derive.kinds.values_at import completed
 from derive.names import NAMESAKE, named
 
 CLOSE = 1e-12
@@ -214,20 +215,24 @@ class Work:
 
     # -- what is claimed of it --------------------------------------------------------------------
 
-    def law(self, claim: str, holds: bool) -> Work:
+    def law(self, claim: str, holds: bool, **about: Said) -> Work:
         """What the answer must obey, decided by normal form."""
-        return self.claim(law(claim, holds))
+        return self.claim(law(claim, holds, **about))
 
     def agrees(
         self,
         claim: str,
         symbols: Iterable[str],
-        ours: Callable[[Mapping[str, float]], Any],
-        other: Callable[[Mapping[str, float]], Any],
+        ours: Value | Expr | Callable[[Point], Any],
+        other: Callable[[Point], Any],
         tolerance: float = TOLERANCE,
+        points: int = 3,
+        **about: Said,
     ) -> Work:
-        """The same numbers by a route that shares nothing with the lines of this board."""
-        return self.claim(agreement(claim, symbols, ours, other, tolerance))
+        """The same numbers by a route that shares nothing with the lines of this board; `ours` is a value in
+        the symbols of the sheet, or how its numbers are had."""
+        mine = ours if callable(ours) else lambda at: numbers(ours, completed(at, self.problem.where))
+        return self.claim(agreement(claim, symbols, mine, other, tolerance, points, **about))
 
     def claim(self, *claims: Claim) -> Work:
         return replace(self, claims=(*self.claims, *claims))

@@ -110,6 +110,27 @@ class Oracle:
             own.append(rotor + number(friction_force(link.friction, name), at))
         return np.array(own) + self._of_bodies(at)
 
+    def inertia_matrix(self, point: Point) -> Array:
+        """D (n by n): row by row the torques of a unit acceleration from rest, less those of rest."""
+        import numpy as np
+
+        still, names = self._still(point), self.robot.variables
+        rest = self.torques(still)
+        return np.array([self.torques({**still, f"{name}_ddot": 1.0}) - rest for name in names])
+
+    def torques_at_rest(self, point: Point) -> Array:
+        """tau (n) that holds the arm still."""
+        return self.torques(self._still(point))
+
+    def torques_of_rates(self, point: Point) -> Array:
+        """tau (n) at the rates of the point without accelerations, less that of rest."""
+        even = {f"{name}_ddot": 0.0 for name in self.robot.variables}
+        return self.torques({**point, **even}) - self.torques_at_rest(point)
+
+    def _still(self, point: Point) -> Point:
+        names = self.robot.variables
+        return {**point, **{f"{name}_{dots}": 0.0 for name in names for dots in ("dot", "ddot")}}
+
     def _of_bodies(self, at: Point) -> Array:
         """tau (n) without rotors and friction."""
         import numpy as np

@@ -108,13 +108,18 @@ def number(expr: Expr, point: Point) -> float:
     return fold(expr, Floats(point))
 
 
-def numbers(expr: Expr, point: Point) -> Any:
-    """A float; of a matrix a list of rows; of a column a flat list."""
-    if not isinstance(expr, Matrix):
-        return number(expr, point)
-    if expr.shape[1] == 1:
-        return [number(entry, point) for (entry,) in expr.rows]
-    return number_rows(expr, point)
+def numbers(value: Expr | Scalar | ScalarMatrix, point: Point) -> Any:
+    """Of a tree or a normal form: a float; of a matrix a list of rows, of a column of trees a flat list."""
+    match value:
+        case ScalarMatrix():
+            return matrix_numbers(value, point)
+        case Scalar():
+            return scalar_number(value, point)
+        case Matrix() if value.shape[1] == 1:
+            return [number(entry, point) for (entry,) in value.rows]
+        case Matrix():
+            return number_rows(value, point)
+    return number(value, point)
 
 
 def number_rows(expr: Matrix, point: Point) -> list[list[float]]:
