@@ -133,8 +133,8 @@ def _laws(D: ScalarMatrix, symbols: Mapping[Index, Scalar], variables: tuple[str
         }
         skew &= all(entries[k, j] == -entries[j, k] for k in range(1, n + 1) for j in range(k, n + 1))
     return (
-        law("c_ijk = c_jik", all(value == symbols[j, i, k] for (i, j, k), value in symbols.items())),
-        law("dD/dt - 2 C is skew-symmetric", skew),
+        law("symmetric", all(value == symbols[j, i, k] for (i, j, k), value in symbols.items())),
+        law("skew-symmetric", skew),
     )
 
 

@@ -89,4 +89,4 @@ def _laws(velocity: Velocity, variables: tuple[str, ...]) -> tuple[Claim, ...]:
     if velocity.B and others:
         whole = Sum((whole, Product((velocity.B, others))))
     made: ScalarMatrix = normal_matrix(Matrix(((whole,),)))
-    return (law("C [qdot^2] + B [qdot qdot] = v", made == normal_matrix(velocity.v)),)
+    return (law("makes-v", made == normal_matrix(velocity.v)),)

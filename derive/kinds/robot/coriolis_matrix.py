@@ -62,7 +62,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     rate = rate_column(names)
     claims = (
         *links(steps, {**problem.names, **definitions, **named}),
-        law("C qdot = sum of c_ijk qdot_i qdot_j", C @ rate == velocity_terms(symbols, names)),
+        law("makes-the-terms", C @ rate == velocity_terms(symbols, names)),
         velocity_agreement(problem, "C qdot", normal_matrix(result) @ rate),
     )
     return Derivation(

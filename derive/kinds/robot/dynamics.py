@@ -95,7 +95,7 @@ def _second_route(problem: Problem, rigid: Matrix) -> Claim:
         return [a + b for a, b in zip(found, friction, strict=True)]
 
     return agreement(
-        "tau agrees with the motion of each body (Newton-Euler)",
+        "motion-of-each-body",
         problem.symbols | rates | {"g"},
         ours,
         lambda at: oracle.torques(at),

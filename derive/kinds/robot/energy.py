@@ -197,7 +197,7 @@ def _quadratic(problem: Problem, inertia: Derivation, K: Step, named: Mapping[Ex
     known: dict[Expr, Expr] = {**problem.names, **named}
     D, rate = normal_matrix(inertia.definitions[Symbol("D")], known), rate_column(problem.subject.variables)
     form = (rate.T @ D @ rate)[0, 0] * Fraction(1, 2)
-    return law("K = qdot^T D qdot / 2", form == normal(K.result))
+    return law("quadratic-form", form == normal(K.result))
 
 
 def _balance(problem: Problem, results: Mapping[str, Result]) -> Claim:
@@ -215,9 +215,7 @@ def _balance(problem: Problem, results: Mapping[str, Result]) -> Claim:
         torques = zip(arm.torques(at), names, strict=True)
         return float(sum(tau * at[f"{name}_dot"] for tau, name in torques))
 
-    return agreement(
-        "d(K + P)/dt is the power of the joint forces (Newton-Euler)", rated(problem), rate, power
-    )
+    return agreement("power", rated(problem), rate, power)
 
 
 def _tree(result: Result) -> Expr:

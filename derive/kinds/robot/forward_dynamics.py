@@ -108,7 +108,7 @@ def _laws(inverse: Turned, results: Mapping[str, Expr]) -> tuple[Claim, ...]:
     D = normal_matrix(inverse.D, inverse.problem.names)
     adjugate = normal_matrix(inverse.adjugate, {**inverse.problem.names, **inverse.values})
     one = ScalarMatrix.identity(D.shape[0])
-    return (law("D adj(D) = det(D) 1", D @ adjugate == one.scaled(D.det())),)
+    return (law("adjugate", D @ adjugate == one.scaled(D.det())),)
 
 
 def _second_routes(problem: Problem, results: Mapping[str, Expr]) -> tuple[Claim, ...]:
@@ -125,7 +125,7 @@ def _second_routes(problem: Problem, results: Mapping[str, Expr]) -> tuple[Claim
 
     return (
         agreement(
-            "the accelerations need these joint forces (Newton-Euler)",
+            "joint-forces",
             rated(problem) | set(forces),
             back,
             lambda at: [at[name] for name in forces],

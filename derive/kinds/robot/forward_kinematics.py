@@ -152,8 +152,9 @@ def _product(problem: Problem, name: Symbol, T: ScalarMatrix, factors: list[Step
 def _second_route(problem: Problem, T: ScalarMatrix, last: int, whole: bool) -> Claim:
     oracle = oracle_of(problem)
     return agreement(
-        f"T_{last}^0 agrees with the poses composed in numbers",
+        "poses-composed",
         problem.symbols,
         lambda at: matrix_numbers(T, oracle.at(at)),
         lambda at: oracle.tool(oracle.at(at)) if whole else oracle.poses(oracle.at(at))[last],
+        frame=last,
     )

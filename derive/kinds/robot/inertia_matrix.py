@@ -68,7 +68,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     results = _results(problem, bodies, written, named)
     claims = (
         *links(steps, {**problem.names, **definitions}),
-        law("D = D^T", D == D.T),
+        law("symmetric", D == D.T),
         *_second_routes(problem, results),
     )
     drifts = any(body.at.drift for body in bodies)
@@ -187,7 +187,7 @@ def _second_routes(problem: Problem, results: Mapping[str, Expr]) -> tuple[Claim
 
     return (
         agreement(
-            "D agrees with the torques of unit accelerations (Newton-Euler)",
+            "unit-accelerations",
             problem.symbols | {"g"},
             lambda at: numeric.matrix_numbers(D, oracle.at(at)),
             columns,

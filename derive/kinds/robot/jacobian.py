@@ -167,7 +167,7 @@ def _laws(found: Chain, point: Tracked, J: ScalarMatrix) -> tuple[Claim, ...]:
         column = J.columns(k)
         linear &= point.position.diff(name) == column.block(slice(0, 3), slice(0, 1))
         angular &= R.diff(name) @ R.T == skew(column.block(slice(3, 6), slice(0, 1)))
-    return law("J_v = do/dq", linear), law("S(J_w e_i) = dR/dq_i R^T", angular)
+    return law("linear", linear), law("angular", angular)
 
 
 def _second_route(problem: Problem, point: Tracked, J: ScalarMatrix) -> Claim:
@@ -177,7 +177,7 @@ def _second_route(problem: Problem, point: Tracked, J: ScalarMatrix) -> Claim:
         return oracle.jacobian(oracle.at(at), point.frame, point.offset)
 
     return agreement(
-        "J agrees with differences of the poses",
+        "differences",
         problem.symbols.union(*map(free_symbols, point.offset)),
         lambda at: numeric.matrix_numbers(J, oracle.at(at)),
         differences,

@@ -61,7 +61,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     )
     definitions: dict[Expr, Expr] = {J: task.written, J_DOT: written, Symbol("q_dot"): rates}
     claim = agreement(
-        "J_dot agrees with differences along a motion",
+        "differences",
         task.symbols | {name.name for name in task.rates},
         lambda at: numeric.matrix_numbers(rate, _known(task, at)),
         lambda at: _differences(task, at),

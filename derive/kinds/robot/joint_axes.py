@@ -65,9 +65,9 @@ def _second_route(problem: Problem, found: Chain) -> list[Claim]:
         def composed(at: Mapping[str, float]) -> Any:
             return oracle.poses(oracle.at(at))[i]
 
-        name = f"T_{i}^0 agrees with the poses composed in numbers"
-        return agreement(
-            name, problem.symbols, lambda at: matrix_numbers(found.T[i], oracle.at(at)), composed
-        )
+        def ours(at: Mapping[str, float]) -> Any:
+            return matrix_numbers(found.T[i], oracle.at(at))
+
+        return agreement("poses-composed", problem.symbols, ours, composed, frame=i)
 
     return [claim(i) for i in range(1, len(found.T_local))]

@@ -216,7 +216,7 @@ def _second_route(task: Task, w: Expr) -> Claim:
     import numpy as np
 
     return agreement(
-        "w agrees with the product of the singular values of J",
+        "singular-values",
         task.symbols,
         lambda at: numeric.number(w, oracle_of(task.problem).at(at)),
         lambda at: float(np.prod(np.linalg.svd(task.numbers(at), compute_uv=False))),

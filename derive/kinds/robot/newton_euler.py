@@ -151,12 +151,10 @@ def _laws(problem: Problem, arm: NewtonEuler) -> tuple[Claim, ...]:
     held = [normal(problem.readable(entry), known) for entry in arm.gravity_torques(_gravity(problem))]
     symbols, found = symbols_of(problem), arm.christoffel()
     return (
+        law("inertia", with_rotors(arm.inertia_matrix(), problem.subject) == D),
         law(
-            "D by Newton-Euler = D by Euler-Lagrange", with_rotors(arm.inertia_matrix(), problem.subject) == D
-        ),
-        law(
-            "c_ijk by Newton-Euler = c_ijk by Euler-Lagrange",
+            "christoffel",
             all(found[ijk] == symbols[ijk] for ijk in symbols),
         ),
-        law("g by Newton-Euler = g by Euler-Lagrange", held == g),
+        law("gravity", held == g),
     )

@@ -243,4 +243,4 @@ def _claims(task: Task, here: dict[str, float], target: list[float], run: Iterat
         if "wz" in task.rows:
             reached.append(sum(at[name] for name in _turning(task)))
         holds &= abs(float(np.linalg.norm(np.array(target) - reached)) - row.error) < 1e-7
-    return (Claim("the errors agree with the poses in numbers", SECOND_ROUTE, bool(holds)),)
+    return (Claim("errors", SECOND_ROUTE, bool(holds)),)

@@ -91,8 +91,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     known = {**problem.names, **definitions, **moment_names(inertia)}
     claims = (
         *links(steps, known),
-        law("Lambda = Lambda^T", whole == whole.T),
-        law("J^T Lambda J = D", J.T @ whole @ J == normal_matrix(D).scaled(det * det)),
+        law("symmetric", whole == whole.T),
+        law("kinetic-energy", J.T @ whole @ J == normal_matrix(D).scaled(det * det)),
         _second_route(problem, task, results["Lambda"]),
     )
     return Derivation(
@@ -152,7 +152,7 @@ def _second_route(problem: Problem, task: Task, Lambda: Expr) -> Claim:
         return J.T @ _inertia(arm, at, problem.subject.variables) @ J
 
     return agreement(
-        "Lambda agrees with D by Newton-Euler and J by differences",
+        "in-numbers",
         task.symbols | {"g"},
         lambda at: numeric.numbers(Lambda, arm.at(at)),
         other,

@@ -64,9 +64,9 @@ def _same_arm(problem: Problem, work: Exponentials) -> tuple[Claim, ...]:
     """The product is the pose that the rows of the arm give."""
     oracle = oracle_of(problem)
     return (
-        law("the product gives the pose of the rows", work.pose == chain_of(problem).T_tool),
+        law("pose", work.pose == chain_of(problem).T_tool),
         agreement(
-            "the product agrees with the poses composed in numbers",
+            "poses-in-numbers",
             problem.symbols,
             lambda at: matrix_numbers(work.pose, oracle.at(at)),
             lambda at: oracle.tool(oracle.at(at)),

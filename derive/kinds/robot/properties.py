@@ -72,7 +72,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     skew = rate - normal_matrix(C).scaled(2)
     claims = (
         *links(steps, {**problem.names, **definitions}),
-        law("N = -N^T", skew == -skew.T),
+        law("skew-symmetric", skew == -skew.T),
         *_definite(minors),
     )
     regressor = {name: linear.results[name] for name in ("Y", "parameters", "Y_b", "base_parameters")}
@@ -147,7 +147,7 @@ def _definite(minors: list[list[float]]) -> tuple[Claim, ...]:
     if not minors:
         return ()
     holds = all(minor >= -1e-9 * max(map(abs, point)) for point in minors for minor in point)
-    return (Claim("the leading minors of D of a possible arm are not negative", SECOND_ROUTE, holds),)
+    return (Claim("minors", SECOND_ROUTE, holds),)
 
 
 def _verdict(minors: list[list[float]]) -> dict[str, object]:

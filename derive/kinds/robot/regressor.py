@@ -170,7 +170,7 @@ def _laws(problem: Problem, results: Mapping[str, Expr]) -> tuple[Claim, ...]:
     tau = normal_matrix(matrix_of(problem.ask("dynamics"), "tau"))
     pairs = (("Y", "parameters"), ("Y_b", "base_parameters"))
     return tuple(
-        law(f"tau = {Y} {theta}", normal_matrix(Product((results[Y], results[theta]))) == tau)
+        law("linear", normal_matrix(Product((results[Y], results[theta]))) == tau, Y=Y, theta=theta)
         for Y, theta in pairs
     )
 
@@ -187,7 +187,6 @@ def _second_routes(problem: Problem, results: Mapping[str, Expr]) -> tuple[Claim
             found = np.array(numeric.numbers(results[Y], whole)) @ numeric.numbers(results[theta], whole)
             return [float(entry) for entry in found]
 
-        claim = f"{Y} {theta} agrees with the motion of each body (Newton-Euler)"
-        return agreement(claim, rated(problem), ours, arm.torques)
+        return agreement("motion-of-each-body", rated(problem), ours, arm.torques, Y=Y, theta=theta)
 
     return product("Y", "parameters"), product("Y_b", "base_parameters")

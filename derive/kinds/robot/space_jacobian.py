@@ -169,7 +169,7 @@ def _laws(found: Chain, J: ScalarMatrix, options: Options) -> tuple[Claim, ...]:
         bracket = ScalarMatrix.stacked([ScalarMatrix.beside([skew(w), v]), ScalarMatrix.zeros(1, 4)])
         rate = T.diff(name) @ back if options.frame == "space" else back @ T.diff(name)
         holds &= bracket == rate
-    return (law("[J e_i] = dT/dq_i T^-1" if options.frame == "space" else "[J e_i] = T^-1 dT/dq_i", holds),)
+    return (law("twists-in-space" if options.frame == "space" else "twists-in-body", holds),)
 
 
 def _second_route(problem: Problem, J: ScalarMatrix, options: Options) -> Claim:
@@ -189,7 +189,7 @@ def _second_route(problem: Problem, J: ScalarMatrix, options: Options) -> Claim:
         return np.array(columns).T
 
     return agreement(
-        "J agrees with differences of the poses",
+        "differences",
         problem.symbols,
         lambda at: matrix_numbers(J, oracle.at(at)),
         differences,

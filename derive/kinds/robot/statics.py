@@ -71,7 +71,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.line(TAU, Product((transpose(J), F)), written, rule="virtual-work")
     tau = work.value_matrix(TAU)
     work = work.closed(TAU).agrees(
-        "tau agrees with the work done in a small displacement",
+        "work-done",
         task.symbols.union(*map(free_symbols, force)),
         lambda at: numeric.matrix_numbers(tau, oracle_of(problem).at(at)),
         lambda at: _by_work(task, force, at),

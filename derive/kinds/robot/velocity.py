@@ -75,4 +75,4 @@ def _law(problem: Problem, options: Options, twist: ScalarMatrix) -> Claim:
     total = ScalarMatrix.zeros(3, 1)
     for name in found.variables:
         total = total + position.diff(name).scaled(Scalar.symbol(f"{name}_dot"))
-    return law("v = do/dt", total == twist.block(slice(0, 3), slice(0, 1)))
+    return law("rate-of-the-point", total == twist.block(slice(0, 3), slice(0, 1)))

@@ -118,7 +118,7 @@ def _laws(problem: Problem, g: Matrix) -> tuple[Claim, ...]:
         total = total - (body.motion.J_v.T @ gravity).scaled(body.motion.mass)
     made = problem.final(problem.readable_matrix(total))
     same = normal_matrix(made) == normal_matrix(g)
-    return (law("G = -(sum of J_v^T m g) is the gradient of the potential energy", same),)
+    return (law("gradient", same),)
 
 
 def _second_route(problem: Problem, rigid: Matrix) -> Claim:
@@ -127,6 +127,4 @@ def _second_route(problem: Problem, rigid: Matrix) -> Claim:
     def ours(at: Mapping[str, float]) -> list[list[float]]:
         return numeric.matrix_numbers(torques, arm.at(at))
 
-    return agreement(
-        "tau agrees with the motion of each body (Newton-Euler)", rated(problem), ours, arm.torques
-    )
+    return agreement("motion-of-each-body", rated(problem), ours, arm.torques)

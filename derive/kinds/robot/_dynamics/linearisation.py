@@ -127,7 +127,7 @@ class Linear:
         compared = [step for step in self.steps if not (large and step.rule == "blocks")]
         return (
             *links(compared, {**self.problem.names, **self.definitions}),
-            law("D_0 adj(D_0) = det(D_0) 1", self.inertia @ self.adjugate == one.scaled(self.det)),
+            law("adjugate", self.inertia @ self.adjugate == one.scaled(self.det)),
             self._second_route(),
         )
 
@@ -136,7 +136,7 @@ class Linear:
         arm = Oracle(_smooth(self.problem.subject), self.problem.where)
         A, names = self.results["A"], {name for part in self.at.values() for name in free_symbols(part)}
         return agreement(
-            "A agrees with differences of the accelerations (Newton-Euler)",
+            "differences",
             self.problem.symbols | {"g"} | names,
             lambda point: numeric.numbers(A, arm.at(point)),
             lambda point: _differences(arm, self.at, point),

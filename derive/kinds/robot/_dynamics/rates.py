@@ -65,10 +65,11 @@ def velocity_terms(symbols: Christoffel, variables: Sequence[str]) -> ScalarMatr
 def velocity_agreement(problem: Problem, name: str, ours: ScalarMatrix) -> Claim:
     """`ours` (n by 1) against the torques at those rates less the torques at rest, by Newton and Euler."""
     return agreement(
-        f"{name} agrees with the torques of the rates alone (Newton-Euler)",
+        "rates-alone",
         rated(problem),
         lambda at: numeric.matrix_numbers(ours, oracle(problem).at(at)),
         lambda at: of_rates(problem, at),
+        name=name,
     )
 
 

@@ -71,8 +71,7 @@ def _reached(problem: Problem, found: Chain, point: Tracked, region: Region, bou
         beyond = sign * (best - numeric.number(bound, known))  # the search comes near, and never further
         size = numeric.number(region.largest[-1], known)
         holds &= -NEAR * size < beyond < SMALL * size
-    word = "largest" if sign > 0 else "smallest"
-    return Claim(f"the {word} distance agrees with a search over the joints", SECOND_ROUTE, holds)
+    return Claim("largest-distance" if sign > 0 else "smallest-distance", SECOND_ROUTE, holds)
 
 
 def _distance(problem: Problem, point: Tracked, region: Region, here: dict[str, float], axis: Any) -> float:

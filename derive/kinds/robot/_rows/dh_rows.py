@@ -86,9 +86,9 @@ class Rows:
         given = normal_matrix(problem.readable_matrix(chain_of(problem).T_tool), names)
 
         return (
-            law("the rows give the pose of the end-effector", exact == given),
+            law("pose", exact == given),
             agreement(
-                "the rows agree with the arm composed in numbers",
+                "arm-composed",
                 problem.symbols,
                 lambda at: matrix_numbers(T, oracle.at(at)),
                 lambda at: oracle.tool(oracle.at(at)),
@@ -100,7 +100,7 @@ class Rows:
         oracle, printed = oracle_of(problem), self.matrix(problem).rows
         typed = TYPED[self.convention]
         return agreement(
-            "each row gives the pose of its link in numbers",
+            "each-row",
             problem.symbols,
             lambda at: [typed(*(at_point(entry, at) for entry in row)) for row in printed],
             lambda at: oracle.local(oracle.at(at)),

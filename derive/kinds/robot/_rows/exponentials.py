@@ -157,8 +157,8 @@ class Exponentials:
             for name in sorted(free_symbols(by) & set(self.problem.subject.variables)):
                 rate = derivative(normal(by), name)
                 size = "" if rate == 1 else "-" if rate == -1 else f"dphi_{screw.i}/d{name} "
-                law_of = f"dE_{screw.i}/d{name} = {size}[S_{screw.i}] E_{screw.i}"
-                found.append(law(law_of, E.diff(name) == (screw.bracket @ E).scaled(rate)))
+                holds = E.diff(name) == (screw.bracket @ E).scaled(rate)
+                found.append(law("derivative", holds, i=screw.i, name=name, size=size))
             found.append(self._series(screw))
         return found
 
@@ -167,10 +167,11 @@ class Exponentials:
             return completed(point, self.problem.where)
 
         return agreement(
-            f"e^[S_{screw.i}] agrees with the exponential series",
+            "exponential-series",
             self.problem.symbols,
             lambda point: matrix_numbers(screw.exponential, at(point)),
             lambda point: _series(matrix_numbers(screw.bracket, at(point)), number(screw.row.by, at(point))),
+            i=screw.i,
         )
 
     def facts(self) -> dict[str, Any]:

@@ -20,18 +20,17 @@ def checked(task: Task, sets: Iterable[Analysed]) -> Iterator[Claim]:
     """Claims about every case, and about configurations at random."""
     full = min(task.J.shape)
     regular = all(_rank(task.numbers(at)) == full for at in random_points(sorted(task.symbols), 3))
-    yield Claim("J has full rank at configurations at random", SECOND_ROUTE, regular)
+    yield Claim("full-rank", SECOND_ROUTE, regular)
     for each in sets:
         for zeros in each.places:
             name = ", ".join(zero.variable for zero in zeros)
             ranks = [_rank(task.numbers(here)) for here in each.block.seeing.places(zeros)]
-            claim = f"J has rank {each.rank} at the value of {name}"
-            yield Claim(claim, SECOND_ROUTE, all(rank == each.rank for rank in ranks))
+            holds = all(rank == each.rank for rank in ranks)
+            yield Claim("rank", SECOND_ROUTE, holds, {"rank": each.rank, "names": name})
         for case in each.cases:
             if case.J is not None:
                 name = ", ".join(zero.variable for zero in case.zeros)
-                claim = f"rank and null spaces at the value of {name}"
-                yield Claim(claim, SECOND_ROUTE, _spaces(task, each, case))
+                yield Claim("spaces", SECOND_ROUTE, _spaces(task, each, case), {"names": name})
 
 
 def _rank(J: Any) -> int:

@@ -87,7 +87,7 @@ def by_determinant(task: Task) -> Work:
     uses = (problem.ask("forward-kinematics"),) if six else (task.base,)
     search = searching(task.found, problem.readable)
     sets = of_determinant(det, search)
-    laws = (law("the product of the factors is det J", det.value == whole.value),)
+    laws = (law("factors", det.value == whole.value),)
     return Work(
         "determinant", _moved(task), steps, tree, (Part(block, sets),), {name: shown}, uses, laws,
         not search.open,
@@ -122,7 +122,7 @@ def by_wrist(task: Task, wrist: Wrist) -> Work:
     split = Product(tuple(determinant(Symbol(block.name)) for block in blocks))
     steps.append(Step("det", (determinant(Symbol("J")), split, problem.final(tree)), "law"))
     (six,) = _minors(task, seen_from_middle(task))
-    laws = (law("det J = det J_11 det J_22", six.value == whole.value),)
+    laws = (law("blocks", six.value == whole.value),)
     definitions: dict[Expr, Expr] = {center: steps[0].result}
     definitions |= {Symbol(block.name): problem.readable_matrix(block.J) for block in blocks}
     return Work(
@@ -155,7 +155,7 @@ def by_minors(task: Task) -> Work:
     if sum(len(minor.value.numerator) for minor in found) > MOST_LINKED:
         det = replace(det, rule="law")
         total = sum((minor.value * minor.value for minor in found), Scalar.of(0))
-        laws = (law("the squares of the minors", normal(tree) == total),)
+        laws = (law("minors", normal(tree) == total),)
     steps = (Step("J", (name, shown), "frame" if frame else "rows", {"frame": frame}), *minor_steps, det)
     block = Block(name.name, J, variables, rows, frame, _seeing(task))
     search = searching(task.found, problem.readable)

@@ -144,5 +144,4 @@ def _second_route(problem: Problem, found: ScalarMatrix, euler: Euler, frame: in
         angular = found.block(slice(3, 6), slice(None))
         return numeric.matrix_numbers(angular, {**known, **_angles(problem, euler, frame, known)})
 
-    claim = "the rates agree with differences of the angles"
-    return agreement(claim, problem.symbols, ours, differences, DIFFERENCES)
+    return agreement("rates-agree", problem.symbols, ours, differences, DIFFERENCES)

@@ -124,7 +124,7 @@ def _claim(task: Task, here: Mapping[str, float], values: Any, directions: list[
         close(J @ J.T @ np.array(vector), s**2 * np.array(vector), 1e-6)
         for s, vector in zip(values, directions, strict=True)
     )
-    return Claim("the axes are eigenvectors of J J^T, with J by differences", SECOND_ROUTE, holds)
+    return Claim("eigenvectors", SECOND_ROUTE, holds)
 
 
 def _pictures(

@@ -164,7 +164,7 @@ def _half(
         Step(f"rates_{name}", (unknown, Product((Call("inverse", (block,)), vector)), column(rates)), "law"),
     )
     holds = J @ exact == known.scaled(det)
-    return Half(steps, rates, law(f"{name} times the rates is {vector.name}", holds), {block: shown})
+    return Half(steps, rates, law("split", holds, block=name, vector=vector.name), {block: shown})
 
 
 def _written_out(problem: Problem, arm: Half, hand: Half, names: dict[Expr, Expr]) -> tuple[Expr, ...]:
