@@ -57,7 +57,7 @@ def plain(polynomial: str) -> System:
 def test_polynomials_in_numbers(polynomial: str, right: int, verdict: str) -> None:
     found = ask(plain(polynomial))
     assert normal(found.results["unstable_poles"]) == right
-    assert found.facts["verdict"] == verdict
+    assert found.facts.verdict == verdict
     assert (found.results["conditions"] == ()) == (verdict == "stable")
 
 
@@ -65,7 +65,7 @@ def test_the_limit_of_a_loop() -> None:
     """s (s + 1) (s + 5) under a P controller swings at K = 30 with sqrt(5)."""
     found = ask(system("s*(s + 1)*(s + 5)*y = u"), controller="P")
     assert found.results["conditions"] == ("K_p > 0", "K_p < 30")
-    (gain, value), omega = found.facts["critical"]
+    (gain, value), omega = found.facts.critical
     assert (gain, normal(value)) == (Symbol("K_p"), normal(parse("30")))
     assert normal(omega[1]) == normal(parse("sqrt(5)"))
     roots = numpy.roots([1, 6, 5, 30])
@@ -94,7 +94,7 @@ def test_the_motor_under_control() -> None:
 def test_a_motor_without_control_integrates() -> None:
     found = ask(motor("armature", "angle"), "J K_m R_a L_a b K_b")
     assert found.results["conditions"] == ("0 > 0",)
-    assert found.facts["marginal"] == ()
+    assert found.facts.marginal == ()
 
 
 def test_what_cancels_still_counts() -> None:
@@ -173,4 +173,4 @@ def test_margins_are_decided_exactly(seed: int) -> None:
     assert all(found.evaluated["conditions"]) is stable
     assert found.evaluated["unstable_poles"] == right
     swings = not right and len(set(axis)) == len(axis)
-    assert found.facts["at_point"] == ("stable" if stable else "oscillator" if swings else "unstable")
+    assert found.facts.at.verdict == ("stable" if stable else "oscillator" if swings else "unstable")

@@ -14,7 +14,7 @@ from derive.control.motor import motor
 from derive.control.system import Equation, System
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
-from derive.expression import Matrix, Symbol
+from derive.expression import Matrix, Symbol, column
 from derive.kinds.problem import Problem
 
 POINT = {"J": "2", "K_m": "10", "R_a": "1", "L_a": "1", "b": "0.5", "K_b": "0.1"}
@@ -51,7 +51,7 @@ def test_the_motor_as_every_tutorial_has_it() -> None:
 
 def test_the_angle_is_one_state_more() -> None:
     found = ask(motor("armature", "angle"), evaluate=POINT)
-    assert found.facts["states"] == (Symbol("theta"), Symbol("theta_dot"), Symbol("I_a"))
+    assert found.step("x").result == column((Symbol("theta"), Symbol("theta_dot"), Symbol("I_a")))
     A, B, C, D = (numpy.array(found.evaluated[name]) for name in NAMES)
     num, den = signal.ss2tf(A, B, C, D)
     assert numpy.allclose(num, [[0, 0, 0, 5]])
@@ -62,12 +62,12 @@ def test_the_angle_is_one_state_more() -> None:
 @pytest.mark.parametrize("output", ["angle", "speed"])
 @pytest.mark.parametrize("control", ["armature", "field"])
 def test_every_motor(control: Any, output: Any) -> None:
-    assert ask(motor(control, output)).facts["physical"]
+    assert ask(motor(control, output)).facts.physical
 
 
 def test_canonical_form_has_the_transfer_function_of_scipy() -> None:
     found = ask(system("(2*s^3 + 3*s^2 + 4*s + 5)*y = (s^3 + 6*s + 7)*u"), evaluate=True)
-    assert not found.facts["physical"]
+    assert not found.facts.physical
     A, B, C, D = (numpy.array(found.evaluated[name]) for name in NAMES)
     num, den = signal.ss2tf(A, B, C, D)
     assert numpy.allclose(num * 2, [[1, 0, 6, 7]])
@@ -84,8 +84,8 @@ def test_two_masses() -> None:
             output="x2",
         )
     )
-    assert found.facts["x"] == Symbol("z")  # for x1 is taken
-    assert [name.name for name in found.facts["states"]] == ["x2", "x2_dot", "x1", "x1_dot"]
+    assert found.step("x").chain[0] == Symbol("z")  # for x1 is taken
+    assert [name.name for (name,) in found.step("x").result.rows] == ["x2", "x2_dot", "x1", "x1_dot"]
     assert is_matrix(found, "B", [["0"], ["0"], ["0"], ["1/m1"]])
 
 
@@ -96,8 +96,8 @@ def test_a_circuit_whose_output_jumps() -> None:
 
 
 def test_signals_that_answer_each_other_at_once() -> None:
-    assert ask(system("y = u/(s - 1) + w", "w = -2/(s + 1)*v", "v = y - w/(s + 3)")).facts["physical"]
-    assert ask(system("e = u - y", "y = 3*e + x", "s*x = e")).facts["physical"]
+    assert ask(system("y = u/(s - 1) + w", "w = -2/(s + 1)*v", "v = y - w/(s + 3)")).facts.physical
+    assert ask(system("e = u - y", "y = 3*e + x", "s*x = e")).facts.physical
 
 
 def test_what_is_refused() -> None:

@@ -104,15 +104,15 @@ def test_step_response_by_scipy() -> None:
 def test_an_unstable_loop_is_said_to_be_so() -> None:
     gains = {"PID": {"K_p": "20", "K_i": "5", "K_d": "10"}}
     found = ask("step-response", controller=gains, evaluate=POINT)
-    assert found.facts["verdict"] == "unstable"
+    assert found.facts.verdict == "unstable"
     assert found.results["rise_time"] == "none"
     assert all_hold(found)
 
 
 def test_an_integrator_ends_in_a_ramp() -> None:
     found = ask("step-response", evaluate=POINT)
-    assert found.facts["verdict"] == "integrator"
-    assert normal(found.facts["slope"]) == normal(parse("20/3"))
+    assert found.facts.verdict == "integrator"
+    assert normal(found.facts.slope) == normal(parse("20/3"))
     assert ask("step-response", motor("armature", "speed"), evaluate=POINT).evaluated["steady_state"] == (
         pytest.approx(20 / 3)
     )
@@ -120,12 +120,12 @@ def test_an_integrator_ends_in_a_ramp() -> None:
 
 def test_cancellation_is_noticed() -> None:
     found = ask("closed-loop", simple("(s - 1)*(s + 2)*y = (s - 1)*u"), controller={"P": "1"})
-    assert ask("transfer-function", simple("(s^2 + s - 2)*y = (s - 1)*u")).facts["cancelled"] == 1
+    assert ask("transfer-function", simple("(s^2 + s - 2)*y = (s - 1)*u")).facts.cancelled == 1
     assert all_hold(found)
 
 
 def test_improper_systems_have_no_step_response() -> None:
-    assert ask("transfer-function", simple("y = s*u")).facts["proper"] is False
+    assert ask("transfer-function", simple("y = s*u")).facts.proper is False
     with pytest.raises(NotDerivable, match="improper"):
         ask("step-response", simple("y = s*u"), evaluate=True)
 

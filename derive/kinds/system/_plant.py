@@ -16,7 +16,7 @@ from derive.control.rational import Polynomial, Rational, S, names_in
 from derive.control.roots import as_json, isolated, roots
 from derive.control.signals import signals
 from derive.control.system import System
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, Record, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     Approximate,
@@ -112,10 +112,26 @@ def _require_numbers(problem: Problem, point: Place, typed: Iterable[Expr]) -> N
             raise NotDerivable(f"{name} under evaluate: is no parameter of the system")
 
 
+class Delayed(Record):
+    typed: Expr
+    order: int
+    last: Expr  # the power of s up to which the series agree
+
+
+class AtPoint(Record):
+    """What is found at the values asked for; no poles where symbols are left."""
+
+    shown: tuple[tuple[Expr, ...], ...]
+    point: tuple[tuple[Expr, ...], ...]
+    poles: tuple[Expr, ...] = ()
+    zeros: tuple[Expr, ...] = ()
+    verdict: str = ""
+
+
 def delay_steps(system: System) -> Iterator[Step]:
     """The fractions that stand for delays."""
     for place, delay in enumerate(system.delays, 1):
-        facts = {"typed": delay.typed, "order": delay.order, "last": Power(S, number(2 * delay.order))}
+        facts = Delayed(typed=delay.typed, order=delay.order, last=Power(S, number(2 * delay.order)))
         yield Step(f"delay_{place}", (delay.fraction,), "delay", facts)
 
 

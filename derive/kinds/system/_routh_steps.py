@@ -11,7 +11,7 @@ from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
 from derive.control.rational import Polynomial, written
 from derive.control.routh import Row, leading
-from derive.derivation import Step, Table
+from derive.derivation import Record, Step, Table
 from derive.expression import (
     ONE,
     ZERO,
@@ -186,14 +186,19 @@ def _formula(array: Array, i: int, j: int) -> Expr:
     )
 
 
+class Vanishing(Record):
+    row: int
+    at_origin: bool  # the roots that belong to it
+
+
 def _auxiliary(array: Array, i: int, row: Row) -> Iterator[Step]:
     """The polynomial of the row above a row of zeros, and its derivative, which fills it."""
     name = array.polynomial_name(i)
     above = written(array.rows[i - 2].polynomial, array.style)
-    facts = {"row": i, "above": i - 1, "name": name, "at_origin": len(_powers(array.rows[i - 2])) == 1}
+    facts = Vanishing(row=i, at_origin=len(_powers(array.rows[i - 2])) == 1)
     yield Step(f"auxiliary_{i}", (name, above), "auxiliary", facts)
     slope = written(row.polynomial, array.style)
-    yield Step(f"derivative_{i}", (Derivative(name, S), slope), "derivative", {"row": i})
+    yield Step(f"derivative_{i}", (Derivative(name, S), slope), "derivative")
 
 
 def _powers(row: Row) -> list[int]:

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from derive.control.controllers import Controller
 from derive.control.loops import Loop
-from derive.control.rational import Rational, written
+from derive.control.rational import Rational
 from derive.control.ratios import Ratio, total
 from derive.control.roots import roots
 from derive.control.signals import signals
 from derive.control.system import System
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import ONE, ZERO, Expr, Product, Quotient, Sum, Symbol, free_symbols, walk
 from derive.kinds.checks import law, links
@@ -23,6 +23,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.system._options import ControllerField
 from derive.kinds.system._oracle import agrees
 from derive.kinds.system._plant import (
+    AtPoint,
     Plant,
     asked,
     plant,
@@ -83,6 +84,25 @@ def closed(problem: Problem, controller: Controller, point: Place | None) -> Clo
     return Closed(solved, controller, loop, transfer, transfer.reduced())
 
 
+class LoopAtPoint(AtPoint):
+    hidden: bool = False  # what grows cancels out of the output
+
+
+class Facts(PageFacts):
+    family: str
+    through: Expr
+    origin: tuple[Expr, Expr]
+    input: Symbol
+    output: Symbol
+    motor: tuple[str, ...]
+    differentiates: bool
+    order: int
+    realisable: bool
+    tracks: bool
+    cancelled: int
+    at: LoopAtPoint | None
+
+
 def derive(system: System, options: Options, problem: Problem) -> Derivation:
     """T = C G / (1 + C G) (Dorf and Bishop, Modern Control Systems, section 4.1)."""
     base = asked(problem, "transfer-function", source=None)
@@ -98,7 +118,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     results = {"C": _final(found, found.loop.controller), "T": _final(found, found.reduced)}
     evaluated, numbers = _evaluated(found, options)
     claims = (*links(steps, {**problem.names, **definitions}), *_claims(found))
-    facts = {**_facts(found), **numbers, "numbers": ()}
+    facts = _facts(found, numbers)
     return Derivation(
         "closed-loop", steps, results, claims, definitions, evaluated, uses=(base,), facts=facts
     )
@@ -135,24 +155,23 @@ def _distinct(chain: tuple[Expr, ...]) -> tuple[Expr, ...]:
     return tuple(expr for place, expr in enumerate(chain) if place == 0 or expr != chain[place - 1])
 
 
-def _facts(found: Closed) -> dict[str, Any]:
+def _facts(found: Closed, at: LoopAtPoint | None) -> Facts:
     solved, loop = found.plant, found.loop
-    return {
-        "family": found.controller.family,
-        "through": Product((solved.named("C"), solved.named("G"))),
-        "origin": (Symbol("s"), ZERO),
-        "input": solved.system.input,
-        "output": solved.system.output,
-        "motor": solved.system.motor,
-        "integrates": found.controller.integrates,
-        "differentiates": found.controller.differentiates,
-        "order": len(found.transfer.den) - 1,
-        "open_order": len(solved.rational.den) - 1,
-        "realisable": loop.open.proper,
-        "tracks": _tracks(found),
-        "cancelled": found.transfer.cancelled,
-        "characteristic": written(found.transfer.den, solved.style),
-    }
+    return Facts(
+        family=found.controller.family,
+        through=Product((solved.named("C"), solved.named("G"))),
+        origin=(Symbol("s"), ZERO),
+        input=solved.system.input,
+        output=solved.system.output,
+        motor=solved.system.motor,
+        differentiates=found.controller.differentiates,
+        order=len(found.transfer.den) - 1,
+        realisable=loop.open.proper,
+        tracks=_tracks(found),
+        cancelled=found.transfer.cancelled,
+        at=at,
+        numbers=(),
+    )
 
 
 def _tracks(found: Closed) -> bool:
@@ -175,27 +194,22 @@ def _value_at_zero(rational: Rational) -> bool:
     return rational.num[-1] == rational.den[-1]
 
 
-def _evaluated(found: Closed, options: Options) -> tuple[dict[str, Any], dict[str, Any]]:
+def _evaluated(found: Closed, options: Options) -> tuple[dict[str, Any], LoopAtPoint | None]:
     if options.evaluate is None:
-        return {}, {"numeric": None}
+        return {}, None
     solved = found.plant
     numeric, controller = solved.there(found.reduced), solved.there(found.loop.controller)
     functions = {"C": transfer_json(controller), "T": transfer_json(numeric)}
-    told: dict[str, Any] = {
-        "numeric": (solved.named("T"), numeric.expr(solved.style)),
-        "point": point_chains(options.evaluate, solved.problem.where),
-        "poles": (),
-        "verdict": "",
-        "hidden": False,
-    }
+    shown = ((solved.named("T"), numeric.expr(solved.style)),)
+    told = LoopAtPoint(shown=shown, point=point_chains(options.evaluate, solved.problem.where))
     if numeric.symbols():
         return functions, told
     whole = solved.numeric(found.transfer)
     poles, zeros = roots(numeric.den), roots(numeric.num) if numeric.num else ()
-    return {**functions, "poles": poles_json(numeric), "zeros": zeros_json(numeric)}, {
-        **told,
-        "poles": tuple(map(root_tree, poles)),
-        "zeros": tuple(map(root_tree, zeros)),
-        "verdict": verdict(whole.den),
-        "hidden": verdict(numeric.den) == "stable" and verdict(whole.den) != "stable",
-    }
+    return {**functions, "poles": poles_json(numeric), "zeros": zeros_json(numeric)}, replace(
+        told,
+        poles=tuple(map(root_tree, poles)),
+        zeros=tuple(map(root_tree, zeros)),
+        verdict=verdict(whole.den),
+        hidden=verdict(numeric.den) == "stable" and verdict(whole.den) != "stable",
+    )

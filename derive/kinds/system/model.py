@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import Any
 
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import scalar_number
@@ -15,7 +14,7 @@ from derive.control.scripts.model import Model
 from derive.control.scripts.python_control import python_control
 from derive.control.scripts.simulink import simulink
 from derive.control.system import System
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     ONE,
@@ -63,6 +62,25 @@ class Options(OptionsModel):
     evaluate: Evaluation = None
 
 
+class Facts(PageFacts):
+    blocks: tuple[str, ...]  # steps
+    integrators: tuple[str, ...]  # steps
+    closed: bool
+    family: str
+    motor: tuple[str, ...]
+    one_block: bool
+    taps: bool
+    input: Symbol
+    output: Symbol
+    reference: Symbol
+    error: tuple[Expr, Expr]
+    disturbances: tuple[Symbol, ...]
+    controller: Expr | None
+    filter: tuple[tuple[Symbol, Expr], ...]
+    gains: tuple[tuple[Expr, Expr], ...]
+    point: tuple[tuple[Expr, ...], ...]
+
+
 def derive(system: System, options: Options, problem: Problem) -> Derivation:
     """One block or two an equation, as a person draws them; scripts with the values typed.
 
@@ -76,7 +94,6 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     model = _model(answer, numeric)
     files = {"model.m": simulink(model), "model.py": python_control(model)}
     steps, definitions = tuple(_steps(answer)), _definitions(answer)
-    told = {f"{rule}s": tuple(s.name for s in steps if s.rule == rule) for rule in ("block", "integrator")}
     claims = (*links(steps, {**problem.names, **definitions}), *_claims(answer))
     return Derivation(
         "model",
@@ -85,7 +102,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
         claims,
         definitions,
         uses=(base,),
-        facts={**_facts(answer, options), **told},
+        facts=_facts(answer, options, steps),
         files=files,
     )
 
@@ -149,7 +166,6 @@ def _steps(answer: Answer) -> Iterator[Step]:
     style = answer.plant.style
     for wired in answer.wired:
         each = wired.realised
-        facts = {"equation": f"equation_{each.equation + 1}", "signal": each.signal}
         branches = [
             multiply(*_factors(written(branch.num, style)), Symbol(start))
             for branch, start in zip(each.branches, wired.starts, strict=True)
@@ -158,7 +174,7 @@ def _steps(answer: Answer) -> Iterator[Step]:
         inside = add(*sorted(branches, key=is_negative))
         chain = (Symbol(_head(wired)), inside if below == ONE else Quotient(inside, below))
         if chain[0] != chain[1]:
-            yield Step(f"{_head(wired)}_block", chain, "block", facts)
+            yield Step(f"{_head(wired)}_block", chain, "block")
         for after, before in zip(wired.stages, (*wired.stages[1:], _head(wired)), strict=True):
             if after not in (before, _head(wired)):
                 yield Step(f"{after}_block", (Symbol(after), Quotient(Symbol(before), S)), "integrator")
@@ -184,26 +200,28 @@ def _definitions(answer: Answer) -> dict[Expr, Expr]:
     return found
 
 
-def _facts(answer: Answer, options: Options) -> dict[str, Any]:
+def _facts(answer: Answer, options: Options, steps: tuple[Step, ...]) -> Facts:
     solved, diagram = answer.plant, answer.diagram
     taps = any(branch.tap for wired in answer.wired for branch in wired.realised.branches)
-    return {
-        "numbers": (),
-        "closed": answer.controller is not None,
-        "family": answer.controller.family if answer.controller else "",
-        "motor": solved.system.motor,
-        "one_block": not answer.wired,
-        "taps": taps,
-        "input": solved.system.input,
-        "output": solved.system.output,
-        "reference": Symbol(diagram.input),
-        "error": (Symbol("e"), subtract(Symbol(diagram.input), solved.system.output)),
-        "disturbances": tuple(map(Symbol, diagram.disturbances)),
-        "controller": controller_formula(answer),
-        "filter": answer.filter,
-        "gains": tuple((name, tree) for name, tree in answer.gains if name != tree),
-        "point": point_chains(options.evaluate, solved.problem.where),
-    }
+    return Facts(
+        blocks=tuple(step.name for step in steps if step.rule == "block"),
+        integrators=tuple(step.name for step in steps if step.rule == "integrator"),
+        closed=answer.controller is not None,
+        family=answer.controller.family if answer.controller else "",
+        motor=solved.system.motor,
+        one_block=not answer.wired,
+        taps=taps,
+        input=solved.system.input,
+        output=solved.system.output,
+        reference=Symbol(diagram.input),
+        error=(Symbol("e"), subtract(Symbol(diagram.input), solved.system.output)),
+        disturbances=tuple(map(Symbol, diagram.disturbances)),
+        controller=controller_formula(answer),
+        filter=answer.filter,
+        gains=tuple((name, tree) for name, tree in answer.gains if name != tree),
+        point=point_chains(options.evaluate, solved.problem.where),
+        numbers=(),
+    )
 
 
 # -- what it is held to -------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import replace
 from typing import Any
 
 from derive.algebra.infix import text
@@ -17,8 +18,9 @@ from derive.control.rational import Rational, at, names_in
 from derive.control.rational import written as collected
 from derive.control.roots import roots
 from derive.control.system import System
-from derive.derivation import Derivation, Result, Step
+from derive.derivation import Derivation, PageFacts, Result, Step, Table
 from derive.expression import (
+    ZERO,
     Expr,
     Quotient,
     Sum,
@@ -33,6 +35,7 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._options import ControllerField
 from derive.kinds.system._plant import (
+    AtPoint,
     mixed,
     point_chains,
     poles_json,
@@ -79,6 +82,37 @@ class Options(OptionsModel):
     evaluate: Evaluation = None
 
 
+class StabilityAtPoint(AtPoint):
+    failing: tuple[Condition, ...] = ()
+
+
+class Facts(PageFacts):
+    closed: bool
+    motor: tuple[str, ...]
+    hidden: Expr | None
+    degree: int
+    factor: Expr | None
+    coefficients: str  # "met", "violated", "open"
+    array: Table | None
+    letter: str
+    column: tuple[Expr, ...]
+    mended: tuple[str, ...]  # the special cases of the array
+    epsilon: Symbol
+    never: bool
+    conditions: tuple[Condition, ...]
+    marginal: tuple[Condition, ...] | None
+    one_sign: tuple[Expr, ...]
+    assumed: bool
+    origin: Expr = ZERO
+    symbolic: bool
+    limiting: Condition | None
+    critical: tuple[tuple[Expr, ...], ...] | None
+    changes: int
+    axis: tuple[Expr, ...]
+    verdict: str
+    at: StabilityAtPoint | None
+
+
 def derive(system: System, options: Options, problem: Problem) -> Derivation:
     """Routh and Hurwitz (Dorf and Bishop, Modern Control Systems, sections 6.2 and 6.3)."""
     answer = answered(problem, options.controller, options.evaluate)
@@ -94,7 +128,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     evaluated, numbers = _evaluated(answer, options)
     return Derivation(
         "stability", steps, results, claims, definitions, evaluated, uses=(answer.base,),
-        facts={**_facts(answer, options), **numbers, "numbers": ()}, matrices=frozenset({"routh"}),
+        facts=_facts(answer, options, numbers), matrices=frozenset({"routh"}),
     )  # fmt: skip
 
 
@@ -148,42 +182,36 @@ def _limit_steps(answer: Answer) -> Iterator[Step]:
     yield Step("limit", (*chain, value) if operations(value) <= LONG else chain, "limit")
 
 
-def _facts(answer: Answer, options: Options) -> dict[str, Any]:
+def _facts(answer: Answer, options: Options, at: StabilityAtPoint | None) -> Facts:
     array, solved = answer.array, answer.plant
     degree = len(array.rows) - 1
-    never = is_impossible(answer.conditions, answer.positive)
-    return {
-        "closed": options.controller is not None,
-        "motor": solved.system.motor,
-        "hidden": collected(answer.hidden, solved.style) if len(answer.hidden) > 1 else None,
-        "degree": degree,
-        "factor": None if answer.factor.constant is not None else readable(answer.factor, solved.style),
-        "coefficients": necessary(answer),
-        "array": array.table if degree > 1 else None,
-        "letter": array.letter,
-        "column": tuple(array.value(i, 1) for i in range(1, degree + 2)),
-        "mended": array.mended,
-        "epsilon": Symbol(array.epsilon),
-        "never": never,
-        "conditions": answer.written,
-        "marginal": _written(answer, possible(answer)) if is_marginal(answer) else None,
-        "one_sign": of_one_sign(answer),
-        "assumed": bool(answer.positive & set(answer.symbols)),
-        "origin": number(0),
-        "symbolic": bool(answer.symbols),
-        "limiting": _written_limit(answer),
-        "critical": _critical(answer),
-        **_numeric_facts(answer),
-    }
-
-
-def _numeric_facts(answer: Answer) -> dict[str, Any]:
-    """What can be said of a polynomial in numbers."""
-    if answer.symbols:
-        return {"changes": None, "axis": (), "verdict": ""}
-    found = roots(answer.array.polynomial)
-    axis = tuple(dict.fromkeys(root_tree(each) for each in found if each.real == 0 and each.imag >= 0))
-    return {"changes": answer.changes, "axis": axis, "verdict": verdict(answer.array.polynomial)}
+    found = () if answer.symbols else roots(array.polynomial)
+    return Facts(
+        closed=options.controller is not None,
+        motor=solved.system.motor,
+        hidden=collected(answer.hidden, solved.style) if len(answer.hidden) > 1 else None,
+        degree=degree,
+        factor=None if answer.factor.constant is not None else readable(answer.factor, solved.style),
+        coefficients=necessary(answer),
+        array=array.table if degree > 1 else None,
+        letter=array.letter,
+        column=tuple(array.value(i, 1) for i in range(1, degree + 2)),
+        mended=array.mended,
+        epsilon=Symbol(array.epsilon),
+        never=is_impossible(answer.conditions, answer.positive),
+        conditions=answer.written,
+        marginal=_written(answer, possible(answer)) if is_marginal(answer) else None,
+        one_sign=of_one_sign(answer),
+        assumed=bool(answer.positive & set(answer.symbols)),
+        symbolic=bool(answer.symbols),
+        limiting=_written_limit(answer),
+        critical=_critical(answer),
+        changes=0 if answer.symbols else answer.changes,
+        axis=tuple(dict.fromkeys(root_tree(z) for z in found if z.real == 0 and z.imag >= 0)),
+        verdict="" if answer.symbols else verdict(array.polynomial),
+        at=at,
+        numbers=(),
+    )
 
 
 def _written(answer: Answer, found: Iterable[Scalar]) -> tuple[Condition, ...]:
@@ -223,22 +251,17 @@ def _critical(answer: Answer) -> tuple[tuple[Expr, ...], ...] | None:
 # -- in numbers ---------------------------------------------------------------------------------------
 
 
-def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], dict[str, Any]]:
+def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], StabilityAtPoint | None]:
     """What goes to the JSON, and what the words print."""
     if options.evaluate is None:
-        return {}, {"numeric": None}
+        return {}, None
     solved = answer.plant
     numeric = solved.there(Rational((), answer.final))
     place = {**solved.problem.names, **solved.point}
     rows = _rows_at(answer, place)
     array = {"routh": rows} if rows else {}
-    told: dict[str, Any] = {
-        "numeric": (_delta(answer), collected(numeric.den, solved.style)),
-        "point": point_chains(options.evaluate, {}),
-        "poles": (),
-        "at_point": "",
-        "failing": (),
-    }
+    shown = ((_delta(answer), collected(numeric.den, solved.style)),)
+    told = StabilityAtPoint(shown=shown, point=point_chains(options.evaluate, {}))
     if numeric.symbols():
         return {**array, "conditions": _left(answer, place)}, told
     poles = roots(numeric.den)
@@ -249,12 +272,12 @@ def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], dict[s
         "stable": verdict(numeric.den) == "stable",
         "unstable_poles": right_of_axis(poles),
     }
-    return {**array, **values}, {
-        **told,
-        "poles": tuple(map(root_tree, poles)),
-        "at_point": verdict(numeric.den),
-        "failing": tuple(each for each, holds in zip(answer.written, met, strict=True) if not holds),
-    }
+    return {**array, **values}, replace(
+        told,
+        poles=tuple(map(root_tree, poles)),
+        verdict=verdict(numeric.den),
+        failing=tuple(each for each, holds in zip(answer.written, met, strict=True) if not holds),
+    )
 
 
 def _left(answer: Answer, place: Mapping[Expr, Expr]) -> list[bool | str]:

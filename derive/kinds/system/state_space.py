@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 from derive.algebra.normal import normal_matrix
@@ -15,7 +16,7 @@ from derive.control.roots import as_json, roots
 from derive.control.states import ORDERS, Law
 from derive.control.states import written as written_form
 from derive.control.system import System
-from derive.derivation import Derivation, Step
+from derive.derivation import Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     Expr,
@@ -31,6 +32,7 @@ from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._plant import (
+    AtPoint,
     Plant,
     asked,
     delay_claims,
@@ -67,6 +69,24 @@ class Options(OptionsModel):
     evaluate: Evaluation = None
 
 
+class Facts(PageFacts):
+    physical: bool
+    motor: tuple[str, ...]
+    disturbance: Symbol | None
+    law: tuple[Expr, ...]
+    output_law: tuple[Expr, ...]
+    equations: tuple[str, ...]  # steps
+    algebraic: tuple[str, ...]  # steps
+    rates: tuple[str, ...]  # steps
+    matrices: tuple[Symbol, ...]
+    as_found: bool
+    through: bool
+    hidden: int  # motions
+    cancelled: tuple[Expr, ...]
+    final: tuple[tuple[Expr, ...], ...]
+    at: AtPoint | None
+
+
 def derive(system: System, options: Options, problem: Problem) -> Derivation:
     """Ogata, Modern Control Engineering, sections 2.5 and 9.2.
 
@@ -81,7 +101,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     evaluated, numbers = _evaluated(answer, options)
     return Derivation(
         "state-space", steps, results, claims, definitions, evaluated, uses=base,
-        facts={**_facts(answer), **numbers, "numbers": ()}, matrices=frozenset(MATRICES),
+        facts=_facts(answer, numbers), matrices=frozenset(MATRICES),
     )  # fmt: skip
 
 
@@ -144,30 +164,28 @@ def _definitions(answer: Answer) -> dict[Expr, Expr]:
     return {**found, **values}
 
 
-def _facts(answer: Answer) -> dict[str, Any]:
+def _facts(answer: Answer, at: AtPoint | None) -> Facts:
     solved, steps = answer.plant, tuple(_steps(answer))
     order, whole = len(answer.transfer.den) - 1, answer.transfer.expr(solved.style)
     beside = hidden(solved.system, answer.transfer.den, solved.decimals)
-    return {
-        "physical": answer.is_physical,
-        "motor": solved.system.motor,
-        "input": solved.system.input,
-        "output": solved.system.output,
-        "disturbance": solved.system.disturbance,
-        "x": answer.letter,
-        "states": answer.state,
-        "law": _equation(answer, Symbol(f"{answer.letter.name}_dot"), "A", "B"),
-        "output_law": _equation(answer, solved.system.output, "C", "D"),
-        "equations": tuple(step.name for step in steps if step.rule == "given"),
-        "algebraic": tuple(step.name for step in steps if step.rule == "algebraic"),
-        "rates": tuple(step.name for step in steps if step.rule == "rate"),
-        "matrices": tuple(solved.named(name) for name in MATRICES),
-        "as_found": any(step.name == "G" and step.result == whole for step in steps),
-        "through": bool(answer.space.D[0, 0]),
-        "hidden": len(answer.state) - order,
-        "cancelled": () if answer.is_physical or len(beside) == 1 else (collected(beside, solved.style),),
-        "final": _final(answer),
-    }
+    return Facts(
+        physical=answer.is_physical,
+        motor=solved.system.motor,
+        disturbance=solved.system.disturbance,
+        law=_equation(answer, Symbol(f"{answer.letter.name}_dot"), "A", "B"),
+        output_law=_equation(answer, solved.system.output, "C", "D"),
+        equations=tuple(step.name for step in steps if step.rule == "given"),
+        algebraic=tuple(step.name for step in steps if step.rule == "algebraic"),
+        rates=tuple(step.name for step in steps if step.rule == "rate"),
+        matrices=tuple(solved.named(name) for name in MATRICES),
+        as_found=any(step.name == "G" and step.result == whole for step in steps),
+        through=bool(answer.space.D[0, 0]),
+        hidden=len(answer.state) - order,
+        cancelled=() if answer.is_physical or len(beside) == 1 else (collected(beside, solved.style),),
+        final=_final(answer),
+        at=at,
+        numbers=(),
+    )
 
 
 def _equation(answer: Answer, left: Symbol, state: str, drive: str) -> tuple[Expr, ...]:
@@ -187,30 +205,22 @@ def _final(answer: Answer) -> tuple[tuple[Expr, ...], ...]:
 # -- in numbers ---------------------------------------------------------------------------------------
 
 
-def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], dict[str, Any]]:
+def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], AtPoint | None]:
     """What goes to the JSON, and what the words print."""
     if options.evaluate is None:
-        return {}, {"numeric": ()}
+        return {}, None
     solved = answer.plant
     if len(solved.there(answer.transfer).den) < len(answer.transfer.den):
         raise NotDerivable("the highest coefficient is zero at these values: there are fewer states")
     names = {**solved.problem.names, **solved.point}
     numeric = {name: normal_matrix(readable_form(answer, name), names) for name in MATRICES}
     values: dict[str, Any] = {name: [mixed(row) for row in matrix.rows] for name, matrix in numeric.items()}
-    told: dict[str, Any] = {
-        "numeric": tuple(
-            (solved.named(name), readable_matrix(numeric[name], solved.style)) for name in MATRICES
-        ),
-        "point": point_chains(options.evaluate, solved.problem.where),
-        "poles": (),
-        "verdict": "",
-    }
+    shown = tuple((solved.named(name), readable_matrix(numeric[name], solved.style)) for name in MATRICES)
+    told = AtPoint(shown=shown, point=point_chains(options.evaluate, solved.problem.where))
     characteristic = characteristic_of(numeric["A"])
     if names_in(characteristic):
         return values, told
     poles = roots(characteristic)
-    return {**values, "poles": [as_json(pole) for pole in poles]}, {
-        **told,
-        "poles": tuple(map(root_tree, poles)),
-        "verdict": verdict(characteristic),
-    }
+    return {**values, "poles": [as_json(pole) for pole in poles]}, replace(
+        told, poles=tuple(map(root_tree, poles)), verdict=verdict(characteristic)
+    )

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from typing import Any
 
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import scalar_number
@@ -16,7 +15,7 @@ from derive.control.rational import Rational
 from derive.control.response import BAND, HIGH, StepResponse, step_response
 from derive.control.roots import roots
 from derive.control.system import System
-from derive.derivation import Claim, Derivation, Plot, Result, Step
+from derive.derivation import Claim, Derivation, PageFacts, Plot, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Number, Quotient, Symbol, number
 from derive.kinds.checks import SECOND_ROUTE, law, links
@@ -71,6 +70,24 @@ class Answer:
     final: Expr | None
 
 
+class Facts(PageFacts):
+    start: tuple[Expr, Expr]
+    origin: tuple[Expr, Expr]
+    step: Expr  # its transform
+    closed: bool
+    input: Symbol
+    point: tuple[tuple[Expr, ...], ...]
+    poles: tuple[Expr, ...]
+    verdict: str
+    hidden: bool
+    slope: Expr | None
+    zero: bool  # the steady state
+    rise_time: Expr | None
+    settling_time: Expr | None
+    overshoot: Expr | None
+    peak_time: Expr | None
+
+
 def derive(system: System, options: Options, problem: Problem) -> Derivation:
     """y(t) for a unit step, by the exact solution of the state equations.
 
@@ -95,7 +112,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
         {each: getattr(response, each) for each in RESULTS},
         (base,),
         (_plot(solved.system, response),),
-        _facts(answer, options, name),
+        _facts(answer, options),
     )
 
 
@@ -168,30 +185,26 @@ def _plot(system: System, response: StepResponse) -> Plot:
     return Plot("step", "time [s]", label, {"response": (response.times, response.values)}, marks)
 
 
-def _facts(answer: Answer, options: Options, name: Symbol) -> dict[str, Any]:
+def _facts(answer: Answer, options: Options) -> Facts:
     response = answer.response
-    shown = roots(answer.numeric.den)
-    return {
-        "numbers": (),
-        "start": (Symbol("t"), number(0)),
-        "origin": (S, number(0)),
-        "step": Quotient(number(1), S),
-        "closed": options.controller is not None,
-        "name": name,
-        "input": answer.plant.system.input,
-        "output": answer.plant.system.output,
-        "motor": answer.plant.system.motor,
-        "point": point_chains(options.evaluate, answer.plant.problem.where),
-        "poles": tuple(map(root_tree, shown)),
-        "verdict": verdict(answer.numeric.den),
-        "hidden": answer.verdict == "unstable" and verdict(answer.numeric.den) != "unstable",
-        "slope": _slope(answer),
-        "steady_state": None if answer.final is None else answer.final,
-        "zero": response.steady_state == 0,
-        **{each: _shown(getattr(response, each)) for each in ("rise_time", "settling_time", "overshoot")},
-        "peak_time": _shown(response.peak_time),
-        "error": None if response.steady_state is None else rounded(1 - response.steady_state),
-    }
+    return Facts(
+        start=(Symbol("t"), number(0)),
+        origin=(S, number(0)),
+        step=Quotient(number(1), S),
+        closed=options.controller is not None,
+        input=answer.plant.system.input,
+        point=point_chains(options.evaluate, answer.plant.problem.where),
+        poles=tuple(map(root_tree, roots(answer.numeric.den))),
+        verdict=verdict(answer.numeric.den),
+        hidden=answer.verdict == "unstable" and verdict(answer.numeric.den) != "unstable",
+        slope=_slope(answer),
+        zero=response.steady_state == 0,
+        rise_time=_shown(response.rise_time),
+        settling_time=_shown(response.settling_time),
+        overshoot=_shown(response.overshoot),
+        peak_time=_shown(response.peak_time),
+        numbers=(),
+    )
 
 
 def _shown(value: float | None) -> Expr | None:

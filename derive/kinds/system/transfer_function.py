@@ -3,23 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 from pydantic import Field
 
 from derive.algebra.readable.operation_count import operations
 from derive.control.elimination import Elimination, without
-from derive.control.rational import written
 from derive.control.roots import roots
 from derive.control.system import System
-from derive.derivation import Claim, Derivation, Step
-from derive.expression import ZERO, Expr, Quotient, free_symbols, walk
+from derive.derivation import Claim, Derivation, PageFacts, Record, Step
+from derive.expression import ZERO, Expr, Quotient, Symbol, free_symbols, walk
 from derive.kinds.checks import law, links
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import Name, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._oracle import agrees
 from derive.kinds.system._plant import (
+    AtPoint,
     Plant,
     delay_claims,
     delay_steps,
@@ -50,6 +51,28 @@ class Options(OptionsModel):
     evaluate: Evaluation = None
 
 
+class Eliminated(Record):
+    signal: Symbol
+    equation: tuple[Expr, Expr]
+    put: tuple[Symbol, ...]
+    explicit: bool
+
+
+class Facts(PageFacts):
+    motor: tuple[str, ...]
+    equations: tuple[str, ...]  # steps
+    eliminations: tuple[str, ...]  # steps
+    input: Symbol
+    output: Symbol
+    disturbed: bool  # it is not the usual input
+    order: int
+    proper: bool
+    vanishes: bool
+    integrates: bool
+    cancelled: int
+    at: AtPoint | None
+
+
 def derive(system: System, options: Options, problem: Problem) -> Derivation:
     """Output over input with all other inputs zero (Dorf and Bishop, Modern Control Systems, section 2.5)."""
     solved = plant(problem, options.source, options.evaluate)
@@ -59,7 +82,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     result = _result(solved)
     claims = (*links(steps, {**problem.names, **definitions}), *_claims(solved))
     evaluated, numbers = _evaluated(solved, options)
-    facts = {**_facts(solved), **numbers, "numbers": ()}
+    facts = _facts(solved, numbers)
     return Derivation("transfer-function", steps, {"G": result}, claims, definitions, evaluated, facts=facts)
 
 
@@ -69,7 +92,7 @@ def _steps(solved: Plant) -> Iterator[Step]:
     for place, equation in enumerate(system.equations, 1):
         yield Step(f"equation_{place}", (equation.left, equation.right), "given")
     for signal in solution.zero:
-        yield Step("zero", (signal, ZERO), "superposition", {"signal": signal})
+        yield Step("zero", (signal, ZERO), "superposition")
     for step in solution.steps:
         yield _elimination(step, solved, step.signal.name)
     yield _elimination(solution.relation, solved, "relation")
@@ -79,13 +102,12 @@ def _steps(solved: Plant) -> Iterator[Step]:
 def _elimination(step: Elimination, solved: Plant, name: str) -> Step:
     equation = solved.system.equations[step.equation]
     zero = solved.solution.zero
-    facts = {
-        "signal": step.signal,
-        "equation": (without(equation.left, zero), without(equation.right, zero)),
-        "put": step.put,
-        "explicit": step.explicit,
-        "number": step.equation + 1,
-    }
+    facts = Eliminated(
+        signal=step.signal,
+        equation=(without(equation.left, zero), without(equation.right, zero)),
+        put=step.put,
+        explicit=step.explicit,
+    )
     return Step(f"{name}_eliminated" if name != "relation" else name, step.chain, "elimination", facts)
 
 
@@ -124,22 +146,23 @@ def _result(solved: Plant) -> Expr:
     return unexpanded if operations(unexpanded) <= operations(collected) else collected
 
 
-def _facts(solved: Plant) -> dict[str, Any]:
+def _facts(solved: Plant, at: AtPoint | None) -> Facts:
     system, rational = solved.system, solved.rational
-    return {
-        "equations": tuple(f"equation_{place}" for place in range(1, len(system.equations) + 1)),
-        "eliminations": tuple(f"{step.signal.name}_eliminated" for step in solved.solution.steps),
-        "motor": system.motor,
-        "input": solved.solution.source,
-        "output": system.output,
-        "disturbed": solved.solution.source != system.input,
-        "order": len(rational.den) - 1,
-        "proper": rational.proper,
-        "vanishes": not rational.num,
-        "integrates": bool(rational.num) and not rational.den[-1] and bool(rational.num[-1]),
-        "cancelled": rational.cancelled,
-        "denominator": written(rational.reduced().den, solved.style),
-    }
+    return Facts(
+        motor=system.motor,
+        equations=tuple(f"equation_{place}" for place in range(1, len(system.equations) + 1)),
+        eliminations=tuple(f"{step.signal.name}_eliminated" for step in solved.solution.steps),
+        input=solved.solution.source,
+        output=system.output,
+        disturbed=solved.solution.source != system.input,
+        order=len(rational.den) - 1,
+        proper=rational.proper,
+        vanishes=not rational.num,
+        integrates=bool(rational.num) and not rational.den[-1] and bool(rational.num[-1]),
+        cancelled=rational.cancelled,
+        at=at,
+        numbers=(),
+    )
 
 
 def _claims(solved: Plant) -> Iterator[Claim]:
@@ -156,24 +179,20 @@ def _multiplies(solved: Plant) -> bool:
     return reduced.value == solved.rational.value
 
 
-def _evaluated(solved: Plant, options: Options) -> tuple[dict[str, Any], dict[str, Any]]:
+def _evaluated(solved: Plant, options: Options) -> tuple[dict[str, Any], AtPoint | None]:
     """What goes to the JSON, and what the words print."""
     if options.evaluate is None:
-        return {}, {"numeric": None}
+        return {}, None
     numeric = solved.there(solved.rational.reduced())
-    told: dict[str, Any] = {
-        "numeric": (solved.named("G"), numeric.expr(solved.style)),
-        "point": point_chains(options.evaluate, solved.problem.where),
-        "poles": (),
-        "verdict": "",
-    }
+    shown = ((solved.named("G"), numeric.expr(solved.style)),)
+    told = AtPoint(shown=shown, point=point_chains(options.evaluate, solved.problem.where))
     if numeric.symbols():
         return {"G": transfer_json(numeric)}, told
     poles, zeros = roots(numeric.den), roots(numeric.num) if numeric.num else ()
     values = {"G": transfer_json(numeric), "poles": poles_json(numeric), "zeros": zeros_json(numeric)}
-    return values, {
-        **told,
-        "poles": tuple(map(root_tree, poles)),
-        "zeros": tuple(map(root_tree, zeros)),
-        "verdict": verdict(numeric.den),
-    }
+    return values, replace(
+        told,
+        poles=tuple(map(root_tree, poles)),
+        zeros=tuple(map(root_tree, zeros)),
+        verdict=verdict(numeric.den),
+    )
