@@ -65,10 +65,12 @@ class Asked:
 
     @cached_property
     def variables(self) -> tuple[str, ...]:
+        """The coordinates of the subject, such as joint variables; none where it has none."""
         return tuple(getattr(self.given.subject, "variables", ()))
 
     @cached_property
     def letters(self) -> Letters:
+        """The names that its answer may use."""
         rates = {name + rate for name in self.variables for rate in RATES}
         working = {name.name for name in self.definitions if isinstance(name, Symbol)}
         declared = set(self.given.where) | self.given.assumptions.keys()
@@ -81,6 +83,7 @@ class Asked:
 
     @cached_property
     def terms(self) -> Terms:
+        """On what terms a result is compared: what names stand for, and at which points to look."""
         known = {"positive", "nonnegative"}
         positive = frozenset(name for name, what in self.given.assumptions.items() if what in known)
         signed = frozenset(self.variables) | {name + rate for name in self.variables for rate in RATES}

@@ -94,6 +94,7 @@ class Sets:
 
     @cached_property
     def ours(self) -> tuple[Names, ...]:
+        """What the unknowns of each derived solution stand for in it."""
         return tuple(map(_definitions, self.derived))
 
     def _proved(self, k: int, j: int) -> bool:

@@ -34,6 +34,7 @@ def same(theirs: Matrix, ours: Matrix, terms: Terms) -> bool:
 
 
 def transposed(matrix: Expr) -> Matrix:
+    """The transpose of a matrix."""
     assert isinstance(matrix, Matrix)
     return Matrix(tuple(zip(*matrix.rows, strict=True)))
 

@@ -102,6 +102,7 @@ class Sampling:
 
     @property
     def rounded(self) -> bool:
+        """Whether the points themselves are rounded, so that equal formulas may differ a little there."""
         return bool(self.given)
 
     def usual(self, names: Iterable[str], count: int) -> Iterator[Point]:

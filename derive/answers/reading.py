@@ -53,6 +53,7 @@ class Reader:
         return self.grid([[self.scalar(entry, (*route, k))] for k, entry in enumerate(typed)])
 
     def rows(self, typed: list[Any], route: Route) -> Published | None:
+        """A matrix from a list of rows. None where it cannot be read."""
         for k, row in enumerate(typed):
             if not isinstance(row, list) or len(row) != len(typed[0]) or not row:
                 self.fault("the rows of this matrix are not equally long", (*route, k))
@@ -93,6 +94,7 @@ class Reader:
             return None
 
     def fault(self, message: str, route: Route, hint: str = "", offset: int = 0) -> None:
+        """Adds a fault of the text there, unless the same is known."""
         fault = SheetError(message, self.locate(route, offset), hint)
         if not any((fault.message, fault.place) == (other.message, other.place) for other in self.faults):
             self.faults.append(fault)  # both signs of a plus-minus have the faults of their text

@@ -62,6 +62,7 @@ class Around(Walk):
         return found
 
     def absolute(self, of: Scalar) -> Scalar:
+        """The absolute value around the point. Raises NotDerivable for what is as good as zero there."""
         return of * self.sign(of)
 
     def root(self, of: Scalar) -> Scalar:

@@ -30,9 +30,11 @@ class Terms:
 
     @property
     def names(self) -> tuple[Names, Names]:
+        """What names stand for in the published scalar, and in the derived one."""
         return self.published, self.derived
 
     def points(self, left: Expr, right: Expr, odd: bool = False) -> Iterator[Point]:
+        """Points for what two scalars depend on; at `odd` ones all that may be negative is."""
         names = unknowns(left, self.published) | unknowns(right, self.derived)
         signed = turning((left,), self.published) | turning((right,), self.derived)
         sampling = replace(self.sampling, signed=self.sampling.signed | signed)

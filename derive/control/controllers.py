@@ -23,6 +23,7 @@ class Controller:
 
     @property
     def names(self) -> tuple[str, ...]:
+        """The usual names of its gains: K_p, K_i, K_d."""
         return tuple(GAINS[letter] for letter in self.family)
 
     @property
@@ -32,6 +33,7 @@ class Controller:
 
     @property
     def sum(self) -> Expr:
+        """C(s) = K_p + K_i/s + K_d s, as far as the family has them."""
         return add(*self.terms)
 
     def ratio(self, decimals: bool = False) -> Ratio:
@@ -40,10 +42,12 @@ class Controller:
 
     @property
     def integrates(self) -> bool:
+        """Whether it has a term K_i/s."""
         return "I" in self.family
 
     @property
     def differentiates(self) -> bool:
+        """Whether it has a term K_d s."""
         return "D" in self.family
 
 

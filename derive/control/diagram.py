@@ -62,6 +62,7 @@ class Diagram:
 
     @property
     def disturbances(self) -> tuple[str, ...]:
+        """The names of the sources that do not step."""
         return tuple(b.name for b in self.blocks if b.shape == "source" and b.name != self.input)
 
     @property
@@ -92,14 +93,17 @@ class Diagram:
 
 
 def source(name: str) -> Block:
+    """A block without an input."""
     return Block(name, "source")
 
 
 def summing(name: str, signs: Sequence[int]) -> Block:
+    """A sum with a sign, 1 or -1, for each of its inputs."""
     return Block(name, "sum", signs=tuple(signs))
 
 
 def integrator(name: str) -> Block:
+    """The block 1/s."""
     return Block(name, "integrator", (ONE,), (ONE, ZERO))
 
 

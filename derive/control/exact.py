@@ -35,6 +35,7 @@ def stripped(values: Sequence[Any]) -> Coefficients:
 
 
 def monic(values: Sequence[Any]) -> Coefficients:
+    """Divided by the first coefficient."""
     return tuple(k / values[0] for k in values)
 
 
@@ -69,6 +70,7 @@ def common(left: Sequence[Any], right: Sequence[Any]) -> Coefficients:
 
 
 def derivative(values: Sequence[Any]) -> Coefficients:
+    """The derivative."""
     degree = len(values) - 1
     return tuple(k * (degree - place) for place, k in enumerate(values[:-1]))
 

@@ -29,6 +29,7 @@ class Condition:
     right: Expr
 
     def holds(self, left: float, right: float) -> bool:
+        """Whether it is true of these values of both sides."""
         return left > right if self.sign == ">" else left < right
 
 

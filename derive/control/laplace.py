@@ -63,6 +63,7 @@ class Numeric:
 
     @staticmethod
     def of(system: System, source: Symbol, point: Mapping[str, float]) -> Numeric:
+        """The equations at a point, driven by one of the inputs."""
         found = signals(system)
         columns = (*unknowns(system, found), source)
         entries = tuple(
@@ -143,4 +144,5 @@ def _horner(coefficients: Sequence[float], s: complex) -> complex:
 
 
 def is_close(left: complex, right: complex, tolerance: float = 1e-8) -> bool:
+    """Whether two numbers agree to a relative tolerance."""
     return cmath.isclose(left, right, rel_tol=tolerance, abs_tol=tolerance**2)

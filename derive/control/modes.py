@@ -31,12 +31,15 @@ class Mode:
 
     @cached_property
     def coefficients(self) -> list[acb]:
+        """Of the polynomial in t, the constant term first."""
         return [*self.factor.coeffs()]
 
     def at(self, time: arb) -> acb:
+        """The complex value at a time [s]."""
         return self.factor(acb(time)) * (self.pole * time).exp()
 
     def slope(self) -> Mode:
+        """The derivative by time, a mode of the same pole."""
         return Mode(self.pole, self.factor * self.pole + self.factor.derivative())
 
     def transform(self, s: acb) -> acb:
@@ -89,9 +92,11 @@ class Curve:
 
     @cached_property
     def slope(self) -> Curve:
+        """The derivative by time."""
         return self._of(mode.slope() for mode in self.modes)
 
     def scaled(self, by: arb) -> Curve:
+        """The curve times a number."""
         return self._of(Mode(mode.pole, mode.factor * by) for mode in self.modes)
 
     def without_constant(self) -> Curve:
@@ -102,6 +107,7 @@ class Curve:
         return Curve(tuple(modes), self.order, self.bits)
 
     def at(self, time: arb) -> arb:
+        """The value at a time [s]."""
         return sum((mode.at(time).real for mode in self.modes), arb(0))
 
     def transform(self, s: acb) -> acb:

@@ -59,14 +59,12 @@ class Rational:
 
     @property
     def proper(self) -> bool:
+        """Whether the degree of the numerator is not above that of the denominator."""
         return len(self.num) <= len(self.den)
 
     @property
-    def strictly_proper(self) -> bool:
-        return len(self.num) < len(self.den)
-
-    @property
     def value(self) -> Scalar:
+        """The quotient as one scalar, common factors cancelled."""
         return scalar(self.num) / scalar(self.den)
 
     def reduced(self) -> Rational:
@@ -175,10 +173,12 @@ def scalar(coefficients: Sequence[Scalar]) -> Scalar:
 
 
 def times(left: Polynomial, right: Polynomial) -> Polynomial:
+    """The product."""
     return polynomial(scalar(left) * scalar(right))
 
 
 def plus(left: Polynomial, right: Polynomial) -> Polynomial:
+    """The sum."""
     return polynomial(scalar(left) + scalar(right))
 
 

@@ -84,6 +84,7 @@ class Ratio:
         return Ratio(1 / self.scale, self.bottom, self.top)
 
     def raised(self, power: int) -> Ratio:
+        """A whole power. Raises ZeroDivisionError for a negative one of zero."""
         base = self if power >= 0 else self.inverse()
         return reduce(Ratio.__mul__, [base] * abs(power), Ratio())
 

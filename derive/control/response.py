@@ -42,6 +42,7 @@ class StepResponse:
 
     @property
     def rise_time(self) -> float | None:
+        """From 10 to 90 % of the steady state [s]; None where it has none."""
         return None if self.rises is None else self.rises[1] - self.rises[0]
 
     def at(self, time: float) -> float:

@@ -45,6 +45,7 @@ class StateSpace:
 
     @property
     def names(self) -> tuple[str, ...]:
+        """The names of the states: theta, theta_dot."""
         return tuple(signal + ORDERS[order] for signal, order in self.states)
 
 

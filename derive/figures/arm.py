@@ -55,6 +55,7 @@ class Posed:
 
     @property
     def places(self) -> list[Vector]:
+        """The ends of all pieces of links, in order; where there is none, that of the end-effector."""
         return [p for part in self.parts for p in (part.start, part.end)] or [place_of(self.end)]
 
 
@@ -64,6 +65,10 @@ class Posed:
 def in_pose(
     robot: Robot, point: Mapping[str, float], usual: float, where: Mapping[str, Expr]
 ) -> tuple[View, Posed]:
+    """How an arm is looked at, and the arm in a pose that shows it: in a plane with its joints bent, in space
+    the clearest of some random poses, of screws with all joints at zero. `point` gives the symbols values,
+    `usual` is the size of a length (m)."""
+
     def at(angles: Sequence[float], slides: Sequence[float]) -> Posed:
         values = dict(point)
         for k, link in enumerate(each for each in robot.links if each.variable):
@@ -170,10 +175,12 @@ def _between(joints: Sequence[Joint], T: Any) -> Iterator[Part]:
 
 
 def place_of(T: Any) -> Vector:
+    """The origin of a pose (4 by 4)."""
     return float(T[0, 3]), float(T[1, 3]), float(T[2, 3])
 
 
 def length_between(a: Vector, b: Vector) -> float:
+    """How far two places are apart."""
     return dist(a, b)
 
 

@@ -37,6 +37,7 @@ class Layout:
     size: dict[str, float] = field(default_factory=dict)  # half the width of each block
 
     def drawing(self) -> Drawing:
+        """The diagram drawn, blocks upon wires."""
         for block in self.diagram.blocks:
             self.size[block.name] = _half(block)
         self._place_path()

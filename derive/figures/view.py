@@ -23,6 +23,7 @@ class View:
     flat: bool = False
 
     def place(self, point: Sequence[float]) -> Place:
+        """Where a point of space is seen on paper."""
         return dot(self.right, point), dot(self.up, point)
 
     def depth(self, point: Sequence[float]) -> float:
@@ -54,10 +55,12 @@ def onto_plane(normal: Vector) -> View | None:
 
 
 def dot(a: Sequence[float], b: Sequence[float]) -> float:
+    """The scalar product."""
     return sum(x * y for x, y in zip(a, b, strict=True))
 
 
 def cross(a: Sequence[float], b: Sequence[float]) -> Vector:
+    """The vector product."""
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
@@ -68,6 +71,7 @@ def along(point: Sequence[float], *steps: tuple[float, Sequence[float]]) -> Vect
 
 
 def unit(vector: Sequence[float]) -> Vector:
+    """The vector of length 1 in the same direction. Raises ZeroDivisionError for zero."""
     size = dot(vector, vector) ** 0.5
     return vector[0] / size, vector[1] / size, vector[2] / size
 
@@ -99,4 +103,5 @@ def _turn(a: Place, b: Place, c: Place) -> float:
 
 
 def length(place: Place) -> float:
+    """How far a place is from the origin of the paper."""
     return hypot(*place)

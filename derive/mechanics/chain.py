@@ -66,6 +66,7 @@ class Chain:
 
     @property
     def variables(self) -> tuple[str, ...]:
+        """The joint variables, in the order of the rows."""
         return tuple(joint.variable for joint in self.joints if joint)
 
     @property
@@ -82,6 +83,7 @@ class Chain:
         return self._line(i).point
 
     def joint(self, i: int) -> Joint:
+        """The joint of row i, counted from 1. Raises ValueError for a fixed row."""
         return _existing(self.joints[i - 1], i)
 
     def _line(self, i: int) -> Line:

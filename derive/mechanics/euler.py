@@ -59,9 +59,11 @@ class Entry:
 
     @property
     def name(self) -> Symbol:
+        """How it is written: r_13."""
         return Symbol(f"r_{self.row + 1}{self.col + 1}")
 
     def signed(self, sign: Sign = 1) -> Expr:
+        """The entry with its own sign times another."""
         return self.name if sign * self.sign > 0 else negate(self.name)
 
 
@@ -130,10 +132,12 @@ class Euler:
 
     @cached_property
     def first(self) -> Direction:
+        """The entries that hold the angle of the first factor of the product."""
         return self._direction(0)
 
     @cached_property
     def last(self) -> Direction:
+        """The entries that hold the angle of the last factor."""
         return self._direction(2)
 
     @property

@@ -52,10 +52,12 @@ class LagrangianSystem:
 
     @property
     def rates(self) -> tuple[str, ...]:
+        """Their rates, `x_dot` of x."""
         return tuple(f"{name}_dot" for name in self.coordinates)
 
     @property
     def accelerations(self) -> tuple[str, ...]:
+        """Their accelerations, `x_ddot` of x."""
         return tuple(f"{name}_ddot" for name in self.coordinates)
 
 

@@ -33,6 +33,7 @@ class Normal:
 
 
 def dot(u: ScalarMatrix, v: ScalarMatrix) -> Scalar:
+    """The scalar product of two columns."""
     return (u.T @ v)[0, 0]
 
 

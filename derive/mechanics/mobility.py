@@ -56,6 +56,7 @@ class Mechanism:
 
     @property
     def pairs(self) -> int:
+        """The kinematic pairs of all joints."""
         return sum(each.pairs for each in self.joints)
 
     @property

@@ -56,6 +56,7 @@ def homogeneous(R: ScalarMatrix, p: Iterable[Like]) -> ScalarMatrix:
 
 
 def rotation_part(T: ScalarMatrix) -> ScalarMatrix:
+    """R (3 by 3) of T (4 by 4)."""
     return T.block(slice(0, 3), slice(0, 3))
 
 

@@ -114,6 +114,7 @@ def named_axis(axis: ScalarMatrix, read: Read) -> Axis:
 
 
 def written(matrix: ScalarMatrix, read: Read) -> Matrix:
+    """A matrix of scalars as a tree, each entry by `read`."""
     return Matrix(tuple(tuple(map(read, row)) for row in matrix.rows))
 
 

@@ -19,6 +19,7 @@ class Counting(Composer):
         self.nodes = 0
 
     def compose_node(self, parent: Any, index: Any) -> Any:
+        """The node, counted. Raises ComposerError where there are too many."""
         self.nodes += 1
         if self.nodes > 2 * MAX_VALUES:
             raise ComposerError(None, None, TOO_MANY, self.parser.peek_event().start_mark)

@@ -31,11 +31,20 @@ TWO_ARGUMENTS = "atan2 takes two arguments"
 class Grammar(Protocol):
     """What the arguments of a function are read by."""
 
-    def sum(self) -> Quantity: ...
-    def factor(self) -> Quantity: ...
-    def atom(self) -> Quantity: ...
-    def argument_group(self) -> Quantity: ...
-    def starts(self) -> bool: ...
+    def sum(self) -> Quantity:
+        """Terms with their signs."""
+
+    def factor(self) -> Quantity:
+        """A group, a name or a number with its powers."""
+
+    def atom(self) -> Quantity:
+        """The same without powers."""
+
+    def argument_group(self) -> Quantity:
+        """What stands in braces, or one digit or letter without them."""
+
+    def starts(self) -> bool:
+        """Whether a factor begins here."""
 
 
 @dataclass(frozen=True, slots=True)

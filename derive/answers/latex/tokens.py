@@ -21,7 +21,8 @@ _BLANK = re.compile(
 _GAP = re.compile(r"\\(?:quad|qquad)(?![A-Za-z])")
 _COMMENT = re.compile(r"%[^\n]*")
 _MATHEMATICS = re.compile(r"[\\&=+^_{}]|%")
-_ROW = re.compile(r"\\\\\*?(?:\s*\[[^\]]*\])?|\\(?:cr|newline)(?![A-Za-z])")
+_LENGTH = r"\[\s*(?:-?[\d.]+\s*[a-z]{2}|\\[a-z]+skip)\s*\]"  # any other bracket begins an entry
+_ROW = re.compile(rf"\\\\\*?(?:\s*{_LENGTH})?|\\(?:cr|newline)(?![A-Za-z])")
 _NUMBER = re.compile(r"\d+(?:\.\d+)?|\.\d+", re.ASCII)
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9]*", re.ASCII)
 _COMMAND = re.compile(r"\\([A-Za-z]+|[{}|])")

@@ -192,10 +192,12 @@ def whole_matrix(given: Carried) -> tuple[tuple[Expr, Expr, Expr], ...]:
 
 
 def motor(given: Carried) -> Motor | None:
+    """The motor of a link's joint, None where none is given."""
     return Motor(given.motor.inertia, given.motor.ratio) if given.motor else None
 
 
 def friction(given: Carried) -> Friction | None:
+    """The friction in a link's joint, None where none is given."""
     return Friction(given.friction.viscous, given.friction.coulomb) if given.friction else None
 
 

@@ -90,6 +90,7 @@ def screw_row(given: Turn | Slide, by: Expr) -> ScrewRow:
 
 
 def joint_type(given: Turn | Slide) -> JointType:
+    """A slide is prismatic; a turn is revolute, with a pitch helical."""
     if isinstance(given, Slide):
         return "prismatic"
     return "helical" if rational(given.pitch) != 0 else "revolute"
