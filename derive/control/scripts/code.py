@@ -16,6 +16,7 @@ class Language(Infix):
     reserved: frozenset[str] = frozenset()
 
     def name(self, name: str) -> str:
+        """A name of the sheet as a variable of the program."""
         return Infix.name(self, f"{name}_" if name in self.reserved else name)
 
     def number(self, number: Number) -> tuple[str, int]:
@@ -25,6 +26,7 @@ class Language(Infix):
         return repr(float(number.value)), ATOM if number.value >= 0 else SUM
 
     def sum(self, terms: tuple[Expr, ...]) -> str:
+        """Blanks around its signs."""
         first, *rest = terms
         parts = [self.held(first, PRODUCT if isinstance(first, Sum) else SUM)]
         for term in rest:
@@ -39,6 +41,7 @@ class Language(Infix):
         return signed, SUM if is_negative(factors[0]) else PRODUCT
 
     def rarer(self, expr: Expr) -> str:
+        """Raises ValueError: what has no place in a program."""
         raise ValueError(f"{text(expr)} in a program")
 
 
