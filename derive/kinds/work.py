@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
 from derive.algebra.infix import text
@@ -229,10 +230,12 @@ class Work:
         points: int = 3,
         **about: Said,
     ) -> Work:
-        """The same numbers by a route that shares nothing with the lines of this board; `ours` is a value in
-        the symbols of the sheet, or how its numbers are had."""
-        mine = ours if callable(ours) else lambda at: numbers(ours, completed(at, self.problem.where))
-        return self.claim(agreement(claim, symbols, mine, other, tolerance, points, **about))
+        """The same numbers by a route that shares nothing with the lines of this board, at points with the
+        values of `where` added; `ours` is a value in the symbols of the sheet, or how its numbers are had."""
+        where = self.problem.where
+        route: Callable[[Point], Any] = ours if callable(ours) else partial(numbers, ours)
+        mine, another = (lambda at, of=each: of(completed(at, where)) for each in (route, other))
+        return self.claim(agreement(claim, symbols, mine, another, tolerance, points, **about))
 
     def claim(self, *claims: Claim) -> Work:
         return replace(self, claims=(*self.claims, *claims))

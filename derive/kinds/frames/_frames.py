@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers.floats import Point, number
@@ -18,8 +19,9 @@ from derive.expression import (
     multiply,
 )
 from derive.kinds.problem import Problem
+from derive.kinds.work import Work
 from derive.mechanics.elementary import factor_name, homogeneous
-from derive.mechanics.frame_tree import local
+from derive.mechanics.frame_tree import Way, local
 from derive.mechanics.frames import ByMatrix, Frame, Observed
 from derive.mechanics.motion import Motion
 from derive.mechanics.poses import pose
@@ -73,11 +75,17 @@ def local_steps(frame: Frame, problem: Problem) -> tuple[Step, ...]:
     return (Step(name.name, (name, local_matrix(frame, problem)), "given"),)
 
 
+def with_local(work: Work, frame: Frame) -> Work:
+    """A board with these steps, and with what their names stand for."""
+    known = work.knowing(local_definitions(frame, work.problem))
+    return replace(known, steps=(*work.steps, *local_steps(frame, work.problem)))
+
+
 def local_matrix(frame: Frame, problem: Problem) -> Matrix:
     """T (4 by 4) of a frame in its parent, as its author wrote it where it was written out."""
     source = frame.source
     if isinstance(source, Observed):
-        return homogeneous(Matrix(tuple(zip(source.x, source.y, source.z, strict=True))), source.origin)
+        return homogeneous(Matrix((source.x, source.y, source.z)).T, source.origin)
     if isinstance(source, ByMatrix):
         return source.matrix if source.matrix.shape == (4, 4) else homogeneous(source.matrix)
     return problem.readable_matrix(local(frame))
@@ -145,6 +153,13 @@ def numeric_pose(path: tuple[Frame, ...], point: Point) -> NDArray[Any]:
     for frame in path:
         T = T @ numeric_local(frame, point)
     return T
+
+
+def numeric_way(path: Way, point: Point) -> NDArray[Any]:
+    """One frame in another over the frame both stand in (4 by 4)."""
+    import numpy as np
+
+    return np.linalg.solve(numeric_pose(path.down, point), numeric_pose(path.up, point))
 
 
 def _factor(move: Any) -> Indexed:

@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 from pydantic import Field, model_validator
 
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numbers.floats import numbers
-from derive.derivation import Claim, Derivation, PageFacts, Step
+from derive.algebra.numbers.floats import Point, numbers
+from derive.derivation import Derivation, PageFacts
 from derive.expression import Expr, Indexed, Matrix, Product, Sum, Symbol, column
-from derive.kinds.checks import agreement, is_rotation, links
+from derive.kinds.checks import is_rotation
 from derive.kinds.fields import OptionsModel, Quantity
-from derive.kinds.frames._frames import is_given, numeric_pose, origin_name, pose_name, rotation_name
-from derive.kinds.frames._twist_step import moved, twist_step
+from derive.kinds.frames._frames import is_given, numeric_way, origin_name, pose_name, rotation_name
+from derive.kinds.frames._twist_step import moved, twist_lines
 from derive.kinds.problem import Problem
-from derive.kinds.values_at import completed
-from derive.mechanics.frame_tree import relative, require_closed, way
+from derive.kinds.work import Work
+from derive.mechanics.frame_tree import Way, relative, require_closed, way
 from derive.mechanics.frames import Frames
 from derive.mechanics.poses import position_part, rotation_part
 
@@ -72,74 +73,49 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     given: tuple[Expr, ...] = options.vector or options.point or options.twist or ()
     # The vector counts as given too, where it is asked how numbers are to be written.
     wide = replace(problem, subject=(frames, given))
-    T = relative(frames, source, options.target)
-    R, o = wide.readable_matrix(rotation_part(T)), wide.readable_matrix(position_part(T))
-    if options.twist:
-        steps, definitions = twist_step(options.twist, source, options.target, R, o, wide)
-    else:
-        only, definitions = _step(options, source, R, o, column(given), wide)
-        steps = (only,)
-    step = steps[-1]
-    exact = step.chain[-1]
-    claims = (
-        *links(steps, {**problem.names, **definitions}),
-        *is_rotation(normal_matrix(R, problem.names), f"R_{source}^{options.target}"),
-        _second_route(frames, options, source, exact, wide),
-    )
-    path = way(frames, source, options.target)
-    direct = len(path.up) == 1 and not path.down and is_given(path.up[0])
-    uses = () if direct else (problem.ask("transform", source=source, target=options.target),)
+    T, path = relative(frames, source, options.target), way(frames, source, options.target)
+    R, o = rotation_name(source, options.target), origin_name(source, options.target)
+    known: dict[Expr, Expr] = {
+        R: wide.readable_matrix(rotation_part(T)),
+        o: wide.readable_matrix(position_part(T)),
+    }
+    work, name = _board(Work(wide, known), options, source, column(given), R, o)
+    work = work.claim(*is_rotation(normal_matrix(known[R], problem.names), R.name))
+    work = work.agrees("in-numbers", wide.symbols, work.final(name), partial(_moved, path, options))
+    if not (len(path.up) == 1 and not path.down and is_given(path.up[0])):
+        work = replace(work, uses=(problem.ask("transform", source=source, target=options.target),))
     facts = Facts(
         free=options.vector is not None,
         twist=options.twist is not None,
-        name=step.name,
+        name=name.name,
         pose=pose_name(source, options.target),
-        rotation=rotation_name(source, options.target),
-        origin=origin_name(source, options.target),
-        skew=Indexed("S", (origin_name(source, options.target),)),
+        rotation=R,
+        origin=o,
+        skew=Indexed("S", (o,)),
     )
-    return Derivation(
-        "change-of-frame", steps, {step.name: exact}, claims, definitions, uses=uses, facts=facts
-    )
+    return work.answer("change-of-frame", {name.name: work.final(name)}, facts)
 
 
-def _step(
-    options: Options, source: int, R: Matrix, o: Matrix, given: Matrix, problem: Problem
-) -> tuple[Step, dict[Expr, Expr]]:
-    """The vector rotated, or the point rotated and shifted."""
-    letter = "v" if options.vector is not None else "p"
+def _board(
+    work: Work, options: Options, source: int, given: Matrix, R: Symbol, o: Symbol
+) -> tuple[Work, Symbol]:
+    """The vector rotated, the point rotated and shifted, or the twist moved; and its name there."""
+    letter = "V" if options.twist else "v" if options.vector else "p"
     name, before = Symbol(f"{letter}^{options.target}"), Symbol(f"{letter}^{source}")
-    R_name, o_name = rotation_name(source, options.target), origin_name(source, options.target)
-    turned, written = Product((R_name, before)), Product((R, given))
-    definitions: dict[Expr, Expr] = {R_name: R, o_name: o, before: given}
-    names, numbers_in = (turned, written) if letter == "v" else (Sum((turned, o_name)), Sum((written, o)))
-    value = problem.readable_matrix(normal_matrix(numbers_in))
-    exact = problem.final(value)
-    last = () if exact == value else (exact,)
-    definitions[name] = value
-    chain = (name, names, numbers_in, value, *last)
-    return Step(name.name, chain, "change-of-frame"), definitions
+    work = work.knowing({before: given})
+    if options.twist:
+        return twist_lines(work, name, before, R, o), name
+    named, written = Product((R, before)), Product((work[R], given))
+    formulas = (named, written) if options.vector else (Sum((named, o)), Sum((written, work[o])))
+    return work.line(name, *formulas, rule="change-of-frame").closed(name), name
 
 
-def _second_route(frames: Frames, options: Options, source: int, exact: Expr, problem: Problem) -> Claim:
-    path = way(frames, source, options.target)
-    entries = options.vector or options.point or ()
+def _moved(path: Way, options: Options, at: Point) -> object:
+    """The second route, in NumPy."""
+    import numpy as np
 
-    def other(point: dict[str, float]) -> object:
-        import numpy as np
-
-        at = completed(point, problem.where)
-        if options.twist:
-            T = np.linalg.solve(numeric_pose(path.down, at), numeric_pose(path.up, at))
-            return moved(T, options.twist, at)
-        last = 0.0 if options.vector is not None else 1.0
-        lifted = np.array([*numbers(column(entries), at), last])
-        T = np.linalg.solve(numeric_pose(path.down, at), numeric_pose(path.up, at))
-        return (T @ lifted)[:3]
-
-    return agreement(
-        "in-numbers",
-        problem.symbols,
-        lambda point: numbers(exact, completed(point, problem.where)),
-        lambda point: other(dict(point)),
-    )
+    T = numeric_way(path, at)
+    if options.twist:
+        return moved(T, options.twist, at)
+    last = 0.0 if options.vector is not None else 1.0
+    return (T @ np.array([*numbers(column(options.vector or options.point or ()), at), last]))[:3]

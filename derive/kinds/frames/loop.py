@@ -2,25 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numbers.floats import numbers
-from derive.derivation import Claim, Derivation, PageFacts, Record, Result, Step
+from derive.algebra.numbers.floats import Point
+from derive.derivation import Derivation, PageFacts, Record, Result
 from derive.errors import NotDerivable
-from derive.expression import Call, Expr, Matrix, Product, Symbol
-from derive.kinds.checks import agreement, links
-from derive.kinds.fields import OptionsModel
-from derive.kinds.frames._frames import (
-    local_definitions,
-    local_matrix,
-    numeric_local,
-    numeric_pose,
-    pose_name,
-)
+from derive.expression import Call, Expr, Product, Symbol
+from derive.kinds.fields import NoOptions as Options
+from derive.kinds.frames._frames import local_definitions, local_matrix, numeric_local, numeric_way, pose_name
 from derive.kinds.problem import Problem
-from derive.kinds.values_at import completed
+from derive.kinds.work import Work
 from derive.mechanics.frame_tree import local, mismatch, relative, way
 from derive.mechanics.frames import Frame, Frames
 from derive.mechanics.poses import inverse_pose
@@ -39,10 +31,6 @@ problems:
   - {frame: 2, in: 0, x: -x0, y: -y0, z: z0, origin: [a, b, 0]}
   find: loop
 """
-
-
-class Options(OptionsModel):
-    """Nothing to choose."""
 
 
 class LoopTold(Record):
@@ -73,16 +61,15 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     loops = [
         _Loop(frames, frame, problem, f"_{k}" if several else "") for k, frame in enumerate(frames.again, 1)
     ]
-    steps = tuple(step for loop in loops for step in loop.steps())
-    definitions = {name: tree for loop in loops for name, tree in loop.definitions().items()}
+    work = Work(problem)
+    for loop in loops:
+        work = loop.on(work)
     results: dict[str, Result] = {"closes": ", ".join("yes" if loop.closes else "no" for loop in loops)}
     results |= {loop.E.name: problem.final(problem.readable_matrix(loop.error)) for loop in loops}
-    claims = (
-        *links(steps, {**problem.names, **definitions}),
-        *(loop.second_route() for loop in loops),
-    )
-    facts = Facts(loops=tuple(loop.facts() for loop in loops))
-    return Derivation("loop", steps, results, claims, definitions, facts=facts)
+    for loop in loops:
+        exact = problem.readable_matrix(loop.error)
+        work = work.agrees("around-the-loop", problem.symbols, exact, loop.around, E=loop.E.name)
+    return work.answer("loop", results, Facts(loops=tuple(loop.facts() for loop in loops)))
 
 
 class _Loop:
@@ -99,76 +86,50 @@ class _Loop:
     def closes(self) -> bool:
         return self.error == inverse_pose(self.error) @ self.error
 
-    def steps(self) -> tuple[Step, ...]:
-        """The frame by the first route and as given again, and the product around the loop."""
-        read, names = self.problem.readable_matrix, self.problem.names
-        first = relative(self.frames, self.frame.number, self.frame.parent)
-        product = Product(self._factors()) if len(self._factors()) > 1 else self._factors()[0]
-        chain = () if product == self.first else (product,)
-        error = mismatch(self.frames, self.frame)
-        last = read(normal_matrix(read(error), names))
-        route = Product((Call("inverse", (self.first,)), self.second))
-        return (
-            *(
-                Step(str(name.name), (name, self._local(frame)), "given")
-                for frame in (*self.path.down, *self.path.up)
-                for name in (pose_name(frame.number, frame.parent),)
-            ),
-            *((Step(self.first.name, (self.first, *chain, read(first)), "route"),) if chain else ()),
-            Step(self.second.name, (self.second, self._local(self.frame)), "again"),
-            Step(
-                self.E.name, (self.E, route, read(error), *((last,) if last != read(error) else ())), "loop"
-            ),
-        )
+    @property
+    def given(self) -> tuple[Frame, ...]:
+        """Those of the first route."""
+        return (*self.path.down, *self.path.up)
 
-    def _local(self, frame: Frame) -> Matrix:
-        return local_matrix(frame, self.problem)
+    def on(self, work: Work) -> Work:
+        """The frame by the first route and as given again, and the product around the loop."""
+        for frame in self.given:
+            name = pose_name(frame.number, frame.parent)
+            work = work.given(name, local_matrix(frame, self.problem))
+            work = work.knowing(local_definitions(frame, self.problem))
+        first = relative(self.frames, self.frame.number, self.frame.parent)
+        factors = self._factors()
+        product = Product(factors) if len(factors) > 1 else factors[0]
+        if product == self.first:
+            work = work.knowing({self.first: work.readable(first)})
+        else:
+            work = work.line(self.first, product, value=first, rule="route")
+        work = work.given(self.second, local_matrix(self.frame, self.problem), "again")
+        work = work.knowing({self.second: work.readable(local(self.frame))})
+        route = Product((Call("inverse", (self.first,)), self.second))
+        error = work.readable(mismatch(self.frames, self.frame))
+        return work.line(self.E, route, error, value=self.error, rule="loop")
 
     def _factors(self) -> tuple[Expr, ...]:
         """The transformations of the first route, those on the way back inverted."""
-        back = tuple(
-            Call("inverse", (pose_name(frame.number, frame.parent),)) for frame in reversed(self.path.down)
-        )
+        back = (Call("inverse", (pose_name(f.number, f.parent),)) for f in reversed(self.path.down))
         return (*back, *(pose_name(frame.number, frame.parent) for frame in self.path.up))
 
-    def definitions(self) -> dict[Expr, Expr]:
-        read = self.problem.readable_matrix
-        found: dict[Expr, Expr] = {}
-        for frame in (*self.path.down, *self.path.up):
-            found |= local_definitions(frame, self.problem)
-        found[self.first] = read(relative(self.frames, self.frame.number, self.frame.parent))
-        found[self.second] = read(local(self.frame))
-        return found
-
-    def second_route(self) -> Claim:
+    def around(self, at: Point) -> Any:
         """The product around the loop in numbers."""
+        import numpy as np
 
-        def around(point: Mapping[str, float]) -> Any:
-            import numpy as np
-
-            at = completed(point, self.problem.where)
-            T = np.linalg.solve(numeric_pose(self.path.down, at), numeric_pose(self.path.up, at))
-            return np.linalg.inv(T) @ numeric_local(self.frame, at)
-
-        exact = self.problem.readable_matrix(self.error)
-        return agreement(
-            "around-the-loop",
-            self.problem.symbols,
-            lambda point: numbers(exact, completed(point, self.problem.where)),
-            around,
-            E=self.E.name,
-        )
+        return np.linalg.inv(numeric_way(self.path, at)) @ numeric_local(self.frame, at)
 
     def facts(self) -> LoopTold:
         identity = self.error @ inverse_pose(self.error)
         wrong = [(i, j) for i in range(3) for j in range(4) if self.error[i, j] != identity[i, j]]
-        given = (*self.path.down, *self.path.up)
         return LoopTold(
             number=self.frame.number,
             parent=self.frame.parent,
-            given=tuple(pose_name(frame.number, frame.parent).name for frame in given),
+            given=tuple(pose_name(frame.number, frame.parent).name for frame in self.given),
             first=self.first,
-            route=len(given) > 1 or bool(self.path.down),
+            route=len(self.given) > 1 or bool(self.path.down),
             second=self.second,
             E=self.E,
             closes=self.closes,

@@ -12,9 +12,10 @@ from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Matrix, Product, Symbol, number, transpose
-from derive.kinds.checks import SECOND_ROUTE, close, law, links
+from derive.kinds.checks import SECOND_ROUTE, close, law
 from derive.kinds.points._data import Data, Facts, RowsTold, point_table, rounded, rounded_matrix, shown
 from derive.kinds.problem import Problem
+from derive.kinds.work import Work
 from derive.mechanics.fitting import PointPairs, residual
 
 A, T, R = Symbol("A"), Symbol("T"), Symbol("R")
@@ -61,9 +62,9 @@ def fitted(pairs: PointPairs, problem: Problem) -> Derivation:
         numbers=size * (size + 1),
         freedoms=6 if size == 3 else 3,
     )
-    claims = (*links(steps, problem.names), *_claims(data, table, rows, targets))
+    work = Work(problem, steps=steps).claim(*_claims(data, table, rows, targets))
     facts = Facts(points=point_table(pairs), rows=told, numbers=())
-    return Derivation("fit-transform", steps, results, claims, facts=facts)
+    return work.answer("fit-transform", results, facts)
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,10 +133,6 @@ def _row_steps(
     for k, (row, target) in enumerate(zip(rows, targets, strict=True), 1):
         yield Step(f"b_{k}", (Symbol(f"b_{k}"), shown(target, problem)), "coordinates")
         yield Step(f"x_{k}", (Symbol(f"x_{k}"), shown(row, problem)), "row")
-
-
-def _length_step(k: int, length: Expr) -> Step:
-    return Step(f"length_{k}", (Call("abs", (Symbol(f"r_{k}"),)), length), "law")
 
 
 def _claims(

@@ -9,7 +9,6 @@ from derive.algebra.numbers.floats import matrix_numbers, number
 from derive.derivation import Claim, Derivation, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import (
-    Expr,
     Matrix,
     Product,
     Quotient,
@@ -19,9 +18,10 @@ from derive.expression import (
     transpose,
 )
 from derive.expression import number as whole
-from derive.kinds.checks import SECOND_ROUTE, close, law, links
+from derive.kinds.checks import SECOND_ROUTE, close, law
 from derive.kinds.points._data import Data, Facts, SvdTold, point_table, rounded, rounded_matrix, shown
 from derive.kinds.problem import Problem
+from derive.kinds.work import Work
 from derive.mechanics.fitting import (
     Fit,
     PointPairs,
@@ -51,21 +51,20 @@ def fitted(pairs: PointPairs, problem: Problem) -> Derivation:
     position = _position(data, fit, exact, problem)
     means = [shown(each, problem) for each in data.centroids]
     rms = residual(fit.R, _floats(position), *data.floats) if exact is None else 0.0
-    definitions: dict[Expr, Expr] = {}
     steps = (
         *_means(data, problem, means),
         *_spectral(exact_H, fit, problem),
         *_ends(fit, rotation, position),
+        Step("rms", (Symbol("rms"), rounded(rms)), "law"),
     )
-    steps = (*steps, Step("rms", (Symbol("rms"), rounded(rms)), "law"))
     results: dict[str, Result] = {"R": rotation, "p": position, "rms": rounded(rms)}
-    claims = (*links(steps, {**problem.names, **definitions}), *_claims(data, fit, exact, rms, exact_H))
+    work = Work(problem, steps=steps).claim(*_claims(data, fit, exact, rms, exact_H))
     told = SvdTold(
         exact=exact is not None, flat=fit.is_flat, reflected=fit.det < 0 and not fit.is_flat,
         spatial=len(fit.S) == 3, det=fit.det, turned=(D, _diagonal(fit)),
     )  # fmt: skip
     facts = Facts(points=point_table(pairs), svd=told, numbers=())
-    return Derivation("fit-transform", steps, results, claims, definitions, facts=facts)
+    return work.answer("fit-transform", results, facts)
 
 
 def _require_spread(a: list[ScalarMatrix], b: list[ScalarMatrix]) -> None:
