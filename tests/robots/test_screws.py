@@ -12,6 +12,7 @@ from derive.algebra.numbers.floats import numbers
 from derive.build import assemble
 from derive.derivation import Derivation
 from derive.errors import SheetErrors
+from derive.expression import free_symbols
 from derive.sheet.load import load_sheet
 from tests.kinds.published import matrix, same
 
@@ -132,7 +133,7 @@ def test_space_jacobian_of_example_5_2(tmp_path: Path) -> None:
 def test_everything_agrees_with_the_rows_found(tmp_path: Path, links: str) -> None:
     """The rows of link parameters that are found from the screws make an arm with the same Jacobian."""
     rows, J, v = asked(tmp_path, links, "dh-table", "jacobian", "velocity")
-    assert rows.facts["mode"] == "found"
+    assert rows.facts.mode == "found"
     table = "".join(
         f"\n    - {{theta: {theta}, d: {d}, a: {a}, alpha: {alpha}}}" for theta, d, a, alpha in texts(rows)
     )
@@ -147,7 +148,8 @@ def texts(rows: Derivation) -> list[tuple[str, ...]]:
     """The table as it would be typed."""
     from derive.algebra.infix import text
 
-    variables = [name.name for name in (*rows.facts["revolute"], *rows.facts["prismatic"])]
+    starred = {name for row in rows.facts.table.rows for entry in row for name in free_symbols(entry)}
+    variables = [name.removesuffix("*") for name in starred if name.endswith("*")]
 
     def typed(entry) -> str:
         written = text(entry)

@@ -64,10 +64,7 @@ def axis_steps(problem: Problem, found: Chain, last: int) -> tuple[Step, ...]:
     steps: dict[str, Step] = {}
     for i, name, value in _vectors(found, problem.subject):
         if i <= last:
-            facts = {"joint": i, "from": name.name[2:]}
-            steps.setdefault(
-                name.name, Step(name.name, (name, problem.readable_matrix(value)), "extract", facts)
-            )
+            steps.setdefault(name.name, Step(name.name, (name, problem.readable_matrix(value)), "extract"))
     return tuple(steps.values())
 
 

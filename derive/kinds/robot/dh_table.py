@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal
+from typing import Literal, TypeAlias
 
-from derive.derivation import Claim, Derivation, Result, Step
+from derive.derivation import Claim, Derivation, PageFacts, Result, Step, Table
 from derive.expression import ZERO
 from derive.kinds.checks import links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._rows.dh_found import FrameSteps, found_rows
-from derive.kinds.robot._rows.dh_rows import Rows
+from derive.kinds.robot._rows.dh_found import FrameSteps, FrameTold, found_rows
+from derive.kinds.robot._rows.dh_rows import IDENTITY, Rows
 from derive.mechanics.motion import Move
 from derive.mechanics.poses import composed
 from derive.mechanics.robot import Convention, DHRow, Robot
@@ -31,6 +31,7 @@ problems:
   - {find: dh-table}
   - {find: dh-table, convention: modified}
 """
+Mode: TypeAlias = Literal["given", "found", "restated"]
 TABLE = Step("DH", (), "dh-parameters")
 
 
@@ -38,6 +39,15 @@ class Options(OptionsModel):
     """`convention`: standard or modified; that of the robot if left out."""
 
     convention: Literal["standard", "modified"] | None = None
+
+
+class Facts(PageFacts):
+    mode: Mode
+    convention: Convention
+    table: Table
+    frames: tuple[FrameTold, ...]  # as they were found
+    base: bool  # it is not frame 0
+    tool: bool  # it is not frame n
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -49,11 +59,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     if given is None:
         return _found(robot, convention, problem)
     if convention == robot.convention:
-        return _derivation(given, problem, "given", (TABLE,), (given.each_pose(problem),), {})
+        return _derivation(given, problem, "given", (TABLE,), (given.each_pose(problem),))
     rows = restated(robot, given, convention)
     steps = (*rows.ends(problem), TABLE)
-    facts = {"before": given.table()}
-    return _derivation(rows, problem, "restated", steps, rows.claims(problem), facts)
+    return _derivation(rows, problem, "restated", steps, rows.claims(problem))
 
 
 def _given(robot: Robot) -> Rows | None:
@@ -89,18 +98,25 @@ def _found(robot: Robot, convention: Convention, problem: Problem) -> Derivation
         *links(steps, {**problem.names, **frames.definitions()}),
         *rows.claims(problem),
     )
-    facts = {"frames": frames.facts(), "screws": robot.by_screws, "n": len(rows.rows)}
-    return _derivation(rows, problem, "found", steps, claims, facts)
+    return _derivation(rows, problem, "found", steps, claims, frames.told())
 
 
 def _derivation(
     rows: Rows,
     problem: Problem,
-    mode: Literal["given", "found", "restated"],
+    mode: Mode,
     steps: tuple[Step, ...],
     claims: tuple[Claim, ...],
-    facts: dict[str, Any],
+    frames: tuple[FrameTold, ...] = (),
 ) -> Derivation:
     results: dict[str, Result] = {"DH": rows.matrix(problem)}
     results |= {step.name: problem.final(step.result) for step in rows.ends(problem)}
-    return Derivation("dh-table", steps, results, claims, facts={**rows.facts(), "mode": mode, **facts})
+    facts = Facts(
+        mode=mode,
+        convention=rows.convention,
+        table=rows.table(),
+        frames=frames,
+        base=rows.base != IDENTITY,
+        tool=rows.tool != IDENTITY,
+    )
+    return Derivation("dh-table", steps, results, claims, facts=facts)

@@ -7,7 +7,7 @@ from pydantic import Field
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import matrix_numbers
 from derive.algebra.readable.form import readable_matrix
-from derive.derivation import Claim, Derivation, Step, named_results
+from derive.derivation import Claim, Derivation, PageFacts, Step, named_results
 from derive.errors import NotDerivable
 from derive.expression import Expr, Product, Symbol
 from derive.kinds.checks import agreement, is_rotation, links
@@ -15,6 +15,7 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.naming import with_named_entries
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL, chain_of, end_frame, oracle_of, pose_name
+from derive.kinds.robot._rows.exponentials import ScrewsTold
 from derive.mechanics.chain import Chain
 from derive.mechanics.dh import CONVENTIONS
 from derive.mechanics.motion import Move
@@ -40,6 +41,16 @@ class Options(OptionsModel):
     """`to`: the last frame wanted; all of them if left out."""
 
     to: int | None = Field(None, ge=1)
+
+
+class Facts(PageFacts):
+    screws: ScrewsTold | None = None
+    dh_rows: tuple[int, ...] = ()
+    free_rows: tuple[int, ...] = ()
+    locals: tuple[str, ...] = ()  # steps
+    base: tuple[str, ...] = ()  # steps
+    tool: tuple[str, ...] = ()  # steps
+    product: str = ""  # a step
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -69,17 +80,15 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         *is_rotation(rotation_part(T), name.name.replace("T", "R", 1)),
         _second_route(problem, T, last, whole),
     )
-    facts = {
-        "by_screws": False,
-        "convention": robot.convention,
-        "dh_rows": [step.facts["i"] for step in rows if step.rule == "dh-row"],
-        "free_rows": [step.facts["i"] for step in rows if step.rule == "motion"],
-        "locals": [step.name for step in rows],
-        "base": [step.name for step in base],
-        "tool": [step.name for step in tool],
-        "product": name.name if product else "",
-        "page_names": {pose_name(last).name: name.name},
-    }
+    facts = Facts(
+        dh_rows=tuple(i for i, step in enumerate(rows, 1) if step.rule == "dh-row"),
+        free_rows=tuple(i for i, step in enumerate(rows, 1) if step.rule == "motion"),
+        locals=tuple(step.name for step in rows),
+        base=tuple(step.name for step in base),
+        tool=tuple(step.name for step in tool),
+        product=name.name if product else "",
+        page_names={pose_name(last).name: name.name},
+    )
     return Derivation("forward-kinematics", steps, results, claims, definitions, facts=facts)
 
 
@@ -101,7 +110,7 @@ def _by_screws(robot: Robot, problem: Problem, last: int, whole: bool) -> Deriva
         *is_rotation(rotation_part(T), f"R_{last}^0"),
         _second_route(problem, T, last, whole),
     )
-    facts = work.facts()
+    facts = Facts(screws=work.told())
     return Derivation("forward-kinematics", steps, results, claims, definitions, facts=facts)
 
 
@@ -113,7 +122,7 @@ def _rows(problem: Problem, found: Chain, last: int) -> list[Step]:
         name = Symbol("A_1") if i == 1 and problem.subject.base else pose_name(i, i - 1)
         row = problem.subject.links[i - 1].row
         rule = "dh-row" if isinstance(row, DHRow) else "motion"
-        steps.append(Step(name.name, (name, problem.readable_matrix(T)), rule, {"i": i}))
+        steps.append(Step(name.name, (name, problem.readable_matrix(T)), rule))
     return steps
 
 
@@ -123,7 +132,7 @@ def _base(problem: Problem, found: Chain) -> list[Step]:
         return []
     fixed, name = _fixed(problem, "T_base", problem.subject.base), pose_name(1)
     chain = (name, Product((Symbol(fixed.name), Symbol("A_1"))), problem.readable_matrix(found.T[1]))
-    return [fixed, Step(name.name, chain, "compose", {"entries": []})]
+    return [fixed, Step(name.name, chain, "compose")]
 
 
 def _law(robot: Robot, local: list[Step]) -> tuple[Step, ...]:
@@ -145,8 +154,7 @@ def _product(problem: Problem, name: Symbol, T: ScalarMatrix, factors: list[Step
         return ()
     matrix, entries = with_named_entries(problem.readable_matrix(T))
     product = Product(tuple(Symbol(step.name) for step in factors))
-    facts = {"entries": [step.name for step in entries]}
-    return Step(name.name, (name, product, matrix), "compose", facts), *entries
+    return Step(name.name, (name, product, matrix), "compose"), *entries
 
 
 def _second_route(problem: Problem, T: ScalarMatrix, last: int, whole: bool) -> Claim:

@@ -10,8 +10,8 @@ from pydantic import AfterValidator, Field
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers import floats as numeric
-from derive.derivation import Claim, Derivation, Step, named_results
-from derive.expression import ZERO, Indexed, Matrix, Product, Symbol, free_symbols, number, transpose
+from derive.derivation import Claim, Derivation, PageFacts, Step, named_results
+from derive.expression import ZERO, Expr, Indexed, Matrix, Product, Symbol, free_symbols, transpose
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import Name, OptionsModel
@@ -20,7 +20,6 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL, chain_of, closing, oracle_of
 from derive.kinds.robot._columns import jacobian_steps
 from derive.kinds.robot._point import PointOn, Tracked, tracked
-from derive.kinds.robot._velocity.analytic import analytic
 from derive.mechanics.chain import Chain
 from derive.mechanics.poses import rotation_part, skew
 from derive.mechanics.robot import Robot
@@ -58,10 +57,27 @@ class Options(OptionsModel):
     evaluate: Evaluation = None
 
 
+class Facts(PageFacts):
+    analytic: bool = False
+    angles: tuple[Symbol, ...] = ()  # of the analytic one
+    det: Expr | None = None  # that of their rates
+    restated: bool = False
+    point: Symbol | None = None
+    link: int = 0  # that carries the point
+    carried: bool = False
+    revolute: tuple[int, ...] = ()
+    helical: tuple[int, ...] = ()
+    prismatic: tuple[int, ...] = ()
+    coupled: bool = False
+    still: tuple[int, ...] = ()  # joints after the point
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """z x (o - o_i) over z for each revolute joint, z over 0 for each prismatic one
     (Spong et al., eq. 4.56 and 4.57; Siciliano et al., eq. 3.30)."""
     if options.kind == "analytic":
+        from derive.kinds.robot._velocity.analytic import analytic  # few sheets need it
+
         return analytic(options, problem)
     if options.evaluate is not None:  # it changes nothing but the numbers: the same derivation, once
         return problem.answer("jacobian", options.model_copy(update={"evaluate": None}))
@@ -89,7 +105,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         claims,
         definitions,
         uses=(axes,),
-        facts={**_facts(found, point), "restated": False, "analytic": False},
+        facts=_facts(found, point),
         matrices=frozenset({"J"}),
     )
 
@@ -111,7 +127,7 @@ def _restated(options: Options, problem: Problem) -> Derivation:
         links(steps, {**problem.names, **definitions}),
         definitions,
         uses=(base,),
-        facts={"restated": True, "analytic": False},
+        facts=Facts(restated=True),
         matrices=frozenset({"J"}),
     )
 
@@ -144,19 +160,18 @@ def _pose(found: Chain, point: Tracked) -> ScalarMatrix:
     return found.T_tool if point.frame > len(found.T_local) else found.T[point.frame]
 
 
-def _facts(found: Chain, point: Tracked) -> dict[str, object]:
+def _facts(found: Chain, point: Tracked) -> Facts:
     moving = [(joint, i) for i, joint in found.moving if i <= point.last]
-    return {
-        "point": point.name,
-        "link": number(point.frame),
-        "carried": point.step.rule == "carry",
-        "revolute": [number(i) for joint, i in moving if joint.type != "prismatic"],
-        "helical": [number(i) for joint, i in moving if joint.pitch],
-        "prismatic": [number(i) for joint, i in moving if joint.type == "prismatic"],
-        "coupled": found.coupling is not None,
-        "drifts": point.drift is not None,
-        "still": [number(i) for i, _ in found.moving if i > point.last],
-    }
+    return Facts(
+        point=point.name,
+        link=point.frame,
+        carried=point.step.rule == "carry",
+        revolute=tuple(i for joint, i in moving if joint.type != "prismatic"),
+        helical=tuple(i for joint, i in moving if joint.pitch),
+        prismatic=tuple(i for joint, i in moving if joint.type == "prismatic"),
+        coupled=found.coupling is not None,
+        still=tuple(i for i, _ in found.moving if i > point.last),
+    )
 
 
 def _laws(found: Chain, point: Tracked, J: ScalarMatrix) -> tuple[Claim, ...]:

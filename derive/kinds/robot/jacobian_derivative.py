@@ -8,7 +8,7 @@ from typing import Any
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.scalar import Scalar
-from derive.derivation import Derivation, Step
+from derive.derivation import Derivation, PageFacts, Step
 from derive.expression import Derivative, Expr, Product, Symbol, add, column
 from derive.kinds.checks import agreement, links
 from derive.kinds.fields import OptionsModel
@@ -43,6 +43,12 @@ class Options(OptionsModel):
     point: PointOn | None = None
 
 
+class Facts(PageFacts):
+    rows: tuple[Expr, ...]
+    all: bool
+    rates: tuple[Symbol, ...]
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """J_dot, the sum of dJ/dq_k qdot_k, and J_dot qdot: the acceleration is J qddot + J_dot qdot
     (Siciliano et al., eq. 3.99)."""
@@ -70,7 +76,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     return Derivation(
         "jacobian-derivative", steps, {"J_dot": problem.final(written), "bias": problem.final(bias)},
         (*links(steps, {**problem.names, **definitions}), claim), definitions, uses=(task.base,),
-        facts={"rows": task.velocities, "all": len(task.rows) == len(ROWS), "rates": task.rates},
+        facts=Facts(rows=task.velocities, all=len(task.rows) == len(ROWS), rates=task.rates),
         matrices=frozenset({"J_dot"}),
     )  # fmt: skip
 

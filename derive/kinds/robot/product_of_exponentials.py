@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from derive.algebra.numbers.floats import matrix_numbers
-from derive.derivation import Claim, Derivation
+from derive.derivation import Claim, Derivation, PageFacts
 from derive.expression import Expr, Symbol
 from derive.kinds.checks import agreement, is_rotation, law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, end_frame, oracle_of
-from derive.kinds.robot._rows.exponentials import Exponentials
+from derive.kinds.robot._rows.exponentials import Exponentials, ScrewsTold
 from derive.mechanics.poses import rotation_part
 from derive.mechanics.robot import Robot
 from derive.mechanics.screws import screw_form
@@ -37,6 +37,11 @@ class Options(OptionsModel):
     """None."""
 
 
+class Facts(PageFacts):
+    screws: ScrewsTold
+    rows: bool  # the arm is given by rows
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """The joint axes at zero, their twists, the home pose and the product (Lynch and Park, section 4.1;
     Murray, Li and Sastry, section 3.2). Raises NotDerivable where no joint moves."""
@@ -56,7 +61,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         *_same_arm(problem, work),
     )
     uses = (problem.ask("forward-kinematics"),)
-    facts = {**work.facts(), "rows": not robot.by_screws, "page_names": {last: name.name}}
+    facts = Facts(screws=work.told(), rows=not robot.by_screws, page_names={last: name.name})
     return Derivation("product-of-exponentials", steps, results, claims, definitions, uses=uses, facts=facts)
 
 

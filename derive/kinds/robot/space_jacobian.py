@@ -9,7 +9,7 @@ from pydantic import Field
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import matrix_numbers
-from derive.derivation import Claim, Derivation, Step, named_results
+from derive.derivation import Claim, Derivation, PageFacts, Step, named_results
 from derive.expression import (
     ZERO,
     Expr,
@@ -21,7 +21,6 @@ from derive.expression import (
     column,
     cross,
     negate,
-    number,
     transpose,
 )
 from derive.kinds.checks import agreement, law, links
@@ -62,6 +61,14 @@ class Options(OptionsModel):
     frame: Literal["space", "body"] = Field("space", alias="in")
 
 
+class Facts(PageFacts):
+    body: bool
+    turning: tuple[int, ...]
+    sliding: tuple[int, ...]
+    helical: tuple[int, ...]
+    coupled: bool
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """Column i is the screw of joint i where the joints before it have carried it, (o_i x z_i, z_i) or
     (z_i, 0); in the body, J_b = Ad(T^-1) J_s (Lynch and Park, section 5.1)."""
@@ -82,7 +89,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         *_laws(found, J, options),
         _second_route(problem, J, options),
     )
-    facts = {**_facts(found), "body": options.frame == "body"}
+    facts = _facts(found, options)
     return Derivation(
         "space-jacobian",
         steps,
@@ -197,11 +204,11 @@ def _second_route(problem: Problem, J: ScalarMatrix, options: Options) -> Claim:
     )
 
 
-def _facts(found: Chain) -> dict[str, Any]:
-    types = [(number(i), joint) for i, joint in found.moving]
-    return {
-        "turning": [i for i, joint in types if joint.type != "prismatic"],
-        "sliding": [i for i, joint in types if joint.type == "prismatic"],
-        "helical": [i for i, joint in types if joint.pitch],
-        "coupled": found.coupling is not None,
-    }
+def _facts(found: Chain, options: Options) -> Facts:
+    return Facts(
+        body=options.frame == "body",
+        turning=tuple(i for i, joint in found.moving if joint.type != "prismatic"),
+        sliding=tuple(i for i, joint in found.moving if joint.type == "prismatic"),
+        helical=tuple(i for i, joint in found.moving if joint.pitch),
+        coupled=found.coupling is not None,
+    )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.expression import Expr, Matrix, Product, Symbol, column
 from derive.kinds.checks import law, links
 from derive.kinds.fields import OptionsModel
@@ -32,6 +32,10 @@ class Options(OptionsModel):
     """`point`: where; the end-effector if left out."""
 
     point: PointOn | None = None
+
+
+class Facts(PageFacts):
+    rates: tuple[Symbol, ...]
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -64,7 +68,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         (*links(steps, {**problem.names, **definitions}), _law(problem, options, twist)),
         definitions,
         uses=(base,),
-        facts={"rates": rates},
+        facts=Facts(rates=tuple(rates)),
     )
 
 

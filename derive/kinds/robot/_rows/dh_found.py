@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Any
 
 from derive.algebra.normal import trig_of
 from derive.algebra.scalar import Scalar
-from derive.derivation import Step
+from derive.derivation import Record, Step
 from derive.errors import NotDerivable
 from derive.expression import Degrees, Expr, Sum, Symbol, add, atan2, cross, negate
 from derive.kinds.pose._angles import fixed_angle, known_angle
@@ -73,6 +72,13 @@ def angle_of(pair: Pair, problem: Problem) -> Expr:
     return atan2(problem.readable(s), problem.readable(c))
 
 
+class FrameTold(Record):
+    number: int
+    kind: str
+    pair: tuple[int, int]  # the two z axes that x joins
+    turned: bool
+
+
 class FrameSteps:
     """The frames of an assignment for the page."""
 
@@ -86,11 +92,10 @@ class FrameSteps:
     def _frame(self, i: int, frame: Placed) -> list[Step]:
         x, z, o = (Symbol(f"{letter}_{i}") for letter in "xzo")
         read = self.problem.readable_matrix
-        facts = {"frame": i}
         return [
-            Step(z.name, (z, read(frame.z)), "axis", facts),
-            Step(x.name, (x, *self._reason(i, frame), read(frame.x)), "normal", facts),
-            Step(o.name, (o, read(frame.o)), "origin", facts),
+            Step(z.name, (z, read(frame.z)), "axis"),
+            Step(x.name, (x, *self._reason(i, frame), read(frame.x)), "normal"),
+            Step(o.name, (o, read(frame.o)), "origin"),
         ]
 
     def _reason(self, i: int, frame: Placed) -> tuple[Expr, ...]:
@@ -117,20 +122,9 @@ class FrameSteps:
     def definitions(self) -> dict[Expr, Expr]:
         return {Symbol(step.name): step.result for step in self.steps()}
 
-    def facts(self) -> list[dict[str, Any]]:
-        """For the words: how each frame came about."""
-        return [
-            {
-                "number": i,
-                "kind": frame.kind,
-                "names": [f"{letter}_{i}" for letter in "zxo"],
-                "pair": [Symbol(f"z_{k}") for k in self.pair(i)],
-                "x": Symbol(f"x_{i}"),
-                "z": Symbol(f"z_{i}"),
-                "o": Symbol(f"o_{i}"),
-                "d": Symbol(f"d_{i}"),
-                "before": {letter: Symbol(f"{letter}_{i - 1}") for letter in "xzo"},
-                "turned": frame.turned,
-            }
+    def told(self) -> tuple[FrameTold, ...]:
+        """How each frame came about."""
+        return tuple(
+            FrameTold(number=i, kind=frame.kind, pair=self.pair(i), turned=frame.turned)
             for i, frame in enumerate(self.found.frames)
-        ]
+        )

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import reduce
 from math import cos, sin
-from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
@@ -48,18 +47,6 @@ class Rows:
             for name, T in poses
             if T != IDENTITY
         )
-
-    def facts(self) -> dict[str, Any]:
-        """What the words need."""
-        pairs = list(zip(self.joints, self.variables, strict=True))
-        return {
-            "convention": self.convention,
-            "revolute": [Symbol(name or "") for joint, name in pairs if joint == "revolute"],
-            "prismatic": [Symbol(name or "") for joint, name in pairs if joint == "prismatic"],
-            "table": self.table(),
-            "base": self.base != IDENTITY,
-            "tool": self.tool != IDENTITY,
-        }
 
     def table(self) -> Table:
         """Under theta_i, d_i, a_i, alpha_i (a_{i-1}, alpha_{i-1} where modified); joint variables starred."""

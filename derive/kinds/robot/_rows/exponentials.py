@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import derivative, normal
 from derive.algebra.numbers.floats import matrix_numbers, number
-from derive.derivation import Claim, Step
+from derive.derivation import Claim, Record, Step
 from derive.expression import (
     ZERO,
     Call,
@@ -39,6 +39,21 @@ if TYPE_CHECKING:
 LETTERS = {"omega": ("omega", "w", "n"), "q": ("q", "p", "c"), "S": ("S", "xi"), "M": ("M", "T_home")}
 NOTHING = Symbol("0")  # three zeros
 SERIES = 60  # terms of the exponential series; far more than angles of a few radians need
+
+
+class ScrewsTold(Record):
+    coupled: bool
+    home: str  # a step
+    direction: str  # the name of an axis
+    point: str  # that of a point on one
+    turn: tuple[Expr, Expr]  # the law of a twist
+    slide: tuple[Expr, Expr]
+    turning: tuple[int, ...]
+    sliding: tuple[int, ...]
+    helical: tuple[int, ...]
+    whole: bool  # up to the end-effector
+    base: bool
+    product: str  # a step
 
 
 class Exponentials:
@@ -86,8 +101,7 @@ class Exponentials:
                 (self._w(screw), screw.w),
                 *(((self._q(screw), screw.q),) if turns(screw) else ()),
             ):
-                facts = {"joint": screw.i}
-                found.append(Step(name.name, (name, self._written(value)), "screw-axis", facts))
+                found.append(Step(name.name, (name, self._written(value)), "screw-axis"))
         return found
 
     def _twist(self, screw: Screw) -> Step:
@@ -97,7 +111,7 @@ class Exponentials:
         else:
             along = (multiply(screw.row.pitch, w),) if screw.h else ()
             blocks = Matrix(((total(cross(self._q(screw), w), *along),), (w,)))
-        return Step(name.name, (name, blocks, self._written(screw.S)), "twist", {"joint": screw.i})
+        return Step(name.name, (name, blocks, self._written(screw.S)), "twist")
 
     def ends(self) -> list[Step]:
         """T_base where there is one, and M."""
@@ -117,7 +131,7 @@ class Exponentials:
             name = Symbol(f"T_{screw.i}^{screw.i - 1}")
             if not self.frames or (self.whole and name == self.name):
                 name = Symbol(f"E_{screw.i}")
-            found.append(Step(name.name, (name, *chain), "exponential", {"i": screw.i}))
+            found.append(Step(name.name, (name, *chain), "exponential"))
         return found
 
     def _product(self) -> tuple[Step, ...]:
@@ -127,8 +141,7 @@ class Exponentials:
         if len(factors) < 2:
             return ()
         matrix, entries = with_named_entries(self._written(self.pose))
-        facts = {"entries": [step.name for step in entries]}
-        return Step(self.name.name, (self.name, Product(tuple(factors)), matrix), "compose", facts), *entries
+        return Step(self.name.name, (self.name, Product(tuple(factors)), matrix), "compose"), *entries
 
     def definitions(self) -> dict[Expr, Expr]:
         """What the names in the steps stand for, the pose last."""
@@ -174,22 +187,21 @@ class Exponentials:
             i=screw.i,
         )
 
-    def facts(self) -> dict[str, Any]:
-        """What the words need."""
-        return {
-            "by_screws": True,
-            "coupled": self.problem.subject.coupled,
-            "home": self.M.name,
-            "letters": {letter: f"{name}_i" for letter, name in self.letters.items()},
-            "turn": self._law(),
-            "slide": self._law(slide=True),
-            "turning": [screw.i for screw in self.screws if turns(screw)],
-            "sliding": [screw.i for screw in self.screws if not turns(screw)],
-            "helical": [screw.i for screw in self.screws if screw.h],
-            "whole": self.whole,
-            "base": bool(self.robot.base),
-            "product": self.name.name if self._product() else "",
-        }
+    def told(self) -> ScrewsTold:
+        return ScrewsTold(
+            coupled=self.problem.subject.coupled,
+            home=self.M.name,
+            direction=f"{self.letters['omega']}_i",
+            point=f"{self.letters['q']}_i",
+            turn=self._law(),
+            slide=self._law(slide=True),
+            turning=tuple(screw.i for screw in self.screws if turns(screw)),
+            sliding=tuple(screw.i for screw in self.screws if not turns(screw)),
+            helical=tuple(screw.i for screw in self.screws if screw.h),
+            whole=self.whole,
+            base=bool(self.robot.base),
+            product=self.name.name if self._product() else "",
+        )
 
     def exponential(self, screw: Screw) -> Indexed:
         """e^{[S_1] theta1}."""

@@ -17,6 +17,7 @@ from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, closing, matrix_of, oracle_of, scalar_of
 from derive.kinds.robot._point import tracked
+from derive.kinds.robot.jacobian import Facts
 from derive.kinds.values_at import point_of
 from derive.mechanics.euler import Convention, Euler
 from derive.mechanics.euler_rates import rate_matrix
@@ -55,10 +56,10 @@ def analytic(options: Any, problem: Problem) -> Derivation:
     return Derivation(
         "jacobian", steps, {"J": problem.final(problem.readable_matrix(asked))}, claims, definitions,
         _evaluated(problem, options.evaluate, asked, euler, frame), (base, rates),
-        facts={
-            "analytic": True, "restated": True, "numbers": ("J",),
-            "angles": tuple(map(Symbol, euler.names)), "det": _unsigned(scalar_of(rates, "det")),
-        }, matrices=frozenset({"J"}),
+        facts=Facts(
+            analytic=True, angles=tuple(map(Symbol, euler.names)), det=_unsigned(scalar_of(rates, "det")),
+            numbers=("J",),
+        ), matrices=frozenset({"J"}),
     )  # fmt: skip
 
 
