@@ -26,6 +26,7 @@ from derive.writing import Progress, render, write
 
 if TYPE_CHECKING:
     from derive.kinds.values_at import Here
+    from derive.render.phrases import Speech
 
 BASE = re.compile(r"_d?dot$")  # what a rate has more than its variable
 MISSPELT = 0.85  # how like a name another is that was meant: theta2 of thetha2, but not of theta3
@@ -243,17 +244,22 @@ def answered(question: Question, working: Working) -> Derivation:
 
 def _failure(derivation: Derivation, failed: Claim, question: Question, working: Working) -> SheetError:
     """What is told of a claim that does not hold: an accident of ours, or numbers that floats cannot hold."""
-    from derive.render.phrases import spoken
-
     apart = far_apart((working.subject, *working.where.values())) if failed.by == SECOND_ROUTE else None
     if apart:
         small, large = apart
         message = f"numbers as far apart as {small:.3g} and {large:.3g} cannot be checked in floating point"
         return SheetError(message, question.place, "give them in other units")
-    speech = spoken(_folder(derivation, working.name), derivation.kind)
+    speech = speech_of(derivation, working)
     claim, means = speech.claim(failed), speech.say(Phrase(failed.by))
     message = f"the answer failed its own check: {claim} (by {means})"
     return SheetError(message, question.place, "please report this with the sheet")
+
+
+def speech_of(derivation: Derivation, working: Working) -> Speech:
+    """How a derivation says in plain text what it says in words."""
+    from derive.render.phrases import spoken
+
+    return spoken(_folder(derivation, working.name), derivation.kind)
 
 
 def _place_of(about: str, question: Question, working: Working) -> Place:

@@ -11,7 +11,7 @@ from derive.answers.asked import Asked
 from derive.answers.checking import checks
 from derive.answers.findings import Check
 from derive.answers.points import Point
-from derive.build import Warn, answered, load_all, working_on
+from derive.build import Warn, answered, load_all, speech_of, working_on
 from derive.derivation import Derivation
 from derive.errors import NotDerivable, SheetError, SheetErrors
 from derive.kinds.problem import Problem as Working
@@ -101,13 +101,13 @@ def _undecided(problem: Problem, question: Question, errors: SheetErrors) -> Che
 def _compared(
     sheet: Sheet, problem: Problem, question: Question, working: Working, derivation: Derivation
 ) -> Checked:
-    at = question.answer_at
+    at, speech = question.answer_at, speech_of(derivation, working)
     if not question.answer or at is None:
         raise SheetErrors([SheetError("this answer is empty", question.place, "write answer: {J: ...}")])
     asked = Asked(
         problem=problem.number,
         question=question.number,
-        derivation=derivation,
+        derivation=replace(derivation, results=speech.results(derivation.results)),
         given=working,
         answer=question.answer,
         locate=at.place,

@@ -7,7 +7,7 @@ sentences live in `templates/words/` and refer to the steps by name.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias, TypeVar, dataclass_transform
 
 from derive.algebra.readable.terms import Style
@@ -95,6 +95,10 @@ class Claim:
     holds: bool
     about: Mapping[str, Said] = field(default_factory=dict)
     link: bool = False
+
+    def within(self, key: str, **about: Said) -> Claim:
+        """The same claim as part of another phrase, whose field `claim` it fills."""
+        return replace(self, key=key, about={**about, "claim": Phrase(self.key, self.about)})
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,7 +18,7 @@ from derive.algebra.infix import SYMPY_NAMES, text
 from derive.algebra.normal import normal
 from derive.algebra.readable.form import readable
 from derive.algebra.readable.terms import Style
-from derive.derivation import Claim, Condition, Phrase, Relation, Said
+from derive.derivation import Claim, Condition, Phrase, Relation, Result, Said
 from derive.expression import PI, Degrees, Expr, Quotient, walk
 from derive.render.latex import Printer
 from derive.render.skin import environment, words_file
@@ -78,6 +78,18 @@ class Speech:
         if isinstance(conditions, str):
             return conditions
         return ", ".join(map(self.say, conditions))
+
+    def results(self, results: Mapping[str, Result]) -> dict[str, Result]:
+        """The results, with texts for those that are said in words."""
+        return {name: self._result(result) for name, result in results.items()}
+
+    def _result(self, result: Result) -> Result:
+        match result:
+            case Phrase():
+                return self.say(result)
+            case (Phrase() | Relation(), *_):
+                return tuple(map(self.say, result))
+        return result
 
     def claim(self, claim: Claim) -> str:
         """What was verified."""

@@ -19,6 +19,7 @@ from derive.build import assemble
 from derive.derivation import Branch, Derivation, Panels
 from derive.errors import SheetErrors
 from derive.expression import Matrix
+from derive.render.phrases import spoken
 from derive.sheet.load import load_sheet
 
 TRAPEZOID, SPLINE = "trapezoidal-profile", "spline-trajectory"
@@ -41,6 +42,10 @@ def ask(tmp_path: Path, profile: str, kind: str, *more: str, top: str = "") -> D
     return question.derivation
 
 
+def said(branch: Branch) -> str:
+    return spoken("profile", "trapezoidal-profile").when(branch.when)
+
+
 def same(ours: Any, theirs: str) -> bool:
     return normal(ours) == normal(parse(theirs))
 
@@ -57,10 +62,10 @@ def test_shortest_time_trapezoid_of_the_notes(tmp_path: Path) -> None:
     trapezoid, triangle = found.results["solutions"]
     published = {"t_1": "v_M/a_M", "t_2": "d/v_M", "t_3": "v_M/a_M + d/v_M", "v": "v_M", "a": "a_M"}
     assert all(same(trapezoid.values[name], theirs) for name, theirs in published.items())
-    assert trapezoid.when == "trapezoidal: v_M^2/a_M <= d"
+    assert said(trapezoid) == "trapezoidal: v_M^2/a_M <= d"
     published = {"t_3": "sqrt(4*d/a_M)", "t_1": "sqrt(4*d/a_M)/2", "t_2": "sqrt(4*d/a_M)/2"}
     assert all(same(triangle.values[name], theirs) for name, theirs in published.items())
-    assert triangle.when == "triangular: v_M^2/a_M > d"
+    assert said(triangle) == "triangular: v_M^2/a_M > d"
 
 
 def test_the_misprint_of_the_notes(tmp_path: Path) -> None:
@@ -83,8 +88,8 @@ def test_fixed_time_of_the_notes(tmp_path: Path) -> None:
         "a": f"v_M/((t_3 - {t_m})/2)",
     }
     assert all(same(trapezoid.values[name], theirs) for name, theirs in published.items())
-    assert "2*d/t_3 <= v_M" in triangle.when and "4*d/t_3^2 <= a_M" in triangle.when
-    assert "2*d/t_3 > v_M" in trapezoid.when and "t_3 > d/v_M" in trapezoid.when
+    assert "2*d/t_3 <= v_M" in said(triangle) and "4*d/t_3^2 <= a_M" in said(triangle)
+    assert "2*d/t_3 > v_M" in said(trapezoid) and "t_3 > d/v_M" in said(trapezoid)
 
 
 @pytest.mark.parametrize(
@@ -229,7 +234,7 @@ def test_lspb_of_spong(tmp_path: Path) -> None:
     found = ask(tmp_path, "{from: 0, to: 40 deg, time: 1 s, cruise: 60 deg/s}", "lspb-trajectory").results
     assert same(found["t_b"], "1/3")
     assert degrees(value(found["a"])) == pytest.approx(180)
-    assert [branch.when for branch in found["q"]] == [
+    assert [spoken("profile", "lspb-trajectory").when(branch.when) for branch in found["q"]] == [
         "0 <= t <= 1/3", "1/3 <= t <= 2/3", "2/3 <= t <= 1",
     ]  # fmt: skip
 

@@ -8,11 +8,11 @@ from math import inf
 from typing import TypeAlias
 
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Claim, Record, Step
+from derive.derivation import Claim, Phrase, Record, Relation, Step
 from derive.expression import Expr, Product, Quotient, Sum, Symbol, number, squared, symbols
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
 from derive.kinds.problem import Problem
-from derive.kinds.profile._trapezoid import Condition, Given, Outcome, begun, shortest, timed
+from derive.kinds.profile._trapezoid import Given, Outcome, begun, shortest, timed
 from derive.mechanics import trapezoid
 from derive.mechanics.profile import Axis, Profile
 
@@ -73,8 +73,8 @@ def steps_of(each: Solved, prefix: str = "") -> Iterator[Step]:
 
 class CaseTold(Record):
     case: str
-    when: tuple[Condition, ...]
-    conditions: tuple[Condition, ...]  # those that do not decide between the cases
+    when: tuple[Relation, ...]
+    conditions: tuple[Relation, ...]  # those that do not decide between the cases
     too_fast: bool
     plateau: bool
     lines: tuple[str, ...]  # steps
@@ -151,21 +151,14 @@ def _name(each: Solved, outcome: Outcome, step: Step, prefix: str) -> str:
 # -- what it is held to -------------------------------------------------------------------------------
 
 
-def claims_of(each: Solved, prefix: str = "") -> Iterator[Claim]:
+def claims_of(each: Solved) -> Iterator[Claim]:
     """The lines by normal form; the answer against a search that knows no formula."""
     for outcome in each.outcomes:
         names = {**each.problem.names, **outcome.working.definitions}
         for claim in links(outcome.working.steps, names):
-            yield replace(
-                claim, key=f"{prefix}{outcome.case}, {claim.about['step']}: every link of the chain"
-            )
-    what = "no time is shorter"
-    if each.infeasible:
-        what = "the time is below the shortest"
-    elif each.time is not None:
-        what = "no acceleration is smaller"
-    done = "" if each.infeasible else "the distance is covered within the limits and "
-    yield Claim(f"{prefix}{done}{what}, by search", SECOND_ROUTE, _found_by_search(each))
+            yield claim.within("in-case", case=Phrase(outcome.case))
+    key = "no-time-is-shorter" if each.time is None else "no-acceleration-is-smaller"
+    yield Claim("too-short" if each.infeasible else key, SECOND_ROUTE, _found_by_search(each))
 
 
 def _found_by_search(each: Solved) -> bool:

@@ -7,10 +7,9 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
-from derive.algebra.infix import text
 from derive.algebra.numbers.floats import number as value_of
 from derive.algebra.scalar import Scalar
-from derive.derivation import Branch, Claim
+from derive.derivation import Branch, Claim, Phrase, Relation
 from derive.errors import NotDerivable
 from derive.expression import ONE, ZERO, Degrees, Expr, Power, Symbol, add, multiply, number, subtract
 from derive.kinds.checks import law
@@ -21,7 +20,7 @@ from derive.kinds.work import Work
 from derive.mechanics.course import Course, Piece, at
 
 t = Symbol("t")
-ORDERS = ("q", "velocity", "acceleration")
+CONTINUOUS = ("q-is-continuous", "velocity-is-continuous", "acceleration-is-continuous")
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,8 +58,8 @@ def term(coefficient: Expr, tau: Expr, k: int) -> Expr:
 
 def branch(q: Expr, start: Expr, end: Expr, problem: Problem) -> Branch:
     """A piece of the trajectory, and when."""
-    sides = [text(problem.final(side)).replace("**", "^") for side in (start, end)]
-    return Branch({"q": problem.final(q)}, f"{sides[0]} <= t <= {sides[1]}")
+    between = Relation(Relation(problem.final(start), "<=", t), "<=", problem.final(end))
+    return Branch({"q": problem.final(q)}, (Phrase("between", {"times": between}),))
 
 
 def joined(spans: Sequence[Span], working: Work, orders: int) -> Iterator[Claim]:
@@ -71,7 +70,7 @@ def joined(spans: Sequence[Span], working: Work, orders: int) -> Iterator[Claim]
             length = working.scalar(subtract(before.end, before.start))
             left = before.derivative(working, length, order)
             holds &= left == after.derivative(working, Scalar.of(0), order)
-        yield law(f"{ORDERS[order]} is continuous where the pieces meet", holds)
+        yield law(CONTINUOUS[order], holds)
 
 
 def in_floats(spans: Sequence[Span], evaluate: Place | None, problem: Problem) -> Course | None:

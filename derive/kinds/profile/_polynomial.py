@@ -76,7 +76,7 @@ def polynomial(
     claims = (
         *links([step for step in steps if step.rule != "law"], {**names, **extra.definitions}),
         Claim(
-            "the conditions at both ends, solved in numbers",
+            "both-ends",
             SECOND_ROUTE,
             _solves(journey, profile, problem, results, order),
         ),

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Claim, Record, Result, Step, Table
+from derive.derivation import Claim, Phrase, Record, Result, Said, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol, column, number
 from derive.kinds.problem import Problem
@@ -14,7 +14,7 @@ from derive.kinds.profile._axis import AxisTold, Equation, Solved, claims_of, so
 from derive.kinds.profile._trapezoid import NAMES
 from derive.mechanics.profile import Profile
 
-HEADINGS: tuple[Expr | str, ...] = ("axis", "case", *(Symbol(name) for name in NAMES))
+HEADINGS: tuple[Said, ...] = (Phrase("axis"), Phrase("case"), *(Symbol(name) for name in NAMES))
 
 
 class TogetherTold(Record):
@@ -50,8 +50,12 @@ class Together:
         return steps
 
     def claims(self) -> list[Claim]:
-        found = [c for k, axis in enumerate(self.alone, 1) for c in claims_of(axis, f"axis {k} alone, ")]
-        return found + [c for k, axis in enumerate(self.axes, 1) for c in claims_of(axis, f"axis {k}, ")]
+        return [
+            claim.within(key, axis=k)
+            for key, axes in (("axis-alone", self.alone), ("on-axis", self.axes))
+            for k, axis in enumerate(axes, 1)
+            for claim in claims_of(axis)
+        ]
 
     def results(self) -> dict[str, Result]:
         """Vectors over the axes, but for the time they share."""
@@ -82,7 +86,7 @@ class Together:
         for k, axis in enumerate(self.axes, 1):
             outcome = axis.outcomes[0]
             values = [outcome.working.known[Symbol(name)] for name in NAMES]
-            rows.append((number(k), outcome.case, *values))
+            rows.append((number(k), Phrase(outcome.case), *values))
         return Table(HEADINGS, tuple(rows))
 
 

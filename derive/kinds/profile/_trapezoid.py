@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from derive.algebra.infix import text
-from derive.derivation import Step
+from derive.derivation import Relation, Step
 from derive.expression import (
     Expr,
     Product,
@@ -47,25 +46,12 @@ class Given:
 
 
 @dataclass(frozen=True, slots=True)
-class Condition:
-    """`left` < or <= or > `right`, in the symbols of the sheet."""
-
-    left: Expr
-    relation: str
-    right: Expr
-
-    def __str__(self) -> str:
-        left, right = (text(side).replace("**", "^") for side in (self.left, self.right))
-        return f"{left} {self.relation} {right}"
-
-
-@dataclass(frozen=True, slots=True)
 class Outcome:
     """A case with its working; `when` is the condition that symbols leave open."""
 
     case: str
     working: Work
-    when: tuple[Condition, ...] = ()
+    when: tuple[Relation, ...] = ()
     probe: Step | None = None  # the comparison that decided for it
     too_fast: bool = False  # infeasible because even the greatest velocity does not suffice
     plateau: bool = True
@@ -107,9 +93,9 @@ def shortest(given: Given) -> tuple[Outcome, ...]:
     probe = replace(probe, chain=probe.chain[1:])
     room = working.sign(subtract(d, ramps))
     left, right = (_condition(working, side) for side in (ramps, d))
-    with_plateau = Outcome("trapezoidal", _fast_trapezoid(given), (Condition(left, "<=", right),), probe)
+    with_plateau = Outcome("trapezoidal", _fast_trapezoid(given), (Relation(left, "<=", right),), probe)
     without = Outcome(
-        "triangular", _fast_triangle(given), (Condition(left, ">", right),), probe, plateau=False
+        "triangular", _fast_triangle(given), (Relation(left, ">", right),), probe, plateau=False
     )
     if room is None:
         return with_plateau, without
@@ -163,7 +149,7 @@ def timed(given: Given) -> tuple[Outcome, ...]:
     relation = {"triangular": "<=", "trapezoidal": ">"}
     outcomes = []
     for outcome in found:
-        own = (Condition(left, relation[outcome.case], right),) if len(found) > 1 else ()
+        own = (Relation(left, relation[outcome.case], right),) if len(found) > 1 else ()
         when = (*own, *outcome.when)
         outcomes.append(_checked(replace(outcome, when=when, probe=probe), given))
     return tuple(outcomes)
@@ -189,7 +175,7 @@ def _slow_trapezoid(given: Given) -> Outcome:
         "a", Quotient(working.symbol("v"), T_1)
     )
     limit = _condition(working, Quotient(d, v_M))
-    when = () if room else (Condition(_condition(working, t_3), ">", limit),)
+    when = () if room else (Relation(_condition(working, t_3), ">", limit),)
     return Outcome("trapezoidal", working, when)
 
 
@@ -205,7 +191,7 @@ def _checked(outcome: Outcome, given: Given) -> Outcome:
         return outcome
     beyond = outcome.working.sign(subtract(outcome.working.symbol("a"), given.strongest))
     if beyond is None:
-        limit = Condition(
+        limit = Relation(
             _condition(outcome.working, outcome.working.symbol("a")),
             "<=",
             _condition(outcome.working, given.strongest),

@@ -101,7 +101,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
         *links(steps, {**problem.names, **working.definitions}),
         *joined(found.spans(), working, 2),
         *_ends_of(found, working),
-        Claim("the way is the area under the velocity", SECOND_ROUTE, _covers(results, journey, problem)),
+        Claim("area", SECOND_ROUTE, _covers(results, journey, problem)),
     )
     return Derivation(
         "lspb-trajectory",
@@ -132,9 +132,7 @@ def _ends_of(found: Blended, working: Work) -> tuple[Claim, Claim]:
     last = found.spans()[-1]
     length = working.scalar(T_B)
     there = last.derivative(working, length, 0) == working.scalar(found.end)
-    return law("q ends at the end", there), law(
-        "the velocity ends at zero", last.derivative(working, length, 1) == 0
-    )
+    return law("ends-there", there), law("ends-at-rest", last.derivative(working, length, 1) == 0)
 
 
 def _covers(results: Mapping[str, Expr], journey: Journey, problem: Problem) -> bool:

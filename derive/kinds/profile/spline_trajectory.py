@@ -11,7 +11,7 @@ from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import number as value_of
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, PageFacts, Step, Table
+from derive.derivation import Claim, Derivation, PageFacts, Phrase, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import (
     ZERO,
@@ -128,7 +128,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
         *links(steps, {**problem.names, **names}),
         *joined(spans, working, 3 if all(v is None for v in knots.velocities[1:-1]) else 2),
         *_passes(knots, spans),
-        Claim("all conditions at once, solved in numbers", SECOND_ROUTE, _agrees(knots, spans, problem)),
+        Claim("all-conditions", SECOND_ROUTE, _agrees(knots, spans, problem)),
     )
     evaluated = _evaluated(results, course, options.evaluate, problem)
     return Derivation(
@@ -231,8 +231,8 @@ def _facts(
     return Facts(
         natural=options.ends == "natural",
         given_velocity=any(velocity is not None for velocity in knots.velocities[1:-1]),
-        points=Table(("point", Symbol("t"), Symbol("q")), points),
-        pieces=Table(("piece", "from", "to", *c), rows),
+        points=Table((Phrase("point"), Symbol("t"), Symbol("q")), points),
+        pieces=Table((Phrase("piece"), Phrase("from"), Phrase("to"), *c), rows),
         units=profile.units,
         drawn=course is not None,
         limits=limits_told(profile, course, problem, options.evaluate),
@@ -265,16 +265,15 @@ def _passes(knots: Knots, spans: Sequence[Span]) -> Iterator[Claim]:
     places = knots.scalars(knots.places)
     holds = all(span.derivative(working, Scalar.of(0), 0) == places[k] for k, span in enumerate(spans))
     holds &= spans[-1].derivative(working, lengths[-1], 0) == places[-1]
-    yield law("it passes every point at its time", holds)
-    for k, at in ((0, Scalar.of(0)), (-1, lengths[-1])):
+    yield law("passes-every-point", holds)
+    ends = ((0, Scalar.of(0), "velocity-at-the-start", "acceleration-at-the-start"),
+            (-1, lengths[-1], "velocity-at-the-end", "acceleration-at-the-end"))  # fmt: skip
+    for k, at, moving, free in ends:
         given = knots.velocities[k]
-        what = "acceleration" if given is None else "velocity"
-        wanted = Scalar.of(0) if given is None else working.scalar(given)
-        order = 2 if given is None else 1
-        yield law(
-            f"the {what} at the {'start' if k == 0 else 'end'}",
-            spans[k].derivative(working, at, order) == wanted,
-        )
+        if given is None:
+            yield law(free, not spans[k].derivative(working, at, 2))
+        else:
+            yield law(moving, spans[k].derivative(working, at, 1) == working.scalar(given))
 
 
 def _agrees(knots: Knots, spans: Sequence[Span], problem: Problem) -> bool:

@@ -8,7 +8,7 @@ from math import inf
 from typing import Any
 
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Branch, Derivation, Figure, PageFacts, Result
+from derive.derivation import Branch, Derivation, Figure, PageFacts, Phrase, Result
 from derive.errors import NotDerivable
 from derive.expression import Expr, is_negative
 from derive.figures.courses import panels
@@ -17,7 +17,7 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.profile._axis import AxisTold, Solved, claims_of, solved, steps_of, told
 from derive.kinds.profile._together import TogetherTold, together
-from derive.kinds.profile._trapezoid import NAMES
+from derive.kinds.profile._trapezoid import NAMES, Outcome
 from derive.kinds.values_at import point_of
 from derive.mechanics import trapezoid
 from derive.mechanics.profile import Axis, Profile, Units
@@ -103,10 +103,14 @@ def _results(each: Solved) -> dict[str, Result]:
         return {"case": "infeasible", "t_min": each.least}
     if not each.open:
         return {"case": first.case, **first.values}
-    conditions = [(outcome, " and ".join(map(str, outcome.when))) for outcome in each.outcomes]
-    case = "; ".join(f"{outcome.case} if {when}" for outcome, when in conditions)
-    branches = tuple(Branch(outcome.values, f"{outcome.case}: {when}") for outcome, when in conditions)
+    case, *other = (_said("case-if", outcome) for outcome in each.outcomes)
+    branches = tuple(Branch(outcome.values, (_said("case-when", outcome),)) for outcome in each.outcomes)
+    case = Phrase("either", {"first": case, "other": other[0]}) if other else case
     return {"case": case, **first.values, "solutions": branches}
+
+
+def _said(key: str, outcome: Outcome) -> Phrase:
+    return Phrase(key, {"case": Phrase(outcome.case), "when": outcome.when})
 
 
 # -- in numbers ---------------------------------------------------------------------------------------
