@@ -84,12 +84,10 @@ class Speech:
         return {name: self._result(result) for name, result in results.items()}
 
     def _result(self, result: Result) -> Result:
-        match result:
-            case Phrase():
-                return self.say(result)
-            case (Phrase() | Relation(), *_):
-                return tuple(map(self.say, result))
-        return result
+        if isinstance(result, Phrase):
+            return self.say(result)
+        parts = result if isinstance(result, tuple) else ()
+        return tuple(self.say(part) for part in parts if isinstance(part, Phrase | Relation)) or result
 
     def claim(self, claim: Claim) -> str:
         """What was verified."""
