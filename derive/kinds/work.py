@@ -160,15 +160,24 @@ class Work:
         rule: str = "",
         facts: Record | None = None,
         steps: tuple[Step, ...] = (),
+        label: str = "",
     ) -> Work:
         """A line more, `name = formula = formula = value`: the value of the first formula, or one that was
-        computed in another way, which the chain is then checked against."""
+        computed in another way, which the chain is then checked against. The words know the step by its
+        `label`, or else by the name."""
         symbol = self.symbol(name) if isinstance(name, str) else name
         found = self.value(formulas[0]) if value is None else value
-        written = self.readable(found) if isinstance(found, Scalar | ScalarMatrix) else found
-        step = Step(symbol.name, distinct((symbol, *formulas, written)), rule, facts or Record(), steps)
-        more: dict[Expr, Value] = {symbol: found} if isinstance(found, Scalar | ScalarMatrix) else {}
-        return replace(self.step(step), values={**self.values, **more})
+        written, values = self._read(symbol, found)
+        chain = distinct((symbol, *formulas, written))
+        step = Step(label or symbol.name, chain, rule, facts or Record(), steps)
+        known = {**self.known, symbol: written}
+        return replace(self, steps=(*self.steps, step), known=known, values=values)
+
+    def _read(self, name: Symbol, value: Value | Expr) -> tuple[Expr, Mapping[Expr, Value]]:
+        """A value as a tree, and the normal forms that are known with it."""
+        if isinstance(value, Scalar | ScalarMatrix):
+            return self.readable(value), {**self.values, name: value}
+        return value, self.values
 
     def worked(self, name: str, formula: Expr, answer: Expr | None = None, rule: str = "") -> Work:
         """A line more, `name = formula = numbers put in = what comes out`; `answer` is that where it is to be
@@ -190,7 +199,7 @@ class Work:
         """The lines of these names ended by their values with the names of `where` replaced; lines after them
         start from there."""
         ends: dict[Expr, Expr] = {self.symbol(n) if isinstance(n, str) else n: self.final(n) for n in names}
-        steps = (closing(s, ends[Symbol(s.name)]) if Symbol(s.name) in ends else s for s in self.steps)
+        steps = (closing(s, ends[s.chain[0]]) if s.chain and s.chain[0] in ends else s for s in self.steps)
         values = {name: value for name, value in self.values.items() if name not in ends}
         return replace(self, steps=tuple(steps), known={**self.known, **ends}, values=values)
 

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from derive.derivation import Claim, Derivation, PageFacts, Result, Step, Table
+from derive.derivation import Claim, Derivation, PageFacts, Result, Table
 from derive.expression import Expr, Product, Sum, Symbol, add, number, subtract
-from derive.kinds.checks import SECOND_ROUTE, links
-from derive.kinds.fields import OptionsModel
+from derive.kinds.checks import SECOND_ROUTE
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
+from derive.kinds.work import Work
 from derive.mechanics.mobility import FREEDOMS, LAMBDA, Joints, Mechanism, Space
 
 RESULTS = {
@@ -37,10 +38,6 @@ MOVING_LOOPS = {
 OTHERS: dict[Space, tuple[Space, ...]] = {"spatial": ("planar", "spherical"), "planar": (), "spherical": ()}
 
 
-class Options(OptionsModel):
-    """None."""
-
-
 class Facts(PageFacts):
     space: Space
     bodies: Expr
@@ -62,23 +59,13 @@ class Facts(PageFacts):
 def derive(mechanism: Mechanism, options: Options, problem: Problem) -> Derivation:
     """dof = lambda (n - 1) - sum c_i (Lynch and Park, section 2.2)."""
     size = LAMBDA[mechanism.space]
-    total = _total(mechanism)
-    steps = (
-        Step("constraints", _distinct(C, total, number(sum(each.total for each in mechanism.joints)))),
-        Step("dof", _dof(mechanism, size)),
-    )
-    definitions: dict[Expr, Expr] = {C: total, DOF: number(mechanism.dof)}
-    claims = (
-        *links(steps, definitions),
-        Claim(
-            "loop-freedoms",
-            SECOND_ROUTE,
-            mechanism.by_loops == mechanism.dof,
-        ),
-    )
-    return Derivation(
-        "mobility", steps, _results(mechanism), claims, {C: total}, facts=_facts(mechanism, size)
-    )
+    taken = number(sum(each.total for each in mechanism.joints))
+    free = Product((number(size), Sum((number(mechanism.bodies), number(-1)))))
+    formulas = (subtract(free, C), subtract(number(size * (mechanism.bodies - 1)), taken))
+    work = Work(problem).line(C, _total(mechanism), value=taken, label="constraints")
+    work = work.line(DOF, *formulas, value=number(mechanism.dof))
+    work = work.claim(Claim("loop-freedoms", SECOND_ROUTE, mechanism.by_loops == mechanism.dof))
+    return work.answer("mobility", _results(mechanism), _facts(mechanism, size))
 
 
 def _results(mechanism: Mechanism) -> dict[str, Result]:
@@ -91,22 +78,6 @@ def _results(mechanism: Mechanism) -> dict[str, Result]:
 def _total(mechanism: Mechanism) -> Expr:
     """Each sort: how many times how much."""
     return add(*(Product((number(each.pairs), number(each.constraints))) for each in mechanism.joints))
-
-
-def _dof(mechanism: Mechanism, size: int) -> tuple[Expr, ...]:
-    moving = Sum((number(mechanism.bodies), number(-1)))
-    free = Product((number(size), moving))
-    taken = number(sum(each.total for each in mechanism.joints))
-    return (
-        DOF,
-        subtract(free, C),
-        subtract(number(size * (mechanism.bodies - 1)), taken),
-        number(mechanism.dof),
-    )
-
-
-def _distinct(*chain: Expr) -> tuple[Expr, ...]:
-    return tuple(expr for k, expr in enumerate(chain) if k == 0 or expr != chain[k - 1])
 
 
 def _facts(mechanism: Mechanism, size: int) -> Facts:
