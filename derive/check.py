@@ -113,19 +113,19 @@ def _compared(
         locate=at.place,
         key=at.key,
         xy=sheet.notation.atan2 == "xy",
-        reached=_reached(question, working, derivation),
+        reached=reached(question, working, derivation),
         evaluate=question.evaluate,
     )
     return Checked(tuple(checks(asked)))
 
 
-def _reached(question: Question, working: Working, derivation: Derivation) -> tuple[Point, ...]:
+def reached(question: Question, working: Working, derivation: Derivation) -> tuple[Point, ...]:
     """Points at which what is known belongs together, where the kind can tell."""
-    reached = getattr(question.kind, "reached", None)
-    if reached is None or "solutions" not in derivation.results:
+    search = getattr(question.kind, "reached", None)
+    if search is None or "solutions" not in derivation.results:
         return ()
     try:
-        points: Sequence[Mapping[str, float]] = reached(question.options, working, POINTS)
+        points: Sequence[Mapping[str, float]] = search(question.options, working, POINTS)
     except NotDerivable:  # where: has names of its own for what is given; then any points will do
         return ()
     return tuple({name: Fraction(value) for name, value in point.items()} for point in points)
