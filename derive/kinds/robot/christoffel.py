@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.expression import (
     ZERO,
     Derivative,
@@ -25,6 +25,7 @@ from derive.kinds.checks import law, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
+from derive.kinds.robot import inertia_matrix
 from derive.kinds.robot._chain import moment_names
 from derive.mechanics.dynamics import christoffel
 from derive.mechanics.robot import Robot
@@ -49,27 +50,33 @@ class Options(OptionsModel):
     """None."""
 
 
+class Facts(PageFacts):
+    big: bool
+    count: int
+    vanish: int  # of those not shown
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """c_ijk = (d_kj,i + d_ki,j - d_ij,k) / 2 (Spong et al., eq. 6.38)."""
     base = problem.ask("inertia-matrix")
     D = problem.normal_matrix(base.definitions[Symbol("D")])
     symbols = christoffel(D, robot.variables)
-    big = base.facts["big"]
+    big = base.told(inertia_matrix.Facts).big
     named = moment_names(base)
     values = {ijk: value for ijk, value in symbols.items() if ijk[0] <= ijk[1]}
     shown = () if big else _shown(values, len(robot.variables))
     steps = tuple(_step(problem, ijk, values[ijk], robot.variables, named) for ijk in shown)
-    found = {step.facts["index"]: step.result for step in steps}
+    found = {ijk: step.result for ijk, step in zip(shown, steps, strict=True)}
     found |= {ijk: _final(problem, value, named) for ijk, value in values.items() if ijk not in found}
     definitions: dict[Expr, Expr] = {**base.definitions}
     definitions |= {Symbol(_name(ijk)): found[_ordered(ijk)] for ijk in symbols}
     results = {_name(ijk): found[_ordered(ijk)] for ijk in sorted(symbols)}
     claims = (*links(steps, {**problem.names, **definitions}), *_laws(D, symbols, robot.variables))
-    facts = {
-        "big": big,
-        "count": len(symbols),
-        "vanish": sum(not value for ijk, value in symbols.items() if big or _ordered(ijk) not in shown),
-    }
+    facts = Facts(
+        big=big,
+        count=len(symbols),
+        vanish=sum(not value for ijk, value in symbols.items() if big or _ordered(ijk) not in shown),
+    )
     return Derivation("christoffel", steps, results, claims, definitions, uses=(base,), facts=facts)
 
 
@@ -102,7 +109,7 @@ def _step(
         chain.append(left)
     chain += [written] if written != chain[-1] else []
     chain += [final] if final != written else []
-    return Step(names[0].name, tuple(chain), "christoffel", {"index": ijk})
+    return Step(names[0].name, tuple(chain), "christoffel")
 
 
 def _partial(a: int, b: int, by: int, variables: tuple[str, ...]) -> Expr:

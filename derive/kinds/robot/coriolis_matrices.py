@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.derivation import Claim, Derivation
+from derive.derivation import Claim, Derivation, PageFacts
 from derive.expression import Expr, Matrix, Product, Sum, Symbol
 from derive.kinds.checks import law, links
 from derive.kinds.fields import OptionsModel
@@ -45,6 +45,12 @@ class Options(OptionsModel):
     """None."""
 
 
+class Facts(PageFacts):
+    big: bool
+    one: bool  # joint
+    vanish: int  # of those not shown
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """v = C [qdot^2] + B [qdot qdot] (Khatib, Introduction to Robotics, dynamics; Craig, eq. 6.63)."""
     require_free(problem.symbols, "C", "B", "v")
@@ -67,11 +73,11 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         claims,
         definitions,
         uses=(inertia,),
-        facts={
-            "big": big,
-            "one": n == 1,
-            "vanish": sum(entry_symbol("b", i, j, k).name not in shown for i, j, k in velocity.symbols),
-        },
+        facts=Facts(
+            big=big,
+            one=n == 1,
+            vanish=sum(entry_symbol("b", i, j, k).name not in shown for i, j, k in velocity.symbols),
+        ),
         matrices=frozenset({"C", "B"}),
     )
 

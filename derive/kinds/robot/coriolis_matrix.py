@@ -7,7 +7,7 @@ from collections.abc import Callable
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.scalar import Scalar
-from derive.derivation import Derivation, Step
+from derive.derivation import Derivation, PageFacts, Step
 from derive.expression import ZERO, Expr, Matrix, Symbol, add, multiply
 from derive.kinds.checks import law, links
 from derive.kinds.fields import OptionsModel
@@ -43,6 +43,10 @@ class Options(OptionsModel):
     """None."""
 
 
+class Facts(PageFacts):
+    big: bool
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """c_kj = sum of c_ijk qdot_i (Spong et al., eq. 6.42; Siciliano et al., eq. 7.45)."""
     require_free(problem.symbols, "C")
@@ -72,7 +76,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         claims,
         definitions,
         uses=(inertia, speed),
-        facts={"big": big},
+        facts=Facts(big=big),
         matrices=frozenset({"C"}),
     )
 

@@ -8,13 +8,14 @@ from typing import Literal
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.numbers.compiled import compiled
 from derive.algebra.readable.operation_count import operations
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.expression import Expr, Matrix, Symbol, add, column
 from derive.kinds.checks import agreement, links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
+from derive.kinds.robot import inertia_matrix
 from derive.kinds.robot._chain import moment_names, oracle_of
-from derive.kinds.robot._dynamics.drives import friction_column, friction_facts
+from derive.kinds.robot._dynamics.drives import friction_column, friction_sorts
 from derive.kinds.robot._dynamics.terms import Term, terms_of
 from derive.mechanics.robot import Robot
 
@@ -46,6 +47,14 @@ class Options(OptionsModel):
     notation: Literal["spong", "khatib"] = "spong"
 
 
+class Facts(PageFacts):
+    big: bool
+    notation: str
+    friction: bool = False  # in the notation of Khatib
+    viscous: bool = False
+    coulomb: bool = False
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """tau_k = sum d_kj qddot_j + sum c_ijk qdot_i qdot_j + g_k (Spong et al., eq. 6.39)."""
     if options.notation == "khatib":
@@ -55,7 +64,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     inertia, speed, weight = (problem.ask(kind) for kind in ("inertia-matrix", "christoffel", "gravity"))
     names: dict[Expr, Expr] = {**inertia.definitions, **speed.definitions, **weight.definitions}
     terms = terms_of(problem, inertia, speed, weight)
-    big = inertia.facts["big"]
+    big = inertia.told(inertia_matrix.Facts).big
+    viscous, coulomb = friction_sorts(robot)
     steps = () if big else tuple(_equation(k, each) for k, each in enumerate(terms, 1))
     tau = column(add(*[term.written for term in each]) for each in terms)
     rigid = column(add(*[term.written for term in each if term.sort != "friction"]) for each in terms)
@@ -69,7 +79,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         claims,
         names,
         uses=(inertia, speed, weight),
-        facts={"big": big, "notation": "spong", **friction_facts(robot)},
+        facts=Facts(big=big, notation="spong", viscous=viscous, coulomb=coulomb),
         matrices=frozenset({"D"}),
     )
 
@@ -79,7 +89,7 @@ def _equation(k: int, terms: tuple[Term, ...]) -> Step:
     name, named = Symbol(f"tau_{k}"), add(*[term.named for term in terms])
     written = add(*[term.written for term in terms])
     chain = (name, named, written) if operations(written) <= LONGEST and written != named else (name, named)
-    return Step(name.name, chain, "euler-lagrange", {"k": k})
+    return Step(name.name, chain, "euler-lagrange")
 
 
 def _second_route(problem: Problem, rigid: Matrix) -> Claim:

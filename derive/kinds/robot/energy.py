@@ -9,7 +9,7 @@ from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, Result, Step, Table, named_results
+from derive.derivation import Claim, Derivation, PageFacts, Result, Step, Table, named_results
 from derive.expression import (
     ZERO,
     Expr,
@@ -59,6 +59,11 @@ class Options(OptionsModel):
     """None."""
 
 
+class Facts(PageFacts):
+    big: bool
+    table: Table | None
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """K_i = (m v_c^T v_c + w^T R I R^T w) / 2 and P_i = -m g^T o_c (Spong et al., eq. 6.26 and 6.33)."""
     inertia, weight = problem.ask("inertia-matrix"), problem.ask("gravity")
@@ -88,7 +93,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         claims,
         definitions,
         uses=(inertia, weight),
-        facts={"big": big, "table": _table(results)},
+        facts=Facts(big=big, table=_table(results)),
     )
 
 

@@ -8,7 +8,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.readable.operation_count import operations
-from derive.derivation import Claim, Derivation, Step, named_results
+from derive.derivation import Claim, Derivation, PageFacts, Step, named_results
 from derive.expression import Expr, Quotient, Symbol, add, column, multiply, subtract
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
@@ -44,6 +44,11 @@ class Options(OptionsModel):
     """None."""
 
 
+class Facts(PageFacts):
+    long: bool
+    one: bool  # joint
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """qddot = D^-1 (tau - h), by the adjugate and the determinant (Craig, eq. 6.115)."""
     motion = problem.ask("dynamics")
@@ -72,7 +77,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         claims,
         definitions,
         uses=(motion,),
-        facts={"long": inverse.long, "one": len(robot.variables) == 1},
+        facts=Facts(long=inverse.long, one=len(robot.variables) == 1),
         matrices=frozenset({"D_inv"}),
     )
 

@@ -8,7 +8,7 @@ from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.readable.matrix_factor import factored_matrix
 from derive.algebra.readable.operation_count import operations
-from derive.derivation import Claim, Derivation, Step, named_results
+from derive.derivation import Claim, Derivation, PageFacts, Step, named_results
 from derive.expression import ZERO, Expr, Matrix, Product, Sum, Symbol, children, free_symbols, transpose
 from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
@@ -52,6 +52,13 @@ class Options(OptionsModel):
     """None."""
 
 
+class Facts(PageFacts):
+    big: bool  # each link is worked in its own frame
+    shapes: bool
+    drifts: bool
+    changing: bool
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """D = sum of m J_v^T J_v + J_w^T R I R^T J_w (Spong et al., eq. 6.30)."""
     require_free(problem.symbols, "D")
@@ -74,7 +81,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     drifts = any(body.at.drift for body in bodies)
     names = set(robot.variables)
     changing = any(not names.isdisjoint(free_symbols(each)) for body in bodies for each in body.moments)
-    facts = {"shapes": bool(named), "big": big, "drifts": drifts, "changing": changing, "numbers": ("D",)}
+    facts = Facts(big=big, shapes=bool(named), drifts=drifts, changing=changing, numbers=("D",))
     return Derivation(
         "inertia-matrix",
         steps,

@@ -6,7 +6,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol, column
 from derive.kinds.checks import law, links
@@ -39,6 +39,12 @@ LONGEST_TORQUE = 90  # operations of a joint force that is still written out
 
 class Options(OptionsModel):
     """None."""
+
+
+class Facts(PageFacts):
+    long: bool
+    levers: bool
+    offsets: bool
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -78,12 +84,11 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         claims,
         definitions,
         uses=(poses,),
-        facts={
-            "long": long,
-            "levers": any(any(row.arm) for row in arm.rows),
-            "offsets": any(any(row.out) for row in arm.rows),
-            "prismatic": any(link.joint == "prismatic" for link in robot.links),
-        },
+        facts=Facts(
+            long=long,
+            levers=any(any(row.arm) for row in arm.rows),
+            offsets=any(any(row.out) for row in arm.rows),
+        ),
     )
 
 

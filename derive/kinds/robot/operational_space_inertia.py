@@ -10,7 +10,7 @@ from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     ONE,
@@ -65,6 +65,11 @@ class Options(OptionsModel):
     rows: tuple[RowName, ...] = ()
 
 
+class Facts(PageFacts):
+    rows: tuple[Expr, ...]
+    short: bool
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """Lambda = J^-T D J^-1 (Khatib, A unified approach for motion and force control, 1987, eq. 51)."""
     inertia = problem.ask("inertia-matrix")
@@ -102,7 +107,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         claims,
         definitions,
         uses=(task.base, inertia),
-        facts={"rows": task.velocities, "short": len(steps[-1].chain) > 2},
+        facts=Facts(rows=task.velocities, short=len(steps[-1].chain) > 2),
         matrices=frozenset(results),
     )
 

@@ -8,7 +8,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import numbers
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, Step, Table
+from derive.derivation import Claim, Derivation, PageFacts, Step, Table
 from derive.expression import (
     ZERO,
     Approximate,
@@ -55,6 +55,12 @@ class Options(OptionsModel):
     """None."""
 
 
+class Facts(PageFacts):
+    big: bool
+    minors: Table | None  # None where the bodies are not all possible ones
+    definite: bool
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """N = dD/dt - 2C is skew-symmetric, D positive definite, tau linear in the parameters (Spong et al.,
     section 6.5)."""
@@ -83,7 +89,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         claims,
         definitions,
         uses=(inertia, coriolis, linear),
-        facts={"big": big, **_verdict(minors)},
+        facts=Facts(big=big, minors=_table(minors), definite=_is_definite(minors)),
         matrices=frozenset({"D_dot", "N", "Y", "Y_b"}),
     )
 
@@ -150,17 +156,20 @@ def _definite(minors: list[list[float]]) -> tuple[Claim, ...]:
     return (Claim("minors", SECOND_ROUTE, holds),)
 
 
-def _verdict(minors: list[list[float]]) -> dict[str, object]:
-    """What the words need: the table of minors, and whether D is definite there."""
+def _table(minors: list[list[float]]) -> Table | None:
     if not minors:
-        return {"minors": None, "definite": None}
+        return None
     headings: tuple[Expr | str, ...] = (
         "point",
         *(Symbol(f"Delta_{k}") for k in range(1, len(minors[0]) + 1)),
     )
     rows = [_row(p, point) for p, point in enumerate(minors, 1)]
-    definite = all(minor > 1e-9 * max(map(abs, point)) for point in minors for minor in point)
-    return {"minors": Table(headings, tuple(rows)), "definite": definite}
+    return Table(headings, tuple(rows))
+
+
+def _is_definite(minors: list[list[float]]) -> bool:
+    """Whether every minor is positive at every point."""
+    return all(minor > 1e-9 * max(map(abs, point)) for point in minors for minor in point)
 
 
 def _row(label: int, values: list[float]) -> tuple[Expr | str, ...]:

@@ -9,7 +9,7 @@ from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, Step, Table
+from derive.derivation import Claim, Derivation, PageFacts, Step, Table
 from derive.expression import (
     Approximate,
     Expr,
@@ -66,6 +66,14 @@ class Options(OptionsModel):
     """None."""
 
 
+class Facts(PageFacts):
+    table: Table | None
+    all: int
+    smallest: int
+    rotors: bool
+    friction: bool
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """tau = Y(q, qdot, qddot) Theta (Spong et al., section 6.5.3; Khalil and Dombre, section 9.4)."""
     inertia = problem.ask("inertia-matrix")
@@ -103,14 +111,14 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         results,
         claims,
         definitions,
-        facts={
-            "table": _table(values),
-            "numbers": ("Y", "parameters", "Y_b", "base_parameters"),
-            "all": len(parameters),
-            "smallest": len(base),
-            "rotors": any(part.name.base == "IA" for part in parameters),
-            "friction": any(part.name.base in ("FV", "FS") for part in parameters),
-        },
+        facts=Facts(
+            table=_table(values),
+            all=len(parameters),
+            smallest=len(base),
+            rotors=any(part.name.base == "IA" for part in parameters),
+            friction=any(part.name.base in ("FV", "FS") for part in parameters),
+            numbers=("Y", "parameters", "Y_b", "base_parameters"),
+        ),
         matrices=frozenset({"Y", "Y_b"}),
     )
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from derive.derivation import Derivation, Step
-from derive.expression import ZERO, Symbol, column
+from derive.derivation import Derivation, PageFacts, Step
+from derive.expression import Expr, Symbol, column
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of
-from derive.kinds.robot._dynamics.drives import moving
+from derive.kinds.robot._dynamics.drives import friction_sorts
 from derive.kinds.robot._dynamics.linearisation import linearised
 from derive.mechanics.robot import Robot
 
@@ -40,6 +40,15 @@ class Options(OptionsModel):
     at: Evaluation = None
 
 
+class Facts(PageFacts):
+    at: tuple[tuple[Symbol, Expr], ...]
+    linear: bool
+    long: bool
+    viscous: bool
+    coulomb: bool
+    held: bool
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """x = (q, qdot), and A, B about rest at `at` (Spong et al., section 8.1; Siciliano et al., 8.4)."""
     forward, motion = problem.ask("forward-dynamics"), problem.ask("dynamics")
@@ -61,13 +70,13 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         linear.claims if linear else (),
         {**forward.definitions, **(linear.definitions if linear else {})},
         uses=(forward,),
-        facts={
-            "at": tuple((Symbol(name), value) for name, value in (options.at or ())),
-            "linear": linear is not None,
-            "long": bool(linear and linear.long),
-            "viscous": bool(linear and linear.friction),
-            "coulomb": any(link.friction and link.friction.coulomb != ZERO for link in moving(robot)),
-            "held": bool(linear and linear.torques),
-        },
+        facts=Facts(
+            at=tuple((Symbol(name), value) for name, value in (options.at or ())),
+            linear=linear is not None,
+            long=bool(linear and linear.long),
+            viscous=bool(linear and linear.friction),
+            coulomb=friction_sorts(robot)[1],
+            held=bool(linear and linear.torques),
+        ),
         matrices=frozenset({"A", "B"}),
     )

@@ -46,13 +46,10 @@ def friction_terms(robot: Robot) -> tuple[tuple[Expr, ...], ...]:
     return tuple(resistance(link.friction, link.variable or "") for link in moving(robot))
 
 
-def friction_facts(robot: Robot) -> dict[str, bool]:
-    """Which sorts of friction there are, for the words."""
+def friction_sorts(robot: Robot) -> tuple[bool, bool]:
+    """Whether there is viscous and whether there is Coulomb friction."""
     known = [link.friction for link in moving(robot) if link.friction]
-    return {
-        "viscous": any(each.viscous != ZERO for each in known),
-        "coulomb": any(each.coulomb != ZERO for each in known),
-    }
+    return any(each.viscous != ZERO for each in known), any(each.coulomb != ZERO for each in known)
 
 
 def friction_column(robot: Robot) -> Matrix | None:

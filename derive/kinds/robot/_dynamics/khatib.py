@@ -8,7 +8,7 @@ from itertools import combinations, combinations_with_replacement, product
 
 from derive.algebra.normal import normal_matrix
 from derive.algebra.scalar import Scalar
-from derive.derivation import Step
+from derive.derivation import Record, Step
 from derive.expression import (
     ZERO,
     Derivative,
@@ -94,6 +94,10 @@ def entry_steps(problem: Problem, D: Expr) -> tuple[Step, ...]:
     return tuple(steps)
 
 
+class OfRow(Record):
+    row: int
+
+
 def symbol_steps(velocity: Velocity, n: int) -> tuple[Step, ...]:
     """b_ijk = (m_ijk + m_ikj - m_jki) / 2; of long arms only those that do not vanish."""
     steps = []
@@ -102,7 +106,9 @@ def symbol_steps(velocity: Velocity, n: int) -> tuple[Step, ...]:
             names = [entry_symbol("b", i, j, k)] + ([entry_symbol("b", i, k, j)] if j != k else [])
             raw = Sum((m(i, j, k), m(i, k, j), negate(m(j, k, i))))
             steps.append(
-                Step(names[0].name, (*names, multiply(HALF, raw), velocity.values[i, j, k]), "b", {"row": i})
+                Step(
+                    names[0].name, (*names, multiply(HALF, raw), velocity.values[i, j, k]), "b", OfRow(row=i)
+                )
             )
     return tuple(steps)
 

@@ -28,6 +28,7 @@ from derive.kinds.robot._chain import chain_of, matrix_of, moment_names
 from derive.kinds.robot._dynamics.bodies import weighted
 from derive.kinds.robot._dynamics.drives import friction_column
 from derive.kinds.robot._dynamics.rates import is_long, oracle, rated, rises
+from derive.kinds.robot.dynamics import Facts
 from derive.mechanics.robot import gravity_of
 from derive.names import require_free
 
@@ -64,7 +65,7 @@ def khatib_dynamics(problem: Problem) -> Derivation:
         claims,
         definitions,
         uses=(inertia, speed),
-        facts={"big": big, "friction": friction is not None, "notation": "khatib"},
+        facts=Facts(big=big, notation="khatib", friction=friction is not None),
         matrices=frozenset({"M", "C", "B"}),
     )
 

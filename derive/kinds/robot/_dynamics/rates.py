@@ -15,6 +15,7 @@ from derive.derivation import Claim
 from derive.expression import Expr, Matrix, Product, Symbol, column, squared
 from derive.kinds.checks import agreement
 from derive.kinds.problem import Problem
+from derive.kinds.robot import inertia_matrix
 from derive.kinds.robot._dynamics.drives import rigid
 from derive.mechanics.dynamics import christoffel
 from derive.mechanics.oracle import Oracle
@@ -102,4 +103,7 @@ def symbols_of(problem: Problem) -> Christoffel:
 def is_long(problem: Problem) -> bool:
     """Whether what follows from D would fill pages: it is then left in its names."""
     inertia = problem.ask("inertia-matrix")
-    return bool(inertia.facts["big"]) or operations(inertia.definitions[Symbol("D")]) > LONGEST_MATRIX
+    return (
+        inertia.told(inertia_matrix.Facts).big
+        or operations(inertia.definitions[Symbol("D")]) > LONGEST_MATRIX
+    )

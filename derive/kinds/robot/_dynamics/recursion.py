@@ -9,7 +9,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
-from derive.derivation import Step
+from derive.derivation import Record, Step
 from derive.expression import (
     ZERO,
     Expr,
@@ -169,16 +169,20 @@ class Recursion:
         return [Symbol(f"r_{i}")] if any(self.arm.rows[i - 1].arm) else []
 
 
+class OfLink(Record):
+    link: int
+
+
 def step_of(problem: Problem, line: Line, names_only: bool) -> Step:
     """The line on the page: its value left out where it is long."""
     if names_only:
-        return Step(line.name.name, (line.name, line.formula), line.rule, {"link": line.i})
+        return Step(line.name.name, (line.name, line.formula), line.rule, OfLink(link=line.i))
     value = written(problem, line)
     if line.formula == ZERO:  # nothing in names adds up to it
-        return Step(line.name.name, (line.name, value), line.rule, {"link": line.i})
+        return Step(line.name.name, (line.name, value), line.rule, OfLink(link=line.i))
     long = sum(map(operations, children(value))) > LONGEST if line.value.shape[0] > 1 else False
     chain = (line.name, line.formula) if long or value == line.formula else (line.name, line.formula, value)
-    return Step(line.name.name, chain, line.rule, {"link": line.i})
+    return Step(line.name.name, chain, line.rule, OfLink(link=line.i))
 
 
 def written(problem: Problem, line: Line) -> Expr:
