@@ -148,13 +148,15 @@ class Work:
         return self.line(name, value=value, rule=rule)
 
     def step(self, *steps: Step) -> Work:
-        """Steps that were made elsewhere; the name of each stands for its result."""
-        names: dict[Expr, Expr] = {Symbol(each.name): each.result for each in steps if each.chain}
+        """Steps that were made elsewhere; the symbol at the head of each stands for its result, but that of a
+        law for nothing."""
+        chains = (each.chain for each in steps if each.chain and each.rule != "law")
+        names: dict[Expr, Expr] = {chain[0]: chain[-1] for chain in chains if isinstance(chain[0], Symbol)}
         return replace(self, steps=(*self.steps, *steps), known={**self.known, **names})
 
     def line(
         self,
-        name: str | Symbol,
+        name: str | Expr,
         *formulas: Expr,
         value: Value | Expr | None = None,
         rule: str = "",
@@ -164,20 +166,20 @@ class Work:
     ) -> Work:
         """A line more, `name = formula = formula = value`: the value of the first formula, or one that was
         computed in another way, which the chain is then checked against. The words know the step by its
-        `label`, or else by the name."""
-        symbol = self.symbol(name) if isinstance(name, str) else name
-        found = self.value(formulas[0]) if value is None else value
-        written, values = self._read(symbol, found)
-        chain = distinct((symbol, *formulas, written))
-        step = Step(label or symbol.name, chain, rule, facts or Record(), steps)
-        known = {**self.known, symbol: written}
-        return replace(self, steps=(*self.steps, step), known=known, values=values)
-
-    def _read(self, name: Symbol, value: Value | Expr) -> tuple[Expr, Mapping[Expr, Value]]:
-        """A value as a tree, and the normal forms that are known with it."""
-        if isinstance(value, Scalar | ScalarMatrix):
-            return self.readable(value), {**self.values, name: value}
-        return value, self.values
+        `label`, or else by the name. What has the value may be no name but a formula, as det(J), which no
+        other need follow; it needs a label."""
+        head = self.symbol(name) if isinstance(name, str) else name
+        found = self.value(formulas[0] if formulas else head) if value is None else value
+        exact: dict[Expr, Value] = {head: found} if isinstance(found, Scalar | ScalarMatrix) else {}
+        written = self.readable(found) if isinstance(found, Scalar | ScalarMatrix) else found
+        named: dict[Expr, Expr] = {head: written} if isinstance(head, Symbol) else {}
+        step = Step(label or text(head), distinct((head, *formulas, written)), rule, facts or Record(), steps)
+        return replace(
+            self,
+            steps=(*self.steps, step),
+            known={**self.known, **named},
+            values={**self.values, **exact},
+        )
 
     def worked(self, name: str, formula: Expr, answer: Expr | None = None, rule: str = "") -> Work:
         """A line more, `name = formula = numbers put in = what comes out`; `answer` is that where it is to be
@@ -195,13 +197,16 @@ class Work:
         step = Step(name, distinct((symbol, formula, *shown, answer)), rule)
         return replace(self, steps=(*self.steps, step), known={**self.known, symbol: answer})
 
-    def closed(self, *names: str | Name) -> Work:
+    def closed(self, *names: str | Expr) -> Work:
         """The lines of these names ended by their values with the names of `where` replaced; lines after them
         start from there."""
-        ends: dict[Expr, Expr] = {self.symbol(n) if isinstance(n, str) else n: self.final(n) for n in names}
+        heads = {self.symbol(name) if isinstance(name, str) else name for name in names}
+        lines = {step.chain[0]: step.result for step in self.steps if step.chain}
+        ends = {head: self.problem.final({**lines, **self.known}[head]) for head in heads}
         steps = (closing(s, ends[s.chain[0]]) if s.chain and s.chain[0] in ends else s for s in self.steps)
         values = {name: value for name, value in self.values.items() if name not in ends}
-        return replace(self, steps=tuple(steps), known={**self.known, **ends}, values=values)
+        known = {name: ends.get(name, value) for name, value in self.known.items()}
+        return replace(self, steps=tuple(steps), known=known, values=values)
 
     # -- how it is written ------------------------------------------------------------------------
 

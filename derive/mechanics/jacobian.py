@@ -27,6 +27,11 @@ class MovingPoint:
         return J + ScalarMatrix.stacked([self.drift, ScalarMatrix.zeros(*self.drift.shape)])
 
 
+def halves(J: ScalarMatrix) -> tuple[ScalarMatrix, ScalarMatrix]:
+    """J_v and J_w (3 by n each): the linear rows of a Jacobian (6 by n), and the angular ones."""
+    return J.block(slice(0, 3), slice(None)), J.block(slice(3, 6), slice(None))
+
+
 def jacobian(chain: Chain, point: ScalarMatrix, last: int) -> ScalarMatrix:
     """J (6 by n), linear rows first, of a point (3 by 1, base frame) that is fixed in frame `last`. Of
     coupled joints it is that of the motions of the rows times the rates of these.

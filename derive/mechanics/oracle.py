@@ -252,6 +252,21 @@ def inertia_of(body: Body, point: Any, value: Value = number) -> Array:
     return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
 
+def slope(
+    value: Callable[[Point], Array], at: Point, rates: Mapping[str, float], step: float = STEP
+) -> Array:
+    """How fast a value (an array) changes where the names change at these rates, by central differences."""
+    ahead, behind = (
+        value({**at, **{name: at[name] + h * rate for name, rate in rates.items()}}) for h in (step, -step)
+    )
+    return (ahead - behind) / (2 * step)
+
+
+def vee(S: Array) -> list[float]:
+    """The vector (3) of a skew-symmetric matrix, or of that in the corner of a twist."""
+    return [S[2, 1], S[0, 2], S[1, 0]]
+
+
 def compose(sequence: tuple[Move, ...], point: Any, value: Value = number) -> Array:
     """T of moves about current axes."""
     import numpy as np

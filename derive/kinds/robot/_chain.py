@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import replace
+from collections.abc import Callable, Iterator
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.derivation import Derivation, Phrase, Step
+from derive.derivation import Derivation, Phrase
 from derive.expression import Expr, Matrix, Symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._couplings import drive_names
-from derive.mechanics.chain import Chain, chain
+from derive.kinds.work import Work
+from derive.mechanics.chain import Chain, Joint, chain
 from derive.mechanics.oracle import Oracle
 from derive.mechanics.poses import position_part, rotation_part
 from derive.mechanics.robot import DHRow, Robot
@@ -59,36 +59,33 @@ def axis_and_point(found: Chain, robot: Robot, i: int) -> tuple[ScalarMatrix, Sc
     return found.axis(i), found.point(i)
 
 
-def axis_steps(problem: Problem, found: Chain, last: int) -> tuple[Step, ...]:
-    """z and o of every joint up to frame `last`, each vector once."""
-    steps: dict[str, Step] = {}
-    for i, name, value in _vectors(found, problem.subject):
-        if i <= last:
-            steps.setdefault(name.name, Step(name.name, (name, problem.readable_matrix(value)), "extract"))
-    return tuple(steps.values())
+def axis_lines(work: Work, found: Chain) -> Work:
+    """z and o of every joint as lines, each vector once."""
+    done = set()
+    for name, value in _vectors(found, work.problem.subject):
+        if name not in done:
+            work = work.line(name, value=value, rule="extract")
+        done.add(name)
+    return work
 
 
-def _vectors(found: Chain, robot: Robot) -> Iterator[tuple[int, Symbol, ScalarMatrix]]:
-    """(row, name, value) of each axis and each point on one."""
+def _vectors(found: Chain, robot: Robot) -> Iterator[tuple[Symbol, ScalarMatrix]]:
+    """(name, value) of each axis and each point on one."""
     if found.coupling is None:
         for i, _ in found.moving:
-            pairs = zip(axis_names(found, robot, i), axis_and_point(found, robot, i), strict=True)
-            yield from ((i, name, value) for name, value in pairs)
+            yield from zip(axis_names(found, robot, i), axis_and_point(found, robot, i), strict=True)
         return
     for drive in found.coupling.drives:
         axis, point = drive_names(found, robot, drive)
-        yield drive.i, axis, drive.axis
+        yield axis, drive.axis
         if not drive.slides:
             frame = point.name.removeprefix("o_")
-            origin = position_part(found.T[int(frame)]) if point.name.startswith("o_") else drive.point
-            yield drive.i, point, origin
+            yield point, position_part(found.T[int(frame)]) if point.name.startswith("o_") else drive.point
 
 
-def closing(step: Step, result: Expr) -> Step:
-    """The step ended by its result with every name replaced, where that says anything new."""
-    if step.chain and step.result == result:
-        return step
-    return replace(step, chain=(*step.chain, result))
+def joint_numbers(found: Chain, which: Callable[[Joint], bool], last: int | None = None) -> tuple[int, ...]:
+    """The numbers of the joints of a sort, up to row `last`."""
+    return tuple(i for i, joint in found.moving if which(joint) and i <= (last or i))
 
 
 def moment_names(inertia: Derivation) -> dict[Expr, Expr]:

@@ -2,107 +2,111 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.readable.form import readable
 from derive.derivation import Step
 from derive.expression import ZERO, Expr, Matrix, Product, Sum, Symbol, add, cross, subtract
 from derive.kinds.naming import fits
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL, axis_names, end_frame, pose_name
-from derive.kinds.robot._couplings import drive_blocks, gamma_of, phi_of
+from derive.kinds.robot._couplings import drive_names, gamma_of, phi_of
+from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.jacobian import MovingPoint, motions_jacobian
-from derive.mechanics.robot import Robot
 
 MOST_BLOCKS = 3  # columns; more would not stand side by side
+Block = tuple[Expr, Expr]  # the linear and the angular part of a column
 
 
-def column_blocks(found: Chain, robot: Robot, i: int, point: Symbol, last: int) -> tuple[Expr, Expr]:
-    """The linear and the angular part of a column, in the names of its vectors."""
-    if i > last:
-        return ZERO, ZERO
-    z, o = axis_names(found, robot, i)
-    joint = found.joint(i)
-    if joint.type == "prismatic":
-        return z, ZERO
-    turned = cross(z, subtract(point, o))
-    return (add(turned, Product((readable(joint.pitch), z))) if joint.pitch else turned), z
+def blocks(
+    problem: Problem,
+    found: Chain,
+    point: Symbol | None = None,
+    last: int | None = None,
+    nothing: Expr = ZERO,
+) -> tuple[Block, ...]:
+    """The columns in the names of their vectors, of coupled joints those of the motions of the rows: for a
+    point that moves with frame `last`, or for that point of the last body which just passes the origin.
+    `nothing` is what three zeros are called."""
+
+    def block(i: int, axis: Symbol, o: Symbol | None, along: tuple[Expr, ...]) -> Block:
+        if last is not None and i > last:
+            return nothing, nothing
+        if o is None:
+            return axis, nothing
+        return add(cross(axis, subtract(point, o)) if point else cross(o, axis), *along), axis
+
+    return tuple(block(*each) for each in _axes(problem, found))
+
+
+def _axes(problem: Problem, found: Chain) -> Iterator[tuple[int, Symbol, Symbol | None, tuple[Expr, ...]]]:
+    """(row, axis, a point on it unless it is slid along, how a helical joint advances) of each motion."""
+    if found.coupling:
+        for drive in found.coupling.drives:
+            axis, o = drive_names(found, problem.subject, drive)
+            yield drive.i, axis, None if drive.slides else o, ()
+        return
+    for i, joint in found.moving:
+        z, o = axis_names(found, problem.subject, i)
+        along = (Product((problem.readable(joint.pitch), z)),) if joint.pitch else ()
+        yield i, z, None if joint.type == "prismatic" else o, along
 
 
 def jacobian_steps(
     problem: Problem, found: Chain, point: MovingPoint, name: Symbol, at: Symbol
 ) -> tuple[Step, ...]:
-    """The Jacobian `name` of a point, which is called `at`, from its columns; how a point moves in its own
-    frame is added at the end."""
-    if point.drift is None:
-        return _rigid_steps(problem, found, point, name, at)
-    own = ScalarMatrix.stacked([point.drift, ScalarMatrix.zeros(*point.drift.shape)])
-    rigid = Symbol(f"{name.name}_r")
-    steps = _rigid_steps(problem, found, replace(point, drift=None), rigid, at)
-    total = Sum((rigid, problem.readable_matrix(own)))
-    whole = Step(name.name, (name, total, problem.readable_matrix(point.jacobian(found))), "jacobian")
-    return (*steps[:-1], replace(steps[-1], rule="rigid-jacobian"), whole)
+    """The lines of `jacobian_lines` alone."""
+    return jacobian_lines(Work(problem), found, point, name, at).steps
 
 
-def _rigid_steps(
-    problem: Problem, found: Chain, point: MovingPoint, name: Symbol, at: Symbol
-) -> tuple[Step, ...]:
-    """Of a point that is fixed in its frame; of coupled joints by the chain rule, J = J_phi Gamma."""
-    robot, coupling, J = problem.subject, found.coupling, point.jacobian(found)
-    if coupling is None:
-        return _column_steps(
-            problem, J, name, [column_blocks(found, robot, i, at, point.last) for i, _ in found.moving]
-        )
+def jacobian_lines(
+    work: Work, found: Chain, point: MovingPoint, name: Symbol, at: Symbol, rule: str = ""
+) -> Work:
+    """The Jacobian `name` (6 by n) of a point, which is called `at`, from its columns; of coupled joints by
+    the chain rule, J = J_phi Gamma. How a point moves in its own frame is added at the end."""
+    J, coupling, problem = point.jacobian(found), found.coupling, work.problem
+    if point.drift is not None:
+        rigid = Symbol(f"{name.name}_r")
+        work = jacobian_lines(work, found, replace(point, drift=None), rigid, at, "rigid-jacobian")
+        own = ScalarMatrix.stacked([point.drift, ScalarMatrix.zeros(*point.drift.shape)])
+        return work.line(name, Sum((rigid, problem.readable_matrix(own))), value=J, rule="jacobian")
+    columns = blocks(problem, found, at, point.last)
+    J_phi = motions_jacobian(coupling, point.position, point.last) if coupling else J
+    if J_phi == J:  # no coupling before this point
+        return _by_columns(work, J, name, columns, rule)
     motions = Symbol(f"{name.name}_{phi_of(problem).name}")
-    blocks = [drive_blocks(found, robot, drive, at, point.last) for drive in coupling.drives]
-    value = motions_jacobian(coupling, point.position, point.last)
-    if value == J:  # no coupling before this point
-        return _column_steps(problem, J, name, blocks)
-    steps = _column_steps(problem, value, motions, blocks)
-    chain = (name, Product((motions, gamma_of(problem))), problem.readable_matrix(J))
-    return (*steps[:-1], replace(steps[-1], rule="motions-jacobian"), Step(name.name, chain, "jacobian"))
+    work = _by_columns(work, J_phi, motions, columns, "motions-jacobian")
+    return work.line(name, Product((motions, gamma_of(problem))), value=J, rule=rule or "jacobian")
 
 
-def _column_steps(
-    problem: Problem, J: ScalarMatrix, name: Symbol, blocks: list[tuple[Expr, Expr]]
-) -> tuple[Step, ...]:
+def _by_columns(work: Work, J: ScalarMatrix, name: Symbol, columns: tuple[Block, ...], rule: str) -> Work:
     """J as a block matrix and written out; column by column where it is too wide for that. Where nothing
     turns there are no blocks to tell, but the columns themselves."""
-    written = problem.readable_matrix(J)
-    if all(angular == ZERO for _, angular in blocks):
-        return (Step(name.name, (name, written), "jacobian-columns"),)
-    if len(blocks) <= MOST_BLOCKS:
-        block = Matrix(tuple(zip(*blocks, strict=True)))
-        return (Step(name.name, (name, block, written), "jacobian-columns"),)
-    return _by_columns(written, blocks, name)
-
-
-def _by_columns(written: Matrix, blocks: list[tuple[Expr, Expr]], name: Symbol) -> tuple[Step, ...]:
-    columns = []
-    for k, (linear, angular) in enumerate(blocks, 1):
-        column_name = Symbol(f"{name.name}_{k}")
-        entries = Matrix(tuple((row[k - 1],) for row in written.rows))
-        block = Matrix(((linear,), (angular,)))
-        chain = (column_name, block, entries) if linear != ZERO else (column_name, entries)
-        columns.append(Step(column_name.name, chain, "jacobian-column"))
-    side_by_side = Matrix((tuple(Symbol(step.name) for step in columns),))
+    if all(angular == ZERO for _, angular in columns):
+        return work.line(name, value=J, rule=rule or "jacobian-columns")
+    if len(columns) <= MOST_BLOCKS:
+        block = Matrix(tuple(zip(*columns, strict=True)))
+        return work.line(name, block, value=J, rule=rule or "jacobian-columns")
+    names = tuple(Symbol(f"{name.name}_{k}") for k in range(1, len(columns) + 1))
+    for k, (linear, angular) in enumerate(columns):
+        formula = (Matrix(((linear,), (angular,))),) if linear != ZERO else ()
+        work = work.line(names[k], *formula, value=J.columns(k), rule="jacobian-column")
+    written, side_by_side = work.problem.readable_matrix(J), Matrix((names,))
     chain = (name, side_by_side, written) if fits(written) else (name, side_by_side)
-    whole = Step(name.name, chain, "jacobian")
-    return (*columns, whole)
+    return work.step(Step(name.name, chain, rule or "jacobian")).knowing({name: written})
 
 
-def pose_steps(problem: Problem, found: Chain, last: int) -> tuple[Step, ...]:
+def pose_lines(work: Work, found: Chain, last: int) -> Work:
     """T_2^0, T_3^0, ... on the way to frame `last`, those that fit on a line.
 
     T_1^0 is a local pose, and that of the end-effector belongs to the forward kinematics.
     """
-    steps = []
-    rows = len(found.T_local) + (end_frame(problem.subject) == TOOL)
+    rows = len(found.T_local) + (end_frame(work.problem.subject) == TOOL)
     for i in range(2, min(last + 1, rows)):
-        written = problem.readable_matrix(found.T[i])
+        written = work.problem.readable_matrix(found.T[i])
         if fits(written):
             product = Product((pose_name(i - 1), pose_name(i, i - 1)))
-            steps.append(Step(f"T_{i}^0", (pose_name(i), product, written), "compose"))
-    return tuple(steps)
+            work = work.line(pose_name(i), product, value=found.T[i], rule="compose")
+    return work

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from derive.derivation import Step
-from derive.expression import ZERO, Expr, Product, Symbol, column, cross, subtract
+from derive.expression import Product, Symbol, column
 from derive.kinds.problem import Problem
+from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.coupling import Coupling, Drive
 from derive.mechanics.robot import DHRow, Robot
@@ -24,15 +25,13 @@ def gamma_of(problem: Problem) -> Symbol:
     return Symbol(free(problem.taken, "Gamma", "Psi", "Xi"))
 
 
-def motion_steps(problem: Problem, coupling: Coupling) -> tuple[Step, ...]:
+def motion_lines(work: Work, coupling: Coupling) -> Work:
     """phi (m), phi_dot = Gamma qdot, and Gamma = dphi/dq (m by n)."""
-    phi, gamma = phi_of(problem), gamma_of(problem)
+    phi, gamma = phi_of(work.problem), gamma_of(work.problem)
     rates = (Symbol(f"{phi.name}_dot"), Product((gamma, Symbol("q_dot"))))
-    return (
-        Step("phi", (phi, column(drive.by for drive in coupling.drives)), "motions"),
-        Step("motion-rates", rates, "law"),
-        Step("Gamma", (gamma, problem.readable_matrix(coupling.gamma)), "motion-rates"),
-    )
+    work = work.line(phi, value=column(drive.by for drive in coupling.drives), rule="motions", label="phi")
+    work = work.step(Step("motion-rates", rates, "law"))
+    return work.line(gamma, value=coupling.gamma, rule="motion-rates", label="Gamma")
 
 
 def drive_names(found: Chain, robot: Robot, drive: Drive) -> tuple[Symbol, Symbol]:
@@ -47,11 +46,3 @@ def drive_names(found: Chain, robot: Robot, drive: Drive) -> tuple[Symbol, Symbo
     if sum(each.i == i for each in drives) > 1:
         place += f"_{drive.k + 1}"
     return Symbol(f"k_{place}"), Symbol(f"p_{place}")
-
-
-def drive_blocks(found: Chain, robot: Robot, drive: Drive, point: Symbol, last: int) -> tuple[Expr, Expr]:
-    """The linear and the angular part of the column of one motion, in the names of its vectors."""
-    if drive.i > last:
-        return ZERO, ZERO
-    axis, o = drive_names(found, robot, drive)
-    return (axis, ZERO) if drive.slides else (cross(axis, subtract(point, o)), axis)

@@ -64,7 +64,7 @@ def tracked(problem: Problem, chain: Chain, point: PointOn | None) -> Tracked:
     whole = point is None and problem.subject.ends_in_tool
     name = Symbol("o_e" if whole else f"o_{frame}")
     position = position_part(chain.T_tool if whole else chain.T[frame])
-    step = Step(name.name, (name, problem.readable_matrix(position)), "extract", {"frame": frame})
+    step = Step(name.name, (name, problem.readable_matrix(position)), "extract")
     last = rows + 1 if whole else frame
     return Tracked(name, position, last, last, at, step, {name: step.result})
 
@@ -76,7 +76,7 @@ def _offset(problem: Problem, chain: Chain, frame: int, at: tuple[Expr, Expr, Ex
     position = position_part(T) + rotation_part(T) @ p
     o, R = Symbol(f"o_{frame}"), Symbol(f"R_{frame}^0")
     route = Sum((o, Product((R, column(at)))))
-    step = Step(name.name, (name, route, problem.readable_matrix(position)), "carry", {"frame": frame})
+    step = Step(name.name, (name, route, problem.readable_matrix(position)), "carry")
     definitions: dict[Expr, Expr] = {
         name: step.result,
         o: problem.readable_matrix(position_part(T)),

@@ -2,27 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import AfterValidator, Field
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numbers import floats as numeric
-from derive.derivation import Claim, Derivation, PageFacts, Step, named_results
-from derive.expression import ZERO, Expr, Indexed, Matrix, Product, Symbol, free_symbols, transpose
-from derive.kinds.checks import agreement, law, links
+from derive.derivation import Derivation, PageFacts
+from derive.expression import ZERO, Expr, Indexed, Matrix, Product, Symbol, free_symbols, symbols, transpose
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import Name, OptionsModel
 from derive.kinds.pose.euler_angles import known_convention
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import TOOL, chain_of, closing, oracle_of
-from derive.kinds.robot._columns import jacobian_steps
+from derive.kinds.robot._chain import TOOL, chain_of, joint_numbers, oracle_of
+from derive.kinds.robot._columns import jacobian_lines
 from derive.kinds.robot._point import PointOn, Tracked, tracked
+from derive.kinds.robot._velocity.task import RowName
+from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
+from derive.mechanics.jacobian import halves
 from derive.mechanics.poses import rotation_part, skew
 from derive.mechanics.robot import Robot
+from derive.mechanics.task import rows_of
 
 RESULTS = {"J": "6 by n, linear rows first; only the `rows` asked for, in their order"}
 EXAMPLE = """\
@@ -37,9 +38,8 @@ problems:
   - {find: jacobian, point: {link: 2, at: [-a2/2, 0, 0]}, rows: [vx, vy]}
   - {find: jacobian, kind: analytic, convention: ZYX}
 """
-ROWS = ("vx", "vy", "vz", "wx", "wy", "wz")
-RowName = Literal["vx", "vy", "vz", "wx", "wy", "wz"]
 DIFFERENCES = 1e-6  # what central differences leave
+J, J_E = symbols("J J^e")
 
 
 class Options(OptionsModel):
@@ -73,7 +73,7 @@ class Facts(PageFacts):
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
-    """z x (o - o_i) over z for each revolute joint, z over 0 for each prismatic one
+    """J (6 by n): z x (o - o_i) over z for each revolute joint, z over 0 for each prismatic one
     (Spong et al., eq. 4.56 and 4.57; Siciliano et al., eq. 3.30)."""
     if options.kind == "analytic":
         from derive.kinds.robot._velocity.analytic import analytic  # few sheets need it
@@ -85,69 +85,43 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         return _restated(options, problem)
     found = chain_of(problem)
     point = tracked(problem, found, options.point)
-    axes = problem.ask("joint-axes")
-    J = point.jacobian(found)
-    columns = jacobian_steps(problem, found, point.moving, Symbol("J"), point.name)
-    own_point = () if point.name in axes.definitions else (point.step,)
-    written = problem.readable_matrix(J)
-    result = problem.final(written)
-    steps = (*own_point, *columns[:-1], closing(columns[-1], result))
-    definitions = {**axes.definitions, **point.definitions, **named_results(steps), Symbol("J"): written}
-    claims = (
-        *links(steps, {**problem.names, **definitions}),
-        *_laws(found, point, J),
-        _second_route(problem, point, J),
+    value = point.jacobian(found)
+    work = Work(problem).resting_on(problem.ask("joint-axes"))
+    own = () if point.name in work.known else (point.step,)
+    work = jacobian_lines(work.knowing(point.definitions).step(*own), found, point.moving, J, point.name)
+    written, work = work.matrix(J), work.closed(J)
+    linear, angular = _moves_and_turns(found, point, value)
+    work = work.law("linear", linear).law("angular", angular)
+    oracle = oracle_of(problem)
+    work = work.agrees(
+        "differences",
+        problem.symbols.union(*map(free_symbols, point.offset)),
+        value,
+        lambda at: oracle.jacobian(at, point.frame, point.offset),
+        DIFFERENCES,
     )
-    return Derivation(
-        "jacobian",
-        steps,
-        {"J": result},
-        claims,
-        definitions,
-        uses=(axes,),
-        facts=_facts(found, point),
-        matrices=frozenset({"J"}),
-    )
+    result = {"J": work.final(J)}
+    work = work.knowing({J: written})  # those who build on it keep the names of `where`
+    return work.answer("jacobian", result, _facts(found, point), matrices=frozenset(result))
 
 
 def _restated(options: Options, problem: Problem) -> Derivation:
     """The Jacobian in the frame and with the rows asked for, from that in the base."""
-    base = problem.ask("jacobian", point=options.point)
-    found = chain_of(problem)
+    base, found = problem.ask("jacobian", point=options.point), chain_of(problem)
     point = tracked(problem, found, options.point)
-    J, steps = _asked_for(problem, found, normal_matrix(base.definitions[Symbol("J")]), point, options)
-    result = problem.final(problem.readable_matrix(J))
-    steps = (*steps[:-1], closing(steps[-1], result))
-    definitions = {**base.definitions, **named_results(steps)}
-    definitions[_rotation(found, point)] = problem.readable_matrix(rotation_part(_pose(found, point)))
-    return Derivation(
-        "jacobian",
-        steps,
-        {"J": result},
-        links(steps, {**problem.names, **definitions}),
-        definitions,
-        uses=(base,),
-        facts=Facts(restated=True),
-        matrices=frozenset({"J"}),
-    )
-
-
-def _asked_for(
-    problem: Problem, found: Chain, J: ScalarMatrix, point: Tracked, options: Options
-) -> tuple[ScalarMatrix, tuple[Step, ...]]:
-    """The Jacobian in the frame and with the rows asked for, and the steps there."""
-    steps: list[Step] = []
+    R, R_now = _rotation(found, point), rotation_part(_pose(found, point))
+    work = Work(problem).resting_on(base).knowing({R: problem.readable_matrix(R_now)})
+    head: Symbol | Indexed = J
+    value = normal_matrix(work[J])
     if options.frame == "tool":
-        R_T = rotation_part(_pose(found, point)).T
-        J = ScalarMatrix.stacked([R_T @ J.block(rows, slice(None)) for rows in (slice(0, 3), slice(3, 6))])
-        R = transpose(_rotation(found, point))
-        turn = Product((Matrix(((R, ZERO), (ZERO, R))), Symbol("J")))
-        steps.append(Step("J^e", (Symbol("J^e"), turn, problem.readable_matrix(J)), "other-frame"))
+        head, value = J_E, ScalarMatrix.stacked([R_now.T @ half for half in halves(value)])
+        turn = Product((Matrix(((transpose(R), ZERO), (ZERO, transpose(R)))), J))
+        work = work.line(J_E, turn, value=value, rule="other-frame")
     if options.rows:
-        name = Indexed("J", tuple(Symbol(row) for row in options.rows))
-        J = ScalarMatrix(tuple(J.rows[ROWS.index(row)] for row in options.rows))
-        steps.append(Step("rows", (name, problem.readable_matrix(J)), "rows"))
-    return J, tuple(steps)
+        head, value = Indexed("J", tuple(map(Symbol, options.rows))), rows_of(value, options.rows)
+        work = work.line(head, value=value, rule="rows", label="rows")
+    work, facts = work.closed(head), Facts(restated=True)
+    return work.answer("jacobian", {"J": work.steps[-1].result}, facts, matrices=frozenset({"J"}))
 
 
 def _rotation(found: Chain, point: Tracked) -> Symbol:
@@ -161,40 +135,24 @@ def _pose(found: Chain, point: Tracked) -> ScalarMatrix:
 
 
 def _facts(found: Chain, point: Tracked) -> Facts:
-    moving = [(joint, i) for i, joint in found.moving if i <= point.last]
     return Facts(
         point=point.name,
         link=point.frame,
         carried=point.step.rule == "carry",
-        revolute=tuple(i for joint, i in moving if joint.type != "prismatic"),
-        helical=tuple(i for joint, i in moving if joint.pitch),
-        prismatic=tuple(i for joint, i in moving if joint.type == "prismatic"),
+        revolute=joint_numbers(found, lambda joint: joint.type != "prismatic", point.last),
+        helical=joint_numbers(found, lambda joint: bool(joint.pitch), point.last),
+        prismatic=joint_numbers(found, lambda joint: joint.type == "prismatic", point.last),
         coupled=found.coupling is not None,
         still=tuple(i for i, _ in found.moving if i > point.last),
     )
 
 
-def _laws(found: Chain, point: Tracked, J: ScalarMatrix) -> tuple[Claim, ...]:
-    """Each column is the velocity that its joint alone gives."""
+def _moves_and_turns(found: Chain, point: Tracked, J: ScalarMatrix) -> tuple[bool, bool]:
+    """Whether each column is the velocity, and the angular velocity, that its joint alone gives."""
     R = rotation_part(_pose(found, point))
     linear = angular = True
     for k, name in enumerate(found.variables):
-        column = J.columns(k)
-        linear &= point.position.diff(name) == column.block(slice(0, 3), slice(0, 1))
-        angular &= R.diff(name) @ R.T == skew(column.block(slice(3, 6), slice(0, 1)))
-    return law("linear", linear), law("angular", angular)
-
-
-def _second_route(problem: Problem, point: Tracked, J: ScalarMatrix) -> Claim:
-    oracle = oracle_of(problem)
-
-    def differences(at: Mapping[str, float]) -> Any:
-        return oracle.jacobian(oracle.at(at), point.frame, point.offset)
-
-    return agreement(
-        "differences",
-        problem.symbols.union(*map(free_symbols, point.offset)),
-        lambda at: numeric.matrix_numbers(J, oracle.at(at)),
-        differences,
-        DIFFERENCES,
-    )
+        J_v, J_w = halves(J.columns(k))
+        linear &= point.position.diff(name) == J_v
+        angular &= R.diff(name) @ R.T == skew(J_w)
+    return linear, angular

@@ -5,19 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.numbers import floats as numeric
-from derive.algebra.scalar import Scalar
-from derive.derivation import Derivation, PageFacts, Step
-from derive.expression import Derivative, Expr, Product, Symbol, add, column
-from derive.kinds.checks import agreement, links
+from derive.derivation import Derivation, PageFacts
+from derive.expression import Derivative, Product, Symbol, add, column, symbols
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import closing, oracle_of
-from derive.kinds.robot._dynamics.rates import rate_column
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
-from derive.mechanics.oracle import STEP
+from derive.mechanics.oracle import STEP, slope
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import ROWS, moving_rows
 
@@ -33,7 +27,7 @@ problems:
   rows: [vx, vy]
 """
 DIFFERENCES = 1e-4  # of differences of what is known by differences itself
-J, J_DOT = Symbol("J"), Symbol("J_dot")
+J, J_DOT, Q_DOT = symbols("J J_dot q_dot")
 
 
 class Options(OptionsModel):
@@ -44,63 +38,33 @@ class Options(OptionsModel):
 
 
 class Facts(PageFacts):
-    rows: tuple[Expr, ...]
+    rows: tuple[Symbol, ...]
     all: bool
     rates: tuple[Symbol, ...]
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
-    """J_dot, the sum of dJ/dq_k qdot_k, and J_dot qdot: the acceleration is J qddot + J_dot qdot
-    (Siciliano et al., eq. 3.99)."""
-    whole = task_of(problem, ROWS, options.point)
-    linear, angular = moving_rows(whole.J)
+    """J_dot (m by n), the sum of dJ/dq_k qdot_k, and J_dot qdot (m by 1): the acceleration is
+    J qddot + J_dot qdot (Siciliano et al., eq. 3.99)."""
+    linear, angular = moving_rows(task_of(problem, ROWS, options.point).J)
     task = task_of(problem, options.rows or (*linear, *angular), options.point)
-    rate = _rate(task)
-    written = problem.readable_matrix(rate)
-    rates = column(task.rates)
-    bias = problem.readable_matrix(rate @ rate_column(_names(task)))
-    total = add(*(Product((Derivative(J, Symbol(n)), Symbol(f"{n}_dot"))) for n in _names(task)))
-    steps = (
-        task.step,
-        closing(Step("J_dot", (J_DOT, total, written), "chain-rule"), problem.final(written)),
-        closing(Step("bias", (Product((J_DOT, Symbol("q_dot"))), bias), "product"), problem.final(bias)),
-    )
-    definitions: dict[Expr, Expr] = {J: task.written, J_DOT: written, Symbol("q_dot"): rates}
-    claim = agreement(
+    total = add(*(Product((Derivative(J, Symbol(n)), Symbol(f"{n}_dot"))) for n in task.found.variables))
+    bias = Product((J_DOT, Q_DOT))
+    work = task.board().knowing({Q_DOT: column(task.rates)}).line(J_DOT, total, rule="chain-rule")
+    work = work.line(bias, label="bias", rule="product")
+    work = work.agrees(
         "differences",
         task.symbols | {name.name for name in task.rates},
-        lambda at: numeric.matrix_numbers(rate, _known(task, at)),
+        work.value(J_DOT),
         lambda at: _differences(task, at),
         DIFFERENCES,
-    )
-    return Derivation(
-        "jacobian-derivative", steps, {"J_dot": problem.final(written), "bias": problem.final(bias)},
-        (*links(steps, {**problem.names, **definitions}), claim), definitions, uses=(task.base,),
-        facts=Facts(rows=task.velocities, all=len(task.rows) == len(ROWS), rates=task.rates),
-        matrices=frozenset({"J_dot"}),
-    )  # fmt: skip
-
-
-def _names(task: Task) -> tuple[str, ...]:
-    return task.found.variables
-
-
-def _rate(task: Task) -> ScalarMatrix:
-    """The sum over the joints."""
-    total = ScalarMatrix.zeros(*task.J.shape)
-    for name in _names(task):
-        total = total + task.J.diff(name).scaled(Scalar.symbol(f"{name}_dot"))
-    return total
-
-
-def _known(task: Task, at: Mapping[str, float]) -> Mapping[str, float]:
-    return oracle_of(task.problem).at(at)
+    ).closed(J_DOT, bias)
+    facts = Facts(rows=task.velocities, all=len(task.rows) == len(ROWS), rates=task.rates)
+    results = {"J_dot": work.final(J_DOT), "bias": work.steps[-1].result}
+    return work.answer("jacobian-derivative", results, facts, matrices=frozenset({"J_dot"}))
 
 
 def _differences(task: Task, at: Mapping[str, float]) -> Any:
     """Of the Jacobian a little later and a little earlier on the way."""
-    step = STEP * 100  # each of the two is known to 1e-10 only
-    ahead, behind = (
-        task.numbers({**at, **{n: at[n] + h * at[f"{n}_dot"] for n in _names(task)}}) for h in (step, -step)
-    )
-    return (ahead - behind) / (2 * step)
+    rates = {name: at[f"{name}_dot"] for name in task.found.variables}
+    return slope(task.numbers, at, rates, STEP * 100)  # each of the two is known to 1e-10 only

@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from functools import partial
 from typing import Any
 
-from derive.algebra.numbers.floats import matrix_numbers
-from derive.derivation import Claim, Derivation, named_results
-from derive.expression import Expr
-from derive.kinds.checks import agreement, links
+from derive.algebra.numbers.floats import Point
+from derive.derivation import Derivation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import axis_steps, chain_of, oracle_of, pose_name
-from derive.kinds.robot._columns import pose_steps
-from derive.kinds.robot._couplings import motion_steps
-from derive.mechanics.chain import Chain
+from derive.kinds.robot._chain import axis_lines, chain_of, oracle_of, pose_name
+from derive.kinds.robot._columns import pose_lines
+from derive.kinds.robot._couplings import motion_lines
+from derive.kinds.work import Work
+from derive.mechanics.oracle import Oracle
 from derive.mechanics.robot import Robot
 
 RESULTS = {
@@ -40,34 +39,21 @@ class Options(OptionsModel):
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
-    """The third columns of the poses are the axes, the fourth their points (Spong et al., section 4.6)."""
-    found = chain_of(problem)
-    poses = problem.ask("forward-kinematics")
-    last = len(robot.links)
-    axes = axis_steps(problem, found, last + 1)
-    motions = motion_steps(problem, found.coupling) if found.coupling else ()
-    frames = pose_steps(problem, found, last)
-    steps = (*frames, *axes, *motions)
-    definitions: dict[Expr, Expr] = {**poses.definitions}
-    definitions |= {pose_name(i): problem.readable_matrix(found.T[i]) for i in range(1, last + 1)}
-    definitions |= named_results((*frames, *axes))
-    definitions |= {step.chain[0]: step.result for step in motions if step.rule != "law"}
-    results = {step.name: problem.final(step.result) for step in (*axes, *motions) if step.rule != "law"}
-    claims = (*links(steps, {**problem.names, **definitions}), *_second_route(problem, found))
-    return Derivation("joint-axes", steps, results, claims, definitions, uses=(poses,))
+    """z and o (3 by 1 each, base frame) of each joint: the third columns of the poses are the axes, the
+    fourth their points (Spong et al., section 4.6)."""
+    found, last = chain_of(problem), len(robot.links)
+    work = Work(problem).resting_on(problem.ask("forward-kinematics"))
+    work = work.knowing({pose_name(i): problem.readable_matrix(found.T[i]) for i in range(1, last + 1)})
+    frames = pose_lines(work, found, last)
+    work = axis_lines(frames, found)
+    if found.coupling:
+        work = motion_lines(work, found.coupling)
+    for i in range(1, last):
+        route = partial(_pose, oracle_of(problem), i)
+        work = work.agrees("poses-composed", problem.symbols, found.T[i], route, frame=i)
+    axes = work.steps[len(frames.steps) :]
+    return work.answer("joint-axes", {s.name: problem.final(s.result) for s in axes if s.rule != "law"})
 
 
-def _second_route(problem: Problem, found: Chain) -> list[Claim]:
-    """Each pose that is not the whole arm's, composed in numbers."""
-    oracle = oracle_of(problem)
-
-    def claim(i: int) -> Claim:
-        def composed(at: Mapping[str, float]) -> Any:
-            return oracle.poses(oracle.at(at))[i]
-
-        def ours(at: Mapping[str, float]) -> Any:
-            return matrix_numbers(found.T[i], oracle.at(at))
-
-        return agreement("poses-composed", problem.symbols, ours, composed, frame=i)
-
-    return [claim(i) for i in range(1, len(found.T_local))]
+def _pose(oracle: Oracle, i: int, at: Point) -> Any:
+    return oracle.poses(at)[i]

@@ -28,12 +28,13 @@ from derive.kinds.checks import agreement, links
 from derive.kinds.evaluation import Evaluation, Place
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import closing, oracle_of, scalar_of
+from derive.kinds.robot._chain import oracle_of, scalar_of
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._singular.determinants import determinant, gram_determinant, natural, product_tree
 from derive.kinds.robot._singular.work import seen_from_middle
 from derive.kinds.robot._velocity.ellipsoids import at_point, decided
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
+from derive.kinds.work import closing
 from derive.mechanics.minors import minors
 from derive.mechanics.robot import Robot
 from derive.mechanics.zeros import zeros

@@ -2,34 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any, Literal
 
 from pydantic import Field
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.numbers.floats import matrix_numbers
-from derive.derivation import Claim, Derivation, PageFacts, Step, named_results
-from derive.expression import (
-    ZERO,
-    Expr,
-    Indexed,
-    Matrix,
-    Product,
-    Symbol,
-    add,
-    column,
-    cross,
-    negate,
-    transpose,
-)
-from derive.kinds.checks import agreement, law, links
+from derive.algebra.numbers.floats import Point
+from derive.derivation import Derivation, PageFacts
+from derive.expression import ZERO, Expr, Indexed, Matrix, Product, Symbol, column, negate, symbols, transpose
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import axis_names, chain_of, closing, oracle_of
-from derive.kinds.robot._couplings import drive_names, gamma_of, phi_of
+from derive.kinds.robot._chain import chain_of, joint_numbers, oracle_of
+from derive.kinds.robot._columns import blocks
+from derive.kinds.robot._couplings import gamma_of, phi_of
+from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
-from derive.mechanics.jacobian import jacobian, motions_jacobian
+from derive.mechanics.jacobian import halves, jacobian, motions_jacobian
+from derive.mechanics.oracle import slope, vee
 from derive.mechanics.poses import inverse_pose, position_part, rotation_part, skew
 from derive.mechanics.robot import Robot
 
@@ -48,11 +37,11 @@ problems:
   - {find: space-jacobian}
   - {find: space-jacobian, in: body}
 """
-STEP = 1e-6  # of differences
 DIFFERENCES = 1e-6  # what central differences leave
 NOTHING, NO_BLOCK = Symbol("0"), Symbol("0_3x3")
-RE, OE = Symbol("R_e"), Symbol("o_e")
-SO = Indexed("S", (OE,))  # S_{o_e} p = o_e x p
+J_S, J_B, R_E, O_E = symbols("J_s J_b R_e o_e")
+S_O = Indexed("S", (O_E,))  # S_{o_e} p = o_e x p
+ORIGIN = ScalarMatrix.zeros(3, 1)
 
 
 class Options(OptionsModel):
@@ -63,152 +52,81 @@ class Options(OptionsModel):
 
 class Facts(PageFacts):
     body: bool
-    turning: tuple[int, ...]
+    turning: tuple[int, ...]  # joints
     sliding: tuple[int, ...]
     helical: tuple[int, ...]
     coupled: bool
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
-    """Column i is the screw of joint i where the joints before it have carried it, (o_i x z_i, z_i) or
-    (z_i, 0); in the body, J_b = Ad(T^-1) J_s (Lynch and Park, section 5.1)."""
-    found = chain_of(problem)
-    J = space_jacobian(found)
-    if options.frame == "space":
-        uses = problem.ask("joint-axes")
-        steps = _space(problem, found, J)
-    else:
-        uses = problem.ask("space-jacobian")
-        J, steps = _body(problem, found, J)
-    name = steps[-1].name
-    result = problem.final(problem.readable_matrix(J))
-    steps = (*steps[:-1], closing(steps[-1], result))
-    definitions = {**named_results(steps), NOTHING: column((ZERO, ZERO, ZERO)), **_skew(problem, found)}
-    claims = (
-        *links(steps, {**problem.names, **uses.definitions, **definitions}),
-        *_laws(found, J, options),
-        _second_route(problem, J, options),
+    """J (6 by n): column i is the screw of joint i where the joints before it have carried it,
+    (o_i x z_i, z_i) or (z_i, 0); in the body, J_b = Ad(T^-1) J_s (Lynch and Park, section 5.1)."""
+    found, body = chain_of(problem), options.frame == "body"
+    name, work = (J_B, _body(problem, found)) if body else (J_S, _space(problem, found))
+    J = work.value_matrix(name)
+    claim = "twists-in-body" if body else "twists-in-space"
+    work = work.closed(name).law(claim, _are_twists(found, J, body))
+    work = work.agrees(
+        "differences", problem.symbols, J, lambda at: _differences(problem, at, body), DIFFERENCES
     )
-    facts = _facts(found, options)
-    return Derivation(
-        "space-jacobian",
-        steps,
-        {name: result},
-        claims,
-        definitions,
-        uses=(uses,),
-        facts=facts,
-        matrices=frozenset({name}),
+    facts = Facts(
+        body=body,
+        turning=joint_numbers(found, lambda joint: joint.type != "prismatic"),
+        sliding=joint_numbers(found, lambda joint: joint.type == "prismatic"),
+        helical=joint_numbers(found, lambda joint: bool(joint.pitch)),
+        coupled=found.coupling is not None,
     )
+    results = {name.name: work.final(name)}
+    return work.answer("space-jacobian", results, facts, matrices=frozenset(results))
 
 
-def space_jacobian(found: Chain) -> ScalarMatrix:
-    """J_s (6 by n): the Jacobian of the point of the last body that just passes the origin."""
-    return jacobian(found, ScalarMatrix.zeros(3, 1), len(found.T))
+def _space(problem: Problem, found: Chain) -> Work:
+    """J_s from the twists of the joints: the Jacobian of the point of the last body that just passes the
+    origin; of coupled joints from the twists of the motions of the rows."""
+    J = jacobian(found, ORIGIN, len(found.T))
+    work = Work(problem).resting_on(problem.ask("joint-axes")).knowing({NOTHING: column((ZERO, ZERO, ZERO))})
+    formula: Expr = Matrix(tuple(zip(*blocks(problem, found, nothing=NOTHING), strict=True)))
+    if found.coupling:
+        motions = Symbol(f"J_s_{phi_of(problem).name}")
+        J_phi = motions_jacobian(found.coupling, ORIGIN, len(found.T))
+        work = work.line(motions, formula, value=J_phi, rule="motion-twists")
+        formula = Product((motions, gamma_of(problem)))
+    return work.line(J_S, formula, value=J, rule="twists")
 
 
-def _space(problem: Problem, found: Chain, J: ScalarMatrix) -> tuple[Step, ...]:
-    """J_s from the twists of the joints; of coupled ones from those of the motions of the rows."""
-    name, written, robot = Symbol("J_s"), problem.readable_matrix(J), problem.subject
-    if found.coupling is None:
-        return (Step("J_s", (name, _blocks(problem, found, robot), written), "twists"),)
-    motions = Symbol(f"J_s_{phi_of(problem).name}")
-    origin = ScalarMatrix.zeros(3, 1)
-    value = problem.readable_matrix(motions_jacobian(found.coupling, origin, len(found.T)))
-    chain = (motions, _motion_blocks(found, robot), value)
-    return (
-        Step(motions.name, chain, "motion-twists"),
-        Step("J_s", (name, Product((motions, gamma_of(problem))), written), "twists"),
-    )
-
-
-def _motion_blocks(found: Chain, robot: Robot) -> Matrix:
-    """The twist of each motion of a row, in the names of its vectors."""
-    columns = []
-    for drive in found.coupling.drives if found.coupling else ():
-        axis, o = drive_names(found, robot, drive)
-        columns.append((axis, NOTHING) if drive.slides else (cross(o, axis), axis))
-    return Matrix(tuple(zip(*columns, strict=True)))
-
-
-def _blocks(problem: Problem, found: Chain, robot: Robot) -> Matrix:
-    """The columns in the names of their vectors."""
-    columns: list[tuple[Expr, Expr]] = []
-    for i, joint in found.moving:
-        z, o = axis_names(found, robot, i)
-        if joint.type == "prismatic":
-            columns.append((z, NOTHING))
-        else:
-            along = (Product((problem.readable(joint.pitch), z)),) if joint.pitch else ()
-            columns.append((add(cross(o, z), *along), z))
-    return Matrix(tuple(zip(*columns, strict=True)))
-
-
-def _body(problem: Problem, found: Chain, J: ScalarMatrix) -> tuple[ScalarMatrix, tuple[Step, ...]]:
+def _body(problem: Problem, found: Chain) -> Work:
     """J_b = Ad(T^-1) J_s, with R_e and o_e the end-effector's."""
     T = found.T_tool
-    R, o, S = rotation_part(T), position_part(T), skew(position_part(T))
-    top = ScalarMatrix.beside([R.T, -(R.T @ S)])
-    bottom = ScalarMatrix.beside([ScalarMatrix.zeros(3, 3), R.T])
-    result = ScalarMatrix.stacked([top, bottom]) @ J
-    read = problem.readable_matrix
-    turned = transpose(RE)
-    adjoint = Matrix(((turned, negate(Product((turned, SO)))), (NO_BLOCK, turned)))
-    return result, (
-        Step("R_e", (RE, read(R)), "extract"),
-        Step("o_e", (OE, read(o)), "extract"),
-        Step("S", (SO, read(S)), "skew"),
-        Step("J_b", (Symbol("J_b"), Product((adjoint, Symbol("J_s"))), read(result)), "adjoint"),
-    )
+    R, S, none = rotation_part(T), skew(position_part(T)), ScalarMatrix.zeros(3, 3)
+    adjoint = ScalarMatrix.stacked([ScalarMatrix.beside([R.T, -(R.T @ S)]), ScalarMatrix.beside([none, R.T])])
+    turned = transpose(R_E)
+    formula = Matrix(((turned, negate(Product((turned, S_O)))), (NO_BLOCK, turned)))
+    work = Work(problem).resting_on(problem.ask("space-jacobian"))
+    work = work.knowing({NO_BLOCK: problem.readable_matrix(none), S_O: problem.readable_matrix(S)})
+    work = work.line(R_E, value=R, rule="extract")
+    work = work.line(O_E, value=position_part(T), rule="extract").line(S_O, value=S, rule="skew", label="S")
+    value = adjoint @ jacobian(found, ORIGIN, len(found.T))
+    return work.line(J_B, Product((formula, J_S)), value=value, rule="adjoint")
 
 
-def _skew(problem: Problem, found: Chain) -> dict[Expr, Expr]:
-    """What the matrices beside the rotation stand for."""
-    read = problem.readable_matrix
-    return {SO: read(skew(position_part(found.T_tool))), NO_BLOCK: read(ScalarMatrix.zeros(3, 3))}
-
-
-def _laws(found: Chain, J: ScalarMatrix, options: Options) -> tuple[Claim, ...]:
+def _are_twists(found: Chain, J: ScalarMatrix, body: bool) -> bool:
     """[J e_i] = dT/dq_i T^-1, of the body T^-1 dT/dq_i."""
     T, back, holds = found.T_tool, inverse_pose(found.T_tool), True
     for k, name in enumerate(found.variables):
-        v, w = J.columns(k).block(slice(0, 3), slice(0, 1)), J.columns(k).block(slice(3, 6), slice(0, 1))
+        v, w = halves(J.columns(k))
         bracket = ScalarMatrix.stacked([ScalarMatrix.beside([skew(w), v]), ScalarMatrix.zeros(1, 4)])
-        rate = T.diff(name) @ back if options.frame == "space" else back @ T.diff(name)
-        holds &= bracket == rate
-    return (law("twists-in-space" if options.frame == "space" else "twists-in-body", holds),)
+        holds &= bracket == (back @ T.diff(name) if body else T.diff(name) @ back)
+    return holds
 
 
-def _second_route(problem: Problem, J: ScalarMatrix, options: Options) -> Claim:
-    oracle = oracle_of(problem)
+def _differences(problem: Problem, at: Point, body: bool) -> Any:
+    """The twists (6 by n) of the end-effector by differences of its pose."""
+    import numpy as np
 
-    def differences(point: Mapping[str, float]) -> Any:
-        import numpy as np
-
-        at = oracle.at(point)
-        back = np.linalg.inv(oracle.tool(at))
-        columns = []
-        for name in problem.subject.variables:
-            ahead, behind = (oracle.tool({**at, name: at[name] + h}) for h in (STEP, -STEP))
-            rate = (ahead - behind) / (2 * STEP)
-            S = rate @ back if options.frame == "space" else back @ rate
-            columns.append([*S[:3, 3], S[2, 1], S[0, 2], S[1, 0]])
-        return np.array(columns).T
-
-    return agreement(
-        "differences",
-        problem.symbols,
-        lambda at: matrix_numbers(J, oracle.at(at)),
-        differences,
-        DIFFERENCES,
-    )
-
-
-def _facts(found: Chain, options: Options) -> Facts:
-    return Facts(
-        body=options.frame == "body",
-        turning=tuple(i for i, joint in found.moving if joint.type != "prismatic"),
-        sliding=tuple(i for i, joint in found.moving if joint.type == "prismatic"),
-        helical=tuple(i for i, joint in found.moving if joint.pitch),
-        coupled=found.coupling is not None,
-    )
+    tool, columns = oracle_of(problem).tool, []
+    back = np.linalg.inv(tool(at))
+    for name in problem.subject.variables:
+        rate = slope(tool, at, {name: 1})
+        twist = back @ rate if body else rate @ back
+        columns.append([*twist[:3, 3], *vee(twist)])
+    return np.array(columns).T

@@ -14,7 +14,7 @@ from derive.errors import NotDerivable
 from derive.expression import Expr, Product, Symbol, column, free_symbols, transpose
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import chain_of, oracle_of
+from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._point import PointOn, tracked
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.kinds.work import Work
@@ -48,8 +48,6 @@ class Options(OptionsModel):
 
 
 class Facts(PageFacts):
-    """What the words need to know."""
-
     rows: tuple[Symbol, ...]
     only: bool
     revolute: bool
@@ -66,17 +64,16 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     if len(force) != len(task.rows):
         which = f"the {len(task.rows)} rows {', '.join(task.rows)}"
         raise NotDerivable(f"{len(force)} components of the force for {which}; give one for each")
-    work = Work(problem, uses=(task.base,)).given(F, column(force)).given(J, task.J, "rows")
+    work = task.board(Work(problem).given(F, column(force)))
     written = Product((work.matrix(J).T, work[F]))
     work = work.line(TAU, Product((transpose(J), F)), written, rule="virtual-work")
-    tau = work.value_matrix(TAU)
-    work = work.closed(TAU).agrees(
+    work = work.agrees(
         "work-done",
         task.symbols.union(*map(free_symbols, force)),
-        lambda at: numeric.matrix_numbers(tau, oracle_of(problem).at(at)),
+        work.value(TAU),
         lambda at: _by_work(task, force, at),
         DIFFERENCES,
-    )
+    ).closed(TAU)
     return work.answer("statics", {"tau": work.final(TAU)}, _facts(task))
 
 
@@ -102,8 +99,7 @@ def _rows(options: Options, problem: Problem) -> tuple[str, ...]:
 def _by_work(task: Task, force: tuple[Expr, ...], at: Mapping[str, float]) -> Any:
     import numpy as np
 
-    known = oracle_of(task.problem).at(at)
-    F_now = np.array([[numeric.scalar_number(normal(part, task.problem.names), known)] for part in force])
+    F_now = np.array([[numeric.scalar_number(normal(part, task.problem.names), at)] for part in force])
     return task.numbers(at).T @ F_now
 
 

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import normal_matrix
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, PageFacts, Step
-from derive.expression import Expr, Matrix, Product, Symbol, column
-from derive.kinds.checks import law, links
+from derive.derivation import Derivation, PageFacts
+from derive.expression import Matrix, Product, Symbol, column, symbols
 from derive.kinds.fields import OptionsModel
 from derive.kinds.naming import fits
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import chain_of, closing
+from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._point import PointOn, tracked
+from derive.kinds.work import Work
+from derive.mechanics.jacobian import halves
 from derive.mechanics.robot import Robot
 
 RESULTS = {"v": "linear velocity (3)", "omega": "angular velocity (3); rates are written theta1_dot"}
@@ -27,6 +27,8 @@ problems:
   point: {link: 2, at: [-a2/2, 0, 0]}
 """
 
+J, Q_DOT, V, OMEGA = symbols("J q_dot v omega")
+
 
 class Options(OptionsModel):
     """`point`: where; the end-effector if left out."""
@@ -39,44 +41,26 @@ class Facts(PageFacts):
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
-    """(v, omega) = J qdot (Spong et al., eq. 4.49)."""
-    base = problem.ask("jacobian", point=options.point)
-    J, rates = base.definitions[Symbol("J")], [Symbol(f"{name}_dot") for name in robot.variables]
-    rate = column(rates)
-    twist = normal_matrix(J) @ normal_matrix(rate)
-    written = problem.readable_matrix(twist)
-    name = Matrix(((Symbol("v"),), (Symbol("omega"),)))
-    v, omega = Matrix(written.rows[:3]), Matrix(written.rows[3:])
-    product = Product((Symbol("J"), Symbol("q_dot")))
-    chain = (
-        (name, product, Product((J, rate)), written)
-        if isinstance(J, Matrix) and fits(J)
-        else (name, product, written)
-    )
-    step = Step("twist", chain, "velocity")
-    definitions: dict[Expr, Expr] = {
-        Symbol("q_dot"): rate,
-        Symbol("v"): v,
-        Symbol("omega"): omega,
-        Symbol("J"): J,
-    }
-    steps = (closing(step, problem.final(written)),)
-    return Derivation(
-        "velocity",
-        steps,
-        {"v": problem.final(v), "omega": problem.final(omega)},
-        (*links(steps, {**problem.names, **definitions}), _law(problem, options, twist)),
-        definitions,
-        uses=(base,),
-        facts=Facts(rates=tuple(rates)),
-    )
+    """v and omega (3 by 1 each, in the axes of the base), J qdot (Spong et al., eq. 4.49)."""
+    rates = tuple(Symbol(f"{name}_dot") for name in robot.variables)
+    work = Work(problem).resting_on(problem.ask("jacobian", point=options.point))
+    work = work.knowing({Q_DOT: column(rates)})
+    product, J_now = Product((J, Q_DOT)), work.matrix(J)
+    filled = (Product((J_now, column(rates))),) if fits(J_now) else ()
+    twist = work.value_matrix(product)
+    v, omega = halves(twist)
+    work = work.knowing({V: problem.readable_matrix(v), OMEGA: problem.readable_matrix(omega)})
+    both = Matrix(((V,), (OMEGA,)))
+    work = work.line(both, product, *filled, value=twist, rule="velocity", label="twist").closed(both)
+    work = work.law("rate-of-the-point", _by_chain_rule(options, problem) == v)
+    return work.answer("velocity", {"v": work.final(V), "omega": work.final(OMEGA)}, Facts(rates=rates))
 
 
-def _law(problem: Problem, options: Options, twist: ScalarMatrix) -> Claim:
-    """v is the time derivative of the position, by the chain rule."""
+def _by_chain_rule(options: Options, problem: Problem) -> ScalarMatrix:
+    """do/dt (3 by 1) of the position of the point."""
     found = chain_of(problem)
     position = tracked(problem, found, options.point).position
     total = ScalarMatrix.zeros(3, 1)
     for name in found.variables:
         total = total + position.diff(name).scaled(Scalar.symbol(f"{name}_dot"))
-    return law("rate-of-the-point", total == twist.block(slice(0, 3), slice(0, 1)))
+    return total

@@ -26,10 +26,11 @@ from derive.kinds.checks import links
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import chain_of, closing, oracle_of
+from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.kinds.robot._reach.checks import Region, second_route
 from derive.kinds.values_at import point_of
+from derive.kinds.work import closing
 from derive.mechanics.chain import Chain
 from derive.mechanics.reach import PlanarArm, SwungArm, moving_joints, planar_arm, swung_arm, turns_freely
 from derive.mechanics.robot import Robot

@@ -30,9 +30,9 @@ from derive.expression import (
 )
 from derive.expression import replace as replaced
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import closing
 from derive.kinds.robot._singular.determinants import determinant, natural, product_tree
 from derive.kinds.robot._velocity.task import Task
+from derive.kinds.work import closing
 from derive.mechanics.minors import minors
 
 MOST_JOINTS = 4  # of an adjugate that is written out

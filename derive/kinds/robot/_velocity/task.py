@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from derive.algebra.matrix import ScalarMatrix
@@ -13,9 +13,11 @@ from derive.expression import Matrix, Symbol, free_symbols
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._point import PointOn, Tracked, tracked
+from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.task import ROWS, rows_of, task_rows
 
+J = Symbol("J")
 RowName = Literal["vx", "vy", "vz", "wx", "wy", "wz"]
 
 
@@ -53,9 +55,13 @@ class Task:
     def written(self) -> Matrix:
         return self.problem.readable_matrix(self.J)
 
+    def board(self, work: Work | None = None) -> Work:
+        """A board of work that rests on the whole Jacobian, with a line for the rows asked for."""
+        return replace(work or Work(self.problem), uses=(self.base,)).line(J, value=self.J, rule="rows")
+
     @property
     def step(self) -> Step:
-        return Step("J", (Symbol("J"), self.written), "rows")
+        return Step("J", (J, self.written), "rows")
 
     @property
     def velocities(self) -> tuple[Symbol, ...]:
