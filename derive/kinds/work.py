@@ -13,7 +13,6 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
 
-from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, walk_over
 from derive.algebra.numbers.floats import Point, numbers, scalar_number
@@ -27,14 +26,11 @@ from derive.expression import (
     Expr,
     Indexed,
     Matrix,
-    Number,
-    Quotient,
     Symbol,
-    children,
     free_symbols,
-    walk,
 )
 from derive.expression import replace as put_in
+from derive.kinds.chains import closing, distinct, piled
 from derive.kinds.checks import TOLERANCE, agreement, law, links
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
@@ -74,6 +70,10 @@ class Work:
     def matrix(self, name: str | Name) -> Matrix:
         """What stands for a name that is one of a matrix. Raises TypeError for any other."""
         return as_matrix(self[name], str(name))
+
+    def entries(self, name: str | Name) -> tuple[Expr, ...]:
+        """Those of a matrix, row by row."""
+        return tuple(entry for row in self.matrix(name).rows for entry in row)
 
     @property
     def definitions(self) -> dict[Expr, Expr]:
@@ -154,6 +154,10 @@ class Work:
         names: dict[Expr, Expr] = {chain[0]: chain[-1] for chain in chains if isinstance(chain[0], Symbol)}
         return replace(self, steps=(*self.steps, *steps), known={**self.known, **names})
 
+    def showing(self, *steps: Step) -> Work:
+        """Steps that were made elsewhere and whose names stand for nothing in other chains."""
+        return replace(self, steps=(*self.steps, *steps))
+
     def line(
         self,
         name: str | Expr,
@@ -193,7 +197,7 @@ class Work:
         filled = put_in(formula, self.definitions)
         if answer is None:  # a formula in the author's own symbols stays as books print it
             answer = formula if filled == formula else self.shown(formula)
-        shown = (filled,) if not free_symbols(filled) and not _piled(filled) else ()
+        shown = (filled,) if not free_symbols(filled) and not piled(filled) else ()
         step = Step(name, distinct((symbol, formula, *shown, answer)), rule)
         return replace(self, steps=(*self.steps, step), known={**self.known, symbol: answer})
 
@@ -287,39 +291,3 @@ def as_matrix(value: Result, name: str) -> Matrix:
     if not isinstance(value, Matrix):
         raise TypeError(f"{name} is no matrix")
     return value
-
-
-def closing(step: Step, result: Expr) -> Step:
-    """The step ended by its result with every name replaced, where that says anything new."""
-    if step.chain and step.result == result:
-        return step
-    return replace(step, chain=(*step.chain, result))
-
-
-def distinct(chain: Iterable[Expr]) -> tuple[Expr, ...]:
-    """A chain without an expression that reads like the one before it."""
-    found: list[Expr] = []
-    for expr in chain:
-        if not found or text(expr) != text(found[-1]):
-            found.append(expr)
-    return tuple(found)
-
-
-def number_of(problem: Problem, expr: Expr) -> float:
-    """A value without symbols left. Raises NotDerivable that names one that is left."""
-    try:
-        return scalar_number(normal(expr, problem.names), {})
-    except KeyError as error:
-        raise NotDerivable(f"no value is known for {error.args[0]}") from error
-
-
-def _piled(expr: Expr) -> bool:
-    """Whether a fraction stands in a fraction, which no one would write."""
-    quotients = [node for node in walk(expr) if isinstance(node, Quotient)]
-    return any(_fractional(part) for each in quotients for side in children(each) for part in walk(side))
-
-
-def _fractional(expr: Expr) -> bool:
-    return isinstance(expr, Quotient) or (
-        isinstance(expr, Number) and expr.value.denominator != 1 and not expr.decimal
-    )

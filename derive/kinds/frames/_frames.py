@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers.floats import Point, number
@@ -78,7 +77,7 @@ def local_steps(frame: Frame, problem: Problem) -> tuple[Step, ...]:
 def with_local(work: Work, frame: Frame) -> Work:
     """A board with these steps, and with what their names stand for."""
     known = work.knowing(local_definitions(frame, work.problem))
-    return replace(known, steps=(*work.steps, *local_steps(frame, work.problem)))
+    return known.showing(*local_steps(frame, work.problem))
 
 
 def local_matrix(frame: Frame, problem: Problem) -> Matrix:

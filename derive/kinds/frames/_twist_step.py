@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any
 
 from derive.algebra.numbers.floats import number
@@ -22,7 +21,7 @@ def twist_lines(work: Work, V: Symbol, before: Symbol, R: Symbol, o: Symbol) -> 
     (x,), (y,), (z,) = work.matrix(o).rows
     S = skew((x, y, z))
     work = work.knowing({S_name: S, NO_BLOCK: NOTHING})
-    work = replace(work, steps=(*work.steps, Step("S_o", (S_name, S), "skew")))
+    work = work.showing(Step("S_o", (S_name, S), "skew"))
     adjoint = Matrix(((R, Product((S_name, R))), (NO_BLOCK, R)))
     written = Product((work.readable(work.value(adjoint)), work[before]))
     return work.line(V, Product((adjoint, before)), written, rule="change-of-frame").closed(V)

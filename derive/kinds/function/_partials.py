@@ -7,11 +7,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from derive.algebra.normal import normal
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Step
+from derive.derivation import Step
 from derive.expression import Derivative, Expr, Symbol
-from derive.kinds.checks import agreement
 from derive.kinds.problem import Problem
-from derive.kinds.values_at import completed
+from derive.kinds.work import Work
 
 STEP = 1e-4
 DIFFERENCES = 1e-6  # what differences over that step leave
@@ -38,14 +37,13 @@ def by_differences(of: Expr, name: str, at: Mapping[str, float]) -> float:
     return (8 * (value(1) - value(-1)) - (value(2) - value(-2))) / (12 * STEP)
 
 
-def agrees(claim: str, problem: Problem, found: Iterable[Expr], pairs: Sequence[tuple[Expr, str]]) -> Claim:
-    """Each derivative found against the differences of its function."""
+def differences(work: Work, found: Iterable[Expr], pairs: Sequence[tuple[Expr, str]]) -> Work:
+    """With the claim that each derivative found agrees with the differences of its function."""
     ours = tuple(found)
-
-    return agreement(
-        claim,
-        problem.symbols,
-        lambda at: [numeric.number(expr, completed(at, problem.where)) for expr in ours],
-        lambda at: [by_differences(of, name, completed(at, problem.where)) for of, name in pairs],
+    return work.agrees(
+        "differences",
+        work.problem.symbols,
+        lambda at: [numeric.number(expr, at) for expr in ours],
+        lambda at: [by_differences(of, name, at) for of, name in pairs],
         DIFFERENCES,
     )

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from derive.algebra.function import Function
-from derive.derivation import Derivation, Step
-from derive.expression import Derivative, Expr, Matrix, Symbol
-from derive.kinds.checks import law, links
-from derive.kinds.fields import OptionsModel
+from derive.algebra.matrix import ScalarMatrix
+from derive.derivation import Derivation
+from derive.expression import Derivative, Matrix, Symbol
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.function._naming import function_name
-from derive.kinds.function._partials import agrees, partial
+from derive.kinds.function._partials import differences, partial
 from derive.kinds.problem import Problem
+from derive.kinds.work import Work
 
 RESULTS = {"H": "n by n, symmetric"}
 EXAMPLE = """\
@@ -18,10 +19,7 @@ problems:
 - function: {variables: [x, y], value: x^3*y - y^2}
   find: hessian
 """
-
-
-class Options(OptionsModel):
-    """None."""
+H = Symbol("H")
 
 
 def derive(function: Function, options: Options, problem: Problem) -> Derivation:
@@ -30,17 +28,11 @@ def derive(function: Function, options: Options, problem: Problem) -> Derivation
     name, variables = function_name(problem), function.variables
     first = [step for step in gradient.steps if step.rule == "partial"]
     exact = [[partial(step.result, x) for x in variables] for step in first]
-    H = Matrix(tuple(tuple(map(problem.readable, row)) for row in exact))
     derivatives = Matrix(
         tuple(tuple(Derivative(Derivative(name, Symbol(y)), Symbol(x)) for x in variables) for y in variables)
     )
-    steps = (Step("H", (Symbol("H"), derivatives, H), "hessian"),)
-    symmetric = all(exact[i][j] == exact[j][i] for i in range(len(first)) for j in range(i))
-    pairs = [(step.result, x) for step in first for x in variables]
-    definitions: dict[Expr, Expr] = {**gradient.definitions, Symbol("H"): H}
-    claims = (
-        *links(steps, {**problem.names, **definitions}),
-        law("symmetric", symmetric),
-        agrees("differences", problem, [e for r in H.rows for e in r], pairs),
-    )
-    return Derivation("hessian", steps, {"H": problem.final(H)}, claims, definitions, uses=(gradient,))
+    work = Work(problem).resting_on(gradient)
+    work = work.line(H, derivatives, value=ScalarMatrix.of(exact), rule="hessian")
+    work = work.law("symmetric", all(exact[i][j] == exact[j][i] for i in range(len(first)) for j in range(i)))
+    work = differences(work, work.entries(H), [(step.result, x) for step in first for x in variables])
+    return work.answer("hessian", {"H": work.final(H)})

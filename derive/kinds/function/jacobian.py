@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from derive.algebra.function import Function
+from derive.algebra.matrix import ScalarMatrix
 from derive.derivation import Derivation, Result, Step
 from derive.errors import NotDerivable
-from derive.expression import Call, Derivative, Expr, Matrix, Symbol
-from derive.kinds.checks import links
+from derive.expression import Call, Derivative, Matrix, Symbol
 from derive.kinds.fields import OptionsModel
 from derive.kinds.function._naming import component_names
-from derive.kinds.function._partials import agrees, partial
+from derive.kinds.function._partials import differences, partial
 from derive.kinds.problem import Problem
+from derive.kinds.work import Work
 
 RESULTS = {"J": "a row for each component, a column for each variable", "det": "of a square Jacobian"}
 EXAMPLE = """\
@@ -22,6 +21,7 @@ problems:
   find: jacobian
   determinant: true
 """
+J = Symbol("J")
 MOST_SQUARE = 5  # rows of a determinant worked out
 
 
@@ -34,39 +34,24 @@ class Options(OptionsModel):
 def derive(function: Function, options: Options, problem: Problem) -> Derivation:
     """J_ij = dy_i/dx_j. Raises NotDerivable for the determinant of a Jacobian that is not square."""
     names, variables = component_names(function, problem), function.variables
-    definitions: dict[Expr, Expr] = dict(zip(names, function.values, strict=True))
+    work = Work(problem)
+    for f, value in zip(names, function.values, strict=True):
+        work = work.given(f, value, "component")
     derivatives = Matrix(tuple(tuple(Derivative(f, Symbol(x)) for x in variables) for f in names))
-    J = Matrix(tuple(tuple(problem.readable(partial(f, x)) for x in variables) for f in function.values))
-    name = Symbol("J")
-    steps = (
-        *(Step(f.name, (f, value), "component") for f, value in definitions.items() if isinstance(f, Symbol)),
-        Step("J", (name, derivatives, J), "jacobian"),
-        *_determinant(options, problem, J),
-    )
-    definitions[name] = J
-    results: dict[str, Result] = {"J": problem.final(J)}
+    exact = ScalarMatrix.of([partial(f, x) for x in variables] for f in function.values)
+    work = work.line(J, derivatives, value=exact, rule="jacobian")
+    results: dict[str, Result] = {"J": work.final(J)}
     if options.determinant:
-        results["det"] = problem.final(steps[-1].result)
-    pairs = [(f, x) for f in function.values for x in variables]
-    entries = [entry for row in J.rows for entry in row]
-    claims = (
-        *links(steps, {**problem.names, **definitions}),
-        agrees("differences", problem, entries, pairs),
-    )
-    return Derivation("jacobian", steps, results, claims, definitions)
+        _require_square(exact)
+        det = Step("det", (Call("det", (J,)), problem.readable(exact.det())), "determinant")
+        work, results["det"] = work.showing(det), problem.final(det.result)
+    work = differences(work, work.entries(J), [(f, x) for f in function.values for x in variables])
+    return work.answer("jacobian", results)
 
 
-def _determinant(options: Options, problem: Problem, J: Matrix) -> Iterator[Step]:
-    if not options.determinant:
-        return
+def _require_square(J: ScalarMatrix) -> None:
     rows, columns = J.shape
-    if rows != columns or rows > MOST_SQUARE:
-        raise NotDerivable(
-            f"this Jacobian is {rows} by {columns}: only a square one has a determinant"
-            if rows != columns
-            else f"a determinant of {rows} rows is not worked out here"
-        )
-    from derive.algebra.normal import normal
-
-    det = Call("det", (Symbol("J"),))
-    yield Step("det", (det, problem.readable(normal(Call("det", (J,))))), "determinant")
+    if rows != columns:
+        raise NotDerivable(f"this Jacobian is {rows} by {columns}: only a square one has a determinant")
+    if rows > MOST_SQUARE:
+        raise NotDerivable(f"a determinant of {rows} rows is not worked out here")

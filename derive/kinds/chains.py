@@ -1,0 +1,38 @@
+"""Chains of equal expressions, as a line of working shows them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from derive.algebra.infix import text
+from derive.derivation import Step
+from derive.expression import Expr, Number, Quotient, children, walk
+
+
+def closing(step: Step, result: Expr) -> Step:
+    """The step ended by its result with every name replaced, where that says anything new."""
+    if step.chain and step.result == result:
+        return step
+    return replace(step, chain=(*step.chain, result))
+
+
+def distinct(chain: Iterable[Expr]) -> tuple[Expr, ...]:
+    """A chain without an expression that reads like the one before it."""
+    found: list[Expr] = []
+    for expr in chain:
+        if not found or text(expr) != text(found[-1]):
+            found.append(expr)
+    return tuple(found)
+
+
+def piled(expr: Expr) -> bool:
+    """Whether a fraction stands in a fraction, which no one would write."""
+    quotients = [node for node in walk(expr) if isinstance(node, Quotient)]
+    return any(_fractional(part) for each in quotients for side in children(each) for part in walk(side))
+
+
+def _fractional(expr: Expr) -> bool:
+    return isinstance(expr, Quotient) or (
+        isinstance(expr, Number) and expr.value.denominator != 1 and not expr.decimal
+    )
