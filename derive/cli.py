@@ -143,7 +143,7 @@ def check(sheets: tuple[Path, ...], style: str) -> None:
 
     The exit status is 1 where an answer differs or cannot be decided.
     """
-    from derive.answers.telling import as_json, as_text
+    from derive.answers.findings import as_json, as_text
     from derive.check import check as check_sheets
 
     with guarded():

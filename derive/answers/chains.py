@@ -5,11 +5,10 @@ r"""From the statements of an answer to what it says: labels, chains of equal pa
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
 from derive.algebra.normal import normal
-from derive.answers.abbreviations import writable
 from derive.answers.latex.letters import Letters
 from derive.answers.latex.parser import read_latex
 from derive.answers.latex.scripts import Tokens, scripted, subscripts_first
@@ -17,9 +16,11 @@ from derive.answers.latex.statements import Statement, statements
 from derive.answers.latex.tokens import tokens
 from derive.answers.published import Published
 from derive.errors import FormulaError, NotDerivable
-from derive.expression import ZERO, Expr, Matrix, Symbol, free_symbols
+from derive.expression import ZERO, Expr, Matrix, Symbol, free_symbols, walk
 from derive.expression import replace as replaced
 
+MOST = 20_000  # nodes of an answer with its own names written out
+MOST_NAMES = 60
 UNREAD = "a part of its chain of equations was not read"
 ALONE = "write one answer here; another result stands under its own name in answer:"
 Read = Callable[[Tokens, Letters], Published]
@@ -113,3 +114,26 @@ def _written_out(tree: Expr, definitions: dict[str, Expr]) -> Expr:
     while free_symbols(tree) & set(definitions):
         tree = replaced(tree, values)
     return tree
+
+
+def writable(trees: Iterable[Expr], definitions: Mapping[str, Expr]) -> None:
+    """Raises FormulaError where definitions go round in a circle, or come to more than anybody could mean:
+    k_1 = k_2 k_2, k_2 = k_3 k_3, ..."""
+    if len(definitions) > MOST_NAMES:
+        raise FormulaError(f"an answer defines at most {MOST_NAMES} names of its own", 0)
+    sizes: dict[str, int] = {}
+    for tree in trees:
+        if _size(tree, definitions, sizes, ()) > MOST:
+            raise FormulaError("the answer is too long with its own names written out", 0)
+
+
+def _size(tree: Expr, definitions: Mapping[str, Expr], sizes: dict[str, int], within: tuple[str, ...]) -> int:
+    total = 0
+    for node in walk(tree):
+        name = node.name if isinstance(node, Symbol) and node.name in definitions else ""
+        if name in within and name:
+            raise FormulaError(f"the definition of '{name}' goes round in a circle", 0)
+        if name and name not in sizes:
+            sizes[name] = _size(definitions[name], definitions, sizes, (*within, name))
+        total += sizes[name] if name else 1
+    return total

@@ -29,6 +29,7 @@ from derive.expression import (
     rebuild,
     walk,
 )
+from derive.expression import replace as replaced
 
 MOST = 400  # repairs that are tried, fewer of a long answer
 MOST_NODES = 60_000  # of all repairs together
@@ -106,18 +107,23 @@ def _repairs(published: Expr, derived: Expr, names: frozenset[str]) -> Iterator[
     """Likely slips first."""
     yield SIGN, negate(published)
     yield TRIG, _all_swapped(published)
-    yield from ((ATAN2, tree) for tree in _each(published, _other_way_round))
+    yield from _each_named(published, ATAN2, _other_way_round)
     yield from _scaled(published)
-    yield from ((SIGN_OF_TERM, tree) for tree in _each(published, _sign_changed))
-    yield from ((TRIG, tree) for tree in _each(published, _swapped))
-    yield from ((SQUARE, tree) for tree in _each(published, _squared))
-    yield from ((NO_SQUARE, tree) for tree in _each(published, _unsquared))
+    yield from _each_named(published, SIGN_OF_TERM, _sign_changed)
+    yield from _each_named(published, TRIG, _swapped)
+    yield from _each_named(published, SQUARE, _squared)
+    yield from _each_named(published, NO_SQUARE, _unsquared)
     yield from ((DEGREES, tree) for tree in _in_degrees(published))
-    yield from ((f"factor {n} in one term", tree) for n, tree in _one_term_scaled(published))
+    for n, factor in (("2", Fraction(1, 2)), ("1/2", Fraction(2))):
+        yield from _each_named(published, f"factor {n} in one term", partial(_one_scaled, factor=factor))
     yield from ((INDEX, tree) for tree in _renamed(published, names))
-    yield from ((EXTRA, tree) for tree in _each(published, _shortened))
+    yield from _each_named(published, EXTRA, _shortened)
     terms = derived.terms if isinstance(derived, Sum) else ()
     yield from ((MISSING, Sum((published, term))) for term in terms)
+
+
+def _each_named(tree: Expr, name: str, change: Callable[[Expr], Iterator[Expr]]) -> Iterator[Repair]:
+    return ((name, repaired) for repaired in _each(tree, change))
 
 
 def _scaled(published: Expr) -> Iterator[Repair]:
@@ -162,15 +168,10 @@ def _shortened(node: Expr) -> Iterator[Expr]:
             yield Sum((*node.terms[:k], *node.terms[k + 1 :]))
 
 
-def _one_term_scaled(published: Expr) -> Iterator[tuple[str, Expr]]:
-    for name, factor in (("2", Fraction(1, 2)), ("1/2", Fraction(2))):
-
-        def scaled(node: Expr, factor: Fraction = factor) -> Iterator[Expr]:
-            if isinstance(node, Sum):
-                for k, term in enumerate(node.terms):
-                    yield Sum((*node.terms[:k], Product((Number(factor), term)), *node.terms[k + 1 :]))
-
-        yield from ((name, tree) for tree in _each(published, scaled))
+def _one_scaled(node: Expr, factor: Fraction) -> Iterator[Expr]:
+    if isinstance(node, Sum):
+        for k, term in enumerate(node.terms):
+            yield Sum((*node.terms[:k], Product((Number(factor), term)), *node.terms[k + 1 :]))
 
 
 def _swapped(node: Expr) -> Iterator[Expr]:
@@ -230,7 +231,7 @@ def _renamed(published: Expr, names: frozenset[str]) -> Iterator[Expr]:
     for name in used:
         for other in sorted(names):
             if other != name and _kind(other) == _kind(name):
-                yield _renamed_everywhere(published, name, other)
+                yield replaced(published, {Symbol(name): Symbol(other)})
                 yield from _each(published, partial(_one_renamed, name=name, other=other))
     angles = sorted({node for node in walk(published) if isinstance(node, Call)}, key=repr)
     arguments = {angle for call in angles if call.function in SWAPPED for angle in call.arguments}
@@ -252,12 +253,6 @@ def _other_angle(node: Expr, angle: Expr) -> Iterator[Expr]:
 def _one_renamed(node: Expr, name: str, other: str) -> Iterator[Expr]:
     if node == Symbol(name):
         yield Symbol(other)
-
-
-def _renamed_everywhere(tree: Expr, name: str, other: str) -> Expr:
-    if tree == Symbol(name):
-        return Symbol(other)
-    return rebuild(tree, lambda part: _renamed_everywhere(part, name, other))
 
 
 def _kind(name: str) -> tuple[str, str]:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import repeat
 
 from flint import arb, ctx, fmpq
 
@@ -127,19 +128,15 @@ class Sampling:
         return {name: draw(False) for name in sorted(names)}
 
 
-class _Draw:
-    def __init__(self, source: random.Random) -> None:
-        self.source = source
-
-    def __call__(self, signed: bool) -> Fraction:
-        size = Fraction(self.source.randint(200, 1900), 1000)
-        return -size if signed and self.source.random() < 0.5 else size
-
-
-def _draws(names: Iterable[str], count: int) -> Iterator[_Draw]:
+def _draws(names: Iterable[str], count: int) -> Iterator[Callable[[bool], Fraction]]:
+    """As many times what draws a number of either sign, or a positive one; the same for the same names."""
     source = random.Random(" ".join(sorted(names)))
-    for _ in range(count):
-        yield _Draw(source)
+
+    def drawn(signed: bool) -> Fraction:
+        size = Fraction(source.randint(200, 1900), 1000)
+        return -size if signed and source.random() < 0.5 else size
+
+    return repeat(drawn, count)
 
 
 def unknowns(tree: Expr, names: Names) -> frozenset[str]:

@@ -25,21 +25,17 @@ class Published:
 
     def each(self, change: Callable[[Expr], Expr]) -> Published:
         """The same with every tree changed."""
-        tight = None if self.tight is None else change(self.tight)
-        chain = tuple(part.each(change) for part in self.chain)
-        measured = None if self.measured is None else change(self.measured)
-        return Published(change(self.tree), tight, chain, self.note, measured)
+        tree = change(self.tree)
+        tight, measured = (
+            None if other is None else _unless(tree, change(other)) for other in (self.tight, self.measured)
+        )
+        return Published(tree, tight, tuple(part.each(change) for part in self.chain), self.note, measured)
 
     def entry(self, i: int, j: int) -> Published:
         """That of a matrix, counted from 0."""
-        tree = _entry(self.tree, i, j)
-        tight = None if self.tight is None else _entry(self.tight, i, j)
-        parts = [part.entry(i, j) for part in self.chain if _shape(part.tree) == _shape(self.tree)]
-        chain = tuple(part for part in parts if part.tree != tree)
-        measured = None if self.measured is None else _entry(self.measured, i, j)
-        return Published(
-            tree, None if tight == tree else tight, chain, self.note, None if measured == tree else measured
-        )
+        alike = tuple(part for part in self.chain if _shape(part.tree) == _shape(self.tree))
+        found = replace(self, chain=alike).each(lambda matrix: _entry(matrix, i, j))
+        return replace(found, chain=tuple(part for part in found.chain if part.tree != found.tree))
 
 
 def gathered(rows: Sequence[Sequence[Published]]) -> Published:
@@ -53,13 +49,13 @@ def gathered(rows: Sequence[Sequence[Published]]) -> Published:
         gathered([[_link(entry, k) for entry in row] for row in rows])
         for k in range(max(len(entry.chain) for entry in every))
     )
-    return Published(
-        tree,
-        None if tight == tree else tight,
-        chain,
-        notes[0] if notes else "",
-        None if measured == tree else measured,
-    )
+    note = notes[0] if notes else ""
+    return Published(tree, _unless(tree, tight), chain, note, _unless(tree, measured))
+
+
+def _unless(tree: Expr, other: Expr) -> Expr | None:
+    """Another reading; None where it comes to the same."""
+    return None if other == tree else other
 
 
 def _link(entry: Published, k: int) -> Published:

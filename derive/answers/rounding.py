@@ -11,12 +11,14 @@ from fractions import Fraction
 
 from flint import arb
 
+from derive.algebra.rationals import decimal_places
 from derive.answers.budget import parts_of
 from derive.answers.points import Point, distance, value_at
 from derive.answers.terms import Terms, values
 from derive.expression import Degrees, Expr, Number, with_value
 from derive.expression import replace as replaced
 
+MOST_PLACES = 40  # of a number that has no end
 DIGITS = 3  # of a decimal that counts as rounded
 ROUNDED = "to the digits given"
 TOO_FEW = "agrees to the digits given, which are few"
@@ -83,7 +85,5 @@ def digits(node: Number | Degrees) -> int:
 
 def _places(node: Number | Degrees) -> int:
     """Digits after the point as typed, or as many as the value has."""
-    places, scaled = 0, node.value
-    while scaled.denominator != 1 and places < 40:
-        places, scaled = places + 1, scaled * 10
-    return max(places, node.places)
+    needed = decimal_places(node.value)
+    return max(MOST_PLACES if needed is None else min(needed, MOST_PLACES), node.places)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from typing import Any
 
-from derive.answers.abbreviations import writable
+from derive.answers.chains import writable
 from derive.answers.latex.letters import Letters
 from derive.answers.published import Published
 from derive.answers.reading import Reader, Route
