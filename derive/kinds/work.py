@@ -13,6 +13,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
 
+from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, walk_over
 from derive.algebra.numbers.floats import Point, numbers, scalar_number

@@ -24,6 +24,7 @@ from derive.expression import (
     sqrt,
     transpose,
 )
+from derive.kinds.chains import closing
 from derive.kinds.checks import agreement, links
 from derive.kinds.evaluation import Evaluation, Place
 from derive.kinds.fields import OptionsModel
@@ -34,7 +35,6 @@ from derive.kinds.robot._singular.determinants import determinant, gram_determin
 from derive.kinds.robot._singular.work import seen_from_middle
 from derive.kinds.robot._velocity.ellipsoids import at_point, decided
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
-from derive.kinds.work import closing
 from derive.mechanics.minors import minors
 from derive.mechanics.robot import Robot
 from derive.mechanics.zeros import zeros

@@ -22,6 +22,7 @@ from derive.expression import (
     subtract,
 )
 from derive.figures.workspaces import cross_section, from_above
+from derive.kinds.chains import closing
 from derive.kinds.checks import links
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
@@ -30,7 +31,6 @@ from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.kinds.robot._reach.checks import Region, second_route
 from derive.kinds.values_at import point_of
-from derive.kinds.work import closing
 from derive.mechanics.chain import Chain
 from derive.mechanics.reach import PlanarArm, SwungArm, moving_joints, planar_arm, swung_arm, turns_freely
 from derive.mechanics.robot import Robot

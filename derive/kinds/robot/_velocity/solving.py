@@ -29,10 +29,10 @@ from derive.expression import (
     transpose,
 )
 from derive.expression import replace as replaced
+from derive.kinds.chains import closing
 from derive.kinds.problem import Problem
 from derive.kinds.robot._singular.determinants import determinant, natural, product_tree
 from derive.kinds.robot._velocity.task import Task
-from derive.kinds.work import closing
 from derive.mechanics.minors import minors
 
 MOST_JOINTS = 4  # of an adjugate that is written out
