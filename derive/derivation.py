@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias, TypeVar, dataclass_transform
 
 from derive.algebra.readable.terms import Style
-from derive.expression import Expr, Symbol
+from derive.expression import Expr, Relation, Symbol
 
 
 @dataclass_transform(frozen_default=True, kw_only_default=True, field_specifiers=(field,))
@@ -69,16 +69,8 @@ class Phrase:
     about: Mapping[str, Said] = field(default_factory=dict)
 
 
-@dataclass(frozen=True, slots=True)
-class Relation:
-    """`left sign right`, as theta2 > 0; with a relation on its left a chain, as 0 <= t <= 1."""
-
-    left: Expr | Relation
-    sign: str
-    right: Expr
-
-
 Condition: TypeAlias = Relation | Phrase
+Cell: TypeAlias = Expr | Condition | tuple[Condition, ...] | str
 Said: TypeAlias = "Phrase | Relation | Expr | str | int | tuple[Said, ...]"  # texts as they stand
 
 
@@ -121,8 +113,8 @@ class Branch:
 class Table:
     """Rows under headings; an entry is mathematics, something said in words, or a text as it stands."""
 
-    headings: tuple[Said, ...]
-    rows: tuple[tuple[Said, ...], ...]
+    headings: tuple[Cell, ...]
+    rows: tuple[tuple[Cell, ...], ...]
 
 
 @dataclass(frozen=True, slots=True)

@@ -138,6 +138,16 @@ Expr: TypeAlias = (
     | Derivative
 )
 
+
+@dataclass(frozen=True, slots=True)
+class Relation:
+    """`left sign right`, as theta2 > 0; with a relation on its left a chain, as 0 <= t <= 1."""
+
+    left: Expr | Relation
+    sign: str
+    right: Expr
+
+
 ZERO = Number(Fraction(0))
 ONE = Number(Fraction(1))
 MINUS_ONE = Number(Fraction(-1))

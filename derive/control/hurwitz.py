@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Literal, TypeAlias
+from typing import TypeAlias
 
 from flint import fmpq_mpoly
 
@@ -15,22 +15,9 @@ from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar, as_fraction, common_ring
 from derive.algebra.solving.polynomials import coefficients, known_sign, monomials
 from derive.control.roots import roots
-from derive.expression import ZERO, Expr
+from derive.expression import ZERO, Expr, Relation
 
 Bound: TypeAlias = tuple[str, int, Fraction]  # a symbol above (1) or below (-1) a number
-
-
-@dataclass(frozen=True, slots=True)
-class Condition:
-    """left > right, or left < right."""
-
-    left: Expr
-    sign: Literal["<", ">"]
-    right: Expr
-
-    def holds(self, left: float, right: float) -> bool:
-        """Whether it is true of these values of both sides."""
-        return left > right if self.sign == ">" else left < right
 
 
 def conditions(column: Sequence[Scalar], positive: Collection[str]) -> tuple[Scalar, ...]:
@@ -225,17 +212,17 @@ def _implies(closer: Bound, other: Bound) -> bool:
 # -- as they are written ------------------------------------------------------------------------------
 
 
-def written(condition: Scalar, style: Style) -> Condition:
+def written(condition: Scalar, style: Style) -> Relation:
     """The inequality as a person writes it: a b > K, K < 6; a product against zero."""
     _, factors = factored(condition.numerator)
     if sum(int(power) for _, power in factors) != 1:
-        return Condition(readable(condition, style), ">", ZERO)
+        return Relation(readable(condition, style), ">", ZERO)
     plus, minus = _parted(condition)
     if minus and (not plus or (_is_number(plus) and not _is_number(minus))):
         over = _number_before(minus)
-        return Condition(readable(minus / over, style), "<", _side(plus, over, style))
+        return Relation(readable(minus / over, style), "<", _side(plus, over, style))
     over = _number_before(plus) if not minus or _is_number(minus) else Fraction(1)
-    return Condition(readable(plus / over, style), ">", _side(minus, over, style))
+    return Relation(readable(plus / over, style), ">", _side(minus, over, style))
 
 
 def _parted(condition: Scalar) -> tuple[Scalar, Scalar]:

@@ -9,8 +9,8 @@ from typing import Any
 
 from derive.algebra.numbers.floats import Point, number
 from derive.algebra.readable.terms import Style
-from derive.derivation import Branch, Condition, Derivation, Phrase, Relation, Result
-from derive.expression import Expr, Matrix, Number, Symbol, free_symbols, walk
+from derive.derivation import Branch, Condition, Derivation, Phrase, Result
+from derive.expression import Expr, Matrix, Number, Relation, Symbol, free_symbols, walk
 from derive.kinds.partly import put_in
 
 NOT_REAL = (ValueError, ZeroDivisionError, OverflowError)

@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from typing import Any, get_args
 
 from derive.algebra.infix import text
-from derive.derivation import Branch, Claim, Condition, Derivation, Phrase, Relation, Result
-from derive.expression import Expr, Matrix
+from derive.derivation import Branch, Claim, Condition, Derivation, Phrase, Result
+from derive.expression import Expr, Matrix, Relation
 from derive.render.document import Document, ProblemPage, QuestionPage
 from derive.render.phrases import Speech, spoken
 

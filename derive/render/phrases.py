@@ -18,8 +18,8 @@ from derive.algebra.infix import SYMPY_NAMES, text
 from derive.algebra.normal import normal
 from derive.algebra.readable.form import readable
 from derive.algebra.readable.terms import Style
-from derive.derivation import Claim, Condition, Phrase, Relation, Result, Said
-from derive.expression import PI, Degrees, Expr, Quotient, walk
+from derive.derivation import Claim, Condition, Phrase, Result, Said
+from derive.expression import PI, Degrees, Expr, Quotient, Relation, walk
 from derive.render.latex import Printer
 from derive.render.skin import environment, words_file
 

@@ -15,8 +15,8 @@ from typing import Any, Literal
 
 from jinja2 import Template
 
-from derive.derivation import Derivation, Phrase, Relation, Said, Step, Table
-from derive.expression import Expr, Number
+from derive.derivation import Cell, Condition, Derivation, Phrase, Step, Table
+from derive.expression import Expr, Number, Relation
 from derive.render.conditions import RELATION, condition
 from derive.render.entries import with_named_entries
 from derive.render.latex import Printer, is_approximate
@@ -126,9 +126,10 @@ class Telling:
         """Inline mathematics of an expression, a name, or a chain (a tuple) joined by equal signs."""
         return f"${self._latex(value, self._printer(trig))}$"
 
-    def say(self, said: Said) -> str:
-        """A phrase, a relation, or several, in a line of text."""
-        return on_page(self.folder, self.d.kind, self._printer(None), self.skin.plain).say(said)
+    def say(self, said: Condition | tuple[Condition, ...]) -> str:
+        """A phrase, a relation, or several that all hold, in a line of text."""
+        speech = on_page(self.folder, self.d.kind, self._printer(None), self.skin.plain)
+        return speech.when(said if isinstance(said, tuple) else (said,))
 
     def table(self, table: Table) -> str:
         """A table; its mathematics is set inline, a number with the unit its author gave it."""
@@ -181,7 +182,7 @@ class Telling:
             case _:
                 return printer.write(value)
 
-    def _cell(self, entry: Said) -> str:
+    def _cell(self, entry: Cell) -> str:
         if isinstance(entry, str):
             found = RELATION.search(entry)  # "stable if k - m > 0"
             return condition(entry, (), self._printer(None), self.skin.plain) if found else entry

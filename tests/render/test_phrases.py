@@ -4,8 +4,8 @@ import pytest
 from jinja2 import ChoiceLoader, DictLoader
 
 from derive.algebra.formulas.grammar import parse
-from derive.derivation import Condition, Phrase, Relation
-from derive.expression import Degrees, Symbol, number
+from derive.derivation import Condition, Phrase
+from derive.expression import Degrees, Relation, Symbol, number
 from derive.render.latex import Printer
 from derive.render.notation import Notation
 from derive.render.phrases import MissingPhrase, on_page, spoken

@@ -7,26 +7,15 @@ from collections.abc import Iterator, Mapping, Sequence
 from flint import arb
 
 from derive.algebra.function import Function
-from derive.algebra.infix import text
 from derive.algebra.normal import normal
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.algebra.solving.polynomial_systems import Value, put_in
 from derive.algebra.solving.polynomials import known_sign, odd_part
-from derive.derivation import Branch, Claim, Derivation, PageFacts, Step, Table
+from derive.derivation import Branch, Claim, Condition, Derivation, PageFacts, Phrase, Step, Table
 from derive.errors import NotDerivable
-from derive.expression import (
-    ZERO,
-    Call,
-    Derivative,
-    Expr,
-    Sum,
-    Symbol,
-    add,
-    multiply,
-    negate,
-)
-from derive.kinds.checks import SECOND_ROUTE, law, links, random_points
+from derive.expression import ZERO, Call, Derivative, Expr, Relation, Sum, Symbol, add, multiply, negate
+from derive.kinds.checks import NORMAL_FORM, SECOND_ROUTE, law, links, random_points
 from derive.kinds.function._extremes import extremes, reach
 from derive.kinds.function._naming import function_name, multiplier_names
 from derive.kinds.function._newton import NEAR, stationary
@@ -38,12 +27,13 @@ from derive.kinds.values_at import completed
 
 LAMBDA = Symbol("Lambda")
 HESSIAN = Symbol("H")
-WORDS = {
-    "maximum": "local maximum", "minimum": "local minimum", "saddle": "saddle point",
-    "undecided": "not decided by the second derivatives", "isolated": "isolated point",
-    "singular": "singular point of the constraints",
+SINGULAR = "singular-point"
+LOCAL = {
+    "maximum": "local-maximum", "minimum": "local-minimum", "saddle": "saddle-point",
+    "undecided": "undecided", "isolated": "isolated-point", "singular": SINGULAR,
 }  # fmt: skip
-GLOBAL = {"maximum": "global maximum", "minimum": "global minimum", "both": "global maximum and minimum"}
+CONDITIONAL = {"maximum": "local-maximum-if", "minimum": "local-minimum-if"}
+GLOBAL = {"maximum": "global-maximum", "minimum": "global-minimum", "both": "global-extremes"}
 COUNTS = ("", "one", "two", "three", "four", "five", "six", *map(str, range(7, 21)))
 LARGEST_SEARCH = 5  # unknowns with which Newton's method is cheap
 
@@ -79,9 +69,8 @@ def worked(kind: str, function: Function, problem: Problem) -> Derivation:
     case = task.candidates()
     found = points(task, case)
     limits = reach(task)
-    said = [
-        _said(p, e, problem, task) for p, e in zip(found, extremes(found, limits, task.positive), strict=True)
-    ]
+    best = extremes(found, limits, task.positive)
+    said = [_said(point, extreme, problem, task) for point, extreme in zip(found, best, strict=True)]
     goal = LAMBDA if multipliers else name
     definitions: dict[Expr, Expr] = {name: function.values[0], goal: _lagrange(function, multipliers, name)}
     definitions[name] = function.values[0]
@@ -105,16 +94,15 @@ def worked(kind: str, function: Function, problem: Problem) -> Derivation:
         enclosed=is_enclosed([p.solution for p in found]), flat=any(map(is_flat_saddle, found)),
         minors=len(function.variables) - len(function.constraints), odd=len(function.constraints) % 2 == 1,
         table=_table(found, said, name, task, problem), singular=any(p.kind == "singular" for p in found),
-        compact=limits.highest == "compact", greatest=_best("maximum", found, said, problem),
-        smallest=_best("minimum", found, said, problem),
+        compact=limits.highest == "compact", greatest=_best("maximum", found, best, problem),
+        smallest=_best("minimum", found, best, problem),
     )  # fmt: skip
     return Derivation(kind, steps, {"solutions": solutions}, claims, definitions, facts=facts)
 
 
-def _best(extreme: str, found: Sequence[Point], said: Sequence[str], problem: Problem) -> Expr | None:
+def _best(extreme: str, found: Sequence[Point], extremes: Sequence[str], problem: Problem) -> Expr | None:
     """The greatest or the smallest value, where it is known to exist."""
-    points = zip(found, said, strict=True)
-    best = [point for point, words in points if words.startswith("global") and extreme in words]
+    best = [point for point, which in zip(found, extremes, strict=True) if which in (extreme, "both")]
     return written(best[-1].value, problem) if best else None
 
 
@@ -151,39 +139,43 @@ def _hessian(task: Task, problem: Problem, found: Sequence[Point]) -> Iterator[S
         yield Step("H", (HESSIAN, problem.readable_matrix(bordered_hessian(task))), "hessian")
 
 
-def _said(point: Point, extreme: str, problem: Problem, task: Task) -> str:
-    """What a point is, in a few words."""
-    said = WORDS.get(point.kind) or _conditional(point, problem, task)
+def _said(point: Point, extreme: str, problem: Problem, task: Task) -> tuple[Condition, ...]:
+    """What a point is, and where."""
     if extreme:
-        said = GLOBAL[extreme] + (f", {WORDS['singular']}" if point.kind == "singular" else "")
-    needs = [text(problem.readable(each)) for each in point.solution.real_if]
-    return said + "".join(f" where {each} >= 0" for each in needs)
+        said = [Phrase(GLOBAL[extreme]), *([Phrase(SINGULAR)] if point.kind == "singular" else [])]
+    else:
+        local = LOCAL.get(point.kind)
+        said = [Phrase(local)] if local else list(_conditional(point, problem, task))
+    for each in point.solution.real_if:
+        need = Relation(problem.readable(each), ">=", ZERO)
+        said[-1:] = [Phrase("where", {"said": said[-1] if said else "", "need": need})]
+    return tuple(said)
 
 
-def _conditional(point: Point, problem: Problem, task: Task) -> str:
+def _conditional(point: Point, problem: Problem, task: Task) -> Iterator[Phrase]:
     """Where the parameters decide: by the signs of the minors."""
-    found = []
     for kind, wanted in patterns(len(task.g), len(point.minors)).items():
         needs = [_need(v, sign, problem, task) for v, sign in zip(point.minors, wanted, strict=True)]
-        if all(need is not None for need in needs):
-            found.append(f"local {kind} if " + " and ".join(dict.fromkeys(n for n in needs if n)))
-    return ", ".join(found)
+        if None not in needs:
+            yield Phrase(
+                CONDITIONAL[kind], {"needs": tuple(dict.fromkeys(each for n in needs for each in n or ()))}
+            )
 
 
-def _need(minor: Value, sign: int, problem: Problem, task: Task) -> str | None:
-    """The condition for a minor to have this sign: "" where it has, None where it cannot."""
+def _need(minor: Value, sign: int, problem: Problem, task: Task) -> tuple[Relation, ...] | None:
+    """The condition for a minor to have this sign: none where it has, None where it cannot."""
     if isinstance(minor, arb):
-        return "" if (minor > 0) == (sign > 0) else None
+        return () if (minor > 0) == (sign > 0) else None
     known = known_sign(minor, task.positive)
     if known is not None:
-        return "" if known == sign else None
+        return () if known == sign else None
     value = odd_part(minor, task.positive)
     if as_fraction(value.numerator.leading_coefficient()) < 0:
         value, sign = -value, -sign
-    return f"{text(problem.readable(value))} {'>' if sign > 0 else '<'} 0"
+    return (Relation(problem.readable(value), ">" if sign > 0 else "<", ZERO),)
 
 
-def _branch(point: Point, when: str, name: Symbol, task: Task, problem: Problem) -> Branch:
+def _branch(point: Point, when: tuple[Condition, ...], name: Symbol, task: Task, problem: Problem) -> Branch:
     values = {each: written(value, problem) for each, value in point.solution.values.items()}
     values |= {each: Symbol(each) for each in point.solution.free}
     values = {each: values[each] for each in task.variables}
@@ -193,17 +185,19 @@ def _branch(point: Point, when: str, name: Symbol, task: Task, problem: Problem)
     return Branch({**values, name.name: written(point.value, problem)}, when)
 
 
-def _table(found: Sequence[Point], said: Sequence[str], name: Symbol, task: Task, problem: Problem) -> Table:
+def _table(
+    found: Sequence[Point], said: Sequence[tuple[Condition, ...]], name: Symbol, task: Task, problem: Problem
+) -> Table:
     m, n = len(task.g), len(task.variables)
     sizes = range(2 * m + 1, m + n + 1)
     minors = [Call("det", (HESSIAN,))] if len(sizes) == 1 else [Symbol(f"D_{size}") for size in sizes]
     headings = (*map(Symbol, (*task.variables, *task.multipliers)), name, *minors, "")
     rows = []
-    for point, words in zip(found, said, strict=True):
-        branch = _branch(point, words, name, task, problem).values
-        known = [branch.get(each, "none") for each in (*task.variables, *task.multipliers, name.name)]
+    for point, when in zip(found, said, strict=True):
+        branch = _branch(point, when, name, task, problem).values
+        known = [branch.get(each, Phrase("none")) for each in (*task.variables, *task.multipliers, name.name)]
         signs: list[Expr | str] = [written(minor, problem) for minor in point.minors] or [""] * len(sizes)
-        rows.append((*known, *signs, words))
+        rows.append((*known, *signs, when))
     return Table(headings, tuple(rows))
 
 
@@ -215,11 +209,11 @@ def _put_back(task: Task, found: Sequence[Point]) -> Iterator[Claim]:
     equations = [task.lagrange.diff(x) for x in (*task.variables, *task.multipliers)]
     for k, point in enumerate(found, 1):
         if point.multipliers is None:
-            yield law(f"point {k} lies on the constraints", all(_vanishes(g, point, task) for g in task.g))
+            yield law("on-the-constraints", all(_vanishes(g, point, task) for g in task.g), k=k)
         else:
             holds = all(_vanishes(each, point, task) for each in equations)
-            claim = f"point {k} satisfies every equation"
-            yield law(claim, holds) if point.is_exact else Claim(claim, "ball-arithmetic", holds)
+            by = NORMAL_FORM if point.is_exact else "ball-arithmetic"
+            yield Claim("satisfies", by, holds, {"k": k})
 
 
 def _vanishes(equation: Scalar, point: Point, task: Task) -> bool:
@@ -240,8 +234,7 @@ def _search(function: Function, task: Task, problem: Problem, found: Sequence[Po
     ours = [_numbers(p, task, known) for p in found]  # at a singular point any multiplier may do
     others = [each for each in stationary(tree, known, unknowns) if _allowed(each, task)]
     holds = all(any(_near(theirs, mine) for mine in ours) for theirs in others)
-    claim = f"Newton's method from random starts finds {len(others)} points, all among these"
-    yield Claim(claim, SECOND_ROUTE, holds)
+    yield Claim("newtons-method", SECOND_ROUTE, holds, {"count": len(others)})
 
 
 def _allowed(point: Sequence[float], task: Task) -> bool:

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import combinations
 
-from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import derivative
 from derive.algebra.numbers.floats import matrix_numbers, number
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.polynomials import known_sign, odd_part
-from derive.expression import Approximate, Symbol, walk
+from derive.derivation import Phrase
+from derive.expression import ZERO, Approximate, Relation, Symbol, walk
 from derive.kinds.lagrange._angles_found import Found
 from derive.kinds.lagrange._model import Model
 from derive.kinds.lagrange._rest import there
@@ -19,7 +20,7 @@ from derive.kinds.values_at import completed
 from derive.mechanics.lagrangian import without
 
 ROUNDED = 1e-6  # of the largest stiffness: one that is smaller may be zero
-STABLE, UNSTABLE, OPEN = "stable", "unstable", "stability not decided by the terms of second order"
+STABLE, UNSTABLE, OPEN = Phrase("stable"), Phrase("unstable"), Phrase("undecided")
 
 
 def put_in(model: Model, value: Scalar, found: Found) -> Scalar:
@@ -30,17 +31,18 @@ def is_exact(found: Found) -> bool:
     return not any(isinstance(node, Approximate) for tree in found.values.values() for node in walk(tree))
 
 
-def said(model: Model, found: Found, stiffness: ScalarMatrix, positive: set[str]) -> str:
+def said(model: Model, found: Found, stiffness: ScalarMatrix, positive: set[str]) -> Phrase:
     """Stable where K is positive definite there; the condition, where parameters decide."""
-    needs = [f"{_written(model, each, positive)} > 0" for each in found.real_if]
     if is_exact(found):
-        words = _stability(model, found, stiffness, positive)
+        said = _stability(model, found, stiffness, positive)
     else:
-        words = _stability_in_numbers(model, found, stiffness)
-    return words + "".join(f" where {each}" for each in dict.fromkeys(needs))
+        said = _stability_in_numbers(model, found, stiffness)
+    for need in dict.fromkeys(_positive(model, each, positive) for each in found.real_if):
+        said = Phrase("where", {"said": said, "need": need})
+    return said
 
 
-def _stability(model: Model, found: Found, stiffness: ScalarMatrix, positive: set[str]) -> str:
+def _stability(model: Model, found: Found, stiffness: ScalarMatrix, positive: set[str]) -> Phrase:
     """Of the coordinates that are not free; along a free one with zeros in K the state is neutral."""
     whole = ScalarMatrix.of([put_in(model, entry, found) for entry in row] for row in stiffness.rows)
     names = model.system.coordinates
@@ -50,21 +52,27 @@ def _stability(model: Model, found: Found, stiffness: ScalarMatrix, positive: se
         return OPEN
     minors = [K.block(slice(k), slice(k)).det() for k in range(1, len(K.rows) + 1)]
     signs = [_sign(minor, found, positive) for minor in minors]
-    neutral = "".join(f", neutral along {q}" for k, q in enumerate(names) if k not in kept)
+    neutral = [q for k, q in enumerate(names) if k not in kept]
     if (driven := _driven(model, found, positive)) is not None:
         return driven
     if all(sign == 1 for sign in signs):
-        return STABLE + neutral
+        return _neutral(STABLE, neutral)
     if any(_sign(minor, found, positive) == -1 for minor in _principal_minors(K)):
         return OPEN if _gyroscopic(model) else UNSTABLE
     if 0 in signs:
         return OPEN
     left = [minor for minor, sign in zip(minors, signs, strict=True) if sign is None]
-    parts = dict.fromkeys(_written(model, each, positive) for each in left)
-    return _conditional([*parts], model) + neutral
+    needs = dict.fromkeys(_positive(model, each, positive) for each in left)
+    return _neutral(_conditional(tuple(needs), model), neutral)
 
 
-def _driven(model: Model, found: Found, positive: set[str]) -> str | None:
+def _neutral(said: Phrase, along: Sequence[str]) -> Phrase:
+    for q in along:
+        said = Phrase("neutral", {"said": said, "along": q})
+    return said
+
+
+def _driven(model: Model, found: Found, positive: set[str]) -> Phrase | None:
     """Where forces along the rates feed energy in instead of taking it; None where they are not known to."""
     pairs = [(model.rest[k] - model.forces[q]) for k, q in enumerate(model.system.coordinates)]
     still = model.system.rates
@@ -75,7 +83,7 @@ def _driven(model: Model, found: Found, positive: set[str]) -> str | None:
     return UNSTABLE if len(still) == 1 else OPEN
 
 
-def _stability_in_numbers(model: Model, found: Found, stiffness: ScalarMatrix) -> str:
+def _stability_in_numbers(model: Model, found: Found, stiffness: ScalarMatrix) -> Phrase:
     """Of rounded coordinates, where rounding does not decide it."""
     import numpy
 
@@ -93,12 +101,13 @@ def _stability_in_numbers(model: Model, found: Found, stiffness: ScalarMatrix) -
     return UNSTABLE if eigenvalues.min() < -clear and not _gyroscopic(model) else OPEN
 
 
-def _conditional(parts: list[str], model: Model) -> str:
+def _conditional(needs: tuple[Relation, ...], model: Model) -> Phrase:
     """Where parameters decide the signs of leading minors."""
-    said = "stable if " + " and ".join(f"{part} > 0" for part in parts)
     if _gyroscopic(model):
-        return said
-    return said + (f", unstable if {parts[0]} < 0" if len(parts) == 1 else ", unstable if one is negative")
+        return Phrase("stable-if", {"needs": needs})
+    if len(needs) > 1:
+        return Phrase("stable-or-negative", {"needs": needs})
+    return Phrase("stable-or-unstable", {"need": needs[0], "opposite": replace(needs[0], sign="<")})
 
 
 def _principal_minors(K: ScalarMatrix) -> Iterator[Scalar]:
@@ -133,5 +142,5 @@ def _sign(value: Scalar, found: Found, positive: set[str]) -> int | None:
     return None
 
 
-def _written(model: Model, value: Scalar, positive: set[str]) -> str:
-    return text(model.problem.readable(odd_part(value, positive)))
+def _positive(model: Model, value: Scalar, positive: set[str]) -> Relation:
+    return Relation(model.problem.readable(odd_part(value, positive)), ">", ZERO)

@@ -9,7 +9,7 @@ from derive.algebra.normal import derivative
 from derive.algebra.numbers.floats import number
 from derive.algebra.scalar import Scalar
 from derive.algebra.signs import signed
-from derive.derivation import Branch, Claim, Derivation, PageFacts, Step, Table
+from derive.derivation import Branch, Claim, Derivation, PageFacts, Phrase, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import PI, ZERO, Expr, Symbol, free_symbols, walk
 from derive.kinds.checks import SECOND_ROUTE, law, links, random_points
@@ -118,9 +118,9 @@ def _at_rest(model: Model, given: Mapping[Symbol, Expr]) -> list[Scalar]:
     return found
 
 
-def _branch(system: LagrangianSystem, found: Found, when: str) -> Branch:
+def _branch(system: LagrangianSystem, found: Found, said: Phrase) -> Branch:
     values = {q: found.values.get(q, Symbol(q)) for q in system.coordinates}
-    return Branch(values, when)
+    return Branch(values, (said,))
 
 
 def _table(system: LagrangianSystem, branches: tuple[Branch, ...]) -> Table:

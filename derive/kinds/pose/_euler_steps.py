@@ -13,7 +13,7 @@ from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numbers.floats import number, numbers
 from derive.algebra.readable.form import readable_matrix
 from derive.algebra.scalar import Scalar
-from derive.derivation import Branch, Claim, PageFacts, Phrase, Record, Relation, Step
+from derive.derivation import Branch, Claim, PageFacts, Phrase, Record, Step
 from derive.expression import (
     MINUS_ONE,
     ZERO,
@@ -24,6 +24,7 @@ from derive.expression import (
     Matrix,
     Power,
     Product,
+    Relation,
     Sum,
     Symbol,
     add,

@@ -11,7 +11,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import matrix_numbers
 from derive.algebra.scalar import Scalar
-from derive.derivation import Branch, Claim, Derivation, PageFacts, Phrase, Relation, Result, Step
+from derive.derivation import Branch, Claim, Derivation, PageFacts, Phrase, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     ZERO,
@@ -20,6 +20,7 @@ from derive.expression import (
     Indexed,
     Matrix,
     Product,
+    Relation,
     Symbol,
     column,
     free_symbols,

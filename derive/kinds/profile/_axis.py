@@ -8,8 +8,8 @@ from math import inf
 from typing import TypeAlias
 
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Claim, Phrase, Record, Relation, Step
-from derive.expression import Expr, Product, Quotient, Sum, Symbol, number, squared, symbols
+from derive.derivation import Claim, Phrase, Record, Step
+from derive.expression import Expr, Product, Quotient, Relation, Sum, Symbol, number, squared, symbols
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
 from derive.kinds.problem import Problem
 from derive.kinds.profile._trapezoid import Given, Outcome, begun, shortest, timed

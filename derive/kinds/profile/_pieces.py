@@ -9,9 +9,21 @@ from typing import Any
 
 from derive.algebra.numbers.floats import number as value_of
 from derive.algebra.scalar import Scalar
-from derive.derivation import Branch, Claim, Phrase, Relation
+from derive.derivation import Branch, Claim, Phrase
 from derive.errors import NotDerivable
-from derive.expression import ONE, ZERO, Degrees, Expr, Power, Symbol, add, multiply, number, subtract
+from derive.expression import (
+    ONE,
+    ZERO,
+    Degrees,
+    Expr,
+    Power,
+    Relation,
+    Symbol,
+    add,
+    multiply,
+    number,
+    subtract,
+)
 from derive.kinds.checks import law
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem

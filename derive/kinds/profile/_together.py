@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Claim, Phrase, Record, Result, Said, Step, Table
+from derive.derivation import Cell, Claim, Phrase, Record, Result, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol, column, number
 from derive.kinds.problem import Problem
@@ -14,7 +14,7 @@ from derive.kinds.profile._axis import AxisTold, Equation, Solved, claims_of, so
 from derive.kinds.profile._trapezoid import NAMES
 from derive.mechanics.profile import Profile
 
-HEADINGS: tuple[Said, ...] = (Phrase("axis"), Phrase("case"), *(Symbol(name) for name in NAMES))
+HEADINGS: tuple[Cell, ...] = (Phrase("axis"), Phrase("case"), *(Symbol(name) for name in NAMES))
 
 
 class TogetherTold(Record):

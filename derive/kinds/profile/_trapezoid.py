@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
-from derive.derivation import Relation, Step
+from derive.derivation import Step
 from derive.expression import (
     Expr,
     Product,
     Quotient,
+    Relation,
     Symbol,
     free_symbols,
     is_negative,

@@ -8,21 +8,14 @@ from derive.algebra.numbers.balls import number_sign
 from derive.algebra.scalar import Scalar
 from derive.control.controllers import Controller
 from derive.control.hidden import hidden
-from derive.control.hurwitz import Condition, conditions, written
+from derive.control.hurwitz import conditions, written
 from derive.control.rational import Polynomial, Rational, names_in, shared, times
 from derive.control.rational import written as collected
 from derive.control.roots import roots
 from derive.control.routh import routh, sign_changes
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
-from derive.expression import (
-    Expr,
-    Product,
-    Sum,
-    add,
-    free_symbols,
-    multiply,
-)
+from derive.expression import Expr, Product, Relation, Sum, add, free_symbols, multiply
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
 from derive.kinds.system._plant import (
@@ -51,7 +44,7 @@ class Answer:
     factor: Scalar
     array: Array
     conditions: tuple[Scalar, ...]
-    written: tuple[Condition, ...]  # the same as inequalities
+    written: tuple[Relation, ...]  # the same as inequalities
     positive: frozenset[str]
 
     @property

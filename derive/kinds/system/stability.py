@@ -6,29 +6,19 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
-from derive.algebra.infix import text
 from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.readable.form import readable
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.polynomials import coefficients, known_sign, odd_part
-from derive.control.hurwitz import Condition, is_impossible, written
+from derive.control.hurwitz import is_impossible, written
 from derive.control.rational import Rational, at, names_in
 from derive.control.rational import written as collected
 from derive.control.roots import roots
 from derive.control.system import System
 from derive.derivation import Derivation, PageFacts, Result, Step, Table
-from derive.expression import (
-    ZERO,
-    Expr,
-    Quotient,
-    Sum,
-    Symbol,
-    number,
-    squared,
-    walk,
-)
+from derive.expression import ZERO, Expr, Quotient, Relation, Sum, Symbol, number, squared, walk
 from derive.kinds.checks import links
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
@@ -83,7 +73,7 @@ class Options(OptionsModel):
 
 
 class StabilityAtPoint(AtPoint):
-    failing: tuple[Condition, ...] = ()
+    failing: tuple[Relation, ...] = ()
 
 
 class Facts(PageFacts):
@@ -99,13 +89,13 @@ class Facts(PageFacts):
     mended: tuple[str, ...]  # the special cases of the array
     epsilon: Symbol
     never: bool
-    conditions: tuple[Condition, ...]
-    marginal: tuple[Condition, ...] | None
+    conditions: tuple[Relation, ...]
+    marginal: tuple[Relation, ...] | None
     one_sign: tuple[Expr, ...]
     assumed: bool
     origin: Expr = ZERO
     symbolic: bool
-    limiting: Condition | None
+    limiting: Relation | None
     critical: tuple[tuple[Expr, ...], ...] | None
     changes: int
     axis: tuple[Expr, ...]
@@ -121,7 +111,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     claims = (*links(steps, {**problem.names, **definitions}), *claims_of(answer))
     results: dict[str, Result] = {
         "routh": answer.array.matrix,
-        "conditions": tuple(f"{text(c.left)} {c.sign} {text(c.right)}" for c in answer.written),
+        "conditions": answer.written,
     }
     if not answer.symbols:
         results["unstable_poles"] = number(answer.changes)
@@ -214,11 +204,11 @@ def _facts(answer: Answer, options: Options, at: StabilityAtPoint | None) -> Fac
     )
 
 
-def _written(answer: Answer, found: Iterable[Scalar]) -> tuple[Condition, ...]:
+def _written(answer: Answer, found: Iterable[Scalar]) -> tuple[Relation, ...]:
     return tuple(written(each, answer.plant.style) for each in found)
 
 
-def _written_limit(answer: Answer) -> Condition | None:
+def _written_limit(answer: Answer) -> Relation | None:
     found = limiting(answer)
     if found is None or frequency_squared(answer) is None:
         return None
@@ -280,14 +270,11 @@ def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], Stabil
     )
 
 
-def _left(answer: Answer, place: Mapping[Expr, Expr]) -> list[bool | str]:
+def _left(answer: Answer, place: Mapping[Expr, Expr]) -> list[bool | Relation]:
     """Each condition as far as it is decided there, else as an inequality in the symbols left."""
     signs = [known_sign(each, answer.positive) for each in at(answer.conditions, place)]
     left = _written(answer, [odd_part(each, answer.positive) for each in at(answer.conditions, place)])
-    return [
-        f"{text(c.left)} {c.sign} {text(c.right)}" if known is None else known > 0
-        for c, known in zip(left, signs, strict=True)
-    ]
+    return [c if known is None else known > 0 for c, known in zip(left, signs, strict=True)]
 
 
 def _rows_at(answer: Answer, place: Mapping[Expr, Expr]) -> list[list[float | str]] | None:
