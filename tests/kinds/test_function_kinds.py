@@ -15,6 +15,7 @@ from derive.derivation import Branch, Derivation
 from derive.errors import NotDerivable
 from derive.expression import Matrix
 from derive.kinds.problem import Problem
+from derive.render.phrases import spoken
 from tests.trees import sympy_of, value
 
 
@@ -42,8 +43,12 @@ def is_at(branch: Branch, **expected: str) -> bool:
     return all(normal(branch.values[name]) == normal(parse(text)) for name, text in expected.items())
 
 
+def said(branch: Branch) -> str:
+    return spoken("function", "stationary-points").when(branch.when)
+
+
 def kinds(found: Derivation, **expected: str) -> list[str]:
-    return [branch.when for branch in points(found) if is_at(branch, **expected)]
+    return [said(branch) for branch in points(found) if is_at(branch, **expected)]
 
 
 # -- derivatives -----------------------------------------------------------------------------------------
@@ -164,7 +169,7 @@ def test_a_singular_point_of_the_constraint_is_not_lost() -> None:
     """On the cusp y^2 = x^3 the least x is at the point where the gradient of the constraint vanishes."""
     found = ask("lagrange-multipliers", function("x", "x y", "y^2 = x^3"))
     (only,) = points(found)
-    assert only.when == "singular point of the constraints"
+    assert said(only) == "singular point of the constraints"
     assert "lambda" not in only.values
 
 
@@ -172,8 +177,8 @@ def test_a_whole_circle_of_points() -> None:
     found = ask("lagrange-multipliers", function("x^2 + y^2", "x y z", "x^2 + y^2 + z^2 = 1"))
     assert kinds(found, z="1", x="0", y="0") == ["global minimum"]
     free = [branch for branch in points(found) if is_at(branch, x="x")]
-    assert [branch.when.partition(" where")[0] for branch in free] == ["global maximum"] * 2
-    assert "1 - x**2 >= 0" in free[0].when
+    assert [said(branch).partition(" where")[0] for branch in free] == ["global maximum"] * 2
+    assert "1 - x**2 >= 0" in said(free[0])
 
 
 QUADRATICS = [(3, 1, -2, 1, 0), (1, 4, 1, -2, 3), (0, 2, 0, 1, 1), (5, 0, -1, 0, 2), (2, -3, 2, 1, -1)]
@@ -189,7 +194,7 @@ def test_the_extremes_on_an_ellipse_are_those_of_sampling(k: tuple[int, ...]) ->
         a * x * x + b * x * y + c * y * y + d * x + e * y
         for x, y in ((2 * math.cos(t), math.sin(t)) for t in angles)
     ]
-    values = {branch.when: value_of(branch) for branch in points(found)}
+    values = {said(branch): value_of(branch) for branch in points(found)}
     assert values["global maximum"] == pytest.approx(max(sampled), abs=1e-5)
     assert values["global minimum"] == pytest.approx(min(sampled), abs=1e-5)
 
@@ -203,8 +208,8 @@ def value_of(branch: Branch) -> float:
 def test_what_square_roots_do_not_reach_is_enclosed_and_said() -> None:
     found = ask("lagrange-multipliers", function("x^2 + y", "x y", "x^4 + y^4 = 1"))
     assert found.facts.enclosed
-    assert any(claim.by == "ball arithmetic" for claim in found.claims)
-    best = [value_of(branch) for branch in points(found) if branch.when == "global maximum"]
+    assert any(claim.by == "ball-arithmetic" for claim in found.claims)
+    best = [value_of(branch) for branch in points(found) if said(branch) == "global maximum"]
     # y = t, x^2 = sqrt(1 - t^4): the greatest of sqrt(1 - t^4) + t over a fine grid
     grid = max(math.sqrt(1 - t**4) + t for t in (i / 100000 for i in range(100000)))
     assert best == [pytest.approx(grid, abs=1e-8)] * 2

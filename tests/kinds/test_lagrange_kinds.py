@@ -290,10 +290,12 @@ def test_a_pendulum_held_up_by_a_torque() -> None:
 def states(found: Derivation) -> list[tuple[str, ...]]:
     from derive.algebra.infix import text
     from derive.derivation import Branch
+    from derive.render.phrases import spoken
 
     branches = found.results["solutions"]
     assert isinstance(branches, tuple)
-    return [(*map(text, b.values.values()), b.when) for b in branches if isinstance(b, Branch)]
+    said = spoken("lagrange", "equilibria").when
+    return [(*map(text, b.values.values()), said(b.when)) for b in branches if isinstance(b, Branch)]
 
 
 def test_where_a_bead_on_a_turning_hoop_rests() -> None:
