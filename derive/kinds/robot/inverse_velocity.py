@@ -7,7 +7,7 @@ from typing import Any
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers import floats as numeric
-from derive.derivation import Claim, Derivation
+from derive.derivation import Claim, Derivation, PageFacts
 from derive.expression import Expr, Symbol
 from derive.kinds.checks import SECOND_ROUTE, close, law, links, random_points
 from derive.kinds.fields import OptionsModel
@@ -40,6 +40,16 @@ class Options(OptionsModel):
     point: PointOn | None = None
 
 
+class Facts(PageFacts):
+    way: str  # "wrist", "adjugate", ...
+    rows: tuple[Symbol, ...]
+    frames: tuple[int, ...] = ()  # of the arm and of the hand
+    offset: bool = False  # of the center of the wrist
+    zero: tuple[tuple[Expr, ...], ...]  # singular where one of these holds
+    redundant: bool = False
+    minors: tuple[str, ...] = ()  # steps
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """J^-1 v by the adjugate; the least rates (J^T (J J^T)^-1 v) or the least error ((J^T J)^-1 J^T v) where
     J is not square (Siciliano et al., section 3.5).
@@ -65,13 +75,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 
 def _by_halves(task: Task, split: Split) -> Derivation:
     """The arm first, then the wrist."""
-    facts = {
-        "way": "wrist",
-        "rows": task.velocities,
-        "frames": split.frames,
-        "offset": split.offset,
-        "zero": split.zero,
-    }
+    facts = Facts(
+        way="wrist", rows=task.velocities, frames=split.frames, offset=split.offset, zero=split.zero
+    )
     claims = (*split.claims, _second_route(task, split.qdot))
     return Derivation(
         "inverse-velocity", split.steps, {"qdot": split.qdot}, claims, split.definitions,
@@ -105,12 +111,11 @@ def _second_route(task: Task, qdot: Expr) -> Claim:
     return Claim("pseudo-inverse", SECOND_ROUTE, bool(holds))
 
 
-def _facts(task: Task, solved: Solved) -> dict[str, Any]:
-    return {
-        "rows": task.velocities,
-        "way": solved.way,
-        "square": task.square,
-        "redundant": task.redundant,
-        "minors": tuple(step for step in solved.steps if step.rule == "minor"),
-        "zero": solved.zero,
-    }
+def _facts(task: Task, solved: Solved) -> Facts:
+    return Facts(
+        way=solved.way,
+        rows=task.velocities,
+        zero=(solved.zero,),
+        redundant=task.redundant,
+        minors=tuple(step.name for step in solved.steps if step.rule == "minor"),
+    )

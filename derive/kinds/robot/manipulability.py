@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
+from dataclasses import replace
 
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.factors import Factored
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     Approximate,
@@ -33,7 +33,7 @@ from derive.kinds.robot._chain import oracle_of, scalar_of
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._singular.determinants import determinant, gram_determinant, natural, product_tree
 from derive.kinds.robot._singular.work import seen_from_middle
-from derive.kinds.robot._velocity.ellipsoids import at_point, decided
+from derive.kinds.robot._velocity.ellipsoids import PointTold, at_point, decided
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.minors import minors
 from derive.mechanics.robot import Robot
@@ -70,6 +70,16 @@ class Options(OptionsModel):
     evaluate: Evaluation = None
 
 
+class Facts(PageFacts):
+    rows: tuple[Symbol, ...]
+    square: bool
+    redundant: bool
+    mixed: bool  # velocities and angular velocities
+    best: tuple[tuple[Expr, Expr], ...]
+    here: PointTold | None = None
+    w: tuple[Expr, Expr] | None = None  # there
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """w and the ellipsoids v^T (J J^T)^-1 v = 1 and F^T (J J^T) F = 1 (Siciliano et al., section 3.9;
     Yoshikawa, 1985).
@@ -102,7 +112,7 @@ def _at_point(options: Options, problem: Problem, place: Place) -> Derivation:
     return Derivation(
         "manipulability", found.steps, {"w": w, **found.results}, found.claims, {},
         {"w": size, **found.evaluated}, (base,), found.plots,
-        {**base.facts, **found.facts, "numbers": (), "w": (W, Approximate(size))},
+        replace(base.told(Facts), here=found.told, w=(W, Approximate(size)), numbers=()),
     )  # fmt: skip
 
 
@@ -183,17 +193,15 @@ def _steps(task: Task, det: Expr, w: Expr) -> tuple[Step, ...]:
     return tuple(steps)
 
 
-def _facts(task: Task, det: Factored) -> dict[str, Any]:
-    return {
-        "rows": task.velocities,
-        "square": task.square,
-        "redundant": task.redundant,
-        "angular": any(row[0] == "w" for row in task.rows),
-        "mixed": len({row[0] for row in task.rows}) > 1,
-        "best": _best(task, det),
-        "numbers": ("w",),
-        "point": (),
-    }
+def _facts(task: Task, det: Factored) -> Facts:
+    return Facts(
+        rows=task.velocities,
+        square=task.square,
+        redundant=task.redundant,
+        mixed=len({row[0] for row in task.rows}) > 1,
+        best=_best(task, det),
+        numbers=("w",),
+    )
 
 
 def _best(task: Task, det: Factored) -> tuple[tuple[Expr, Expr], ...]:

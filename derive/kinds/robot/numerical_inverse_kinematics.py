@@ -9,7 +9,7 @@ from pydantic import Field, PlainValidator, ValidationInfo, WithJsonSchema
 
 from derive.algebra.numbers.floats import matrix_numbers, scalar_number
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Claim, Derivation, Plot, Result, Step, Table
+from derive.derivation import Claim, Derivation, PageFacts, Plot, Result, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Symbol, add, column, number
 from derive.kinds.checks import SECOND_ROUTE, links
@@ -68,6 +68,19 @@ class Options(OptionsModel):
     iterations: int = Field(10, ge=1, le=200)
     step: Quantity | None = None
     evaluate: Annotated[Place | None, PlainValidator(_start), WithJsonSchema({"type": "object"})] = None
+
+
+class Facts(PageFacts):
+    method: str
+    square: bool
+    table: Table
+    verdict: str
+    steps: int
+    error: Expr
+    best: bool  # no step is given
+    alpha: Expr | None
+    solution: tuple[tuple[Symbol, Expr], ...]
+    seen: frozenset[str]  # methods that were explained before
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -188,27 +201,25 @@ def _steps(task: Task, options: Options) -> tuple[Step, ...]:
     return (target, f, task.step)
 
 
-def _facts(task: Task, options: Options, run: Iteration) -> dict[str, Any]:
+def _facts(task: Task, options: Options, run: Iteration) -> Facts:
     variables = [Symbol(name) for name in task.found.variables]
     rows = [_row(k, row) for k, row in enumerate(run.rows)]
     kept: list[tuple[Expr | str, ...]]
     kept = [*rows] if len(rows) <= MOST_ROWS else [*rows[: MOST_ROWS - 2], ("...",) * len(rows[0]), rows[-1]]
     last = run.rows[-1]
-    return {
-        "method": options.method,
-        "square": task.square,
-        "table": Table((Symbol("k"), *variables, "error", H), tuple(kept)),
-        "verdict": run.verdict,
-        "steps": len(run.rows) - 1,
-        "after": f"after {len(run.rows) - 1} steps" if len(run.rows) > 1 else "at the start",
-        "error": Approximate(last.error if last.error >= CLOSE else 0.0),
-        "best": options.step is None,
-        "alpha": options.step,
-        "solution": tuple((name, Approximate(value)) for name, value in zip(variables, last.q, strict=True)),
-        "plots": ("error",),
-        "numbers": (),
-        "seen": _seen(task.problem, options),
-    }
+    return Facts(
+        method=options.method,
+        square=task.square,
+        table=Table((Symbol("k"), *variables, "error", H), tuple(kept)),
+        verdict=run.verdict,
+        steps=len(run.rows) - 1,
+        error=Approximate(last.error if last.error >= CLOSE else 0.0),
+        best=options.step is None,
+        alpha=options.step,
+        solution=tuple((name, Approximate(value)) for name, value in zip(variables, last.q, strict=True)),
+        seen=_seen(task.problem, options),
+        numbers=(),
+    )
 
 
 def _row(k: int, row: Row) -> tuple[Expr, ...]:

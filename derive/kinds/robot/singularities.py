@@ -9,6 +9,7 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._singular.checks import checked
+from derive.kinds.robot._singular.facts import Facts as Facts
 from derive.kinds.robot._singular.facts import facts_of
 from derive.kinds.robot._singular.saying import branches
 from derive.kinds.robot._singular.sets import Analysed, analysed

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 from derive.algebra.normal import normal
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.scalar import Scalar
-from derive.derivation import Derivation, Plot, Result, Step
+from derive.derivation import Derivation, PageFacts, Plot, Record, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     ZERO,
@@ -59,6 +58,33 @@ class Options(OptionsModel):
     evaluate: Evaluation = None
 
 
+class Secondary(Record):
+    """Between which distances every orientation is possible: the last link, in any direction, has to start
+    where the others reach."""
+
+    far: Expr
+    gap: Expr
+    inside: Expr
+
+
+class Facts(PageFacts):
+    kind: str  # "planar", "swung", "torus"
+    lengths: tuple[Expr, ...]
+    joints: int
+    offset: Expr | None
+    side: Expr | None
+    slides: bool
+    pair: tuple[int, ...]  # joints of the two links
+    spare: tuple[int, ...]  # joints that do not move the point
+    free: bool  # these turn the end-effector as they like
+    same: bool  # there is no hole
+    description: str
+    secondary: Secondary | None
+    last: Expr
+    shoulder: tuple[Expr, Expr]
+    plots: tuple[str, ...]
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """The annulus or the hollow sphere between the arm folded and the arm stretched; joints turn without
     limits.
@@ -73,15 +99,13 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         Step("r_min", (R_MIN, *region.smallest), "folded"),
     )
     steps = tuple(closing(step, _final(problem, step.result)) for step in found_steps)
-    facts = _facts(problem, region, point)
+    plots = _pictures(problem, region, options)
+    facts = _facts(problem, region, point, plots)
     results: dict[str, Result] = {
         "r_min": steps[1].result,
         "r_max": steps[0].result,
-        "description": facts["description"],
+        "description": facts.description,
     }
-    plots = _pictures(problem, region, options)
-    facts["plots"] = tuple(plot.name for plot in plots)
-    facts["numbers"] = ("r_min", "r_max")
     return Derivation(
         "workspace", steps, results,
         (*links(steps[:1], problem.names), *second_route(problem, found, point, region, steps)),
@@ -195,29 +219,30 @@ def _largest(problem: Problem, holes: tuple[Expr, ...]) -> Expr:
 # -- words and pictures -------------------------------------------------------------------------------
 
 
-def _facts(problem: Problem, region: Region, point: Tracked) -> dict[str, Any]:
+def _facts(problem: Problem, region: Region, point: Tracked, plots: tuple[Plot, ...]) -> Facts:
     n = len(region.lengths)
     found = chain_of(problem)
     moving = moving_joints(found, point.position, point.last)
     spare = [i for i, _ in found.moving if i not in moving and i <= point.last]
     closed = region.smallest[-1] == ZERO
-    return {
-        "kind": region.kind,
-        "lengths": region.lengths,
-        "joints": n if region.kind == "planar" else 3,
-        "offset": None if region.offset == ZERO else region.offset,
-        "side": None if region.side == ZERO else region.side,
-        "closed": closed,
-        "slides": region.slides,
-        "pair": tuple(map(number, moving[-2:])),
-        "spare": tuple(map(number, spare)),
-        "free": turns_freely(found, moving, spare, region.kind == "planar"),
-        "same": n == 2 and closed,
-        "description": _description(region, closed),
-        "secondary": _secondary(problem, region) if region.kind == "planar" and n > 2 else None,
-        "last": region.lengths[-1],
-        "shoulder": (Symbol("o_s"), problem.readable_matrix(region.center)),
-    }
+    return Facts(
+        kind=region.kind,
+        lengths=region.lengths,
+        joints=n if region.kind == "planar" else 3,
+        offset=None if region.offset == ZERO else region.offset,
+        side=None if region.side == ZERO else region.side,
+        slides=region.slides,
+        pair=tuple(moving[-2:]),
+        spare=tuple(spare),
+        free=turns_freely(found, moving, spare, region.kind == "planar"),
+        same=n == 2 and closed,
+        description=_description(region, closed),
+        secondary=_secondary(problem, region) if region.kind == "planar" and n > 2 else None,
+        last=region.lengths[-1],
+        shoulder=(Symbol("o_s"), problem.readable_matrix(region.center)),
+        plots=tuple(plot.name for plot in plots),
+        numbers=("r_min", "r_max"),
+    )
 
 
 def _description(region: Region, closed: bool) -> str:
@@ -237,14 +262,12 @@ def _description(region: Region, closed: bool) -> str:
     return f"{hole} about the shoulder{bored}"
 
 
-def _secondary(problem: Problem, region: Region) -> dict[str, Expr]:
-    """Between which distances every orientation is possible: the last link, in any direction, has to start
-    where the others reach."""
+def _secondary(problem: Problem, region: Region) -> Secondary:
     *others, last = region.lengths
     far = problem.readable(normal(subtract(add(*others), last)))
     scalars = tuple(map(normal, others))
     gap = _difference(problem, scalars)[-1] if len(others) == 2 else _gap(problem, scalars)
-    return {"far": far, "gap": gap, "inside": Call("abs", (subtract(Symbol("r"), last),))}
+    return Secondary(far=far, gap=gap, inside=Call("abs", (subtract(Symbol("r"), last),)))
 
 
 def _gap(problem: Problem, lengths: tuple[Scalar, ...]) -> Expr:

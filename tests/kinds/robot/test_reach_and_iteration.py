@@ -123,5 +123,5 @@ def test_joints_that_do_not_move_the_point_are_left_out(rows, r_min, r_max, desc
     found = problem(arm(rows)).ask("workspace")
     assert (text(found.results["r_min"]), text(found.results["r_max"])) == (r_min, r_max)
     assert found.results["description"] == description
-    assert found.facts["free"]
+    assert found.facts.free
     assert all(claim.holds for claim in found.claims)

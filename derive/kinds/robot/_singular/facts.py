@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import prod
-from typing import Any
+from typing import TypeAlias
 
 from derive.algebra.matrix import ScalarMatrix
+from derive.derivation import PageFacts, Record
 from derive.expression import ZERO, Expr, Product, Symbol, transpose
 from derive.kinds.problem import Problem
 from derive.kinds.robot._singular.saying import clauses
@@ -14,61 +15,115 @@ from derive.kinds.robot._singular.sets import Analysed, Case, rooted, written
 from derive.kinds.robot._singular.work import Work
 from derive.names import free
 
+Chain: TypeAlias = tuple[Expr, ...]
 
-def facts_of(problem: Problem, work: Work, sets: tuple[Analysed, ...]) -> dict[str, Any]:
-    """The way, and each set with its cases as plain values; `inner` are the sets inside others."""
+
+class CaseTold(Record):
+    """One branch of a set; the basis of a space is a chain, left out where there is none."""
+
+    places: tuple[tuple[Expr, Expr], ...]
+    looks: tuple[str, ...]
+    known: bool
+    block: Symbol | None
+    rank: int
+    J: tuple[Chain, ...]
+    null: tuple[Chain, ...]
+    range: tuple[Chain, ...]
+    lost: tuple[Chain, ...]
+    letters: tuple[Symbol, ...]  # of null space, range and lost directions
+
+
+class Inside(Record):
+    """The equations and values of a set: `choices` for each variable where they are independent of each
+    other, `places` for each case where they are not."""
+
+    equations: tuple[tuple[Expr, Expr], ...]
+    choices: tuple[tuple[tuple[Expr, Expr], ...], ...]
+    places: tuple[tuple[tuple[Expr, Expr], ...], ...]
+    several: bool  # equations
+    told: bool
+    rank: int
+    exact: bool
+
+
+class SetTold(Record):
+    inside: Inside
+    cases: tuple[CaseTold, ...]
+    alike: bool
+    angular: bool
+    frame: int | None
+    conditions: tuple[Expr, ...]
+
+
+class Facts(PageFacts):
+    way: str  # "wrist", "minors", ...
+    rows: tuple[Symbol, ...]
+    frame: int | None
+    frames: tuple[int | None, ...]  # of the parts of a wrist
+    rates: tuple[tuple[Symbol, ...], ...]
+    wide: bool
+    gram: Expr
+    sets: tuple[SetTold, ...]
+    inner: tuple[Inside, ...]  # sets inside others
+    exact: bool
+    graded: bool  # the sets have different ranks
+    none: bool
+    complete: bool
+    letters: int  # how many symbols stand for lengths
+
+
+def facts_of(problem: Problem, work: Work, sets: tuple[Analysed, ...]) -> Facts:
+    """The way, and each set with its cases."""
     first = work.parts[0].block
     J, wide = Symbol(first.name), len(first.rows) < len(first.variables)
     inner = tuple(each for each in sets if each.inner)
-    return {
-        "way": work.way,
-        "rows": tuple(map(Symbol, first.rows)),
-        "frame": first.frame,
-        "frames": tuple(part.block.frame for part in work.parts),
-        "rates": tuple(_rates(part.block.variables) for part in work.parts),
-        "wide": wide,
-        "gram": Product((J, transpose(J)) if wide else (transpose(J), J)),
-        "sets": tuple(_set(problem, work, each) for each in sets if not each.inner),
-        "inner": tuple(_inside(each) for each in inner),
-        "exact": all(each.exact for each in sets),
-        "graded": len({each.rank for each in sets}) > 1,
-        "none": not sets and work.complete,
-        "complete": work.complete,
-        "letters": len(problem.symbols - set(problem.subject.variables)),
-    }
+    return Facts(
+        way=work.way,
+        rows=tuple(map(Symbol, first.rows)),
+        frame=first.frame,
+        frames=tuple(part.block.frame for part in work.parts),
+        rates=tuple(_rates(part.block.variables) for part in work.parts),
+        wide=wide,
+        gram=Product((J, transpose(J)) if wide else (transpose(J), J)),
+        sets=tuple(_set(problem, work, each) for each in sets if not each.inner),
+        inner=tuple(_inside(each) for each in inner),
+        exact=all(each.exact for each in sets),
+        graded=len({each.rank for each in sets}) > 1,
+        none=not sets and work.complete,
+        complete=work.complete,
+        letters=len(problem.symbols - set(problem.subject.variables)),
+    )
 
 
 def _rates(variables: tuple[str, ...]) -> tuple[Symbol, ...]:
     return tuple(Symbol(f"{name}_dot") for name in variables)
 
 
-def _set(problem: Problem, work: Work, each: Analysed) -> dict[str, Any]:
+def _set(problem: Problem, work: Work, each: Analysed) -> SetTold:
     cases = tuple(_case(problem, work, each, case) for case in each.cases)
-    alike = len(cases) == 2 and not cases[1]["known"] and cases[0]["looks"] == cases[1]["looks"]
-    return {
-        **_inside(each),
-        "cases": cases[:1] if alike else cases,
-        "alike": alike,
-        "angular": each.block.name == "J_22" or each.block.rows[0][0] == "w",
-        "frame": each.block.frame,
-        "conditions": each.cases[0].conditions if each.cases else (),
-    }
+    alike = len(cases) == 2 and not cases[1].known and cases[0].looks == cases[1].looks
+    return SetTold(
+        inside=_inside(each),
+        cases=cases[:1] if alike else cases,
+        alike=alike,
+        angular=each.block.name == "J_22" or each.block.rows[0][0] == "w",
+        frame=each.block.frame,
+        conditions=each.cases[0].conditions if each.cases else (),
+    )
 
 
-def _inside(each: Analysed) -> dict[str, Any]:
-    """The equations and values of a set: `choices` for each variable where they are independent of each
-    other, `places` for each case where they are not."""
+def _inside(each: Analysed) -> Inside:
     choices = _choices(each.cases)
     free = prod(map(len, choices)) == len(each.cases)
-    return {
-        "equations": (*each.decided, *((equation, ZERO) for equation in each.equations)),
-        "choices": choices if free else (),
-        "places": () if free else tuple(case.values for case in each.cases),
-        "several": len(each.equations) > 1,
-        "told": any(case.J is not None for case in each.cases),
-        "rank": each.rank,
-        "exact": each.exact,
-    }
+    return Inside(
+        equations=(*each.decided, *((equation, ZERO) for equation in each.equations)),
+        choices=choices if free else (),
+        places=() if free else tuple(case.values for case in each.cases),
+        several=len(each.equations) > 1,
+        told=any(case.J is not None for case in each.cases),
+        rank=each.rank,
+        exact=each.exact,
+    )
 
 
 def _choices(cases: Sequence[Case]) -> tuple[tuple[tuple[Expr, Expr], ...], ...]:
@@ -79,22 +134,22 @@ def _choices(cases: Sequence[Case]) -> tuple[tuple[tuple[Expr, Expr], ...], ...]
     return tuple(tuple(pairs) for pairs in found.values())
 
 
-def _case(problem: Problem, work: Work, each: Analysed, case: Case) -> dict[str, Any]:
+def _case(problem: Problem, work: Work, each: Analysed, case: Case) -> CaseTold:
     shown = case.J is not None and not rooted(case.J)
     J = Symbol(each.block.name)
     N, R, U = _letters(problem)
-    return {
-        "places": case.values,
-        "looks": clauses(case, each.block, work.point),
-        "known": case.J is not None,
-        "block": J if each.block.name in ("J_11", "J_22") else None,
-        "rank": case.rank,
-        "J": ((J, written(problem, case.J)),) if shown and case.J is not None else (),
-        "null": _basis(problem, N, case.null),
-        "range": _basis(problem, R, case.range if shown else ()),
-        "lost": _basis(problem, U, case.lost),
-        "letters": (N, R, U),
-    }
+    return CaseTold(
+        places=case.values,
+        looks=clauses(case, each.block, work.point),
+        known=case.J is not None,
+        block=J if each.block.name in ("J_11", "J_22") else None,
+        rank=case.rank,
+        J=((J, written(problem, case.J)),) if shown and case.J is not None else (),
+        null=_basis(problem, N, case.null),
+        range=_basis(problem, R, case.range if shown else ()),
+        lost=_basis(problem, U, case.lost),
+        letters=(N, R, U),
+    )
 
 
 def _letters(problem: Problem) -> tuple[Symbol, ...]:
@@ -102,6 +157,6 @@ def _letters(problem: Problem) -> tuple[Symbol, ...]:
     return tuple(Symbol(free(problem.taken, letter, f"{letter}_J")) for letter in ("N", "R", "U"))
 
 
-def _basis(problem: Problem, name: Symbol, columns: tuple[ScalarMatrix, ...]) -> tuple[tuple[Expr, ...], ...]:
+def _basis(problem: Problem, name: Symbol, columns: tuple[ScalarMatrix, ...]) -> tuple[Chain, ...]:
     """One chain, the vectors of a basis side by side; nothing where there is none."""
     return ((name, written(problem, ScalarMatrix.beside(columns))),) if columns else ()

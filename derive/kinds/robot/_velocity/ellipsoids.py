@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from derive.algebra.numbers import floats as numeric
-from derive.derivation import Claim, Plot, Result, Step, Table
+from derive.derivation import Claim, Plot, Record, Result, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Matrix, Symbol, column
 from derive.figures.ellipses import at_the_tip
@@ -23,6 +23,15 @@ INFINITE = "infinite"
 PLANE = (("vx", "vy"), ("vx", "vz"), ("vy", "vz"))
 
 
+class PointTold(Record):
+    point: tuple[tuple[Symbol, Expr], ...]
+    table: Table
+    singular: bool
+    even: bool  # equally long axes
+    ratio: Expr | None  # of the longest axis to the shortest
+    plots: tuple[str, ...]
+
+
 @dataclass(frozen=True, slots=True)
 class Ellipsoids:
     """What a configuration adds to a derivation."""
@@ -33,7 +42,7 @@ class Ellipsoids:
     evaluated: dict[str, Any]
     claims: tuple[Claim, ...]
     plots: tuple[Plot, ...]
-    facts: dict[str, Any]
+    told: PointTold
 
 
 def at_point(task: Task, place: Place) -> Ellipsoids:
@@ -56,14 +65,14 @@ def at_point(task: Task, place: Place) -> Ellipsoids:
         "force_directions": [directions[k] for k in order],
     }
     plots = _pictures(task, here, values, directions)
-    facts = {
-        "point": tuple((Symbol(name), value) for name, value in place),
-        "table": _table(task, values, directions),
-        "singular": bool(values[-1] == 0 and len(values) <= J.shape[1]),
-        "even": bool(values[-1] > 0 and values[0] / values[-1] < 1 + 1e-9),
-        "ratio": Approximate(float(values[0] / values[-1])) if values[-1] else None,
-        "plots": tuple(plot.name for plot in plots),
-    }
+    told = PointTold(
+        point=tuple((Symbol(name), value) for name, value in place),
+        table=_table(task, values, directions),
+        singular=bool(values[-1] == 0 and len(values) <= J.shape[1]),
+        even=bool(values[-1] > 0 and values[0] / values[-1] < 1 + 1e-9),
+        ratio=Approximate(float(values[0] / values[-1])) if values[-1] else None,
+        plots=tuple(plot.name for plot in plots),
+    )
     results: dict[str, Result] = {
         "axes": column(Approximate(float(value)) for value in values),
         "directions": tuple(tuple(map(Approximate, vector)) for vector in directions),
@@ -71,7 +80,7 @@ def at_point(task: Task, place: Place) -> Ellipsoids:
         "force_directions": tuple(tuple(map(Approximate, directions[k])) for k in order),
     }
     claims = (_claim(task, here, values, directions),)
-    return Ellipsoids(here, (shown,), results, evaluated, claims, plots, facts)
+    return Ellipsoids(here, (shown,), results, evaluated, claims, plots, told)
 
 
 def _axis(value: float | str) -> Expr:

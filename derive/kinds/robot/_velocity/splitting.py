@@ -71,7 +71,7 @@ def by_wrist(task: Task, wrist: Wrist) -> Split:
         names,
         (problem.ask("forward-kinematics"),),
         (wrist.arm, wrist.hand),
-        any(step.name == "v_c" and step.facts["offset"] for step in known),
+        bool(task.point.position - wrist.center),
         tuple((determinant(Symbol(name)), ZERO) for name in ("J_11", "J_22")),
     )
 
@@ -95,7 +95,7 @@ def _at_center(task: Task, wrist: Wrist) -> tuple[tuple[Step, ...], dict[Expr, E
     R_value = rotation_part(task.found.T[wrist.arm])
     here = problem.readable_matrix(R_value.T @ normal_matrix(column(_components(center))))
     steps = (
-        Step("v_c", (center, route, written), "center", {"offset": offset}),
+        Step("v_c", (center, route, written), "center"),
         Step("u", (U, Product((transpose(R), center)), here), "frame"),
     )
     names: dict[Expr, Expr] = {
