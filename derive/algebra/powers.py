@@ -22,7 +22,7 @@ def power(base: Scalar, exponent: Scalar) -> Scalar:
         times = _content(exponent)
         return opaque("pow", (base, exponent / times.numerator)) ** times.numerator
     found = Scalar.of(1)
-    for powers, coefficient in exponent.numerator.to_dict().items():
+    for powers, coefficient in exponent.numerator.terms():
         times = as_fraction(coefficient)
         if any(powers):
             part = Scalar(exponent.ring, exponent.ring.context.from_dict({powers: 1})) / times.denominator

@@ -26,6 +26,7 @@ from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 from derive.algebra.angles import Form, first_quarter, fixed_parts, multiples, require_few
 from derive.algebra.bounds import spend
 from derive.algebra.generators import PI, Opaque, Root, letters_of
+from derive.algebra.multivariate import grouped
 from derive.algebra.rationals import Rational, to_flint
 
 Pair = tuple[fmpq_mpoly, fmpq_mpoly]
@@ -146,6 +147,19 @@ class Ring:
                 polynomial = divmod(polynomial, relation)[1]
                 degrees = polynomial.degrees()
         return polynomial
+
+    def grouped(self, polynomial: fmpq_mpoly, names: Iterable[str]) -> dict[tuple[int, ...], fmpq_mpoly]:
+        """What stands before each combination of powers of these generators, as it is met; a name that is no
+        generator has the power 0."""
+        places = [self.index.get(name) for name in names]
+        found = grouped(polynomial, [place for place in places if place is not None])
+        if None not in places:
+            return found
+        powers = {key: iter(key) for key in found}
+        return {
+            tuple(0 if place is None else next(powers[key]) for place in places): part
+            for key, part in found.items()
+        }
 
     def trig(self, form: Form) -> Pair | None:
         """(cosine, sine) of a form that is an integer combination of the angles; else None."""

@@ -9,6 +9,7 @@ from flint import fmpq_mpoly
 from derive.algebra.angles import Form
 from derive.algebra.exact_values import Pair, added, form_trig, multiple
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.multivariate import grouped
 from derive.algebra.ring import Ring, ring
 from derive.algebra.scalar import Scalar, common_ring
 from derive.errors import NotDerivable
@@ -56,27 +57,17 @@ def _refuse_roots(home: Ring, images: Mapping[int, Scalar]) -> None:
 
 
 def _composed(polynomial: fmpq_mpoly, source: Ring, images: Mapping[int, Scalar]) -> Scalar:
-    """Term by term; terms with the same powers of what is replaced are taken together. The angles that are
-    replaced are left behind: sums of the others would else be written as differences of those."""
-    groups: dict[tuple[int, ...], dict[tuple[int, ...], object]] = {}
-    for exponents, coefficient in polynomial.to_dict().items():
-        key = tuple(int(exponents[place]) for place in images)
-        rest = tuple(0 if place in images else e for place, e in enumerate(exponents))
-        groups.setdefault(key, {})[rest] = coefficient
+    """The angles that are replaced are left behind: sums of the others would else be written as differences
+    of those."""
     replaced = {source.names[place] for place in images}
     kept = tuple(form for form in source.angles if f"cos({form})" not in replaced)
     home = ring(source.roots, kept, source.symbols)
-    places = [source.index[name] for name in home.names]
     parts = [
-        _product(Scalar(home, _picked(rest, places, home)), tuple(images.values()), key)
-        for key, rest in groups.items()
+        _product(Scalar(home, rest.project_to_context(home.context)), tuple(images.values()), powers)
+        for powers, rest in grouped(polynomial, images).items()
     ]
     home = common_ring(parts)
     return sum((part.into(home) for part in parts), Scalar(home, home.zero))
-
-
-def _picked(terms: Mapping[tuple[int, ...], object], places: Sequence[int], home: Ring) -> fmpq_mpoly:
-    return home.context.from_dict({tuple(powers[i] for i in places): k for powers, k in terms.items()})
 
 
 def _product(rest: Scalar, values: Sequence[Scalar], powers: Sequence[int]) -> Scalar:

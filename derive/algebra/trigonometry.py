@@ -40,7 +40,7 @@ def _of_fraction(angle: Scalar) -> Form:
     """Of x/y + z/y: each term over the denominator is an atom, unless it cancels there."""
     home, found = angle.ring, Form(())
     bottom = Scalar(home, angle.denominator)
-    for exponents, coefficient in angle.numerator.to_dict().items():
+    for exponents, coefficient in angle.numerator.terms():
         part = Scalar(home, home.context.from_dict({exponents: coefficient})) / bottom
         if part.denominator is None:
             found = found + linear_form(part)

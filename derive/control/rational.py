@@ -9,14 +9,13 @@ from functools import lru_cache, reduce
 from math import lcm
 from typing import TypeAlias
 
-from flint import fmpq
-
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.readable.form import readable
 from derive.algebra.readable.terms import Style
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar, as_fraction, common_ring
+from derive.algebra.solving.polynomials import coefficients as rising_coefficients
 from derive.control.exact import common, divided, stripped
 from derive.control.ratios import Ratio
 from derive.control.roots import are_coprime
@@ -150,17 +149,10 @@ def polynomial(value: Scalar) -> Polynomial:
     """The coefficients of a polynomial in s."""
     if S.name not in value.ring.index:
         return (value,) if value else ()
-    place = value.ring.index[S.name]
-    groups: dict[int, dict[tuple[int, ...], fmpq]] = {}
-    for exponents, coefficient in value.numerator.to_dict().items():
-        rest = (*exponents[:place], 0, *exponents[place + 1 :])
-        groups.setdefault(int(exponents[place]), {})[rest] = coefficient
-    top = max(groups, default=-1)
+    if not value.numerator:
+        return ()
     below = 1 if value.denominator is None else Scalar(value.ring, value.denominator)
-    return tuple(
-        Scalar(value.ring, value.ring.context.from_dict(groups.get(power, {}))) / below
-        for power in range(top, -1, -1)
-    )
+    return tuple(k / below for k in reversed(rising_coefficients(value, S.name)))
 
 
 def scalar(coefficients: Sequence[Scalar]) -> Scalar:

@@ -13,6 +13,7 @@ from derive.algebra.numbers.floats import number, scalar_number
 from derive.algebra.readable.form import readable
 from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.polynomials import monomials
 from derive.errors import DivisionByZero, NotDerivable, NotReal
 from derive.expression import (
     ZERO,
@@ -66,20 +67,19 @@ def _replaced(expr: Expr, values: Names) -> Expr:
 def _flat(value: Scalar, polynomial: fmpq_mpoly, style: Style) -> Expr:
     """A sum of products of symbols, each with one rounded number before it."""
     home = value.ring
-    open_ones = [k for k, name in enumerate(home.names) if home.letters(name)]
-    groups: dict[tuple[int, ...], dict[tuple[int, ...], object]] = {}
-    for powers, k in polynomial.to_dict().items():
-        key = tuple(power if place in open_ones else 0 for place, power in enumerate(powers))
-        rest = tuple(0 if place in open_ones else power for place, power in enumerate(powers))
-        groups.setdefault(key, {})[rest] = k
-    terms = [_term(home.context.from_dict({key: 1}), rest, value, style) for key, rest in groups.items()]
+    open_ones = [name for name in home.names if home.letters(name)]
+    groups = {
+        tuple(zip(open_ones, powers, strict=True)): numbers
+        for powers, numbers in home.grouped(polynomial, open_ones).items()
+    }
+    terms = [_term(home.polynomial([(powers, 1)]), rest, value, style) for powers, rest in groups.items()]
     return add(*sorted(terms, key=_place))
 
 
-def _term(symbols: fmpq_mpoly, numbers: dict[tuple[int, ...], object], value: Scalar, style: Style) -> Expr:
+def _term(symbols: fmpq_mpoly, numbers: fmpq_mpoly, value: Scalar, style: Style) -> Expr:
     """A product of symbols times what the numbers before it come to; zero where only rounding is left."""
     home = value.ring
-    parts = [scalar_number(Scalar(home, home.context.from_dict({p: k})), {}) for p, k in numbers.items()]
+    parts = [scalar_number(each, {}) for each in monomials(Scalar(home, numbers))]
     total = sum(parts)
     if abs(total) <= ROUNDING * sum(map(abs, parts)):
         return ZERO

@@ -14,7 +14,6 @@ from derive.algebra.function import Constraint
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, derivative, normal
 from derive.algebra.scalar import Scalar
-from derive.algebra.solving.polynomials import monomials
 from derive.expression import ZERO, Expr
 
 TIME = "t"
@@ -129,21 +128,14 @@ def without(value: Scalar, names: Sequence[str]) -> Scalar:
 
 def by_rates(value: Scalar, rates: Sequence[str]) -> list[tuple[dict[str, int], Scalar]]:
     """Grouped by products of rates: their powers and what multiplies them; the highest powers first."""
-    groups: dict[tuple[int, ...], Scalar] = {}
-    places = [value.ring.index.get(name) for name in rates]
-    bottom = 1 if value.denominator is None else Scalar(value.ring, value.denominator)
-    for term in monomials(value):
-        ((exponents, _),) = term.numerator.to_dict().items() or (((), 0),)
-        key = tuple(0 if place is None else int(exponents[place]) for place in places)
-        rest = term
-        for name, power in zip(rates, key, strict=True):
-            rest = rest / Scalar.symbol(name) ** power if power else rest
-        groups[key] = groups.get(key, Scalar.of(0)) + rest
-    ordered = sorted(groups, key=lambda key: (-sum(key), tuple(-power for power in key)))
+    home = value.ring
+    bottom = 1 if value.denominator is None else Scalar(home, value.denominator)
+    found = home.grouped(value.numerator, rates)
+    ordered = sorted(found, key=lambda powers: (-sum(powers), tuple(-power for power in powers)))
     return [
-        ({n: p for n, p in zip(rates, key, strict=True) if p}, groups[key] / bottom)
-        for key in ordered
-        if groups[key]
+        ({name: power for name, power in zip(rates, powers, strict=True) if power}, part / bottom)
+        for powers in ordered
+        if (part := Scalar(home, found[powers]))
     ]
 
 

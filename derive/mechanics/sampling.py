@@ -89,7 +89,7 @@ def _value(polynomial: fmpq_mpoly, home: Ring, at: Point) -> tuple[complex, floa
     degrees = [int(d) for d in polynomial.degrees()]
     generators = {i: _generator(home, i, at) for i, d in enumerate(degrees) if d > 0}
     total, size = 0j, 0.0
-    for exponents, k in polynomial.to_dict().items():
+    for exponents, k in polynomial.terms():
         term = complex(float(as_fraction(k)))
         for i, value in generators.items():
             if exponents[i]:

@@ -12,11 +12,13 @@ from collections.abc import Hashable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import product
+from math import prod
 from typing import Any
 
 from derive.algebra.exact_values import Pair
 from derive.algebra.generators import Root
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.multivariate import grouped
 from derive.algebra.ring import ring
 from derive.algebra.scalar import Scalar, common_ring
 from derive.algebra.solving.factors import TooLong, depends, effort, factored
@@ -306,14 +308,10 @@ def with_signs(value: Scalar, signs: dict[str, int]) -> Scalar:
     places = {home.index[name]: sign for name, sign in signs.items() if name in home.index}
     if not places or value.denominator is not None:
         return value
-    terms: dict[tuple[int, ...], Any] = {}
-    for exponents, k in value.numerator.to_dict().items():
-        sign = 1
-        for place, each in places.items():
-            sign *= each ** int(exponents[place])
-        key = tuple(0 if i in places else int(e) for i, e in enumerate(exponents))
-        terms[key] = terms.get(key, 0) + k * sign
-    return Scalar(home, home.context.from_dict(terms))
+    total = home.zero
+    for powers, rest in grouped(value.numerator, places).items():
+        total = total + rest * prod(map(pow, places.values(), powers))
+    return Scalar(home, total)
 
 
 def _numerator(value: Scalar) -> Scalar:

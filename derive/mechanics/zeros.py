@@ -85,7 +85,7 @@ def zeros(
 def never_zero(equation: Scalar, variables: tuple[str, ...]) -> bool:
     """Whether a number in it is larger than all its sines and cosines can make up for; or it is a sum of
     squares one of which, of lengths alone, is not zero."""
-    home, terms = equation.ring, equation.numerator.to_dict()
+    home, terms = equation.ring, dict(equation.numerator.terms())
     moving = {place for place, name in enumerate(home.names) if home.letters(name) & set(variables)}
     turning = {place for k in range(len(home.angles)) for place in home.pair_index(k)}
     numbers = [as_fraction(k) for k in terms.values()]

@@ -20,6 +20,7 @@ from flint import fmpq_mpoly
 from derive.algebra.fixed_angles.addition_theorems import independent
 from derive.algebra.fixed_angles.constants import ball, holds_zero, number_places
 from derive.algebra.fixed_angles.exponential_sums import cancels
+from derive.algebra.multivariate import grouped
 from derive.algebra.ring import Ring
 
 
@@ -64,13 +65,8 @@ def _plain(radicand: Iterable[tuple[tuple[tuple[str, int], ...], object]]) -> bo
 
 def _numbers(polynomial: fmpq_mpoly, home: Ring) -> list[fmpq_mpoly]:
     """What stands before each product of generators that are no numbers, the shortest first."""
-    places = number_places(home)
-    groups: dict[tuple[int, ...], dict[tuple[int, ...], object]] = {}
-    for exponents, coefficient in polynomial.to_dict().items():
-        key = tuple(0 if i in places else e for i, e in enumerate(exponents))
-        number = tuple(e if i in places else 0 for i, e in enumerate(exponents))
-        groups.setdefault(key, {})[number] = coefficient
-    return [home.context.from_dict(terms) for terms in sorted(groups.values(), key=len)]
+    others = [place for place in range(len(home.names)) if place not in number_places(home)]
+    return sorted(grouped(polynomial, others).values(), key=len)
 
 
 def _refuted(number: fmpq_mpoly, home: Ring) -> bool:

@@ -28,7 +28,7 @@ class Quick:
         polynomials = []
         for value in values:
             home, terms = value.ring, []
-            for exponents, coefficient in value.numerator.to_dict().items():
+            for exponents, coefficient in value.numerator.terms():
                 factors = []
                 for name, power in zip(home.names, exponents, strict=True):
                     if power:

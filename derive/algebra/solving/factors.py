@@ -12,6 +12,7 @@ from flint import fmpq_mpoly
 
 from derive.algebra.bounds import spend
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.multivariate import grouped
 from derive.algebra.scalar import Scalar, as_fraction, common_ring
 from derive.algebra.solving.half_angles import HalfAngles, Halved, half_angles
 
@@ -187,14 +188,9 @@ def _turned(halves: HalfAngles, one: Halved, two: Halved) -> bool:
 
 
 def _turn(halves: HalfAngles, halved: Halved, k: int) -> fmpq_mpoly:
-    degree = halved.degrees[k]
-    terms = {}
-    for exponents, coefficient in halved.part.to_dict().items():
-        power = int(exponents[k])
-        sign = -1 if (degree - power) % 2 else 1
-        moved = (*exponents[:k], degree - power, *exponents[k + 1 :])
-        terms[moved] = sign * coefficient
-    return halves.context.from_dict(terms)
+    t, degree = halves.context.gen(k), halved.degrees[k]
+    parts = grouped(halved.part, (k,)).items()
+    return sum((rest * (-t) ** (degree - power) for (power,), rest in parts), halves.context.constant(0))
 
 
 def _left(found: list[tuple[Halved, int]], even: list[tuple[Halved, int]]) -> Halved | None:

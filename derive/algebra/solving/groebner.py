@@ -44,7 +44,7 @@ def _integral(value: Scalar, names: tuple[str, ...], context: fmpz_mpoly_ctx) ->
 
 def _scalar(polynomial: fmpz_mpoly, names: tuple[str, ...]) -> Scalar:
     total = Scalar.of(0)
-    for exponents, k in polynomial.to_dict().items():
+    for exponents, k in polynomial.terms():
         term = Scalar.of(int(k))
         for name, power in zip(names, exponents, strict=True):
             term = term * Scalar.symbol(name) ** int(power) if power else term

@@ -14,7 +14,7 @@ from functools import cached_property, reduce
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
-from derive.algebra.multivariate import factored
+from derive.algebra.multivariate import factored, grouped
 from derive.algebra.ring import Ring
 
 
@@ -56,18 +56,19 @@ class HalfAngles:
 
     def of(self, polynomial: fmpq_mpoly) -> Halved:
         """A polynomial of the ring, homogeneous in each pair."""
-        pairs = [self.home.pair_index(k) for k in self.places]
-        taken = {i for pair in pairs for i in pair}
-        terms = polynomial.to_dict()
-        most = tuple(max((e[c] + e[s] for e in terms), default=0) for c, s in pairs)
+        places = [place for k in self.places for place in self.home.pair_index(k)]
+        found = [
+            (list(zip(powers[::2], powers[1::2], strict=True)), rest)  # of cosine and sine of each angle
+            for powers, rest in grouped(polynomial, places).items()
+        ]
+        most = [max((sum(powers[k]) for powers, _ in found), default=0) for k in self._counted]
         total = self.context.constant(0)
-        for exponents, coefficient in terms.items():
-            rest = tuple(0 if i in taken else e for i, e in enumerate(exponents))
-            term = self.context.from_dict({(*(0 for _ in pairs), *rest): coefficient})
-            for k, (c, s) in enumerate(pairs):
-                term = term * self._power(k, exponents[c], exponents[s], most[k])
+        for powers, rest in found:
+            term = rest.project_to_context(self.context)
+            for k in self._counted:
+                term = term * self._power(k, *powers[k], most[k])
             total = total + term
-        return Halved(total, tuple(2 * int(m) for m in most))
+        return Halved(total, tuple(2 * degree for degree in most))
 
     def back(self, halved: Halved) -> fmpq_mpoly:
         """The polynomial in sines and cosines. Raises ValueError where a degree is odd."""
@@ -75,11 +76,10 @@ class HalfAngles:
             raise ValueError("an odd degree in half angles")
         pairs = [self.home.pair(k) for k in self.places]
         total = self.home.zero
-        count = len(self.places)
-        for exponents, coefficient in halved.part.to_dict().items():
-            term = self.home.context.from_dict({tuple(exponents[count:]): coefficient})
-            for (c, s), power, degree in zip(pairs, exponents, halved.degrees, strict=False):
-                term = self.home.reduce(term * self._whole(c, s, int(power), degree))
+        for powers, rest in grouped(halved.part, self._counted).items():
+            term = rest.project_to_context(self.home.context)
+            for (c, s), power, degree in zip(pairs, powers, halved.degrees, strict=True):
+                term = self.home.reduce(term * self._whole(c, s, power, degree))
             total = total + term
         return self.home.reduce(total)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from typing import TypeAlias
 
+from derive.algebra.multivariate import grouped
 from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar, common_ring
@@ -33,16 +34,11 @@ def _split(vector: Sequence[Scalar], variables: Collection[str], home: Ring) -> 
     moving = [i for i, name in enumerate(home.names) if _varies(i, home, variables) or name in variables]
     found: Coefficients = {}
     for place, entry in enumerate(vector):
-        groups: dict[tuple[int, ...], dict[tuple[int, ...], object]] = {}
-        for exponents, coefficient in entry.numerator.to_dict().items():
-            key = tuple(int(exponents[i]) for i in moving)
-            rest = tuple(0 if i in moving else e for i, e in enumerate(exponents))
-            groups.setdefault(key, {})[rest] = coefficient
         below = Scalar(home, home.one if entry.denominator is None else entry.denominator)
         if any(home.index[name] in moving for name in below.generators()):
             raise NotDerivable("the joint variables stand below a fraction here")
-        for key, terms in groups.items():
-            found[place, key] = Scalar(home, home.context.from_dict(terms)) / below
+        for powers, part in grouped(entry.numerator, moving).items():
+            found[place, powers] = Scalar(home, part) / below
     return found
 
 

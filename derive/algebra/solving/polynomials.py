@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from flint import arb
 
-from derive.algebra.multivariate import ball_at, factored
+from derive.algebra.multivariate import ball_at, factored, grouped
 from derive.algebra.numbers.balls import number_sign
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.algebra.signs import sign_of
@@ -30,22 +30,15 @@ def coefficients(polynomial: Scalar, name: str) -> list[Scalar]:
     place = home.index.get(name)
     if place is None:
         return [polynomial]
-    groups: dict[int, dict[tuple[int, ...], object]] = {}
-    for exponents, k in polynomial.numerator.to_dict().items():
-        rest = tuple(0 if i == place else e for i, e in enumerate(exponents))
-        groups.setdefault(int(exponents[place]), {})[rest] = k
-    return [
-        Scalar(home, home.context.from_dict(groups.get(e, {}))) for e in range(max(groups, default=0) + 1)
-    ]
+    found = grouped(polynomial.numerator, (place,))
+    (degree,) = max(found, default=(0,))
+    return [Scalar(home, found.get((power,), home.zero)) for power in range(degree + 1)]
 
 
 def monomials(polynomial: Scalar) -> list[Scalar]:
     """The terms, each with its coefficient."""
     home = polynomial.ring
-    return [
-        Scalar(home, home.context.from_dict({powers: k}))
-        for powers, k in polynomial.numerator.to_dict().items()
-    ]
+    return [Scalar(home, home.context.from_dict({powers: k})) for powers, k in polynomial.numerator.terms()]
 
 
 def factors(polynomial: Scalar, names: Collection[str]) -> list[Scalar]:

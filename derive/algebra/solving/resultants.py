@@ -29,8 +29,7 @@ def resultant(one: Scalar, two: Scalar, name: str) -> Scalar | None:
     if _size(f, g, 0) > MOST:
         return None
     found = f.resultant(g, f"t{halves.places[0]}")
-    terms = {tuple(exponents[1:]): k for exponents, k in found.to_dict().items()}
-    return Scalar(home, home.reduce(home.context.from_dict(terms)))
+    return Scalar(home, home.reduce(found.project_to_context(home.context)))
 
 
 def _size(p: fmpq_mpoly, q: fmpq_mpoly, place: int) -> int:

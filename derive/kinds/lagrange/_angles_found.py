@@ -6,17 +6,19 @@ import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from math import prod
 
 from flint import arb
 
 from derive.algebra.angles import Form, combination
 from derive.algebra.exact_values import fixed_trig
 from derive.algebra.generators import PI
+from derive.algebra.multivariate import grouped
 from derive.algebra.normal import normal
 from derive.algebra.readable.terms import Alphabet
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.scalar import Scalar
 from derive.algebra.solving.polynomial_systems import solve
-from derive.algebra.solving.polynomials import known_sign, numerator
+from derive.algebra.solving.polynomials import known_sign
 from derive.errors import NotDerivable
 from derive.expression import (
     Approximate,
@@ -138,12 +140,9 @@ def _renamed(value: Scalar, letters: _Letters) -> Scalar:
             c, s = home.pair_index(k)
             places[c], places[s] = map(Scalar.symbol, letters.pair(form))
     total = Scalar.of(0)
-    for exponents, coefficient in numerator(value).numerator.to_dict().items():
-        rest = tuple(0 if place in places else e for place, e in enumerate(exponents))
-        term = Scalar(home, home.context.from_dict({rest: 1})) * as_fraction(coefficient)
-        for place, letter in places.items():
-            term = term * letter ** int(exponents[place]) if exponents[place] else term
-        total = total + term
+    for powers, rest in grouped(value.numerator, places).items():
+        letter = prod(map(pow, places.values(), powers), start=Scalar.of(1))
+        total = total + Scalar(home, rest) * letter
     return total
 
 

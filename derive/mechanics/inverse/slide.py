@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 from derive.algebra.scalar import Scalar
 from derive.mechanics.inverse.equation import Equation
-from derive.mechanics.inverse.trigonometric import coefficients
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +21,7 @@ class Slide:
 def slide_of(difference: Scalar, name: str, equation: Equation) -> Slide | None:
     """From slope d - value; None where it is not of that form."""
     home = difference.ring
-    found = coefficients(difference.numerator, home, (name,))
+    found = home.grouped(difference.numerator, (name,))
     if not set(found) <= {(1,), (0,)} or (1,) not in found:
         return None
     slope, rest = (Scalar(home, found.get((n,), home.zero)) for n in (1, 0))

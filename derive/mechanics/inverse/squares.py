@@ -14,7 +14,7 @@ from operator import add
 from derive.algebra.angles import Form
 from derive.algebra.scalar import Scalar
 from derive.mechanics.inverse.equation import Equation
-from derive.mechanics.inverse.trigonometric import Row, coefficients, row_of
+from derive.mechanics.inverse.trigonometric import Row, row_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,13 +50,8 @@ class Reach:
 def split(equation: Equation, value: Scalar, unknown: frozenset[str]) -> Part:
     """right - left, sorted into what holds unknown generators and what does not."""
     home = value.ring
-    places = [home.index[name] for name in unknown if name in home.index]
-    inner: dict[tuple[int, ...], object] = {}
-    outer: dict[tuple[int, ...], object] = {}
-    for exponents, coefficient in value.numerator.to_dict().items():
-        (inner if any(exponents[i] for i in places) else outer)[exponents] = coefficient
-    known = -Scalar(home, home.context.from_dict(outer))
-    return Part(equation, known, Scalar(home, home.context.from_dict(inner)))
+    outer = home.grouped(value.numerator, unknown).get((0,) * len(unknown), home.zero)
+    return Part(equation, -Scalar(home, outer), Scalar(home, value.numerator - outer))
 
 
 def subsets(parts: Sequence[Part]) -> Iterator[tuple[Part, ...]]:
@@ -82,7 +77,7 @@ def reach(slide: str, parts: tuple[Part, ...], unknown: frozenset[str]) -> Reach
     if set(total.generators()) & (unknown - {slide}):
         return None
     home = total.ring
-    found = coefficients(total.numerator, home, (slide,))
+    found = home.grouped(total.numerator, (slide,))
     if not set(found) <= {(2,), (1,), (0,)} or (2,) not in found:
         return None
     square, linear, constant = (Scalar(home, found.get((n,), home.zero)) for n in (2, 1, 0))

@@ -5,10 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from flint import fmpq_mpoly
-
 from derive.algebra.angles import Form
-from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar
 from derive.mechanics.inverse.equation import Equation
 
@@ -67,24 +64,11 @@ class TwoEquations:
 def row_of(value: Scalar, angle: Form, equation: Equation) -> Row | None:
     """The coefficients where an expression is a cos q + b sin q - c; None where it is not of that form."""
     home = value.ring
-    parts = coefficients(value.numerator, home, (f"cos({angle})", f"sin({angle})"))
+    parts = home.grouped(value.numerator, (f"cos({angle})", f"sin({angle})"))
     if not set(parts) <= {(1, 0), (0, 1), (0, 0)} or not {(1, 0), (0, 1)} & set(parts):
         return None
     a, b, c = (Scalar(home, parts.get(key, home.zero)) for key in ((1, 0), (0, 1), (0, 0)))
     return Row(a, b, -c, equation)
-
-
-def coefficients(
-    polynomial: fmpq_mpoly, home: Ring, names: tuple[str, ...]
-) -> dict[tuple[int, ...], fmpq_mpoly]:
-    """The coefficients of a polynomial by its powers of some generators."""
-    places = [home.index[name] for name in names]
-    groups: dict[tuple[int, ...], dict[tuple[int, ...], object]] = {}
-    for exponents, coefficient in polynomial.to_dict().items():
-        key = tuple(int(exponents[i]) for i in places)
-        rest = tuple(0 if i in places else e for i, e in enumerate(exponents))
-        groups.setdefault(key, {})[rest] = coefficient
-    return {key: home.context.from_dict(terms) for key, terms in groups.items()}
 
 
 def pair_of(angle: Form, rows: tuple[Row, Row]) -> TwoEquations:
