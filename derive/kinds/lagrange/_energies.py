@@ -43,15 +43,15 @@ def _body(model: Model, body: MovingBody, k: int) -> Iterator[Step]:
     letters, problem = model.letters, model.problem
     r, v, T = (letters.of_body(letter, k) for letter in (letters.position, letters.velocity, letters.kinetic))
     place = ScalarMatrix.column(map(model.scalar, body.position))
-    yield Step(r.name, (r, column(body.position)), "position", {"body": k})
+    yield Step(r.name, (r, column(body.position)), "position")
     moved = velocity(place, model.system).entries
     speed = column(written_side(entry, model.system, problem) for entry in moved)
-    yield Step(v.name, (v, speed), "velocity", {"body": k})
+    yield Step(v.name, (v, speed), "velocity")
     parts: list[Expr] = [_half(body.mass, Product((transpose(v), v)))]
     if body.inertia is not None and body.angle is not None:
         omega = letters.of_body(letters.spin, k)
         spin = written_side(rate(model.scalar(body.angle), model.system), model.system, problem)
-        yield Step(omega.name, (omega, spin), "spin", {"body": k})
+        yield Step(omega.name, (omega, spin), "spin")
         parts.append(_half(body.inertia, squared(omega)))
     energy = written_side(model.kinetic[k - 1], model.system, problem)
     if letters.indexed or model.system.kinetic != ZERO:

@@ -118,11 +118,11 @@ def _partials(model: Model) -> Iterator[Step]:
     for q, along in zip(system.coordinates, system.rates, strict=True):
         momentum = derivative(model.lagrangian, along)
         outer = Derivative(L, Symbol(along))
-        yield Step(f"momentum_{q}", (outer, written_side(momentum, system, problem)), "momentum", {"q": q})
+        yield Step(f"momentum_{q}", (outer, written_side(momentum, system, problem)), "momentum")
         change = written_side(rate(momentum, system), system, problem)
-        yield Step(f"rate_{q}", (Derivative(outer, Symbol(TIME)), change), "law", {"q": q})
+        yield Step(f"rate_{q}", (Derivative(outer, Symbol(TIME)), change), "law")
         force = written_side(derivative(model.lagrangian, q), system, problem)
-        yield Step(f"force_{q}", (Derivative(L, Symbol(q)), force), "force", {"q": q})
+        yield Step(f"force_{q}", (Derivative(L, Symbol(q)), force), "force")
 
 
 def _equations(model: Model, lefts: list[Expr], rights: list[Expr]) -> Iterator[Step]:
@@ -159,7 +159,7 @@ def _solution_steps(model: Model, found: Solved | None) -> Iterator[Step]:
         return
     for k, condition in enumerate(model.conditions, 1):
         across = written_side(on_accelerations(condition, model.system), model.system, model.problem)
-        yield Step(f"constraint_{k}", (across, ZERO), "law", {"k": k})
+        yield Step(f"constraint_{k}", (across, ZERO), "law")
     for name, value in found.accelerations.items():
         yield Step(name, (Symbol(name), written_fraction(value, model.problem)), "acceleration")
     for name, value in found.multipliers.items():

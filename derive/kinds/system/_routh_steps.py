@@ -120,12 +120,12 @@ def _computed(array: Array, i: int, row: Row) -> Iterator[Step]:
     for j in range(1, row.power // 2 + 2):
         name, formula, value = array.name(i, j), _formula(array, i, j), array.value(i, j)
         if j == 1 and row.origin == "epsilon":
-            yield Step(f"zero_{i}", (*_worked(array, i, j, formula), ZERO), "epsilon", {"row": i})
+            yield Step(f"zero_{i}", (*_worked(array, i, j, formula), ZERO), "epsilon")
             continue
         chain = (name, *_worked(array, i, j, formula))
         if operations(value) <= LONG and value != chain[-1]:
             chain = (*chain, value)
-        yield Step(f"entry_{i}_{j}", chain, "entry", {"row": i})
+        yield Step(f"entry_{i}_{j}", chain, "entry")
 
 
 def _worked(array: Array, i: int, j: int, formula: Expr) -> tuple[Expr, ...]:

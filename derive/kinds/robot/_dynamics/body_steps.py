@@ -23,12 +23,12 @@ def com_steps(problem: Problem, found: Chain, body: Weighted) -> tuple[Step, ...
     name, origin = Symbol(f"T_c{body.i}"), Symbol(f"o_c{body.i}")
     pose = homogeneous(body.motion.R, body.motion.com.entries)
     written = problem.readable_matrix(pose)
-    o = Step(origin.name, (origin, problem.readable_matrix(body.motion.com)), "extract", {"from": name.name})
+    o = Step(origin.name, (origin, problem.readable_matrix(body.motion.com)), "extract")
     if not fits(written):
         return (o,)
     shift = _shift(problem, body.com)
     route = (pose_name(body.i),) if shift is None else (Product((pose_name(body.i), shift)),)
-    return Step(name.name, (name, *route, written), "com-pose", {"i": body.i}), o
+    return Step(name.name, (name, *route, written), "com-pose"), o
 
 
 def com_jacobian_steps(problem: Problem, found: Chain, body: Weighted) -> tuple[Step, ...]:

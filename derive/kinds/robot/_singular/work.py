@@ -81,7 +81,7 @@ def by_determinant(task: Task) -> Work:
     tree = product_tree(problem, det)
     shown = problem.readable_matrix(J)
     chain = (determinant(name), *_two_by_two(shown), tree)
-    first = Step("J", (name, shown), "frame" if six else "rows", {"frame": frame})
+    first = Step("J", (name, shown), "frame" if six else "rows")
     steps = (first, _closed(problem, "det", chain))
     block = Block(name.name, J, variables, task.rows, frame, _seeing(task))
     uses = (problem.ask("forward-kinematics"),) if six else (task.base,)
@@ -144,7 +144,7 @@ def by_minors(task: Task) -> Work:
     names = [_minor_name(task, minor) for minor in found]
     trees = [product_tree(problem, natural(problem, minor.value, variables)) for minor in found]
     minor_steps = tuple(
-        Step(f"minor_{place}", (each, tree), "minor", {"lines": minor.lines})
+        Step(f"minor_{place}", (each, tree), "minor")
         for place, (each, tree, minor) in enumerate(zip(names, trees, found, strict=True), 1)
     )
     squares = add(*(squared(each) for each in names))
@@ -156,7 +156,7 @@ def by_minors(task: Task) -> Work:
         det = replace(det, rule="law")
         total = sum((minor.value * minor.value for minor in found), Scalar.of(0))
         laws = (law("minors", normal(tree) == total),)
-    steps = (Step("J", (name, shown), "frame" if frame else "rows", {"frame": frame}), *minor_steps, det)
+    steps = (Step("J", (name, shown), "frame" if frame else "rows"), *minor_steps, det)
     block = Block(name.name, J, variables, rows, frame, _seeing(task))
     search = searching(task.found, problem.readable)
     sets = of_minors([minor.value for minor in found], search)
