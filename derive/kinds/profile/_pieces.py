@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any
 
 from derive.algebra.numbers.floats import number as value_of
 from derive.algebra.scalar import Scalar
@@ -29,7 +28,7 @@ from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
-from derive.mechanics.course import Course, Piece, at
+from derive.mechanics.course import Course, Piece
 
 t = Symbol("t")
 CONTINUOUS = ("q-is-continuous", "velocity-is-continuous", "acceleration-is-continuous")
@@ -104,9 +103,3 @@ def in_floats(spans: Sequence[Span], evaluate: Place | None, problem: Problem) -
     if any(piece.end < piece.start for piece in found):
         raise NotDerivable("the time is too short at the point asked for: its pieces overlap")
     return found
-
-
-def q_at(course: Course, evaluate: Place) -> dict[str, Any]:
-    """q where a time is given."""
-    time = dict(evaluate).get("t")
-    return {} if time is None else {"q": at(course, value_of(time, {}))}

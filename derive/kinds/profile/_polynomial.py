@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from math import factorial, perm
-from typing import Any
 
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Claim, Derivation, Figure, PageFacts, Step
+from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     ONE,
@@ -22,15 +22,14 @@ from derive.expression import (
     sqrt,
     squared,
 )
-from derive.figures.courses import panels
-from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
+from derive.kinds.checks import SECOND_ROUTE, close, random_points
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
+from derive.kinds.profile._drawn import Drawn, LimitTold
 from derive.kinds.profile._ends import Ends, ends_of, laws, system, t, term, upper
-from derive.kinds.profile._limits import LimitTold, limits_drawn, limits_told
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
-from derive.mechanics.course import Course, Piece, at, extremes
+from derive.mechanics.course import Course, Piece, extremes
 from derive.mechanics.profile import Journey, Profile, Units
 
 q = Symbol("q")
@@ -58,45 +57,36 @@ def polynomial(
     """The polynomial with 2 `order` coefficients (Craig, section 7.3; Spong et al., section 5.5)."""
     journey = _journey(profile)
     ends = ends_of(journey, profile, order, problem)
-    working = Work(problem, ends.values, profile.sort == "angle" and problem.style.degrees)
-    for k, start in enumerate(ends.start):
-        formula = start if k < 2 else multiply(Quotient(ONE, number(factorial(k))), start)
-        working = working.worked(f"a_{k}", formula)
-    for k, formula in enumerate(upper(ends), order):
-        working = working.worked(f"a_{k}", formula)
-    count = len(working.steps)
-    terms = [working.known[Symbol(f"a_{k}")] for k in range(2 * order)]
-    law = add(*(term(each, k) for k, each in enumerate(terms)))
-    extra, peaks = _peaks(working, ends, order)
-    steps = (*laws(order), system(ends), *working.steps, Step("q_of_t", (q, law)), *extra.steps[count:])
-    names = {**problem.names, **working.definitions, q: law}
-    results = {**{f"a_{k}": working.final(f"a_{k}") for k in range(2 * order)}, "q": problem.final(law)}
-    results |= {name: extra.final(name) for name in peaks}
-    course = _course(results, profile, evaluate, problem, order)
-    claims = (
-        *links([step for step in steps if step.rule != "law"], {**names, **extra.definitions}),
-        Claim(
-            "both-ends",
-            SECOND_ROUTE,
-            _solves(journey, profile, problem, results, order),
-        ),
+    work = Work(problem, ends.values, profile.sort == "angle" and problem.style.degrees)
+    names = [f"a_{k}" for k in range(2 * order)]
+    lower = (
+        s if k < 2 else multiply(Quotient(ONE, number(factorial(k))), s) for k, s in enumerate(ends.start)
     )
+    for name, formula in zip(names, (*lower, *upper(ends)), strict=True):
+        work = work.worked(name, formula)
+    law = add(*(term(work[name], k) for k, name in enumerate(names)))
+    work = replace(work, steps=(*laws(order), system(ends), *work.steps))
+    typed, work = work.typed, work.showing(Step("q_of_t", (q, law)))
+    work, peaks = _peaks(replace(work, aside={q: law}), ends, order)
+    results = {**{name: work.final(name) for name in names}, "q": problem.final(law)}
+    results |= {name: work.final(name) for name in peaks}
+    course = _course(results, profile, evaluate, problem, order)
+    drawn = Drawn(profile, problem, evaluate, course)
+    work = work.claim(Claim("both-ends", SECOND_ROUTE, _solves(journey, profile, problem, results, order)))
     facts = Facts(
-        given=tuple((name, value, ends.rates[name]) for name, value in working.typed if name in ends.rates),
+        given=tuple((name, value, ends.rates[name]) for name, value in typed if name in ends.rates),
         units=profile.units,
         order=order,
         T=ends.T,
         long=bool(free_symbols(law) - {"t"}) and not ends.at_rest,
-        lower=tuple(f"a_{k}" for k in range(order)),
-        upper=tuple(f"a_{k}" for k in range(order, 2 * order)),
+        lower=tuple(names[:order]),
+        upper=tuple(names[order:]),
         peaks=peaks,
         drawn=course is not None,
-        limits=limits_told(profile, course, problem, evaluate),
+        limits=drawn.limits(),
     )
-    return Derivation(
-        kind, steps, results, claims, working.definitions, _evaluated(results, course, evaluate, problem),
-        plots=_plots(course, profile, problem), facts=facts,
-    )  # fmt: skip
+    evaluated = drawn.evaluated({name: tree for name, tree in results.items() if name != "q"})
+    return work.answer(kind, results, facts, evaluated=evaluated, plots=drawn.plots("trajectory"))
 
 
 def _journey(profile: Profile) -> Journey:
@@ -108,10 +98,10 @@ def _journey(profile: Profile) -> Journey:
 # -- peaks --------------------------------------------------------------------------------------------
 
 
-def _peaks(working: Work, ends: Ends, order: int) -> tuple[Work, tuple[str, ...]]:
+def _peaks(work: Work, ends: Ends, order: int) -> tuple[Work, tuple[str, ...]]:
     """From rest to rest: the velocity in the middle, and the greatest acceleration."""
     if not ends.at_rest:
-        return working, ()
+        return work, ()
     way, T = ends.way, ends.T
     if order == 2:
         fast = Quotient(multiply(number(3), way), multiply(number(2), T))
@@ -119,7 +109,7 @@ def _peaks(working: Work, ends: Ends, order: int) -> tuple[Work, tuple[str, ...]
     else:
         fast = Quotient(multiply(number(15), way), multiply(number(8), T))
         strong = Quotient(multiply(number(10), way), multiply(sqrt(number(3)), squared(T)))
-    return working.worked("v_peak", fast).worked("a_peak", strong), ("v_peak", "a_peak")
+    return work.worked("v_peak", fast).worked("a_peak", strong), ("v_peak", "a_peak")
 
 
 # -- in numbers ---------------------------------------------------------------------------------------
@@ -136,33 +126,6 @@ def _course(
     except KeyError:
         return None
     return (Piece(0.0, end, coefficients),)
-
-
-def _evaluated(
-    results: Mapping[str, Expr], course: Course | None, evaluate: Place | None, problem: Problem
-) -> dict[str, Any]:
-    """The coefficients, and q where a time is given."""
-    if evaluate is None or course is None:
-        return {}
-    point = point_of(dict(evaluate), problem.where)
-    found = {name: value_of(tree, point) for name, tree in results.items() if name != "q"}
-    return {**found, "q": at(course, point["t"])} if "t" in point else found
-
-
-def _plots(course: Course | None, profile: Profile, problem: Problem) -> tuple[Figure, ...]:
-    return (
-        (
-            panels(
-                "trajectory",
-                {"": course},
-                profile.sort,
-                problem.style.degrees,
-                limits_drawn(profile, problem),
-            ),
-        )
-        if course
-        else ()
-    )
 
 
 def _solves(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from dataclasses import replace
 
 from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Claim, Derivation, PageFacts, Step
@@ -18,17 +18,14 @@ from derive.expression import (
     squared,
     subtract,
 )
-from derive.figures.courses import panels
-from derive.kinds.checks import SECOND_ROUTE, close, law, links, random_points
-from derive.kinds.evaluation import Evaluation, Place
+from derive.kinds.checks import SECOND_ROUTE, close, law, random_points
+from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.profile._blends import T_B, Blended, V, blended, filled_laws, filled_span
-from derive.kinds.profile._limits import LimitTold, limits_drawn, limits_told
-from derive.kinds.profile._pieces import Span, branch, in_floats, joined, q_at
-from derive.kinds.values_at import point_of
+from derive.kinds.profile._drawn import Drawn, LimitTold
+from derive.kinds.profile._pieces import branch, joined
 from derive.kinds.work import Work
-from derive.mechanics.course import Course
 from derive.mechanics.profile import Journey, Profile, Units
 
 NEEDS = ("journey",)
@@ -88,31 +85,24 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     if journey is None:
         raise NotDerivable("a start and an end are needed")
     found = blended(journey, profile, problem)
-    working = found.working
-    spans = tuple(filled_span(span, working) for span in found.spans())
-    laws = filled_laws(found, working)
-    course = in_floats(spans, options.evaluate, problem)
-    results = {name: working.final(name) for name in ("t_b", "v", "a")}
-    results["t_f"] = problem.final(working.known[found.T])
+    work = found.working
+    spans = tuple(filled_span(span, work) for span in found.spans())
+    laws = filled_laws(found, work)
+    drawn = Drawn.of(spans, profile, problem, options.evaluate)
+    results = {name: work.final(name) for name in ("t_b", "v", "a")} | {"t_f": work.final(found.T)}
     bounds = found.spans() if found.open else spans
     pieces = tuple(branch(q_t, s.start, s.end, problem) for q_t, s in zip(laws, bounds, strict=True))
-    steps = (*working.steps, *_piece_steps(found.laws(), laws, found.open))
-    claims = (
-        *links(steps, {**problem.names, **working.definitions}),
-        *joined(found.spans(), working, 2),
-        *_ends_of(found, working),
-        Claim("area", SECOND_ROUTE, _covers(results, journey, problem)),
-    )
-    return Derivation(
+    lines = tuple(step.name for step in work.steps)
+    facts = _facts(found, lines, profile, drawn)
+    work = replace(work.showing(*_piece_steps(found.laws(), laws, found.open)), uses=found.uses).linked()
+    work = work.claim(*joined(found.spans(), work, 2), *_ends_of(found, work))
+    work = work.claim(Claim("area", SECOND_ROUTE, _covers(results, journey, problem)))
+    return work.answer(
         "lspb-trajectory",
-        steps,
         {**results, "q": pieces},
-        claims,
-        working.definitions,
-        _evaluated(results, course, options.evaluate, problem),
-        uses=found.uses,
-        plots=_plots(course, profile, problem),
-        facts=_facts(found, spans, profile, course, problem, options.evaluate),
+        facts,
+        evaluated=drawn.evaluated(results),
+        plots=drawn.plots("lspb"),
     )
 
 
@@ -153,37 +143,13 @@ def _covers(results: Mapping[str, Expr], journey: Journey, problem: Problem) -> 
 # -- what the page needs ------------------------------------------------------------------------------
 
 
-def _evaluated(
-    results: Mapping[str, Expr], course: Course | None, evaluate: Place | None, problem: Problem
-) -> dict[str, Any]:
-    if evaluate is None or course is None:
-        return {}
-    point = point_of(dict(evaluate), {})
-    return {name: value_of(tree, point) for name, tree in results.items()} | q_at(course, evaluate)
-
-
-def _plots(course: Course | None, profile: Profile, problem: Problem) -> tuple[Any, ...]:
-    if course is None:
-        return ()
-    kept = tuple(piece for piece in course if piece.end > piece.start)
-    limits = limits_drawn(profile, problem)
-    return (panels("lspb", {"": kept}, profile.sort, problem.style.degrees, limits),)
-
-
-def _facts(
-    found: Blended,
-    spans: tuple[Span, ...],
-    profile: Profile,
-    course: Course | None,
-    problem: Problem,
-    evaluate: Place | None,
-) -> Facts:
+def _facts(found: Blended, lines: tuple[str, ...], profile: Profile, drawn: Drawn) -> Facts:
     working, way, T = found.working, found.way, found.T
     return Facts(
         given=tuple((n, value, found.rates[n]) for n, value in working.typed if n in found.rates),
         units=profile.units,
         by=found.by,
-        lines=tuple(step.name for step in working.steps),
+        lines=lines,
         name=found.given,
         area=(way, Product((V, subtract(T, T_B)))),
         between=(Quotient(way, T), Quotient(Product((number(2), way)), T)),
@@ -192,6 +158,6 @@ def _facts(
         open=found.open,
         bounds=tuple((each.start, each.end) for each in found.spans()),
         plateau=working.sign(subtract(T, Product((number(2), T_B)))) != 0,
-        drawn=course is not None,
-        limits=limits_told(profile, course, problem, evaluate),
+        drawn=drawn.course is not None,
+        limits=drawn.limits(),
     )

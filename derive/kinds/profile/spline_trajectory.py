@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, Literal
+from typing import Literal
 
 from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
@@ -28,16 +28,13 @@ from derive.expression import (
     subtract,
     symbols,
 )
-from derive.figures.courses import panels
-from derive.kinds.checks import SECOND_ROUTE, close, law, links, random_points
-from derive.kinds.evaluation import Evaluation, Place
+from derive.kinds.checks import SECOND_ROUTE, close, law, random_points
+from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.profile._limits import LimitTold, limits_drawn, limits_told
-from derive.kinds.profile._pieces import Span, branch, in_floats, joined, q_at
-from derive.kinds.values_at import point_of
+from derive.kinds.profile._drawn import Drawn, LimitTold
+from derive.kinds.profile._pieces import Span, branch, joined
 from derive.kinds.work import Work
-from derive.mechanics.course import Course
 from derive.mechanics.profile import Journey, Profile, Units
 from derive.mechanics.splines import solved_in_floats
 
@@ -118,23 +115,21 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     velocities = (A.inverse() @ b).entries
     working = knots.working
     written = tuple(working.readable(v) for v in velocities)
-    names: dict[Expr, Expr] = {Symbol(f"v_{k}"): value for k, value in enumerate(written)}
     spans = tuple(_span(knots, velocities, k) for k in range(knots.spans))
-    course = in_floats(spans, options.evaluate, problem)
-    steps = tuple(_steps(knots, A, b, written))
-    results: dict[str, Any] = {f"v_{k}": problem.final(value) for k, value in enumerate(written)}
-    pieces = tuple(branch(span.law, span.start, span.end, problem) for span in spans)
-    claims = (
-        *links(steps, {**problem.names, **names}),
-        *joined(spans, working, 3 if all(v is None for v in knots.velocities[1:-1]) else 2),
-        *_passes(knots, spans),
-        Claim("all-conditions", SECOND_ROUTE, _agrees(knots, spans, problem)),
+    drawn = Drawn.of(spans, profile, problem, options.evaluate)
+    names: dict[Expr, Expr] = {Symbol(f"v_{k}"): value for k, value in enumerate(written)}
+    work = working.knowing(names).showing(*_steps(knots, A, b, written)).linked()
+    work = work.claim(*joined(spans, working, 3 if all(v is None for v in knots.velocities[1:-1]) else 2))
+    work = work.claim(*_passes(knots, spans))
+    work = work.claim(Claim("all-conditions", SECOND_ROUTE, _agrees(knots, spans, problem)))
+    results = {name: work.final(name) for name in map(text, names)}
+    return work.answer(
+        "spline-trajectory",
+        {**results, "q": tuple(branch(span.law, span.start, span.end, problem) for span in spans)},
+        _facts(knots, spans, profile, drawn, options),
+        evaluated=drawn.evaluated(results),
+        plots=drawn.plots("spline"),
     )
-    evaluated = _evaluated(results, course, options.evaluate, problem)
-    return Derivation(
-        "spline-trajectory", steps, {**results, "q": pieces}, claims, names, evaluated,
-        plots=_plots(course, profile, problem), facts=_facts(knots, spans, profile, course, problem, options),
-    )  # fmt: skip
 
 
 # -- the system ---------------------------------------------------------------------------------------
@@ -211,17 +206,10 @@ def _read(expr: Expr, decimals: bool) -> Expr:
     return Approximate(value_of(expr, {})) if len(text(expr)) > SHORT or (decimals and endless) else expr
 
 
-def _facts(
-    knots: Knots,
-    spans: Sequence[Span],
-    profile: Profile,
-    course: Course | None,
-    problem: Problem,
-    options: Options,
-) -> Facts:
+def _facts(knots: Knots, spans: Sequence[Span], profile: Profile, drawn: Drawn, options: Options) -> Facts:
     c = symbols("c_0 c_1 c_2 c_3")
     rows = tuple(
-        (number(k), s.start, s.end, *(_read(each, problem.style.decimals) for each in s.coefficients))
+        (number(k), s.start, s.end, *(_read(each, drawn.problem.style.decimals) for each in s.coefficients))
         for k, s in enumerate(spans, 1)
     )
     points = tuple(
@@ -234,25 +222,9 @@ def _facts(
         points=Table((Phrase("point"), Symbol("t"), Symbol("q")), points),
         pieces=Table((Phrase("piece"), Phrase("from"), Phrase("to"), *c), rows),
         units=profile.units,
-        drawn=course is not None,
-        limits=limits_told(profile, course, problem, options.evaluate),
+        drawn=drawn.course is not None,
+        limits=drawn.limits(),
     )
-
-
-def _evaluated(
-    results: dict[str, Any], course: Course | None, evaluate: Place | None, problem: Problem
-) -> dict[str, Any]:
-    if evaluate is None or course is None:
-        return {}
-    point = point_of(dict(evaluate), {})
-    return {name: value_of(tree, point) for name, tree in results.items()} | q_at(course, evaluate)
-
-
-def _plots(course: Course | None, profile: Profile, problem: Problem) -> tuple[Any, ...]:
-    if course is None:
-        return ()
-    limits = limits_drawn(profile, problem)
-    return (panels("spline", {"": course}, profile.sort, problem.style.degrees, limits),)
 
 
 # -- what it is held to -------------------------------------------------------------------------------

@@ -1,0 +1,116 @@
+"""A trajectory in floats beside its exact one: evaluated, drawn, and held against its limits."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from math import degrees
+from typing import Any
+
+from derive.algebra.numbers.floats import number as value_of
+from derive.derivation import Figure, Record
+from derive.expression import Approximate, Degrees, Expr
+from derive.figures.courses import panels
+from derive.kinds.evaluation import Place
+from derive.kinds.problem import Problem
+from derive.kinds.profile._pieces import Span, in_floats
+from derive.kinds.values_at import point_of
+from derive.mechanics.course import Course, at, extremes, sampled
+from derive.mechanics.profile import Profile
+
+SLACK = 1e-9
+
+
+class LimitTold(Record):
+    name: str
+    limit: Expr
+    rate: int  # 1 for a velocity, 2 for an acceleration
+    reached: Expr
+    kept: bool
+    first: Expr | None  # when it is not kept any more
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """A profile at the point its author asks for; `course` is None where a value is left open there."""
+
+    profile: Profile
+    problem: Problem
+    evaluate: Place | None
+    course: Course | None
+
+    @staticmethod
+    def of(spans: Sequence[Span], profile: Profile, problem: Problem, evaluate: Place | None) -> Drawn:
+        """Of a trajectory in pieces. Raises NotDerivable where the point makes none of them."""
+        return Drawn(profile, problem, evaluate, in_floats(spans, evaluate, problem))
+
+    def evaluated(self, results: Mapping[str, Expr]) -> dict[str, Any]:
+        """The results in numbers, and q where a time is given."""
+        if self.evaluate is None or self.course is None:
+            return {}
+        point = point_of(dict(self.evaluate), self.problem.where)
+        found = {name: value_of(tree, point) for name, tree in results.items()}
+        return {**found, "q": at(self.course, point["t"])} if "t" in point else found
+
+    def plots(self, name: str) -> tuple[Figure, ...]:
+        """Position, velocity and acceleration over time, pieces that last no time left out."""
+        if self.course is None:
+            return ()
+        kept = tuple(piece for piece in self.course if piece.end > piece.start)
+        turned = self.problem.style.degrees
+        return (
+            panels(name, {"": kept}, self.profile.sort, turned, limits_drawn(self.profile, self.problem)),
+        )
+
+    def limits(self) -> tuple[LimitTold, ...]:
+        """Each limit that is given, what is reached, whether that is kept, and when it is not."""
+        journey, course = self.profile.journey, self.course
+        if journey is None or course is None:
+            return ()
+        given = (("velocity", journey.v_max, 1), ("acceleration", journey.a_max, 2))
+        turned = self.profile.sort == "angle" and self.problem.style.degrees
+        found = (
+            _limit(name, limit, order, course, _size(self.problem.final(limit), self.evaluate or ()), turned)
+            for name, limit, order in given
+            if limit is not None
+        )
+        return tuple(each for each in found if each)
+
+
+def limits_drawn(profile: Profile, problem: Problem) -> tuple[float | None, float | None]:
+    """The limits of velocity and acceleration as numbers, where they are."""
+    journey = profile.journey
+    given = (None, None) if journey is None else (journey.v_max, journey.a_max)
+    fast, strong = (None if limit is None else _size(problem.final(limit)) for limit in given)
+    return fast, strong
+
+
+def _size(limit: Expr, point: Place = ()) -> float | None:
+    try:
+        return value_of(limit, point_of(dict(point), {}))
+    except KeyError:
+        return None
+
+
+def _shown(value: float, in_degrees: bool) -> Expr:
+    """To the digits of a page; an angle in degrees where the author typed such."""
+    return Degrees(Fraction(f"{degrees(value):.4g}")) if in_degrees else Approximate(value)
+
+
+def _limit(
+    name: str, limit: Expr, order: int, course: Course, most: float | None, turned: bool
+) -> LimitTold | None:
+    if most is None:
+        return None
+    reached = max(map(abs, extremes(course, order)))
+    times, values = sampled(course, order)
+    beyond = [t for t, value in zip(times, values, strict=True) if abs(value) > most * (1 + SLACK)]
+    return LimitTold(
+        name=name,
+        limit=limit,
+        rate=order,
+        reached=_shown(reached, turned),
+        kept=reached <= most * (1 + SLACK),
+        first=Approximate(beyond[0]) if beyond else None,
+    )
