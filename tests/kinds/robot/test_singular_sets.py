@@ -20,7 +20,7 @@ from derive.algebra.numbers.floats import number
 from derive.derivation import Branch
 from derive.errors import NotDerivable
 from derive.mechanics.task import ROWS
-from tests.kinds.robot.test_singularities import ELBOW, NAMES, SPHERICAL, STANFORD, THREE_R, asked
+from tests.kinds.robot.test_singularities import ELBOW, NAMES, SPHERICAL, STANFORD, THREE_R, asked, said
 
 Rows = tuple[tuple[str, str, str, str], ...]
 ORTHOGONAL = (("q1*", "0", "1", "-90 deg"), ("q2*", "1", "2", "90 deg"), ("q3*", "0", "3/2", "0"))
@@ -74,7 +74,7 @@ def test_a_factor_without_real_zeros_is_left_out() -> None:
 
 
 def test_where_the_elbow_meets_the_shoulder_the_rank_is_one() -> None:
-    (inner,) = [each for each in asked(ELBOW).results["solutions"] if each.when.startswith("inside")]
+    (inner,) = [each for each in asked(ELBOW).results["solutions"] if said(each).startswith("inside")]
     assert (sorted(inner.facts["equations"]), inner.facts["rank"]) == (["cos(q2)", "sin(q3)"], 1)
 
 
@@ -93,8 +93,8 @@ def test_a_sum_of_squares_is_no_set_of_rank_zero() -> None:
 
 
 def test_parallel_axes_are_no_wrist() -> None:
-    said = " ".join(each.when for each in asked(EQUAL, ("vx", "vy")).results["solutions"])
-    assert "wrist" not in said
+    words = " ".join(said(each) for each in asked(EQUAL, ("vx", "vy")).results["solutions"])
+    assert "wrist" not in words
 
 
 # -- the second route ------------------------------------------------------------------------------------
@@ -160,7 +160,7 @@ def _anywhere(rows: Rows, draw: random.Random) -> dict[str, float]:
 
 def _distances(each: Branch, at: Mapping[str, float]) -> list[float]:
     """How far a configuration is from a set: its equations, or the differences from its values."""
-    if "equations" in each.facts and not (each.values and each.when.startswith("inside")):
+    if "equations" in each.facts and not (each.values and said(each).startswith("inside")):
         return [number(parse(equation), at) for equation in each.facts["equations"]]
     angles = [2 * math.sin((at[name] - number(value, at)) / 2) for name, value in each.values.items()]
     return [*angles, *(number(parse(equation), at) for equation in each.facts.get("equations", []))]

@@ -17,9 +17,11 @@ from derive.algebra import bounds
 from derive.algebra.formulas.grammar import parse
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import number
+from derive.derivation import Branch
 from derive.errors import NotDerivable
 from derive.mechanics.oracle import Oracle
 from derive.mechanics.robot import Robot
+from derive.render.phrases import spoken
 from tests.mechanics.robots import problem, robot, row
 
 NAMES = [*(f"{letter}{k}" for letter in "qlad" for k in range(1, 7))]
@@ -116,9 +118,14 @@ def asked(rows: Any, names: tuple[str, ...] = ()) -> Any:
     return problem(arm(rows)).ask("singularities", rows=names)
 
 
+def said(each: Branch) -> str:
+    """When a set is met, in plain text."""
+    return spoken("robot", "singularities").when(each.when)
+
+
 def outer(found: Any) -> list[Any]:
     """The sets that lie in no other."""
-    return [each for each in found.results["solutions"] if not each.when.startswith("inside")]
+    return [each for each in found.results["solutions"] if not said(each).startswith("inside")]
 
 
 @pytest.mark.parametrize("name", TEXTBOOK)
@@ -141,8 +148,8 @@ def test_the_sets_are_those_of_the_textbook(name: str) -> None:
 
 @pytest.mark.parametrize("name", LOOKS)
 def test_what_they_are_called_comes_from_their_geometry(name: str) -> None:
-    said = [branch.when for branch in asked(TEXTBOOK[name][0]).results["solutions"]]
-    assert all(any(look in each for each in said) for look in LOOKS[name])
+    found = [said(branch) for branch in asked(TEXTBOOK[name][0]).results["solutions"]]
+    assert all(any(look in each for each in found) for look in LOOKS[name])
 
 
 @pytest.mark.parametrize("name", TEXTBOOK)

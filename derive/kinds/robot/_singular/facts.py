@@ -7,7 +7,7 @@ from math import prod
 from typing import TypeAlias
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.derivation import PageFacts, Record
+from derive.derivation import PageFacts, Phrase, Record
 from derive.expression import ZERO, Expr, Product, Symbol, transpose
 from derive.kinds.problem import Problem
 from derive.kinds.robot._singular.saying import clauses
@@ -22,7 +22,7 @@ class CaseTold(Record):
     """One branch of a set; the basis of a space is a chain, left out where there is none."""
 
     places: tuple[tuple[Expr, Expr], ...]
-    looks: tuple[str, ...]
+    looks: tuple[Phrase, ...]
     known: bool
     block: Symbol | None
     rank: int

@@ -1,28 +1,37 @@
-"""Singular sets for the results, and how they look in plain words."""
+"""Singular sets for the results, and how they look."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import reduce
 from typing import Any
 
 from derive.algebra.infix import text
-from derive.derivation import Branch
+from derive.derivation import Branch, Condition, Phrase
+from derive.expression import ZERO, Relation
 from derive.kinds.problem import Problem
 from derive.kinds.robot._singular.geometry import Look
 from derive.kinds.robot._singular.sets import Analysed, Block, Case
 
+LOOKS = {
+    "axis": "on-an-axis", "plane": "in-a-plane", "coincide": "axes-coincide", "parallel": "axes-parallel",
+    "stretched": "elbow-stretched", "folded": "elbow-folded",
+}  # fmt: skip
+NAMED = {"shoulder": "shoulder-singularity", "wrist": "wrist-singularity"}
+BENT = {"stretched": "elbow-is-stretched", "folded": "elbow-is-folded"}
 
-def branches(problem: Problem, found: Iterable[Analysed], point: str) -> tuple[Branch, ...]:
+
+def branches(problem: Problem, found: Iterable[Analysed], point: Phrase) -> tuple[Branch, ...]:
     """The solutions for the results: the values of each case, what it looks like, and the rank there."""
     made = []
     for each in found:
         for case in each.cases:
             values = {str(text(name)): problem.final(value) for name, value in case.values}
-            when = ("" if each.inner else said(case, each.block, point)) or _vanishing(each)
-            made.append(Branch(values, when, facts=_facts(each)))
+            looks = () if each.inner else _distinct(_look(one, point, each.block) for one in _telling(case))
+            made.append(Branch(values, (_listed(looks) if looks else _vanishing(each),), facts=_facts(each)))
         if not each.cases:
             values = {str(text(name)): problem.final(value) for name, value in each.decided}
-            made.append(Branch(values, _vanishing(each), facts=_facts(each)))
+            made.append(Branch(values, (_vanishing(each),), facts=_facts(each)))
     return tuple(made)
 
 
@@ -32,16 +41,22 @@ def _facts(each: Analysed) -> dict[str, Any]:
     return {**told, "rank" if each.exact else "rank_at_most": each.rank}
 
 
-def _vanishing(each: Analysed) -> str:
-    inside = "inside larger sets: " if each.inner else ""
-    values = [f"{text(name)} = {text(value)}" for name, value in each.decided]
-    told = [*values, *(f"{text(equation)} = 0" for equation in each.equations)]
-    return inside + (" and ".join(told) or f"all minors of size {each.rank + 1} vanish")
+def _vanishing(each: Analysed) -> Phrase:
+    equations: tuple[Condition, ...] = (
+        *(Relation(name, "=", value) for name, value in each.decided),
+        *(Relation(equation, "=", ZERO) for equation in each.equations),
+    )
+    equations = equations or (Phrase("minors-vanish", {"size": each.rank + 1}),)
+    return Phrase("inside-larger-sets" if each.inner else "on-the-set", {"equations": equations})
 
 
-def said(case: Case, block: Block, point: str) -> str:
-    """How a case looks, in plain words."""
-    return "; ".join(dict.fromkeys(_spoken(look, point, block) for look in _telling(case)))
+def _listed(looks: tuple[Phrase, ...]) -> Phrase:
+    return reduce(lambda one, other: Phrase("besides", {"one": one, "other": other}), looks)
+
+
+def _distinct(looks: Iterable[Phrase]) -> tuple[Phrase, ...]:
+    found = tuple(looks)
+    return tuple(look for k, look in enumerate(found) if look not in found[:k])
 
 
 def _telling(case: Case) -> tuple[Look, ...]:
@@ -54,33 +69,33 @@ def _telling(case: Case) -> tuple[Look, ...]:
     return ()
 
 
-def clauses(case: Case, block: Block, point: str) -> tuple[str, ...]:
+def clauses(case: Case, block: Block, point: Phrase) -> tuple[Phrase, ...]:
     """The same as sentences to go on with."""
-    return tuple(dict.fromkeys(_clause(look, point, block) for look in _telling(case)))
+    return _distinct(_clause(look, point, block) for look in _telling(case))
 
 
-def _clause(look: Look, point: str, block: Block) -> str:
-    name, _, rest = _spoken(look, point, block).rpartition(": ")
-    match look.kind:
-        case "stretched" | "folded":
-            return f"the elbow at joint {look.joints[-1]} is {look.kind}"
-        case _:
-            return f"{rest} (a {name} singularity)" if name else rest
+def _clause(look: Look, point: Phrase, block: Block) -> Phrase:
+    if look.kind in BENT:
+        return Phrase(BENT[look.kind], {"joint": look.joints[-1]})
+    where, said = _where(look, block), _plain(look, point)
+    return Phrase(NAMED[where], {"look": said}) if where else said
 
 
-def _spoken(look: Look, point: str, block: Block) -> str:
+def _look(look: Look, point: Phrase, block: Block) -> Phrase:
+    where, said = _where(look, block), _plain(look, point)
+    return Phrase(where, {"look": said}) if where else said
+
+
+def _where(look: Look, block: Block) -> str:
     """Of the joints that move the point, the first is the shoulder's; the last three are a wrist where they
     are not all parallel."""
     rows = block.seeing.rows
-    first, last = look.joints[0], look.joints[-1]
-    of = point if not look.of else f"the point of axis {look.of}"
-    shoulder = "shoulder: " if first == rows[0] else ""
-    wrist = "wrist: " if look.joints == (rows[-1] - 2, rows[-1]) and block.seeing.has_wrist else ""
-    return {
-        "axis": f"{shoulder}{point} lies on the axis of joint {first}",
-        "plane": f"{shoulder}{of} lies in the plane of the axes of joints {first} and {last}",
-        "coincide": f"{wrist}the axes of joints {first} and {last} coincide",
-        "parallel": f"{wrist}the axes of joints {first} and {last} are parallel",
-        "stretched": f"elbow stretched at joint {last}",
-        "folded": f"elbow folded at joint {last}",
-    }[look.kind]
+    if look.kind in ("axis", "plane"):
+        return "shoulder" if look.joints[0] == rows[0] else ""
+    wrist = look.joints == (rows[-1] - 2, rows[-1]) and block.seeing.has_wrist
+    return "wrist" if wrist and look.kind in ("coincide", "parallel") else ""
+
+
+def _plain(look: Look, point: Phrase) -> Phrase:
+    of = Phrase("point-of-axis", {"axis": look.of}) if look.of and look.kind == "plane" else point
+    return Phrase(LOOKS[look.kind], {"point": of, "first": look.joints[0], "last": look.joints[-1]})

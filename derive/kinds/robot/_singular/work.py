@@ -9,7 +9,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.factors import Factored, TooLong, effort
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     Expr,
@@ -54,11 +54,11 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Work:
-    """What the determinant came from: `way` is "determinant", "wrist" or "minors"; `point` says in words
-    whose velocity it is."""
+    """What the determinant came from: `way` is "determinant", "wrist" or "minors"; `point` says whose
+    velocity it is."""
 
     way: str
-    point: str
+    point: Phrase
     steps: tuple[Step, ...]
     det: Expr
     parts: tuple[Part, ...]
@@ -126,7 +126,7 @@ def by_wrist(task: Task, wrist: Wrist) -> Work:
     definitions: dict[Expr, Expr] = {center: steps[0].result}
     definitions |= {Symbol(block.name): problem.readable_matrix(block.J) for block in blocks}
     return Work(
-        "wrist", "the center of the wrist", tuple(steps), tree, tuple(parts), definitions,
+        "wrist", Phrase("center-of-the-wrist"), tuple(steps), tree, tuple(parts), definitions,
         (problem.ask("forward-kinematics"),), laws, not search.open,
     )  # fmt: skip
 
@@ -202,8 +202,8 @@ def _seeing(task: Task) -> Seeing:
     return Seeing(task.problem, task.found, task.point.position, rows)
 
 
-def _moved(task: Task) -> str:
-    return "the end-effector" if task.point.step.rule == "extract" else "the point"
+def _moved(task: Task) -> Phrase:
+    return Phrase("end-effector" if task.point.step.rule == "extract" else "the-point")
 
 
 def _middle(task: Task) -> int:
