@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
+from typing import TypeAlias
 
 from derive.algebra.matrix import ScalarMatrix, dot
 from derive.algebra.scalar import Scalar
 
 HALF = Fraction(1, 2)
+Christoffel: TypeAlias = Mapping[tuple[int, int, int], Scalar]  # c_ijk, indices from 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +51,7 @@ def _gram(A: ScalarMatrix, B: ScalarMatrix) -> ScalarMatrix:
     return ScalarMatrix(tuple(tuple(lower[max(i, j)][min(i, j)] for j in n) for i in n))
 
 
-def christoffel(D: ScalarMatrix, variables: Sequence[str]) -> dict[tuple[int, int, int], Scalar]:
+def christoffel(D: ScalarMatrix, variables: Sequence[str]) -> Christoffel:
     """c_ijk, indices from 1: (d_kj,i + d_ki,j - d_ij,k) / 2 (Spong et al., eq. 6.38)."""
     n = len(variables)
     d = [_derivative(D, name) for name in variables]
@@ -73,3 +75,13 @@ def potential_energy(links: Sequence[LinkMotion], gravity: ScalarMatrix) -> Scal
     """P = - sum of m g^T p_c (Spong et al., eq. 6.33); `gravity` is the acceleration (3 by 1) in the base
     frame, so that P is in joules where all else is in SI units."""
     return sum((-(link.mass * (gravity.T @ link.com)[0, 0]) for link in links), Scalar.of(0))
+
+
+def rate_column(variables: Sequence[str], dots: str = "dot") -> ScalarMatrix:
+    """qdot (n by 1), the rates of joint variables by name; with the `dots` "ddot" the accelerations."""
+    return ScalarMatrix.column([Scalar.symbol(f"{name}_{dots}") for name in variables])
+
+
+def kinetic_energy(D: ScalarMatrix, rate: ScalarMatrix) -> Scalar:
+    """The kinetic energy K = qdot^T D qdot / 2 (Spong et al., eq. 6.30)."""
+    return (rate.T @ D @ rate)[0, 0] * HALF

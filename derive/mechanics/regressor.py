@@ -10,18 +10,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
 from derive.mechanics.chain import Chain
+from derive.mechanics.dynamics import kinetic_energy, rate_column
 from derive.mechanics.jacobian import jacobian
 from derive.mechanics.poses import position_part, rotation_part
 
 # In this order a parameter is expressed by those before it; the last ones are the usual ones to go.
 NAMES = ("ZZ", "XX", "XY", "XZ", "YZ", "MX", "MY", "YY", "MZ", "M")
 ELEMENTS = {"XX": (0, 0), "YY": (1, 1), "ZZ": (2, 2), "XY": (0, 1), "XZ": (0, 2), "YZ": (1, 2)}
-HALF = Fraction(1, 2)
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,8 +96,7 @@ def _potential(name: str, R: ScalarMatrix, o: ScalarMatrix, gravity: ScalarMatri
 
 def _torques(D: ScalarMatrix, P: Scalar, variables: Sequence[str]) -> tuple[Scalar, ...]:
     """D qddot + dD/dt qdot - d(qdot^T D qdot / 2)/dq + dP/dq (n)."""
-    rate = ScalarMatrix.column([Scalar.symbol(f"{name}_dot") for name in variables])
-    rise = ScalarMatrix.column([Scalar.symbol(f"{name}_ddot") for name in variables])
+    rate, rise = rate_column(variables), rate_column(variables, "ddot")
     if not D:
         return tuple(P.diff(name) for name in variables)
     by_joint = [D.diff(name) for name in variables]
@@ -108,6 +106,6 @@ def _torques(D: ScalarMatrix, P: Scalar, variables: Sequence[str]) -> tuple[Scal
     moved = (D @ rise + turning @ rate).entries
     found = []
     for derivative, name, torque in zip(by_joint, variables, moved, strict=True):
-        slope = (rate.T @ derivative @ rate)[0, 0] * HALF if derivative else Scalar.of(0)
+        slope = kinetic_energy(derivative, rate) if derivative else Scalar.of(0)
         found.append(torque - slope + P.diff(name))
     return tuple(found)

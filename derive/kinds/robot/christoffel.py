@@ -3,44 +3,25 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
 from fractions import Fraction
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, PageFacts, Step
-from derive.expression import (
-    ZERO,
-    Derivative,
-    Expr,
-    Number,
-    Sum,
-    Symbol,
-    add,
-    multiply,
-    negate,
-    number,
-)
-from derive.kinds.checks import law, links
+from derive.derivation import Derivation, PageFacts
+from derive.expression import Derivative, Expr, Number, Sum, Symbol, add, multiply, negate, number
 from derive.kinds.fields import OptionsModel
 from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
-from derive.kinds.robot import inertia_matrix
-from derive.kinds.robot._chain import moment_names
-from derive.mechanics.dynamics import christoffel
+from derive.kinds.robot._dynamics.arm import Arm
+from derive.kinds.robot._dynamics.example import planar_arm
+from derive.kinds.robot.inertia_matrix import Facts as InertiaFacts
+from derive.kinds.work import Work
+from derive.mechanics.dynamics import Christoffel
 from derive.mechanics.robot import Robot
 
 RESULTS = {"c_111, c_121, ...": "every one of the n^3, c_ijk = (d_kj,i + d_ki,j - d_ij,k) / 2"}
 NEEDS = ("bodies",)
-EXAMPLE = """\
-title: Christoffel symbols
-problems:
-- robot:
-    links:
-    - {theta: theta1*, d: 0, a: a1, alpha: 0, mass: m1, com: [-a1/2, 0, 0], inertia: {rod: a1, axis: x}}
-    - {theta: theta2*, d: 0, a: a2, alpha: 0, mass: m2, com: [-a2/2, 0, 0], inertia: {rod: a2, axis: x}}
-  find: christoffel
-"""
+EXAMPLE = planar_arm("Christoffel symbols", "christoffel", gravity=False)
 Index = tuple[int, int, int]
 MOST_SHOWN = 3  # joints; with more, the symbols that vanish are only counted
 HALF = number("1/2")
@@ -51,102 +32,81 @@ class Options(OptionsModel):
 
 
 class Facts(PageFacts):
+    """What the words need to know: how many symbols there are, how many of them vanish without being shown,
+    and whether the arm is so `big` that none is."""
+
     big: bool
     count: int
-    vanish: int  # of those not shown
+    vanish: int
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """c_ijk = (d_kj,i + d_ki,j - d_ij,k) / 2 (Spong et al., eq. 6.38)."""
-    base = problem.ask("inertia-matrix")
-    D = problem.normal_matrix(base.definitions[Symbol("D")])
-    symbols = christoffel(D, robot.variables)
-    big = base.told(inertia_matrix.Facts).big
-    named = moment_names(base)
-    values = {ijk: value for ijk, value in symbols.items() if ijk[0] <= ijk[1]}
-    shown = () if big else _shown(values, len(robot.variables))
-    steps = tuple(_step(problem, ijk, values[ijk], robot.variables, named) for ijk in shown)
-    found = {ijk: step.result for ijk, step in zip(shown, steps, strict=True)}
-    found |= {ijk: _final(problem, value, named) for ijk, value in values.items() if ijk not in found}
-    definitions: dict[Expr, Expr] = {**base.definitions}
-    definitions |= {Symbol(_name(ijk)): found[_ordered(ijk)] for ijk in symbols}
-    results = {_name(ijk): found[_ordered(ijk)] for ijk in sorted(symbols)}
-    claims = (*links(steps, {**problem.names, **definitions}), *_laws(D, symbols, robot.variables))
+    arm = Arm(problem)
+    big, D, symbols = arm.inertia.told(InertiaFacts).big, arm.D, arm.christoffel
+    work = Work(problem).resting_on(arm.inertia)
+    shown = () if big else _shown(symbols, len(robot.variables))
+    for ijk in shown:
+        work = _line(work, arm, ijk, symbols[ijk])
+    found = {ijk: work[_name(ijk)] for ijk in shown}
+    found |= {ijk: arm.final(symbols[ijk]) for ijk in {*map(_ordered, symbols)} - found.keys()}
+    work = work.knowing({_name(ijk): found[_ordered(ijk)] for ijk in symbols})
+    work = work.law("symmetric", all(value == symbols[j, i, k] for (i, j, k), value in symbols.items()))
+    work = work.law("skew-symmetric", _skew(D, symbols, robot.variables))
     facts = Facts(
         big=big,
         count=len(symbols),
-        vanish=sum(not value for ijk, value in symbols.items() if big or _ordered(ijk) not in shown),
+        vanish=sum(not value for ijk, value in symbols.items() if _ordered(ijk) not in shown),
     )
-    return Derivation("christoffel", steps, results, claims, definitions, uses=(base,), facts=facts)
+    results = {_name(ijk).name: found[_ordered(ijk)] for ijk in sorted(symbols)}
+    return work.answer("christoffel", results, facts)
 
 
-def _shown(values: Mapping[Index, Scalar], n: int) -> tuple[Index, ...]:
-    """Grouped by equation of motion; of an arm with many joints only those that do not vanish."""
-    ordered = sorted(values, key=lambda ijk: (ijk[2], ijk))
-    return tuple(ijk for ijk in ordered if values[ijk] or n <= MOST_SHOWN)
+def _shown(symbols: Christoffel, n: int) -> tuple[Index, ...]:
+    """Those with i <= j, grouped by equation of motion; of an arm with many joints only those that do not
+    vanish."""
+    ordered = sorted((ijk for ijk in symbols if ijk[0] <= ijk[1]), key=lambda ijk: (ijk[2], ijk))
+    return tuple(ijk for ijk in ordered if symbols[ijk] or n <= MOST_SHOWN)
 
 
-def _final(problem: Problem, value: Scalar, named: Mapping[Expr, Expr]) -> Expr:
-    return problem.final(problem.readable(value), named) if value else ZERO
-
-
-def _step(
-    problem: Problem, ijk: Index, value: Scalar, variables: tuple[str, ...], named: Mapping[Expr, Expr]
-) -> Step:
+def _line(work: Work, arm: Arm, ijk: Index, value: Scalar) -> Work:
     """c_121 = c_211 = (three partial derivatives) / 2 = (those that are left) / 2 = value."""
     i, j, k = ijk
-    names = [Symbol(_name(ijk))] + ([Symbol(_name((j, i, k)))] if i != j else [])
     raw = [
-        (_partial(k, j, i, variables), 1),
-        (_partial(k, i, j, variables), 1),
-        (_partial(i, j, k, variables), -1),
+        (_partial(arm, k, j, i), 1),
+        (_partial(arm, k, i, j), 1),
+        (_partial(arm, i, j, k), -1),
     ]
-    written = problem.readable(value)
-    final = problem.final(written, named)
-    chain = [*names, multiply(HALF, Sum(tuple(negate(d) if n < 0 else d for d, n in raw)))]
-    left = _collected(raw)
-    if left is not None:
-        chain.append(left)
-    chain += [written] if written != chain[-1] else []
-    chain += [final] if final != written else []
-    return Step(names[0].name, tuple(chain), "christoffel")
+    whole = multiply(HALF, Sum(tuple(negate(d) if n < 0 else d for d, n in raw)))
+    formulas = (*([_name((j, i, k))] if i != j else []), whole, *_collected(raw), work.readable(value))
+    return work.line(_name(ijk), *formulas, value=arm.final(value), rule="christoffel")
 
 
-def _partial(a: int, b: int, by: int, variables: tuple[str, ...]) -> Expr:
-    return Derivative(entry_symbol("d", min(a, b), max(a, b)), Symbol(variables[by - 1]))
+def _partial(arm: Arm, a: int, b: int, by: int) -> Expr:
+    return Derivative(entry_symbol("d", min(a, b), max(a, b)), Symbol(arm.variables[by - 1]))
 
 
-def _collected(raw: list[tuple[Expr, int]]) -> Expr | None:
-    """Half the sum with equal derivatives collected; None where none are equal."""
+def _collected(raw: list[tuple[Expr, int]]) -> tuple[Expr, ...]:
+    """Half the sum with equal derivatives collected; none where none are equal."""
     counts: Counter[Expr] = Counter()
     for derivative, sign in raw:
         counts[derivative] += sign
     kept = [(derivative, n) for derivative, n in counts.items() if n]
     if len(kept) == len(raw):
-        return None
-    return add(*(multiply(Number(Fraction(n, 2)), derivative) for derivative, n in kept))
+        return ()
+    return (add(*(multiply(Number(Fraction(n, 2)), derivative) for derivative, n in kept)),)
 
 
-def _laws(D: ScalarMatrix, symbols: Mapping[Index, Scalar], variables: tuple[str, ...]) -> tuple[Claim, ...]:
-    """c_ijk = c_jik, and dD/dt - 2C skew-symmetric for every rate."""
-    n = len(variables)
-    skew = True
-    for i, name in enumerate(variables, 1):
-        rate = D.diff(name)
-        entries = {
-            (k, j): rate[k - 1, j - 1] - 2 * symbols[i, j, k]
-            for k in range(1, n + 1)
-            for j in range(1, n + 1)
-        }
-        skew &= all(entries[k, j] == -entries[j, k] for k in range(1, n + 1) for j in range(k, n + 1))
-    return (
-        law("symmetric", all(value == symbols[j, i, k] for (i, j, k), value in symbols.items())),
-        law("skew-symmetric", skew),
-    )
+def _skew(D: ScalarMatrix, symbols: Christoffel, variables: tuple[str, ...]) -> bool:
+    """Whether dD/dt - 2C is skew-symmetric for every rate."""
+    n = range(1, len(variables) + 1)
+    by_rate = [ScalarMatrix.of([[symbols[i, j, k] for j in n] for k in n]) for i in n]
+    skew = [D.diff(name) - C.scaled(2) for name, C in zip(variables, by_rate, strict=True)]
+    return all(N == -N.T for N in skew)
 
 
-def _name(ijk: Index) -> str:
-    return entry_symbol("c", *ijk).name
+def _name(ijk: Index) -> Symbol:
+    return entry_symbol("c", *ijk)
 
 
 def _ordered(ijk: Index) -> Index:

@@ -2,24 +2,32 @@
 
 from __future__ import annotations
 
-from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import normal_matrix
-from derive.derivation import Claim, Derivation, PageFacts
-from derive.expression import Expr, Matrix, Product, Sum, Symbol
-from derive.kinds.checks import law, links
+from collections.abc import Callable
+from itertools import combinations, combinations_with_replacement, product
+
+from derive.derivation import Derivation, PageFacts, Record
+from derive.expression import (
+    ZERO,
+    Derivative,
+    Expr,
+    Matrix,
+    Product,
+    Sum,
+    Symbol,
+    add,
+    column,
+    multiply,
+    negate,
+    number,
+    squared,
+    subtract,
+)
 from derive.kinds.fields import OptionsModel
 from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import moment_names
-from derive.kinds.robot._dynamics.khatib import (
-    Velocity,
-    definitions_of,
-    entry_steps,
-    matrix_steps,
-    symbol_steps,
-    velocity_of,
-)
-from derive.kinds.robot._dynamics.rates import is_long, pairs, squares, velocity_agreement
+from derive.kinds.robot._dynamics.arm import Arm
+from derive.kinds.robot._dynamics.example import planar_arm
+from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 from derive.names import require_free
 
@@ -30,15 +38,10 @@ RESULTS = {
     "v": "C [qdot^2] + B [qdot qdot] (n); rates are written theta1_dot",
 }
 NEEDS = ("bodies",)
-EXAMPLE = """\
-title: Centrifugal and Coriolis matrices
-problems:
-- robot:
-    links:
-    - {theta: theta1*, d: 0, a: a1, alpha: 0, mass: m1, com: [-a1/2, 0, 0], inertia: {rod: a1, axis: x}}
-    - {theta: theta2*, d: 0, a: a2, alpha: 0, mass: m2, com: [-a2/2, 0, 0], inertia: {rod: a2, axis: x}}
-  find: coriolis-matrices
-"""
+EXAMPLE = planar_arm("Centrifugal and Coriolis matrices", "coriolis-matrices", gravity=False)
+MOST_SHOWN = 3  # joints; with more, the symbols that vanish are only counted
+HALF, TWO = number("1/2"), number(2)
+C, B, V = Symbol("C"), Symbol("B"), Symbol("v")
 
 
 class Options(OptionsModel):
@@ -46,53 +49,107 @@ class Options(OptionsModel):
 
 
 class Facts(PageFacts):
+    """What the words need to know: whether the arm is so `big` that all stays in names, whether it has `one`
+    joint, and how many of the b_ijk vanish without being shown."""
+
     big: bool
-    one: bool  # joint
-    vanish: int  # of those not shown
+    one: bool
+    vanish: int
+
+
+class Row(Record):
+    """The first index of a b_ijk."""
+
+    row: int
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """v = C [qdot^2] + B [qdot qdot] (Khatib, Introduction to Robotics, dynamics; Craig, eq. 6.63)."""
     require_free(problem.symbols, "C", "B", "v")
-    inertia = problem.ask("inertia-matrix")
-    D, big, n = inertia.definitions[Symbol("D")], is_long(problem), len(robot.variables)
-    velocity = velocity_of(problem, big)
-    worked = () if big else (*entry_steps(problem, D), *symbol_steps(velocity, n))
-    steps = (*worked, *matrix_steps(velocity, robot.variables, big))
-    definitions = {**inertia.definitions, **definitions_of(D, worked, velocity)}
-    shown = {step.name for step in worked}
-    claims = (
-        *links(() if big else steps, {**problem.names, **definitions, **moment_names(inertia)}),
-        *_laws(velocity, robot.variables),
-        velocity_agreement(problem, "v", normal_matrix(velocity.v)),
-    )
-    return Derivation(
+    arm, n = Arm(problem), len(robot.variables)
+    symbols = arm.christoffel
+    values = {(i, j, k): symbols[j, k, i] for i, j, k in sorted((i, j, k) for j, k, i in symbols if j <= k)}
+    work = Work(problem).resting_on(arm.inertia)
+    work = work.linked() if arm.long else _entries(work, arm)  # in names alone there is nothing to compare
+    shown = [] if arm.long else [ijk for ijk in values if values[ijk] or n <= MOST_SHOWN]
+    for i, j, k in shown:
+        raw = multiply(HALF, Sum((_m(i, j, k), _m(i, k, j), negate(_m(j, k, i)))))
+        names = (_b(i, k, j), raw) if j != k else (raw,)
+        work = work.line(_b(i, j, k), *names, value=arm.final(values[i, j, k]), rule="b", facts=Row(row=i))
+    b = {ijk: work[_b(*ijk)] if ijk in shown else arm.final(value) for ijk, value in values.items()}
+    for (i, j, k), value in b.items():
+        work = work.knowing({_b(i, j, k): value, _b(i, k, j): value})
+    work = _matrices(work, arm)
+    results = {name.name: work.matrix(name) for name in ((C, B) if n > 1 else (C,))}
+    made = subtract(_whole(arm, results["C"], results.get("B")), work[V])
+    work = arm.agrees(work.law("makes-v", not work.value_matrix(made)), "v", work[V])
+    return work.answer(
         "coriolis-matrices",
-        steps,
-        _results(velocity),
-        claims,
-        definitions,
-        uses=(inertia,),
-        facts=Facts(
-            big=big,
-            one=n == 1,
-            vanish=sum(entry_symbol("b", i, j, k).name not in shown for i, j, k in velocity.symbols),
-        ),
+        {**results, **{_b(*ijk).name: value for ijk, value in sorted(b.items())}, "v": work[V]},
+        Facts(big=arm.long, one=n == 1, vanish=len(values) - len(shown)),
         matrices=frozenset({"C", "B"}),
     )
 
 
-def _results(velocity: Velocity) -> dict[str, Expr]:
-    B: dict[str, Expr] = {"B": velocity.B} if velocity.B else {}
-    b = {entry_symbol("b", i, j, k).name: value for (i, j, k), value in sorted(velocity.values.items())}
-    return {"C": velocity.C, **B, **b, "v": velocity.v}
+def _entries(work: Work, arm: Arm) -> Work:
+    """m_ijk, the derivative of m_ij by q_k, for i <= j; those that vanish are left out."""
+    D, n = work.matrix("D"), range(1, len(arm.variables) + 1)
+    work = work.knowing({entry_symbol("m", i, j): D.rows[i - 1][j - 1] for i in n for j in n})
+    work = work.knowing({_m(*ijk): ZERO for ijk in product(n, n, n)})
+    for (i, j), (k, name) in product(combinations_with_replacement(n, 2), enumerate(arm.variables, 1)):
+        if value := arm.D[i - 1, j - 1].diff(name):
+            partial, end = Derivative(entry_symbol("m", i, j), Symbol(name)), arm.final(value)
+            names = (_m(j, i, k), partial) if i != j else (partial,)
+            work = work.line(_m(i, j, k), *names, value=end, rule="entry-derivative")
+            work = work.knowing({_m(j, i, k): end})
+    return work
 
 
-def _laws(velocity: Velocity, variables: tuple[str, ...]) -> tuple[Claim, ...]:
-    """The two products make v."""
-    whole: Expr = Product((velocity.C, squares(variables)))
-    others = pairs(variables)
-    if velocity.B and others:
-        whole = Sum((whole, Product((velocity.B, others))))
-    made: ScalarMatrix = normal_matrix(Matrix(((whole,),)))
-    return (law("makes-v", made == normal_matrix(velocity.v)),)
+def _matrices(work: Work, arm: Arm) -> Work:
+    """C, B and v in names and written out; of a long arm the lines stay in names, and what they stand for is
+    put together as it comes."""
+    n, rates = len(arm.rates), arm.rates
+    formulas: dict[Symbol, Expr] = {C: _centrifugal(n, _b)}
+    if n > 1:
+        formulas[B] = _coriolis(n, _b)
+    formulas[V] = _whole(arm, C, B if n > 1 else None)
+    for name, formula in formulas.items():
+        work = work.line(name, formula, value=formula if arm.long else None, rule="matrix")
+    if not arm.long:
+        return work
+    squares, mixed = (make(n, lambda *ijk: work[_b(*ijk)]) for make in (_centrifugal, _coriolis))
+    sums = column(
+        add(
+            *(multiply(each, rate, rate) for each, rate in zip(alone, rates, strict=True)),
+            *(multiply(each, *pair) for each, pair in zip(both, combinations(rates, 2), strict=True)),
+        )
+        for alone, both in zip(squares.rows, mixed.rows, strict=True)
+    )
+    return work.knowing({C: squares, **({B: mixed} if n > 1 else {}), V: sums})
+
+
+def _centrifugal(n: int, b: Callable[[int, int, int], Expr]) -> Matrix:
+    """The b_ijj (n by n), written as `b` says."""
+    return Matrix(tuple(tuple(b(i, j, j) for j in range(1, n + 1)) for i in range(1, n + 1)))
+
+
+def _coriolis(n: int, b: Callable[[int, int, int], Expr]) -> Matrix:
+    """The 2 b_ijk with j < k (n by n(n-1)/2), in the order 12, 13, ..., 23, ..."""
+    pairs = [*combinations(range(1, n + 1), 2)]
+    return Matrix(tuple(tuple(multiply(TWO, b(i, j, k)) for j, k in pairs) for i in range(1, n + 1)))
+
+
+def _whole(arm: Arm, C: Expr, B: Expr | None) -> Expr:
+    """C [qdot^2] + B [qdot qdot]; an arm of one joint has no B."""
+    alone = Product((C, column(map(squared, arm.rates))))
+    if B is None:
+        return alone
+    return Sum((alone, Product((B, column(map(Product, combinations(arm.rates, 2)))))))
+
+
+def _m(i: int, j: int, k: int) -> Symbol:
+    return entry_symbol("m", i, j, k)
+
+
+def _b(i: int, j: int, k: int) -> Symbol:
+    return entry_symbol("b", i, j, k)

@@ -4,39 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import normal_matrix
-from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts, Step
-from derive.expression import ZERO, Expr, Matrix, Symbol, add, multiply
-from derive.kinds.checks import law, links
+from derive.expression import ZERO, Expr, Matrix, Product, Symbol, add, column, multiply, subtract
 from derive.kinds.fields import OptionsModel
 from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import moment_names, scalar_of
-from derive.kinds.robot._dynamics.rates import (
-    Christoffel,
-    is_long,
-    rate_column,
-    rates,
-    symbols_of,
-    velocity_agreement,
-    velocity_terms,
-)
+from derive.kinds.robot._dynamics.arm import Arm
+from derive.kinds.robot._dynamics.example import planar_arm
+from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 from derive.names import require_free
 
 RESULTS = {"C": "the matrix with c_kj = sum of c_ijk qdot_i (n by n); rates are written theta1_dot"}
 NEEDS = ("bodies",)
-EXAMPLE = """\
-title: The Coriolis matrix of a planar arm
-problems:
-- robot:
-    links:
-    - {theta: theta1*, d: 0, a: a1, alpha: 0, mass: m1, com: [-a1/2, 0, 0], inertia: {rod: a1, axis: x}}
-    - {theta: theta2*, d: 0, a: a2, alpha: 0, mass: m2, com: [-a2/2, 0, 0], inertia: {rod: a2, axis: x}}
-  find: coriolis-matrix
-"""
+EXAMPLE = planar_arm("The Coriolis matrix of a planar arm", "coriolis-matrix", gravity=False)
+C = Symbol("C")
 
 
 class Options(OptionsModel):
@@ -44,59 +26,43 @@ class Options(OptionsModel):
 
 
 class Facts(PageFacts):
+    """Whether C stays in the names of the symbols."""
+
     big: bool
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """c_kj = sum of c_ijk qdot_i (Spong et al., eq. 6.42; Siciliano et al., eq. 7.45)."""
     require_free(problem.symbols, "C")
-    inertia, speed = problem.ask("inertia-matrix"), problem.ask("christoffel")
-    names, named = robot.variables, moment_names(inertia)
-    symbols = symbols_of(problem)
-    C = coriolis_matrix(symbols, names)
-    big = is_long(problem)
-    result: Expr = _entries(names, lambda name: scalar_of(speed, name))
-    steps: tuple[Step, ...] = ()
-    if not big:
-        written = problem.readable_matrix(C)
-        result = problem.final(written, named)
-        summed = _entries(names, lambda name: Symbol(name) if scalar_of(speed, name) != ZERO else ZERO)
-        steps = (Step("C", (Symbol("C"), summed, result), "coriolis"),)
-    definitions: dict[Expr, Expr] = {**speed.definitions, Symbol("C"): result}
-    rate = rate_column(names)
-    claims = (
-        *links(steps, {**problem.names, **definitions, **named}),
-        law("makes-the-terms", C @ rate == velocity_terms(symbols, names)),
-        velocity_agreement(problem, "C qdot", normal_matrix(result) @ rate),
-    )
-    return Derivation(
-        "coriolis-matrix",
-        steps,
-        {"C": result},
-        claims,
-        definitions,
-        uses=(inertia, speed),
-        facts=Facts(big=big),
-        matrices=frozenset({"C"}),
-    )
+    arm = Arm(problem)
+    work = Work(problem).resting_on(arm.inertia, problem.ask("christoffel"))
+    named = _sums(arm, lambda symbol: symbol if work[symbol] != ZERO else ZERO)
+    if arm.long:
+        work = work.knowing({C: _sums(arm, lambda symbol: work[symbol])})
+    else:
+        work = work.step(Step("C", (C, named, work.readable(work.value(named))), "coriolis"))
+    made = subtract(Product((named, column(arm.rates))), _terms(arm))
+    work = work.law("makes-the-terms", not work.value_matrix(made))
+    product = column(add(*map(multiply, row, arm.rates)) for row in work.matrix(C).rows)
+    work = arm.agrees(work, "C qdot", product)
+    return work.answer("coriolis-matrix", {"C": work[C]}, Facts(big=arm.long), matrices=frozenset({"C"}))
 
 
-def coriolis_matrix(symbols: Christoffel, variables: tuple[str, ...]) -> ScalarMatrix:
-    """C (n by n) with its rates as symbols."""
-    n, rate = range(1, len(variables) + 1), rate_column(variables).entries
-    return ScalarMatrix.of(
-        [sum((symbols[i, j, k] * rate[i - 1] for i in n), Scalar.of(0)) for j in n] for k in n
-    )
+def _sums(arm: Arm, symbol: Callable[[Symbol], Expr]) -> Matrix:
+    """c_kj as sums of symbols and rates; `symbol` says how c_ijk is written."""
+    n, rates = range(1, len(arm.rates) + 1), arm.rates
+    terms = {
+        (k, j): [multiply(symbol(entry_symbol("c", i, j, k)), rate) for i, rate in enumerate(rates, 1)]
+        for k in n
+        for j in n
+    }
+    return Matrix(tuple(tuple(add(*terms[k, j]) for j in n) for k in n))
 
 
-def _entries(variables: tuple[str, ...], symbol: Callable[[str], Expr]) -> Matrix:
-    """c_kj as sums of symbols and rates; `symbol` gives c_ijk by its name."""
-    n, rate = range(1, len(variables) + 1), rates(variables)
-    return Matrix(
-        tuple(
-            tuple(
-                add(*(multiply(symbol(entry_symbol("c", i, j, k).name), rate[i - 1]) for i in n)) for j in n
-            )
-            for k in n
-        )
+def _terms(arm: Arm) -> Matrix:
+    """The terms of the equations of motion that hold rates, sum of c_ijk qdot_i qdot_j (n by 1)."""
+    rates = [*enumerate(arm.rates, 1)]
+    return column(
+        add(*(multiply(entry_symbol("c", i, j, k), p, q) for i, p in rates for j, q in rates))
+        for k, _ in rates
     )

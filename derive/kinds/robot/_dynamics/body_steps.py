@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.derivation import Step
-from derive.expression import Expr, Indexed, Matrix, Product, Sum, Symbol, negate
+from derive.expression import Expr, Indexed, Matrix, Product, Sum, Symbol, negate, transpose
 from derive.kinds.naming import fits
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import pose_name
@@ -18,23 +18,36 @@ from derive.mechanics.chain import Chain
 from derive.mechanics.poses import homogeneous
 
 
-def com_steps(problem: Problem, found: Chain, body: Weighted) -> tuple[Step, ...]:
-    """T_c1, where it fits on a line, and o_c1."""
+def com_steps(problem: Problem, body: Weighted) -> tuple[Step, ...]:
+    """T_c1 (4 by 4), where it fits on a line, and o_c1 (3 by 1)."""
     name, origin = Symbol(f"T_c{body.i}"), Symbol(f"o_c{body.i}")
-    pose = homogeneous(body.motion.R, body.motion.com.entries)
-    written = problem.readable_matrix(pose)
+    pose = problem.readable_matrix(homogeneous(body.motion.R, body.motion.com.entries))
     o = Step(origin.name, (origin, problem.readable_matrix(body.motion.com)), "extract")
-    if not fits(written):
+    if not fits(pose):
         return (o,)
     shift = _shift(problem, body.com)
-    route = (pose_name(body.i),) if shift is None else (Product((pose_name(body.i), shift)),)
-    return Step(name.name, (name, *route, written), "com-pose"), o
+    route = pose_name(body.i) if shift is None else Product((pose_name(body.i), shift))
+    return Step(name.name, (name, route, pose), "com-pose"), o
 
 
 def com_jacobian_steps(problem: Problem, found: Chain, body: Weighted) -> tuple[Step, ...]:
     """J_c1 (6 by n) in the names of its vectors and written out."""
     i = body.i
     return jacobian_steps(problem, found, body.at, Symbol(f"J_c{i}"), Symbol(f"o_c{i}"))
+
+
+def local_steps(problem: Problem, bodies: tuple[Weighted, ...]) -> Iterator[Step]:
+    """J_v and J_w (3 by n) of each com in the frame of its own link.
+
+    There they hold only the angles between joint and link, so that their entries stay short where those of
+    D would fill pages; D, its derivatives and g are sums over them.
+    """
+    for body in bodies:
+        for part, J in (("v", body.motion.J_v), ("w", body.motion.J_w)):
+            name = Symbol(f"J_{part}{body.i}^{body.i}")
+            route = Product((transpose(Symbol(f"R_{body.i}^0")), Symbol(f"J_{part}{body.i}")))
+            local = problem.readable_matrix(body.motion.R.T @ J)
+            yield Step(name.name, (name, route, local), "local-jacobian")
 
 
 def inertia_steps(problem: Problem, bodies: tuple[Weighted, ...]) -> tuple[Step, ...]:
@@ -70,21 +83,26 @@ def _moment(problem: Problem, name: Symbol, value: Expr) -> Step:
     return Step(name.name, (name, value) if short == value else (name, value, short), "moment")
 
 
-def body_definitions(problem: Problem, found: Chain, body: Weighted) -> dict[Expr, Expr]:
-    """What the names of those steps and of D_i stand for."""
+def body_definitions(problem: Problem, body: Weighted) -> dict[Expr, Expr]:
+    """What the names in D_i stand for."""
     i, motion = body.i, body.motion
-    J_v, J_w = map(problem.readable_matrix, (motion.J_v, motion.J_w))
-    names: dict[Expr, Expr] = {
-        Symbol(f"T_{i}^0"): problem.readable_matrix(found.T[i]),
+    return {
+        Symbol(f"J_v{i}"): problem.readable_matrix(motion.J_v),
+        Symbol(f"J_w{i}"): problem.readable_matrix(motion.J_w),
         Symbol(f"R_{i}^0"): problem.readable_matrix(motion.R),
-        Symbol(f"J_v{i}"): J_v,
-        Symbol(f"J_w{i}"): J_w,
-        Symbol(f"J_c{i}"): Matrix((*J_v.rows, *J_w.rows)),
         body.I: body.matrix,
         Symbol(f"o_c{i}"): problem.readable_matrix(motion.com),
     }
-    shift = _shift(problem, body.com)
-    if shift is not None:
+
+
+def pose_definitions(problem: Problem, found: Chain, body: Weighted) -> dict[Expr, Expr]:
+    """What the names on the way to the com and to its Jacobian stand for."""
+    J = ScalarMatrix.stacked([body.motion.J_v, body.motion.J_w])
+    names: dict[Expr, Expr] = {
+        pose_name(body.i): problem.readable_matrix(found.T[body.i]),
+        Symbol(f"J_c{body.i}"): problem.readable_matrix(J),
+    }
+    if shift := _shift(problem, body.com):
         pose = homogeneous(ScalarMatrix.identity(3), body.com.entries)
         names[shift] = problem.readable_matrix(pose)
     return names

@@ -6,7 +6,6 @@ from dataclasses import replace
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.derivation import Step
 from derive.expression import ZERO, Expr, Matrix, Symbol, add, column
 from derive.mechanics.drives import reflected, resistance
 from derive.mechanics.robot import Link, Robot
@@ -27,12 +26,6 @@ def rotors(robot: Robot) -> Matrix | None:
     return Matrix(
         tuple(tuple(value if i == j else ZERO for j in range(len(values))) for i, value in enumerate(values))
     )
-
-
-def rotor_steps(robot: Robot) -> tuple[Step, ...]:
-    """D_m, where there are motors."""
-    matrix = rotors(robot)
-    return () if matrix is None else (Step(ROTORS.name, (ROTORS, matrix), "rotors"),)
 
 
 def with_rotors(D: ScalarMatrix, robot: Robot) -> ScalarMatrix:

@@ -1,0 +1,108 @@
+"""An arm with masses, as the kinds of its dynamics see it: D, the rates and accelerations of its joints by
+name, and the second route."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.readable.operation_count import operations
+from derive.algebra.scalar import Scalar
+from derive.derivation import Derivation
+from derive.expression import Expr, Symbol
+from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import oracle_of
+from derive.kinds.robot._dynamics.drives import rigid
+from derive.kinds.robot.inertia_matrix import Facts
+from derive.kinds.work import Work
+from derive.mechanics.dynamics import Christoffel, christoffel
+from derive.mechanics.oracle import Oracle
+
+LONGEST_MATRIX = 200  # operations of D, all entries together
+DOTS = ("dot", "ddot")
+
+
+@dataclass(frozen=True)
+class Arm:
+    """The arm of a problem. Every question about it rests on its inertia matrix."""
+
+    problem: Problem
+
+    @cached_property
+    def inertia(self) -> Derivation:
+        """The derivation of D."""
+        return self.problem.ask("inertia-matrix")
+
+    @property
+    def variables(self) -> tuple[str, ...]:
+        """The joint variables q, in the order of the joints (n)."""
+        names: tuple[str, ...] = self.problem.subject.variables
+        return names
+
+    @property
+    def rates(self) -> tuple[Symbol, ...]:
+        """theta1_dot, ... (n)"""
+        return tuple(Symbol(f"{name}_dot") for name in self.variables)
+
+    @property
+    def accelerations(self) -> tuple[Symbol, ...]:
+        """theta1_ddot, ... (n)"""
+        return tuple(Symbol(f"{name}_ddot") for name in self.variables)
+
+    @property
+    def D(self) -> ScalarMatrix:
+        """The inertia matrix (n by n), names of shapes' moments and of `where` kept."""
+        return self.problem.normal_matrix(self.inertia.definitions[Symbol("D")])
+
+    @property
+    def christoffel(self) -> Christoffel:
+        """Every c_ijk of that matrix."""
+        return christoffel(self.D, self.variables)
+
+    @property
+    def long(self) -> bool:
+        """Whether what follows from D would fill pages: it is then left in its names."""
+        big = self.inertia.told(Facts).big
+        return big or operations(self.inertia.definitions[Symbol("D")]) > LONGEST_MATRIX
+
+    @cached_property
+    def moments(self) -> dict[Expr, Expr]:
+        """The names of shapes' moments used while working, and what they stand for."""
+        steps = (step for step in self.inertia.steps if step.rule == "moment")
+        return {Symbol(step.name): self.inertia.definitions[Symbol(step.name)] for step in steps}
+
+    def final(self, value: Scalar | ScalarMatrix | Expr) -> Expr:
+        """As a person writes it, with the names of moments and of `where` replaced."""
+        match value:
+            case ScalarMatrix():
+                value = self.problem.readable_matrix(value)
+            case Scalar():
+                value = self.problem.readable(value)
+        return self.problem.final(value, self.moments)
+
+    # -- the second route: each body by Newton's and Euler's laws -----------------------------------
+
+    @property
+    def rigid(self) -> Oracle:
+        """The arm in numbers, without friction."""
+        return Oracle(rigid(self.problem.subject), self.problem.where)
+
+    @property
+    def rubbing(self) -> Oracle:
+        """The arm in numbers, friction included."""
+        return oracle_of(self.problem)
+
+    @property
+    def still(self) -> frozenset[str]:
+        """Every name that a point of rest needs: those of the arm, and g."""
+        return self.problem.symbols | {"g"}
+
+    @property
+    def moving(self) -> frozenset[str]:
+        """Those of a point in motion: rates and accelerations too."""
+        return self.still | {f"{name}_{dots}" for name in self.variables for dots in DOTS}
+
+    def agrees(self, work: Work, name: str, ours: Expr) -> Work:
+        """`ours` (n by 1) against the torques at those rates less the torques at rest."""
+        return work.agrees("rates-alone", self.moving, ours, self.rigid.torques_of_rates, name=name)
