@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 
 TREES = get_args(Expr)
 Value: TypeAlias = Callable[[Expr, Any], Any]  # of a tree at a point
+TERMS = 60  # of the exponential series; far more than angles of a few radians need
 STEP = 1e-6  # of differences; their error is about 1e-10
 
 
@@ -265,6 +266,18 @@ def slope(
 def vee(S: Array) -> list[float]:
     """The vector (3) of a skew-symmetric matrix, or of that in the corner of a twist."""
     return [S[2, 1], S[0, 2], S[1, 0]]
+
+
+def exponential(X: Array) -> Array:
+    """e^X (n by n), 1 + X + X^2/2 + ..."""
+    import numpy as np
+
+    term: Array = np.eye(len(X))
+    total = term
+    for k in range(1, TERMS):
+        term = term @ X / k
+        total = total + term
+    return total
 
 
 def compose(sequence: tuple[Move, ...], point: Any, value: Value = number) -> Array:

@@ -11,6 +11,7 @@ from derive.expression import Expr, Symbol, negate, number
 from derive.kinds.problem import Problem
 from derive.kinds.robot._rows.dh_found import found_rows
 from derive.kinds.robot._rows.dh_rows import values
+from derive.kinds.work import Work
 from derive.mechanics.frames import ByMatrix
 from derive.mechanics.robot import Link, Robot, ScrewRow
 from tests.kinds.published import matrix
@@ -79,7 +80,7 @@ def test_any_two_lines(convention, first, second) -> None:
     )
     of = Problem("robot", Robot("", "standard", links, home=END))
     rows, _ = found_rows(of.subject, convention, of)
-    assert all(claim.holds for claim in rows.claims(of))
+    assert all(claim.holds for claim in rows.proved(Work(of)).claims)
 
 
 def test_a_slide_and_a_turn() -> None:
@@ -90,4 +91,4 @@ def test_a_slide_and_a_turn() -> None:
     of = Problem("robot", Robot("", "standard", links, home=END))
     for convention in ("standard", "modified"):
         rows, _ = found_rows(of.subject, convention, of)
-        assert all(claim.holds for claim in rows.claims(of))
+        assert all(claim.holds for claim in rows.proved(Work(of)).claims)

@@ -63,11 +63,12 @@ def test_rows_of_both_conventions_make_the_same_arm(name: str, convention: str) 
 @pytest.mark.parametrize("convention", ["standard", "modified"])
 def test_rows_found_from_the_axes_alone(name: str, convention: str) -> None:
     from derive.kinds.robot._rows.dh_found import found_rows
+    from derive.kinds.work import Work
     from derive.mechanics.chain import chain
 
     arm = problem(name)
     rows, _ = found_rows(arm.subject, convention, arm)
-    claims = rows.claims(arm)
+    claims = rows.proved(Work(arm)).claims
     assert all(claim.holds for claim in claims)
     at = {symbol: 0.3 + 0.1 * k for k, symbol in enumerate(sorted(arm.symbols))}
     given = matrix_numbers(chain(arm.subject).T_tool, at)

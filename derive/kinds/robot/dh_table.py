@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Literal, TypeAlias
 
-from derive.derivation import Claim, Derivation, PageFacts, Result, Step, Table
+from derive.derivation import Derivation, PageFacts, Result, Step, Table
 from derive.expression import ZERO
-from derive.kinds.checks import links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._rows.dh_found import FrameSteps, FrameTold, found_rows
-from derive.kinds.robot._rows.dh_rows import IDENTITY, Rows
+from derive.kinds.robot._rows.dh_found import FrameTold, found_rows, frame_lines, frames_told
+from derive.kinds.robot._rows.dh_rows import Rows
+from derive.kinds.work import Work
 from derive.mechanics.motion import Move
 from derive.mechanics.poses import composed
 from derive.mechanics.robot import Convention, DHRow, Robot
@@ -32,7 +32,6 @@ problems:
   - {find: dh-table, convention: modified}
 """
 Mode: TypeAlias = Literal["given", "found", "restated"]
-TABLE = Step("DH", (), "dh-parameters")
 
 
 class Options(OptionsModel):
@@ -53,16 +52,36 @@ class Facts(PageFacts):
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """The rows as given, each joint variable marked; in the modified convention a and alpha are those of
     the axis before (a_{i-1}, alpha_{i-1}). Rows of the other convention are shifted by one; an arm without
-    rows has its frames assigned (Spong et al., section 3.2.2; Craig, section 3.4)."""
+    rows has its frames assigned (Spong et al., section 3.2.2; Craig, section 3.4).
+
+    Raises NotDerivable where frames are to be assigned to a helical joint.
+    """
     convention = options.convention or robot.convention
-    given = _given(robot)
-    if given is None:
-        return _found(robot, convention, problem)
-    if convention == robot.convention:
-        return _derivation(given, problem, "given", (TABLE,), (given.each_pose(problem),))
-    rows = restated(robot, given, convention)
-    steps = (*rows.ends(problem), TABLE)
-    return _derivation(rows, problem, "restated", steps, rows.claims(problem))
+    rows, work = _given(robot), Work(problem)
+    frames: tuple[FrameTold, ...] = ()
+    if rows is None:
+        rows, found = found_rows(robot, convention, problem)
+        work, frames = frame_lines(work, found, convention), frames_told(found, convention)
+        mode: Mode = "found"
+    elif convention == robot.convention:
+        mode = "given"
+    else:
+        mode, rows = "restated", restated(robot, rows, convention)
+    results: dict[str, Result] = {"DH": rows.matrix(problem)}
+    for name, T in rows.ends.items():
+        work = work.line(name, value=T, rule="motion")
+        results[name] = work.final(name)
+    work = work.step(Step("DH", (), "dh-parameters")).linked(but=rows.ends)
+    work = rows.each_pose(work) if mode == "given" else rows.proved(work)
+    facts = Facts(
+        mode=mode,
+        convention=rows.convention,
+        table=rows.table(),
+        frames=frames,
+        base="T_base" in rows.ends,
+        tool="T_tool" in rows.ends,
+    )
+    return work.answer("dh-table", results, facts)
 
 
 def _given(robot: Robot) -> Rows | None:
@@ -88,35 +107,3 @@ def restated(robot: Robot, given: Rows, convention: Convention) -> Rows:
         base, tool = composed((*robot.base, *first)), composed(robot.tool)
     shifted = tuple(DHRow(row.theta, row.d, *pair) for row, pair in zip(rows, lengths, strict=True))
     return Rows(convention, shifted, given.variables, given.joints, base, tool)
-
-
-def _found(robot: Robot, convention: Convention, problem: Problem) -> Derivation:
-    rows, found = found_rows(robot, convention, problem)
-    frames = FrameSteps(problem, found, convention)
-    steps = (*frames.steps(), *rows.ends(problem), TABLE)
-    claims = (
-        *links(steps, {**problem.names, **frames.definitions()}),
-        *rows.claims(problem),
-    )
-    return _derivation(rows, problem, "found", steps, claims, frames.told())
-
-
-def _derivation(
-    rows: Rows,
-    problem: Problem,
-    mode: Mode,
-    steps: tuple[Step, ...],
-    claims: tuple[Claim, ...],
-    frames: tuple[FrameTold, ...] = (),
-) -> Derivation:
-    results: dict[str, Result] = {"DH": rows.matrix(problem)}
-    results |= {step.name: problem.final(step.result) for step in rows.ends(problem)}
-    facts = Facts(
-        mode=mode,
-        convention=rows.convention,
-        table=rows.table(),
-        frames=frames,
-        base=rows.base != IDENTITY,
-        tool=rows.tool != IDENTITY,
-    )
-    return Derivation("dh-table", steps, results, claims, facts=facts)

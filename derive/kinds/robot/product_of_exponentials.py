@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from derive.algebra.numbers.floats import matrix_numbers
-from derive.derivation import Claim, Derivation, PageFacts
-from derive.expression import Expr, Symbol
-from derive.kinds.checks import agreement, is_rotation, law, links
+from dataclasses import replace
+
+from derive.derivation import Derivation, PageFacts
+from derive.expression import Symbol
+from derive.kinds.checks import is_rotation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, end_frame, oracle_of
-from derive.kinds.robot._rows.exponentials import Exponentials, ScrewsTold
+from derive.kinds.robot._rows.exponentials import NAMED, Exponentials, ScrewsTold
+from derive.kinds.work import Work
 from derive.mechanics.poses import rotation_part
 from derive.mechanics.robot import Robot
 from derive.mechanics.screws import screw_form
@@ -29,7 +31,6 @@ problems:
     - {theta: theta2*, d: 0, a: a2, alpha: 0}
   find: product-of-exponentials
 """
-NAMED = ("exponential", "home", "twist")
 ENDS = ("compose", "entry")  # what is left to say where the screws themselves are given
 
 
@@ -43,37 +44,18 @@ class Facts(PageFacts):
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
-    """The joint axes at zero, their twists, the home pose and the product (Lynch and Park, section 4.1;
-    Murray, Li and Sastry, section 3.2). Raises NotDerivable where no joint moves."""
-    arm = screw_form(robot, problem.readable)
-    name = Symbol(f"T_{end_frame(robot)}^0")
-    work = Exponentials(problem, arm, len(arm.links), True, frames=False, name=name)
-    written, definitions = work.steps(), work.definitions()
-    steps = tuple(step for step in written if step.rule in ENDS) if robot.by_screws else written
-    results: dict[str, Expr] = {
-        step.name: problem.final(step.result) for step in written if step.rule in NAMED
-    }
-    results[last := f"T_{len(robot.links)}^0"] = problem.final(definitions[work.name])
-    claims = (
-        *links(steps, {**problem.names, **definitions}),
-        *work.claims(),
-        *is_rotation(rotation_part(work.pose), f"R_{len(robot.links)}^0"),
-        *_same_arm(problem, work),
-    )
-    uses = (problem.ask("forward-kinematics"),)
-    facts = Facts(screws=work.told(), rows=not robot.by_screws, page_names={last: name.name})
-    return Derivation("product-of-exponentials", steps, results, claims, definitions, uses=uses, facts=facts)
-
-
-def _same_arm(problem: Problem, work: Exponentials) -> tuple[Claim, ...]:
-    """The product is the pose that the rows of the arm give."""
-    oracle = oracle_of(problem)
-    return (
-        law("pose", work.pose == chain_of(problem).T_tool),
-        agreement(
-            "poses-in-numbers",
-            problem.symbols,
-            lambda at: matrix_numbers(work.pose, oracle.at(at)),
-            lambda at: oracle.tool(oracle.at(at)),
-        ),
-    )
+    """The joint axes at zero, their twists (6 by 1), the home pose and the product (4 by 4; Lynch and Park,
+    section 4.1; Murray, Li and Sastry, section 3.2). Raises NotDerivable where no joint moves."""
+    arm, oracle, n = screw_form(robot, problem.readable), oracle_of(problem), len(robot.links)
+    screws = Exponentials(problem, arm, len(arm.links), True, False, Symbol(f"T_{end_frame(robot)}^0"))
+    work = screws.lines(Work(problem, uses=(problem.ask("forward-kinematics"),)))
+    results = {step.name: problem.final(step.result) for step in work.steps if step.rule in NAMED}
+    results[f"T_{n}^0"] = work.final(screws.name)
+    if robot.by_screws:
+        work = replace(work, steps=tuple(step for step in work.steps if step.rule in ENDS))
+    work = screws.proved(work).claim(*is_rotation(rotation_part(screws.pose), f"R_{n}^0"))
+    work = work.law("pose", screws.pose == chain_of(problem).T_tool)
+    work = work.agrees("poses-in-numbers", problem.symbols, screws.pose, oracle.tool)
+    page_names = {f"T_{n}^0": screws.name.name}
+    facts = Facts(screws=screws.told(), rows=not robot.by_screws, page_names=page_names)
+    return work.answer("product-of-exponentials", results, facts)

@@ -6,13 +6,14 @@ from fractions import Fraction
 
 from derive.algebra.normal import trig_of
 from derive.algebra.scalar import Scalar
-from derive.derivation import Record, Step
+from derive.derivation import Record
 from derive.errors import NotDerivable
 from derive.expression import Degrees, Expr, Sum, Symbol, add, atan2, cross, negate
 from derive.kinds.pose._angles import fixed_angle, known_angle
 from derive.kinds.problem import Problem
 from derive.kinds.robot._rows.dh_rows import Rows
-from derive.mechanics.assignment import Assignment, Pair, Parameters, Placed, assigned
+from derive.kinds.work import Work
+from derive.mechanics.assignment import Assignment, Pair, Parameters, assigned
 from derive.mechanics.lines import Line
 from derive.mechanics.poses import composed
 from derive.mechanics.robot import Convention, DHRow, Robot
@@ -79,52 +80,38 @@ class FrameTold(Record):
     turned: bool
 
 
-class FrameSteps:
-    """The frames of an assignment for the page."""
+def frames_told(found: Assignment, convention: Convention) -> tuple[FrameTold, ...]:
+    """How each frame came about, for the words."""
+    return tuple(
+        FrameTold(number=i, kind=frame.kind, pair=_pair(i, convention), turned=frame.turned)
+        for i, frame in enumerate(found.frames)
+    )
 
-    def __init__(self, problem: Problem, found: Assignment, convention: Convention) -> None:
-        self.problem, self.found, self.convention = problem, found, convention
 
-    def steps(self) -> tuple[Step, ...]:
-        """x_i, z_i and o_i of every frame."""
-        return tuple(step for i, frame in enumerate(self.found.frames) for step in self._frame(i, frame))
-
-    def _frame(self, i: int, frame: Placed) -> list[Step]:
+def frame_lines(work: Work, found: Assignment, convention: Convention) -> Work:
+    """z_i, x_i and o_i (3 by 1) of every frame of an assignment."""
+    for i, frame in enumerate(found.frames):
         x, z, o = (Symbol(f"{letter}_{i}") for letter in "xzo")
-        read = self.problem.readable_matrix
-        return [
-            Step(z.name, (z, read(frame.z)), "axis"),
-            Step(x.name, (x, *self._reason(i, frame), read(frame.x)), "normal"),
-            Step(o.name, (o, read(frame.o)), "origin"),
-        ]
+        work = work.line(z, value=frame.z, rule="axis")
+        work = work.line(x, *_reason(i, found, _pair(i, convention)), value=frame.x, rule="normal")
+        work = work.line(o, value=frame.o, rule="origin")
+    return work
 
-    def _reason(self, i: int, frame: Placed) -> tuple[Expr, ...]:
-        """z_a x z_b of axes that meet; the axis before of axes on one line."""
-        a, b = self.pair(i)
-        if frame.kind == "intersecting":
-            product = cross(Symbol(f"z_{a}"), Symbol(f"z_{b}"))
-            sine = self._size(a, b, frame)
-            return (negate(product) if frame.turned else product,) if sine else ()
-        if i and frame.x == self.found.frames[i - 1].x and frame.kind in ("coincident", "last"):
-            return (Symbol(f"x_{i - 1}"),)
-        return ()
 
-    def _size(self, a: int, b: int, frame: Placed) -> bool:
-        """Whether the product of the axes has the length 1."""
-        frames = self.found.frames
-        product = frames[a].z.cross(frames[b].z)
-        return (-product if frame.turned else product) == frame.x
+def _pair(i: int, convention: Convention) -> tuple[int, int]:
+    """The two z axes that x_i joins."""
+    return (i - 1, i) if convention == "standard" else (i, i + 1)
 
-    def pair(self, i: int) -> tuple[int, int]:
-        """The two z axes that x_i joins."""
-        return (i - 1, i) if self.convention == "standard" else (i, i + 1)
 
-    def definitions(self) -> dict[Expr, Expr]:
-        return {Symbol(step.name): step.result for step in self.steps()}
-
-    def told(self) -> tuple[FrameTold, ...]:
-        """How each frame came about."""
-        return tuple(
-            FrameTold(number=i, kind=frame.kind, pair=self.pair(i), turned=frame.turned)
-            for i, frame in enumerate(self.found.frames)
-        )
+def _reason(i: int, found: Assignment, pair: tuple[int, int]) -> tuple[Expr, ...]:
+    """z_a x z_b of axes that meet, where it has the length 1; the axis before of axes on one line."""
+    frame, (a, b) = found.frames[i], pair
+    if frame.kind == "intersecting":
+        product = found.frames[a].z.cross(found.frames[b].z)
+        if (-product if frame.turned else product) != frame.x:
+            return ()
+        formula = cross(Symbol(f"z_{a}"), Symbol(f"z_{b}"))
+        return (negate(formula) if frame.turned else formula,)
+    if i and frame.x == found.frames[i - 1].x and frame.kind in ("coincident", "last"):
+        return (Symbol(f"x_{i - 1}"),)
+    return ()

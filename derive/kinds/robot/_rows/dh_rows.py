@@ -8,13 +8,13 @@ from math import cos, sin
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numbers.floats import matrix_numbers
-from derive.algebra.numbers.floats import number as at_point
-from derive.derivation import Claim, Step, Table
-from derive.expression import MINUS_ONE, Expr, Indexed, Matrix, Sum, Symbol, number, replace
-from derive.kinds.checks import agreement, law
+from derive.algebra.numbers.floats import number
+from derive.derivation import Table
+from derive.expression import MINUS_ONE, Expr, Indexed, Matrix, Sum, Symbol, replace
+from derive.expression import number as tree
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
+from derive.kinds.work import Work
 from derive.mechanics.dh import CONVENTIONS
 from derive.mechanics.poses import composed
 from derive.mechanics.robot import Convention, DHRow, JointType
@@ -39,21 +39,18 @@ class Rows:
         """theta, d, a, alpha of each row, the names of `where` replaced."""
         return Matrix(tuple(tuple(problem.final(entry) for entry in values(row)) for row in self.rows))
 
-    def ends(self, problem: Problem) -> tuple[Step, ...]:
-        """T_base and T_tool, where they are no identity."""
-        poses = (("T_base", self.base), ("T_tool", self.tool))
-        return tuple(
-            Step(name, (Symbol(name), problem.readable_matrix(T)), "motion")
-            for name, T in poses
-            if T != IDENTITY
-        )
+    @property
+    def ends(self) -> dict[str, ScalarMatrix]:
+        """T_base and T_tool (4 by 4), where they are no identity."""
+        poses = {"T_base": self.base, "T_tool": self.tool}
+        return {name: T for name, T in poses.items() if T != IDENTITY}
 
     def table(self) -> Table:
         """Under theta_i, d_i, a_i, alpha_i (a_{i-1}, alpha_{i-1} where modified); joint variables starred."""
         before = self.convention == "modified"
         headings = [Indexed(name, (_index(before and name in ("a", "alpha")),)) for name in COLUMNS]
         lines = [
-            (number(i), *_starred(row, variable, joint))
+            (tree(i), *_starred(row, variable, joint))
             for i, (row, variable, joint) in enumerate(
                 zip(self.rows, self.variables, self.joints, strict=True), 1
             )
@@ -65,32 +62,25 @@ class Rows:
         made = [composed(CONVENTIONS[self.convention](row)) for row in self.rows]
         return self.base @ reduce(ScalarMatrix.__matmul__, made) @ self.tool
 
-    def claims(self, problem: Problem) -> tuple[Claim, ...]:
-        """The rows make the arm that was given: by normal form, and in numbers."""
-        T, oracle = self.pose(), oracle_of(problem)
-        names = problem.names
-        exact = normal_matrix(problem.readable_matrix(T), names)
-        given = normal_matrix(problem.readable_matrix(chain_of(problem).T_tool), names)
-
-        return (
-            law("pose", exact == given),
-            agreement(
-                "arm-composed",
-                problem.symbols,
-                lambda at: matrix_numbers(T, oracle.at(at)),
-                lambda at: oracle.tool(oracle.at(at)),
-            ),
+    def proved(self, work: Work) -> Work:
+        """With the claims that the rows make the arm that was given: by normal form, and in numbers."""
+        T, problem = self.pose(), work.problem
+        exact, given = (
+            normal_matrix(problem.readable_matrix(each), problem.names)
+            for each in (T, chain_of(problem).T_tool)
         )
+        work = work.law("pose", exact == given)
+        return work.agrees("arm-composed", problem.symbols, T, oracle_of(problem).tool)
 
-    def each_pose(self, problem: Problem) -> Claim:
-        """The rows as printed give the poses (4 by 4) of the links, by the entries that books print."""
-        oracle, printed = oracle_of(problem), self.matrix(problem).rows
-        typed = TYPED[self.convention]
-        return agreement(
+    def each_pose(self, work: Work) -> Work:
+        """With the claim that the rows as printed give the poses (4 by 4) of the links, by the entries that
+        books print."""
+        printed, typed = self.matrix(work.problem).rows, TYPED[self.convention]
+        return work.agrees(
             "each-row",
-            problem.symbols,
-            lambda at: [typed(*(at_point(entry, at) for entry in row)) for row in printed],
-            lambda at: oracle.local(oracle.at(at)),
+            work.problem.symbols,
+            lambda at: [typed(*(number(entry, at) for entry in row)) for row in printed],
+            oracle_of(work.problem).local,
         )
 
 
