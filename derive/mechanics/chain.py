@@ -21,6 +21,7 @@ from derive.mechanics.coupling import Coupling, angle_sums, coupling
 from derive.mechanics.dh import moves
 from derive.mechanics.drives import reflected
 from derive.mechanics.frame_tree import pose_of
+from derive.mechanics.lines import Line
 from derive.mechanics.motion import Move
 from derive.mechanics.poses import composed, position_part, rotation_part, unit_vector
 from derive.mechanics.robot import JointType, Link, Robot, ScrewRow, gravity_of
@@ -44,18 +45,11 @@ class Joint:
 
 
 @dataclass(frozen=True, slots=True)
-class Line:
-    """Where the axis of a joint lies in the base frame: its direction and a point on it (3 by 1 each)."""
-
-    direction: ScalarMatrix
-    point: ScalarMatrix
-
-
-@dataclass(frozen=True, slots=True)
 class Chain:
     """T_local[i] takes frame i+1 to frame i; T[i] frame i to the base, T[n] the last row's, the base
-    motion included. T_tool is the pose of the end-effector. joints[i] and lines[i] belong to row i+1;
-    where there is a `coupling` they tell of the row with the star, and not all that its variable moves."""
+    motion included. T_tool is the pose of the end-effector. joints[i] and lines[i], its axis
+    in the base frame, belong to row i+1; where there is a `coupling` they tell of the row with the star, and
+    not all that its variable moves."""
 
     T_local: tuple[ScalarMatrix, ...]
     T: tuple[ScalarMatrix, ...]

@@ -98,64 +98,39 @@ class NewtonEuler:
     def torques(
         self, rates: Sequence[Like], accelerations: Sequence[Like], gravity: Sequence[Like]
     ) -> tuple[Scalar, ...]:
-        """tau_k of each joint, in the order of the joints; `gravity` in the base frame."""
-        moving = iter(zip(self._scalars(rates), self._scalars(accelerations), strict=True))
-        still = (self._zero, self._zero)
-        motions = [self._at_base(gravity)]
-        for row in self.rows:
-            motions.append(_outward(row, motions[-1], *(next(moving) if row.joint else still)))
-        return self._inward(motions[1:])
+        """tau_k (N m of a revolute joint, N of a prismatic one), in the order of the joints; `gravity` is the
+        acceleration in the base frame (3)."""
+        links = self.sweep(rates, accelerations, gravity)
+        return tuple(link.tau for link in links if link.tau is not None)
 
     def sweep(
         self, rates: Sequence[Like], accelerations: Sequence[Like], gravity: Sequence[Like]
     ) -> tuple[Swept, ...]:
-        """Everything on the way, link by link from base to tip; `tau` as in `torques`."""
+        """Everything on the way, link by link from base to tip: out the motions, and back the forces that the
+        links hand down (Siciliano et al., eqs. 7.112 to 7.114; Craig, 6.51 to 6.53)."""
         moving = iter(zip(self._scalars(rates), self._scalars(accelerations), strict=True))
-        still = (self._zero, self._zero)
-        motions = [self._at_base(gravity)]
+        still, nothing = (self._zero, self._zero), (self._zero,) * 3
+        motions = [_Motion(nothing, nothing, self.at_base(gravity))]
         for row in self.rows:
             motions.append(_outward(row, motions[-1], *(next(moving) if row.joint else still)))
-        force = moment = (self._zero,) * 3
+        force = moment = nothing
         found = []
         for row, motion in reversed(list(zip(self.rows, motions[1:], strict=True))):
-            a_c, F, N = motion.a, (self._zero,) * 3, (self._zero,) * 3
+            a_c, F, N = motion.a, nothing, nothing
             if row.body:
                 c = _vector(row.body.com)
-                a_c = _plus(motion.a, _of_point(motion, c))
-                F, about_origin = _load(row.body, motion)
-                N = _minus(about_origin, _cross(c, F))
-                force, moment = _plus(force, F), _plus(moment, about_origin)
-            moment = _plus(moment, _cross(row.arm, force))
+                a_c, F, N = _load(row.body, c, motion)
+                force, moment = _plus(force, F), _plus(moment, N, _cross(c, F))
+            moment = _plus(moment, _cross(row.arm, force))  # about the point of the axis
             tau = dot(row.z, moment if row.turns else force) if row.joint else None
             found.append(Swept(motion.w, motion.alpha, motion.a, a_c, F, N, force, moment, tau))
-            force, moment = _turned(row.R, force), _turned(row.R, moment)
-            moment = _plus(moment, _cross(row.out, force))
-        return tuple(reversed(found))
-
-    def at_base(self, gravity: Sequence[Like]) -> Vector:
-        """The acceleration of the base that stands for gravity, in frame 0."""
-        return self._at_base(gravity).a
-
-    def _inward(self, motions: Sequence[_Motion]) -> tuple[Scalar, ...]:
-        """The forces that the links hand down (Siciliano, eqs. 7.112 to 7.114; Craig, 6.51 to 6.53)."""
-        nothing = (self._zero,) * 3
-        force, moment, found = nothing, nothing, []
-        for row, motion in reversed(list(zip(self.rows, motions, strict=True))):
-            if row.body:
-                F, N = _load(row.body, motion)
-                force, moment = _plus(force, F), _plus(moment, N)
-            moment = _plus(moment, _cross(row.arm, force))  # about the point of the axis
-            if row.joint:
-                found.append(dot(row.z, moment if row.turns else force))
             force, moment = _turned(row.R, force), _turned(row.R, moment)
             moment = _plus(moment, _cross(row.out, force))  # about the origin of the frame before
         return tuple(reversed(found))
 
-    def _at_base(self, gravity: Sequence[Like]) -> _Motion:
-        """A base that accelerates upwards stands for gravity."""
-        nothing = (self._zero,) * 3
-        up = [-part for part in self._scalars(gravity)]
-        return _Motion(nothing, nothing, _turned(self.base.T, up))
+    def at_base(self, gravity: Sequence[Like]) -> Vector:
+        """The acceleration of a base that accelerates upwards, which stands for gravity, in frame 0."""
+        return _turned(self.base.T, [-part for part in self._scalars(gravity)])
 
     @property
     def _zero(self) -> Scalar:
@@ -195,19 +170,6 @@ class NewtonEuler:
         return self.torques([0] * self._joints, [0] * self._joints, gravity)
 
 
-def torques(
-    chain: Chain,
-    links: Sequence[LinkBody | None],
-    rates: Sequence[Scalar],
-    accelerations: Sequence[Scalar],
-    gravity: Sequence[Scalar],
-) -> tuple[Scalar, ...]:
-    """tau_k (N m of a revolute joint, N of a prismatic one) of each joint in order. `links` has one
-    body or None a row; `gravity` is the acceleration in the base frame (3)."""
-    arm = NewtonEuler.of(chain, links, (*rates, *accelerations, *gravity))
-    return arm.torques(rates, accelerations, gravity)
-
-
 def _home(chain: Chain, links: Sequence[LinkBody | None], others: Sequence[Scalar]) -> Ring:
     matrices = [part for link in links if link for part in (link.com, link.inertia)]
     matrices += [part for joint in chain.joints if joint for part in (joint.before, joint.axis)]
@@ -245,12 +207,11 @@ def _outward(row: _Row, before: _Motion, rate: Scalar, rise: Scalar) -> _Motion:
     return _Motion(reached.w, reached.alpha, _plus(reached.a, _of_point(reached, row.arm)))
 
 
-def _load(body: LinkBody, motion: _Motion) -> tuple[Vector, Vector]:
-    """m a_c, and I alpha + w x I w with the moment of m a_c about the frame's origin (Craig, 6.49, 6.50)."""
-    c = _vector(body.com)
-    F = _times(body.mass, _plus(motion.a, _of_point(motion, c)))
+def _load(body: LinkBody, c: Vector, motion: _Motion) -> tuple[Vector, Vector, Vector]:
+    """a_c, m a_c, and I alpha + w x I w about the com at c (Craig, eqs. 6.48 to 6.50)."""
+    a_c = _plus(motion.a, _of_point(motion, c))
     N = _plus(_turned(body.inertia, motion.alpha), _cross(motion.w, _turned(body.inertia, motion.w)))
-    return F, _plus(N, _cross(c, F))
+    return a_c, _times(body.mass, a_c), N
 
 
 def _of_point(motion: _Motion, r: Vector) -> Vector:

@@ -19,6 +19,7 @@ from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar, as_fraction
 from derive.mechanics.chain import Chain
 from derive.mechanics.jacobian import motions_jacobian
+from derive.mechanics.lines import dot
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,12 +72,12 @@ def swung_arm(chain: Chain, point: ScalarMatrix, last: int) -> SwungArm | None:
         return None
     first, second = chain.axis(rows[0]), chain.axis(rows[1])
     lengths = _lengths(chain, rows[1:], point)
-    if not lengths or _dot(first, second):
+    if not lengths or dot(first, second):
         return None
     start, shoulder = chain.point(rows[0]), chain.point(rows[1])
     across = first.cross(second)
-    offset, height = _dot(shoulder - start, across), _dot(shoulder - start, first)
-    side = _dot(point - start, second)
+    offset, height = dot(shoulder - start, across), dot(shoulder - start, first)
+    side = dot(point - start, second)
     if any(not _fixed(chain, each) for each in (offset, height, side)):
         return None
     center = start + first.scaled(height)
@@ -89,7 +90,7 @@ def turns_freely(chain: Chain, moving: Sequence[int], spare: Sequence[int], plan
     axes = [chain.axis(i) for i in spare if chain.joint(i).type == "revolute"]
     if planar:
         return any(axis.cross(chain.axis(moving[0])) == ScalarMatrix.zeros(3, 1) for axis in axes)
-    return any(not _dot(a, b) and not _dot(b, c) for a, b, c in zip(axes, axes[1:], axes[2:], strict=False))
+    return any(not dot(a, b) and not dot(b, c) for a, b, c in zip(axes, axes[1:], axes[2:], strict=False))
 
 
 def _lengths(chain: Chain, rows: Sequence[int], point: ScalarMatrix) -> tuple[Scalar, ...]:
@@ -101,7 +102,7 @@ def _lengths(chain: Chain, rows: Sequence[int], point: ScalarMatrix) -> tuple[Sc
     found = []
     for here, there in pairwise(places):
         seen = axis.cross(there - here)
-        square = _dot(seen, seen)
+        square = dot(seen, seen)
         if not _fixed(chain, square):
             return ()
         found.append(_size(square))
@@ -110,10 +111,6 @@ def _lengths(chain: Chain, rows: Sequence[int], point: ScalarMatrix) -> tuple[Sc
 
 def _fixed(chain: Chain, value: Scalar) -> bool:
     return not any(value.diff(name) for name in chain.variables)
-
-
-def _dot(a: ScalarMatrix, b: ScalarMatrix) -> Scalar:
-    return (a.T @ b)[0, 0]
 
 
 def _size(square: Scalar) -> Scalar:

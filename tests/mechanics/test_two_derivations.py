@@ -11,7 +11,7 @@ from derive.algebra.scalar import Scalar
 from derive.expression import Degrees, Symbol, number
 from derive.mechanics.bodies import Body, Box, Cylinder, Rod
 from derive.mechanics.motion import Move
-from derive.mechanics.newton_euler import torques as torques_of
+from derive.mechanics.newton_euler import NewtonEuler
 from derive.mechanics.robot import FreeRow, Link, Robot
 from tests.mechanics.robots import body, robot, row
 from tests.mechanics.two_derivations import Arm, torques
@@ -188,7 +188,9 @@ def test_torques_in_one_sweep(name: str) -> None:
     names = arm.robot.variables
     rates = [Scalar.symbol(f"{name}_dot") for name in names]
     rises = [Scalar.symbol(f"{name}_ddot") for name in names]
-    found = torques_of(arm.chain, arm.link_bodies(), rates, rises, arm.gravity.entries)
+    gravity = arm.gravity.entries
+    oracle = NewtonEuler.of(arm.chain, arm.link_bodies(), (*rates, *rises, *gravity))
+    found = oracle.torques(rates, rises, gravity)
     for k, tau in enumerate(found):
         expected = sum((D[k, j] * rise for j, rise in enumerate(rises)), g[k])
         for (i, j, l), symbol in c.items():
