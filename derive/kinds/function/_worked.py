@@ -15,7 +15,7 @@ from derive.algebra.solving.polynomials import known_sign, odd_part
 from derive.derivation import Branch, Claim, Condition, Derivation, PageFacts, Phrase, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Call, Derivative, Expr, Relation, Sum, Symbol, add, multiply, negate
-from derive.kinds.checks import NORMAL_FORM, SECOND_ROUTE, law, links, random_points
+from derive.kinds.checks import NORMAL_FORM, SECOND_ROUTE, law, random_points
 from derive.kinds.function._extremes import extremes, reach
 from derive.kinds.function._naming import function_name, multiplier_names
 from derive.kinds.function._newton import NEAR, stationary
@@ -24,6 +24,7 @@ from derive.kinds.function._telling import CaseTold, divided_by, is_enclosed, to
 from derive.kinds.function._writing import written
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
+from derive.kinds.work import Work
 
 LAMBDA = Symbol("Lambda")
 HESSIAN = Symbol("H")
@@ -80,11 +81,8 @@ def worked(kind: str, function: Function, problem: Problem) -> Derivation:
         *_determinants(task, problem),
         *_hessian(task, problem, found),
     )
-    claims = (
-        *links(steps, {**problem.names, **definitions}),
-        *_put_back(task, found),
-        *_search(function, task, problem, found),
-    )
+    work = Work(problem, definitions, steps=steps).claim(*_put_back(task, found))
+    work = work.claim(*_search(function, task, problem, found))
     solutions = tuple(_branch(p, when, name, task, problem) for p, when in zip(found, said, strict=True))
     facts = Facts(
         goal=goal, name=name, multipliers=tuple(multipliers), count_word=COUNTS[len(function.variables)],
@@ -97,7 +95,7 @@ def worked(kind: str, function: Function, problem: Problem) -> Derivation:
         compact=limits.highest == "compact", greatest=_best("maximum", found, best, problem),
         smallest=_best("minimum", found, best, problem),
     )  # fmt: skip
-    return Derivation(kind, steps, {"solutions": solutions}, claims, definitions, facts=facts)
+    return work.answer(kind, {"solutions": solutions}, facts)
 
 
 def _best(extreme: str, found: Sequence[Point], extremes: Sequence[str], problem: Problem) -> Expr | None:

@@ -10,7 +10,7 @@ from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, PageFacts, Record, Result, Step
 from derive.errors import NotReal
 from derive.expression import ZERO, Derivative, Expr, Symbol, column
-from derive.kinds.checks import SECOND_ROUTE, close, law, links, random_points
+from derive.kinds.checks import SECOND_ROUTE, close, law, random_points
 from derive.kinds.fields import OptionsModel
 from derive.kinds.lagrange._energies import energy_steps
 from derive.kinds.lagrange._equations import difference, written_fraction, written_side
@@ -19,6 +19,7 @@ from derive.kinds.lagrange._oracle import Differences
 from derive.kinds.lagrange._solved import Solved, satisfies, solved
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
+from derive.kinds.work import Work
 from derive.mechanics.lagrangian import (
     TIME,
     Condition,
@@ -98,18 +99,10 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
         *_conserved(model),
         *_solution_steps(model, solution),
     )
-    definitions = _definitions(model, steps)
-    known = {**problem.names, **definitions}
-    claims = (*links(steps, known), *_laws(model, solution), _second_route(model, lefts))
+    work = Work(problem, _definitions(steps), steps=steps).claim(*_laws(model, solution))
+    work = work.claim(_second_route(model, lefts))
     results = _results(model, lefts, rights, solution)
-    return Derivation(
-        "equations-of-motion",
-        steps,
-        results,
-        claims,
-        definitions,
-        facts=_facts(model, options, lefts, rights),
-    )
+    return work.answer("equations-of-motion", results, _facts(model, lefts, rights))
 
 
 def _partials(model: Model) -> Iterator[Step]:
@@ -166,11 +159,10 @@ def _solution_steps(model: Model, found: Solved | None) -> Iterator[Step]:
         yield Step(name, (Symbol(name), written_fraction(value, model.problem)), "multiplier")
 
 
-def _definitions(model: Model, steps: tuple[Step, ...]) -> dict[Expr, Expr]:
+def _definitions(steps: tuple[Step, ...]) -> dict[Expr, Expr]:
     """The names of positions, velocities and energies."""
     rules = ("position", "velocity", "spin", "kinetic", "kinetic-of-body", "potential", "lagrangian")
-    found: dict[Expr, Expr] = {Symbol(s.name): s.result for s in steps if s.rule in rules}
-    return found
+    return {Symbol(step.name): step.result for step in steps if step.rule in rules}
 
 
 def _results(
@@ -201,7 +193,7 @@ def _solution(problem: Problem, found: Mapping[str, Scalar]) -> Expr:
     return _columns(problem, [written_fraction(value, problem) for value in found.values()])
 
 
-def _facts(model: Model, options: Options, lefts: list[Expr], rights: list[Expr]) -> Facts:
+def _facts(model: Model, lefts: list[Expr], rights: list[Expr]) -> Facts:
     system, letters = model.system, model.letters
     lost = None if system.dissipation == ZERO else (Symbol(letters.dissipation), system.dissipation)
     return Facts(

@@ -12,7 +12,7 @@ from derive.algebra.signs import signed
 from derive.derivation import Branch, Claim, Derivation, PageFacts, Phrase, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import PI, ZERO, Expr, Symbol, free_symbols, walk
-from derive.kinds.checks import SECOND_ROUTE, law, links, random_points
+from derive.kinds.checks import SECOND_ROUTE, law, random_points
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.lagrange._angles_found import Found, solved
@@ -23,6 +23,7 @@ from derive.kinds.lagrange._stiffness import is_exact, put_in
 from derive.kinds.lagrange._stiffness import said as said_of
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
+from derive.kinds.work import Work
 from derive.mechanics.lagrangian import TIME, LagrangianSystem, without
 
 RESULTS = {"solutions": "the coordinates at rest, and whether the state is stable"}
@@ -76,11 +77,11 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
         Step("K", (Symbol("K"), problem.readable_matrix(stiffness)), "stiffness"),
     )
     branches = tuple(_branch(system, each, words) for each, words in zip(found, said, strict=True))
-    claims = (
-        *links(steps, problem.names),
-        *(_put_back(model, left, each, k, positive) for k, each in enumerate(found, 1) if is_exact(each)),
-        _second_route(model, found, given),
-    )
+    work = Work(problem, uses=(equations(problem),), steps=steps)
+    for k, each in enumerate(found, 1):
+        if is_exact(each):
+            work = work.claim(_put_back(model, left, each, k, positive))
+    work = work.claim(_second_route(model, found, given))
     facts = Facts(
         inputs=tuple(name for name, value in given.items() if value == ZERO),
         given=tuple((name, value) for name, value in given.items() if value not in (ZERO, name)),
@@ -90,9 +91,7 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
         free=tuple(Symbol(q) for q in dict.fromkeys(q for each in found for q in each.free)),
         angles=any(PI in walk(tree) for branch in branches for tree in branch.values.values()),
     )
-    return Derivation(
-        "equilibria", steps, {"solutions": branches}, claims, uses=(equations(problem),), facts=facts
-    )
+    return work.answer("equilibria", {"solutions": branches}, facts)
 
 
 def _inputs(model: Model, options: Options) -> dict[Symbol, Expr]:

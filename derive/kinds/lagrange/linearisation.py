@@ -14,7 +14,7 @@ from derive.algebra.solving.polynomials import known_sign
 from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable, NotReal
 from derive.expression import ZERO, Expr, Matrix, Product, Symbol, column, free_symbols
-from derive.kinds.checks import SECOND_ROUTE, close, law, links, random_points
+from derive.kinds.checks import SECOND_ROUTE, close, random_points
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import Name, OptionsModel
 from derive.kinds.lagrange._equations import written_fraction
@@ -23,6 +23,7 @@ from derive.kinds.lagrange._oracle import Differences
 from derive.kinds.lagrange._rest import equations, inputs_of, require_steady, surely_positive, there
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
+from derive.kinds.work import Work
 from derive.mechanics.lagrangian import TIME, LagrangianSystem
 
 RESULTS = {
@@ -96,17 +97,10 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     if not linear.M.det():
         raise NotDerivable("the mass matrix is singular at this state: a coordinate has no inertia there")
     steps = (*_matrix_steps(model, linear), *_state_steps(model, linear))
-    definitions: dict[Expr, Expr] = {Symbol(step.name): step.result for step in steps if step.rule != "law"}
-    results = {step.name: problem.final(step.result) for step in steps if step.rule != "law"}
-    claims = (
-        *links(steps, {**problem.names, **definitions}),
-        law("symmetric", linear.M == linear.M.T),
-        _second_route(model, linear, at),
-    )
-    facts = _facts(model, options, linear, at)
-    return Derivation(
-        "linearisation", steps, results, claims, definitions, uses=(equations(problem),), facts=facts
-    )
+    results = {step.name: problem.final(step.result) for step in steps}
+    work = Work(problem, uses=(equations(problem),)).step(*steps)
+    work = work.law("symmetric", linear.M == linear.M.T).claim(_second_route(model, linear, at))
+    return work.answer("linearisation", results, _facts(model, options, linear, at))
 
 
 def _state(options: Options, system: LagrangianSystem, inputs: tuple[str, ...]) -> dict[Expr, Expr]:

@@ -16,7 +16,8 @@ from derive.control.system import System
 from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import ONE, ZERO, Expr, Product, Quotient, Sum, Symbol, free_symbols, walk
-from derive.kinds.checks import law, links
+from derive.kinds.chains import distinct
+from derive.kinds.checks import law
 from derive.kinds.evaluation import Evaluation, Place
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -34,6 +35,7 @@ from derive.kinds.system._plant import (
     verdict,
     zeros_json,
 )
+from derive.kinds.work import Work
 
 SUBJECTS = ("system", "motor")
 RESULTS = {
@@ -84,6 +86,18 @@ def closed(problem: Problem, controller: Controller, point: Place | None) -> Clo
     return Closed(solved, controller, loop, transfer, transfer.reduced())
 
 
+def plant_or_loop(
+    problem: Problem, controller: Controller | None, point: Place | None
+) -> tuple[Derivation, Rational, Plant]:
+    """The system alone, or in its loop where there is a controller: the derivation it rests on, its transfer
+    function with everything in it, and the plant. Raises NotDerivable."""
+    if controller is None:
+        solved = plant(problem, None, point)
+        return asked(problem, "transfer-function", source=None), solved.rational, solved
+    loop = closed(problem, controller, point)
+    return asked(problem, "closed-loop", controller=controller), loop.transfer, loop.plant
+
+
 class LoopAtPoint(AtPoint):
     hidden: bool = False  # what grows cancels out of the output
 
@@ -109,7 +123,6 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     found = closed(problem, options.controller, options.evaluate)
     solved = found.plant
     C, G, T = (solved.named(name) for name in "CGT")
-    steps = tuple(_steps(found))
     definitions: dict[Expr, Expr] = {
         C: options.controller.sum,
         G: solved.solution.ratio.expr(solved.decimals),
@@ -117,11 +130,8 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     }
     results = {"C": _final(found, found.loop.controller), "T": _final(found, found.reduced)}
     evaluated, numbers = _evaluated(found, options)
-    claims = (*links(steps, {**problem.names, **definitions}), *_claims(found))
-    facts = _facts(found, numbers)
-    return Derivation(
-        "closed-loop", steps, results, claims, definitions, evaluated, uses=(base,), facts=facts
-    )
+    work = Work(problem, definitions, uses=(base,), steps=tuple(_steps(found))).claim(*_claims(found))
+    return work.answer("closed-loop", results, _facts(found, numbers), evaluated=evaluated)
 
 
 def _steps(found: Closed) -> Iterator[Step]:
@@ -133,7 +143,7 @@ def _steps(found: Closed) -> Iterator[Step]:
     product = Product((C, G))
     collected = found.transfer.expr(solved.style)
     formula = Quotient(product, Sum((ONE, product)))
-    yield Step("T", _distinct((T, formula, _unexpanded(found), collected)), "feedback")
+    yield Step("T", distinct((T, formula, _unexpanded(found), collected)), "feedback")
     if found.reduced is not found.transfer:
         yield Step("reduced", (T, found.reduced.expr(solved.style)), "cancel")
     if any(node in solved.problem.names for node in walk(collected)):
@@ -149,10 +159,6 @@ def _unexpanded(found: Closed) -> Expr:
 
 def _final(found: Closed, rational: Rational) -> Expr:
     return found.plant.final(rational)
-
-
-def _distinct(chain: tuple[Expr, ...]) -> tuple[Expr, ...]:
-    return tuple(expr for place, expr in enumerate(chain) if place == 0 or expr != chain[place - 1])
 
 
 def _facts(found: Closed, at: LoopAtPoint | None) -> Facts:

@@ -29,14 +29,15 @@ from derive.expression import (
     subtract,
 )
 from derive.figures.block_diagram import Wired
-from derive.kinds.checks import SECOND_ROUTE, links, random_points
+from derive.kinds.checks import SECOND_ROUTE, random_points
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._modelled import Answer, controller_formula, modelled
 from derive.kinds.system._options import ControllerField
-from derive.kinds.system._plant import Plant, asked, plant, point_chains
-from derive.kinds.system.closed_loop import closed
+from derive.kinds.system._plant import point_chains
+from derive.kinds.system.closed_loop import plant_or_loop
+from derive.kinds.work import Work
 
 SUBJECTS = ("system", "motor")
 RESULTS = {
@@ -86,34 +87,17 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
 
     Raises NotDerivable for a system that differentiates, and where a name has no value.
     """
-    base, transfer, solved = _asked(options, problem)
+    base, transfer, solved = plant_or_loop(problem, options.controller, options.evaluate)
     numeric = solved.numeric(transfer)
     if not numeric.proper:
         raise NotDerivable("the transfer function is improper: its step response begins with an impulse")
     answer = modelled(solved, options.controller, transfer)
     model = _model(answer, numeric)
     files = {"model.m": simulink(model), "model.py": python_control(model)}
-    steps, definitions = tuple(_steps(answer)), _definitions(answer)
-    claims = (*links(steps, {**problem.names, **definitions}), *_claims(answer))
-    return Derivation(
-        "model",
-        steps,
-        {"matlab": files["model.m"], "python": files["model.py"]},
-        claims,
-        definitions,
-        uses=(base,),
-        facts=_facts(answer, options, steps),
-        files=files,
-    )
-
-
-def _asked(options: Options, problem: Problem) -> tuple[Derivation, Rational, Plant]:
-    """The derivation this rests on, the transfer function with everything in it, and the plant."""
-    if options.controller is None:
-        solved = plant(problem, None, options.evaluate)
-        return asked(problem, "transfer-function", source=None), solved.rational, solved
-    loop = closed(problem, options.controller, options.evaluate)
-    return asked(problem, "closed-loop", controller=options.controller), loop.transfer, loop.plant
+    steps = tuple(_steps(answer))
+    work = Work(problem, _definitions(answer), uses=(base,), steps=steps).claim(*_claims(answer))
+    results = {"matlab": files["model.m"], "python": files["model.py"]}
+    return work.answer("model", results, _facts(answer, options, steps), files=files)
 
 
 # -- the scripts --------------------------------------------------------------------------------------

@@ -19,7 +19,6 @@ from derive.control.roots import roots
 from derive.control.system import System
 from derive.derivation import Derivation, PageFacts, Result, Step, Table
 from derive.expression import ZERO, Expr, Quotient, Relation, Sum, Symbol, number, squared, walk
-from derive.kinds.checks import links
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -44,6 +43,7 @@ from derive.kinds.system._stability_limit import (
     of_one_sign,
     possible,
 )
+from derive.kinds.work import Work
 from derive.names import free
 
 SUBJECTS = ("system", "motor")
@@ -106,9 +106,6 @@ class Facts(PageFacts):
 def derive(system: System, options: Options, problem: Problem) -> Derivation:
     """Routh and Hurwitz (Dorf and Bishop, Modern Control Systems, sections 6.2 and 6.3)."""
     answer = answered(problem, options.controller, options.evaluate)
-    steps = tuple(_steps(answer))
-    definitions = _definitions(answer)
-    claims = (*links(steps, {**problem.names, **definitions}), *claims_of(answer))
     results: dict[str, Result] = {
         "routh": answer.array.matrix,
         "conditions": answer.written,
@@ -116,13 +113,14 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     if not answer.symbols:
         results["unstable_poles"] = number(answer.changes)
     evaluated, numbers = _evaluated(answer, options)
-    return Derivation(
-        "stability", steps, results, claims, definitions, evaluated, uses=(answer.base,),
-        facts=_facts(answer, options, numbers), matrices=frozenset({"routh"}),
-    )  # fmt: skip
-
-
-# -- what is looked at --------------------------------------------------------------------------------
+    work = Work(problem, _definitions(answer), uses=(answer.base,), steps=tuple(_steps(answer)))
+    return work.claim(*claims_of(answer)).answer(
+        "stability",
+        results,
+        _facts(answer, options, numbers),
+        evaluated=evaluated,
+        matrices=frozenset({"routh"}),
+    )
 
 
 # -- the page -----------------------------------------------------------------------------------------

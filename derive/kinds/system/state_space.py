@@ -27,7 +27,6 @@ from derive.expression import (
     column,
     multiply,
 )
-from derive.kinds.checks import links
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -44,6 +43,7 @@ from derive.kinds.system._plant import (
 )
 from derive.kinds.system._state_checks import characteristic_of, claims_of
 from derive.kinds.system._states import MATRICES, Answer, answered, readable_form
+from derive.kinds.work import Work
 
 SUBJECTS = ("system", "motor")
 RESULTS = {
@@ -94,15 +94,16 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     """
     answer = answered(problem, options.evaluate)
     base = () if answer.is_physical else (asked(problem, "transfer-function", source=None),)
-    steps = tuple(_steps(answer))
-    definitions = _definitions(answer)
     results = {name: problem.final(readable_form(answer, name)) for name in MATRICES}
-    claims = (*links(steps, {**problem.names, **definitions}), *delay_claims(system), *claims_of(answer))
     evaluated, numbers = _evaluated(answer, options)
-    return Derivation(
-        "state-space", steps, results, claims, definitions, evaluated, uses=base,
-        facts=_facts(answer, numbers), matrices=frozenset(MATRICES),
-    )  # fmt: skip
+    work = Work(problem, _definitions(answer), uses=base, steps=tuple(_steps(answer)))
+    return work.claim(*delay_claims(system), *claims_of(answer)).answer(
+        "state-space",
+        results,
+        _facts(answer, numbers),
+        evaluated=evaluated,
+        matrices=frozenset(MATRICES),
+    )
 
 
 # -- the page -----------------------------------------------------------------------------------------

@@ -18,13 +18,14 @@ from derive.control.system import System
 from derive.derivation import Claim, Derivation, PageFacts, Plot, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Number, Quotient, Symbol, number
-from derive.kinds.checks import SECOND_ROUTE, law, links
+from derive.kinds.checks import SECOND_ROUTE, law
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._options import ControllerField
-from derive.kinds.system._plant import Plant, asked, plant, point_chains, root_tree, rounded, verdict
-from derive.kinds.system.closed_loop import closed
+from derive.kinds.system._plant import Plant, point_chains, root_tree, rounded, verdict
+from derive.kinds.system.closed_loop import plant_or_loop
+from derive.kinds.work import Work
 
 SUBJECTS = ("system", "motor")
 RESULTS = {
@@ -93,36 +94,22 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
 
     Raises NotDerivable for a function that is improper, and where a name has no value.
     """
-    base, whole, solved = _asked(options, problem)
-    complete = solved.numeric(whole)
+    base, transfer, solved = plant_or_loop(problem, options.controller, options.evaluate)
+    complete = solved.numeric(transfer)
     numeric = complete.reduced()
     if not numeric.proper:
         raise NotDerivable("the transfer function is improper: its step response begins with an impulse")
     response = step_response(numeric.num, numeric.den)
     answer = Answer(solved, numeric, verdict(complete.den), response, _steady(solved, numeric, response))
     name = solved.named("T" if options.controller else "G")
-    steps = tuple(_steps(answer, name))
-    claims = (*links(steps, _definitions(answer, name)), *_claims(answer, options))
-    return Derivation(
+    work = Work(problem, _definitions(answer, name), uses=(base,), steps=tuple(_steps(answer, name)))
+    return work.claim(*_claims(answer, options)).answer(
         "step-response",
-        steps,
         _results(response, answer.final),
-        claims,
-        _definitions(answer, name),
-        {each: getattr(response, each) for each in RESULTS},
-        (base,),
-        (_plot(solved.system, response),),
         _facts(answer, options),
+        evaluated={each: getattr(response, each) for each in RESULTS},
+        plots=(_plot(solved.system, response),),
     )
-
-
-def _asked(options: Options, problem: Problem) -> tuple[Derivation, Rational, Plant]:
-    """The derivation this rests on, the transfer function with everything in it, and the plant."""
-    if options.controller is None:
-        solved = plant(problem, None, options.evaluate)
-        return asked(problem, "transfer-function", source=None), solved.rational, solved
-    loop = closed(problem, options.controller, options.evaluate)
-    return asked(problem, "closed-loop", controller=options.controller), loop.transfer, loop.plant
 
 
 def _steady(solved: Plant, numeric: Rational, response: StepResponse) -> Expr | None:

@@ -14,7 +14,7 @@ from derive.control.roots import roots
 from derive.control.system import System
 from derive.derivation import Claim, Derivation, PageFacts, Record, Step
 from derive.expression import ZERO, Expr, Quotient, Symbol, free_symbols, walk
-from derive.kinds.checks import law, links
+from derive.kinds.checks import law
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import Name, OptionsModel
 from derive.kinds.problem import Problem
@@ -32,6 +32,7 @@ from derive.kinds.system._plant import (
     verdict,
     zeros_json,
 )
+from derive.kinds.work import Work
 
 SUBJECTS = ("system", "motor")
 RESULTS = {"G": "output over input; evaluated: num, den, poles, zeros"}
@@ -76,14 +77,12 @@ class Facts(PageFacts):
 def derive(system: System, options: Options, problem: Problem) -> Derivation:
     """Output over input with all other inputs zero (Dorf and Bishop, Modern Control Systems, section 2.5)."""
     solved = plant(problem, options.source, options.evaluate)
-    steps = tuple(_steps(solved))
-    G = solved.named("G")
-    definitions = {**solved.solution.values, G: solved.solution.ratio.expr(solved.decimals)}
-    result = _result(solved)
-    claims = (*links(steps, {**problem.names, **definitions}), *_claims(solved))
+    definitions = {**solved.solution.values, solved.named("G"): solved.solution.ratio.expr(solved.decimals)}
     evaluated, numbers = _evaluated(solved, options)
-    facts = _facts(solved, numbers)
-    return Derivation("transfer-function", steps, {"G": result}, claims, definitions, evaluated, facts=facts)
+    work = Work(problem, definitions, steps=tuple(_steps(solved))).claim(*_claims(solved))
+    return work.answer(
+        "transfer-function", {"G": _result(solved)}, _facts(solved, numbers), evaluated=evaluated
+    )
 
 
 def _steps(solved: Plant) -> Iterator[Step]:
