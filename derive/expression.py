@@ -170,6 +170,11 @@ def add(*terms: Expr) -> Expr:
     return Sum(kept) if len(kept) > 1 else kept[0] if kept else ZERO
 
 
+def terms_of(expr: Expr) -> tuple[Expr, ...]:
+    """The terms of a sum, or the one that anything else is."""
+    return expr.terms if isinstance(expr, Sum) else (expr,)
+
+
 def multiply(*factors: Expr) -> Expr:
     """The product of factors, with ones left out; zero if a scalar factor is zero."""
     if ZERO in factors:

@@ -85,3 +85,11 @@ def rate_column(variables: Sequence[str], dots: str = "dot") -> ScalarMatrix:
 def kinetic_energy(D: ScalarMatrix, rate: ScalarMatrix) -> Scalar:
     """The kinetic energy K = qdot^T D qdot / 2 (Spong et al., eq. 6.30)."""
     return (rate.T @ D @ rate)[0, 0] * HALF
+
+
+def time_derivative(M: ScalarMatrix, variables: Sequence[str]) -> ScalarMatrix:
+    """dM/dt of a matrix that holds joint variables and their rates, by the chain rule (the same shape)."""
+    pairs = [pair for q in variables for pair in ((q, f"{q}_dot"), (f"{q}_dot", f"{q}_ddot"))]
+    M = M.into(M.ring.with_symbols(rate for _, rate in pairs))
+    slopes = (M.diff(held).scaled(Scalar.symbol(rate)) for held, rate in pairs)
+    return reduce(ScalarMatrix.__add__, slopes)

@@ -3,34 +3,34 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from fractions import Fraction
 
+from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
-from derive.algebra.numbers import floats as numeric
 from derive.algebra.readable.operation_count import operations
-from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, PageFacts, Result, Step, Table, named_results
+from derive.derivation import Derivation, PageFacts, Table
 from derive.expression import (
     ZERO,
     Expr,
     Matrix,
     Product,
-    Sum,
     Symbol,
     add,
     column,
     multiply,
     number,
+    symbols,
+    terms_of,
     transpose,
 )
-from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import OptionsModel
-from derive.kinds.problem import TREES, Problem
-from derive.kinds.robot._chain import chain_of, moment_names
+from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import chain_of
+from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._dynamics.drives import ROTORS, rotors
-from derive.kinds.robot._dynamics.rates import is_long, oracle, rate_column, rated, rates
-from derive.mechanics.dynamics import link_inertia
+from derive.kinds.robot._dynamics.example import planar_arm
+from derive.kinds.work import Work
+from derive.mechanics.dynamics import kinetic_energy, link_inertia, rate_column, time_derivative
 from derive.mechanics.robot import Robot
 
 RESULTS = {
@@ -40,18 +40,9 @@ RESULTS = {
     "P": "its potential energy",
 }
 NEEDS = ("bodies",)
-EXAMPLE = """\
-title: The energies of a planar arm
-problems:
-- robot:
-    gravity: [0, -g, 0]
-    links:
-    - {theta: theta1*, d: 0, a: a1, alpha: 0, mass: m1, com: [-a1/2, 0, 0], inertia: {rod: a1, axis: x}}
-    - {theta: theta2*, d: 0, a: a2, alpha: 0, mass: m2, com: [-a2/2, 0, 0], inertia: {rod: a2, axis: x}}
-  find: energy
-"""
+EXAMPLE = planar_arm("The energies of a planar arm", "energy")
 HALF = number("1/2")
-RATE = Symbol("q_dot")
+K, P, RATE = symbols("K P q_dot")
 LONGEST_CELL = 24  # operations of an energy that still fits into a table
 
 
@@ -66,166 +57,76 @@ class Facts(PageFacts):
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """K_i = (m v_c^T v_c + w^T R I R^T w) / 2 and P_i = -m g^T o_c (Spong et al., eq. 6.26 and 6.33)."""
-    inertia, weight = problem.ask("inertia-matrix"), problem.ask("gravity")
-    big, bodies = is_long(problem), weighted(problem, chain_of(problem))
-    named = moment_names(inertia)
-    velocities = () if big else tuple(step for body in bodies for step in _velocities(problem, body))
-    links_of = tuple(_link(problem, body, named, big) for body in bodies)
-    parts = (*links_of, *_of_rotors(robot))
-    K = _total(problem, parts, named, big)
-    steps = (*velocities, *parts, K)
-    definitions: dict[Expr, Expr] = {
-        **inertia.definitions,
-        **weight.definitions,
-        **named_results(steps),
-        RATE: column(rates(robot.variables)),
-    }
-    results = _results(problem, parts, K, weight)
-    claims = (
-        *links(() if big else steps, {**problem.names, **definitions, **named}),
-        _quadratic(problem, inertia, K, named),
-        _balance(problem, results),
+    arm = Arm(problem)
+    bodies = weighted(problem, chain_of(problem))
+    work = Work(problem).resting_on(arm.inertia, problem.ask("gravity")).knowing({RATE: column(arm.rates)})
+    work = work.linked() if arm.long else _velocities(work, bodies)  # in names there is nothing to compare
+    for body in bodies:
+        work = _link(work, arm, body)
+    if matrix := rotors(robot):
+        work = _form(work, arm, "m", ROTORS, matrix, "rotors")
+    names = [step.name for step in work.steps if step.name.startswith("K_")]
+    whole = add(*map(Symbol, names))
+    if arm.long:
+        value = add(*(part for name in names for part in terms_of(work[name])))
+        work = work.line(K, whole, value=whole, rule="sum").knowing({K: arm.final(value)})
+    else:
+        work = work.line(K, whole, rule="sum").closed(K)
+    kinetic = normal(work[K])
+    D = normal_matrix(work["D"], {**problem.names, **arm.moments})
+    work = work.law("quadratic-form", kinetic == kinetic_energy(D, rate_column(arm.variables)))
+    energy = ScalarMatrix(((kinetic + normal(work.final(P)),),))
+    work = work.agrees(
+        "power",
+        arm.moving,
+        time_derivative(energy, arm.variables),
+        lambda at: arm.rigid.torques(at) @ [at[rate.name] for rate in arm.rates],
     )
-    return Derivation(
-        "energy",
-        tuple(Step(step.name, step.chain[:-1], step.rule) for step in steps) if big else steps,
-        results,
-        claims,
-        definitions,
-        uses=(inertia, weight),
-        facts=Facts(big=big, table=_table(results)),
-    )
+    parts = [*names, *(f"P_{body.i}" for body in bodies), "K", "P"]
+    results = {name: work.final(name) for name in parts}
+    return work.answer("energy", results, Facts(big=arm.long, table=_table(results)))
 
 
-def _velocities(problem: Problem, body: Weighted) -> tuple[Step, ...]:
-    """v_c1 and omega_1 of a link in the base frame; the latter where its rotation stores energy."""
-    rate = rate_column(problem.subject.variables)
-    found = [("v_c", "J_v", body.motion.J_v)] + ([("omega_", "J_w", body.motion.J_w)] if body.turns else [])
-    return tuple(
-        Step(
-            f"{name}{body.i}",
-            (
-                Symbol(f"{name}{body.i}"),
-                Product((Symbol(f"{J}{body.i}"), RATE)),
-                problem.readable_matrix(value @ rate),
-            ),
-            "velocity",
-        )
-        for name, J, value in found
-    )
+def _velocities(work: Work, bodies: tuple[Weighted, ...]) -> Work:
+    """v_c1 and omega_1 of each link in the base frame; the latter where its rotation stores energy."""
+    for body in bodies:
+        work = work.line(f"v_c{body.i}", Product((Symbol(f"J_v{body.i}"), RATE)), rule="velocity")
+        if body.turns:
+            work = work.line(f"omega_{body.i}", Product((Symbol(f"J_w{body.i}"), RATE)), rule="velocity")
+    return work
 
 
-def _link(problem: Problem, body: Weighted, named: Mapping[Expr, Expr], big: bool) -> Step:
-    """K_i in the velocities of the link, and written out."""
-    name, i = Symbol(f"K_{body.i}"), body.i
+def _link(work: Work, arm: Arm, body: Weighted) -> Work:
+    """K_i in the velocities of the link, and written out; of a long arm by its part of D."""
     D = link_inertia(body.motion)
-    if big:
-        form = Product((HALF, transpose(RATE), Symbol(f"D_{i}"), RATE))
-        value = quadratic(problem.readable_matrix(D), problem.subject.variables)
-        return Step(
-            name.name, (name, form, problem.final(value, named) if named else value), "kinetic-energy"
-        )
-    rate = rate_column(problem.subject.variables)
-    K = (rate.T @ D @ rate)[0, 0] * Fraction(1, 2)
-    return Step(name.name, (name, _formula(body), *_written(problem, K, named)), "kinetic-energy")
-
-
-def _formula(body: Weighted) -> Expr:
+    if arm.long:
+        return _form(work, arm, str(body.i), Symbol(f"D_{body.i}"), work.problem.readable_matrix(D))
     v, omega, R = Symbol(f"v_c{body.i}"), Symbol(f"omega_{body.i}"), Symbol(f"R_{body.i}^0")
     linear = multiply(HALF, body.body.mass, transpose(v), v)
     angular = Product((HALF, transpose(omega), R, body.I, transpose(R), omega))
-    return add(linear, angular) if body.turns else linear
+    formula = add(linear, angular) if body.turns else linear
+    written = work.readable(kinetic_energy(D, rate_column(arm.variables)))
+    return work.line(f"K_{body.i}", formula, written, value=arm.final(written), rule="kinetic-energy")
 
 
-def _written(problem: Problem, value: Scalar, named: Mapping[Expr, Expr]) -> tuple[Expr, ...]:
-    """Readable, and with the names of shapes' moments and of `where` replaced."""
-    written = problem.readable(value)
-    final = problem.final(written, named)
-    return (written,) if final == written else (written, final)
+def _form(work: Work, arm: Arm, index: str, name: Symbol, D: Matrix, rule: str = "kinetic-energy") -> Work:
+    """K_m = qdot^T D_m qdot / 2, as a sum over the entries of the matrix."""
+    formula = Product((HALF, transpose(RATE), name, RATE))
+    rates = [*enumerate(arm.rates)]
+    value = add(
+        *(multiply(HALF, D.rows[i][i], rate, rate) for i, rate in rates),
+        *(multiply(D.rows[i][j], p, q) for i, p in rates for j, q in rates if i < j),
+    )
+    K_i = Symbol(f"K_{index}")
+    work = work.line(K_i, formula, value=formula if arm.long else value, rule=rule)
+    return work.knowing({K_i: arm.final(value)})
 
 
-def quadratic(D: Matrix, variables: tuple[str, ...]) -> Expr:
-    """qdot^T D qdot / 2 as a sum over the entries of D."""
-    rate, n = rates(variables), range(len(variables))
-    squares = [multiply(HALF, D.rows[i][i], rate[i], rate[i]) for i in n]
-    mixed = [multiply(D.rows[i][j], rate[i], rate[j]) for i in n for j in n if i < j]
-    return add(*squares, *mixed)
-
-
-def _of_rotors(robot: Robot) -> tuple[Step, ...]:
-    """K_m, the spin of the rotors."""
-    matrix = rotors(robot)
-    if matrix is None:
-        return ()
-    form = Product((HALF, transpose(RATE), ROTORS, RATE))
-    value = quadratic(matrix, robot.variables)
-    return (Step("K_m", (Symbol("K_m"), form, value), "rotors"),)
-
-
-def _total(problem: Problem, parts: tuple[Step, ...], named: Mapping[Expr, Expr], big: bool) -> Step:
-    names = add(*(Symbol(step.name) for step in parts))
-    if big:
-        value = add(*(part for step in parts for part in _terms(step.result)))
-    else:
-        value = problem.readable(sum((normal(step.result) for step in parts), Scalar.of(0)))
-    return Step("K", (Symbol("K"), names, problem.final(value, named)), "sum")
-
-
-def _terms(expr: Expr) -> tuple[Expr, ...]:
-    return expr.terms if isinstance(expr, Sum) else (expr,)
-
-
-def _results(problem: Problem, parts: tuple[Step, ...], K: Step, weight: Derivation) -> dict[str, Result]:
-    kinetic = {step.name: problem.final(step.result) for step in parts}
-    potential = {
-        step.name: problem.final(step.result) for step in weight.steps if step.rule == "potential-energy"
-    }
-    return {**kinetic, **potential, "K": K.result, "P": weight.results["P"]}
-
-
-def _table(results: Mapping[str, Result]) -> Table | None:
+def _table(energies: Mapping[str, Expr]) -> Table | None:
     """Link, kinetic and potential energy; None where an entry is too long for a table."""
-    numbers = [name[2:] for name in results if name.startswith("K_")]
-    rows = [
-        (label if label != "m" else "rotors", results[f"K_{label}"], results.get(f"P_{label}", ZERO))
-        for label in numbers
-    ]
-    found = [(label, *(cell for cell in cells if isinstance(cell, TREES))) for label, *cells in rows]
-    cells = [cell for _, *row in found for cell in row]
-    if any(isinstance(cell, str) or operations(cell) > LONGEST_CELL for cell in cells):
+    labels = [name[2:] for name in energies if name.startswith("K_")]
+    cells = {label: (energies[f"K_{label}"], energies.get(f"P_{label}", ZERO)) for label in labels}
+    if any(operations(cell) > LONGEST_CELL for pair in cells.values() for cell in pair):
         return None
-    return Table(("link", "kinetic energy", "potential energy"), tuple(found))
-
-
-def _quadratic(problem: Problem, inertia: Derivation, K: Step, named: Mapping[Expr, Expr]) -> Claim:
-    """K is the quadratic form of D."""
-    known: dict[Expr, Expr] = {**problem.names, **named}
-    D, rate = normal_matrix(inertia.definitions[Symbol("D")], known), rate_column(problem.subject.variables)
-    form = (rate.T @ D @ rate)[0, 0] * Fraction(1, 2)
-    return law("quadratic-form", form == normal(K.result))
-
-
-def _balance(problem: Problem, results: Mapping[str, Result]) -> Claim:
-    """The rate of K + P is the power of the joint forces, which Newton and Euler give."""
-    energy = normal(_tree(results["K"])) + normal(_tree(results["P"]))
-    names, arm = problem.subject.variables, oracle(problem)
-    along = [(energy.diff(name), f"{name}_dot") for name in names]
-    along += [(energy.diff(f"{name}_dot"), f"{name}_ddot") for name in names]
-
-    def rate(at: Mapping[str, float]) -> float:
-        whole = arm.at(at)
-        return float(sum(numeric.scalar_number(part, whole) * at[name] for part, name in along))
-
-    def power(at: Mapping[str, float]) -> float:
-        torques = zip(arm.torques(at), names, strict=True)
-        return float(sum(tau * at[f"{name}_dot"] for tau, name in torques))
-
-    return agreement("power", rated(problem), rate, power)
-
-
-def _tree(result: Result) -> Expr:
-    """A result that is a scalar expression. Raises TypeError for any other."""
-    if not isinstance(result, TREES):
-        raise TypeError("an energy is a scalar")
-    tree: Expr = result
-    return tree
+    rows = (("rotors" if label == "m" else label, *pair) for label, pair in cells.items())
+    return Table(("link", "kinetic energy", "potential energy"), tuple(rows))

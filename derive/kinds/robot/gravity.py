@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numbers import floats as numeric
-from derive.derivation import Claim, Derivation
+from derive.derivation import Derivation
 from derive.expression import (
     ZERO,
     Derivative,
-    Matrix,
     Product,
     Symbol,
     add,
@@ -18,27 +15,18 @@ from derive.expression import (
     symbols,
     transpose,
 )
-from derive.kinds.checks import agreement
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
+from derive.kinds.robot._dynamics.example import planar_arm
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import potential_energy
 from derive.mechanics.robot import Robot, gravity_of
 
 RESULTS = {"P": "potential energy", "g": "its partial derivatives (n)"}
 NEEDS = ("bodies",)
-EXAMPLE = """\
-title: Gravity
-problems:
-- robot:
-    gravity: [0, -g, 0]
-    links:
-    - {theta: theta1*, d: 0, a: a1, alpha: 0, mass: m1, com: [-a1/2, 0, 0], inertia: {rod: a1, axis: x}}
-    - {theta: theta2*, d: 0, a: a2, alpha: 0, mass: m2, com: [-a2/2, 0, 0], inertia: {rod: a2, axis: x}}
-  find: gravity
-"""
+EXAMPLE = planar_arm("Gravity", "gravity")
 P, G_0 = symbols("P g_0")
 
 
@@ -59,7 +47,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     for name, slope in slopes.items():
         work = work.line(name, slope, rule="gradient")
     g = column(map(work.final, slopes))
-    work = work.claim(_second_route(problem, g))
+    torques = normal_matrix(g)
+    work = work.agrees(
+        "torques-at-rest", problem.symbols | {"g"}, torques, oracle_of(problem).torques_at_rest
+    )
     return work.answer("gravity", {"P": work.final(P), "g": g})
 
 
@@ -71,16 +62,3 @@ def _energy(work: Work, body: Weighted) -> Work:
     formula = negate(Product((mass, transpose(G_0), Symbol(f"o_c{body.i}"))))
     value = potential_energy([body.motion], work.value_matrix(G_0))
     return work.line(name, formula, value=value, rule="potential-energy")
-
-
-def _second_route(problem: Problem, g: Matrix) -> Claim:
-    """The torques at rest by the equilibrium of each body."""
-    oracle, names = oracle_of(problem), problem.subject.variables
-    still = {f"{name}_dot": 0.0 for name in names} | {f"{name}_ddot": 0.0 for name in names}
-    torques: ScalarMatrix = normal_matrix(g)
-    return agreement(
-        "torques-at-rest",
-        problem.symbols | {"g"},
-        lambda at: numeric.matrix_numbers(torques, oracle.at(at)),
-        lambda at: oracle.torques({**at, **still}),
-    )
