@@ -5,7 +5,7 @@ from __future__ import annotations
 from derive.algebra.function import Function
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.function._worked import Facts as Facts
 from derive.kinds.function._worked import worked
 from derive.kinds.problem import Problem
@@ -20,10 +20,6 @@ problems:
 - function: {variables: [x, y], value: x^2*y, subject_to: "x^2 + y^2 = 1"}
   find: lagrange-multipliers
 """
-
-
-class Options(OptionsModel):
-    """None."""
 
 
 def derive(function: Function, options: Options, problem: Problem) -> Derivation:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from derive.algebra.function import Function
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.function._worked import Facts as Facts
 from derive.kinds.function._worked import worked
 from derive.kinds.problem import Problem
@@ -18,10 +18,6 @@ problems:
 - function: {variables: [x, y], value: x^3 - 3*x*y + y^3}
   find: stationary-points
 """
-
-
-class Options(OptionsModel):
-    """None."""
 
 
 def derive(function: Function, options: Options, problem: Problem) -> Derivation:

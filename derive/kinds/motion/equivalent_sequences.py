@@ -10,7 +10,7 @@ from derive.derivation import Claim, Derivation, PageFacts, Phrase, Record, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol
 from derive.kinds.checks import law, links
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.motion._factors import Factors, factors_of
 from derive.kinds.motion._product import second_route
 from derive.kinds.problem import Problem
@@ -27,10 +27,6 @@ problems:
   - {rotate: y, by: theta, about: world}
   find: equivalent-sequences
 """
-
-
-class Options(OptionsModel):
-    """Nothing to choose."""
 
 
 class MoveTold(Record):

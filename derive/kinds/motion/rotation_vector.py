@@ -7,7 +7,7 @@ from derive.derivation import Derivation, PageFacts, Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Call, Expr, Matrix, Product, Symbol, column, multiply, walk
 from derive.kinds.checks import agreement
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.pose import axis_angle
 from derive.kinds.problem import Problem
 from derive.mechanics.motion import Motion, Move
@@ -21,10 +21,6 @@ problems:
   - {rotate: z, by: 90 deg}
   find: rotation-vector
 """
-
-
-class Options(OptionsModel):
-    """Nothing to choose."""
 
 
 class Facts(PageFacts):

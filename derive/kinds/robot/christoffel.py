@@ -9,7 +9,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts
 from derive.expression import Derivative, Expr, Number, Sum, Symbol, add, multiply, negate, number
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
@@ -25,10 +25,6 @@ EXAMPLE = planar_arm("Christoffel symbols", "christoffel", gravity=False)
 Index = tuple[int, int, int]
 MOST_SHOWN = 3  # joints; with more, the symbols that vanish are only counted
 HALF = number("1/2")
-
-
-class Options(OptionsModel):
-    """None."""
 
 
 class Facts(PageFacts):

@@ -22,7 +22,7 @@ from derive.expression import (
     squared,
     subtract,
 )
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
@@ -42,10 +42,6 @@ EXAMPLE = planar_arm("Centrifugal and Coriolis matrices", "coriolis-matrices", g
 MOST_SHOWN = 3  # joints; with more, the symbols that vanish are only counted
 HALF, TWO = number("1/2"), number(2)
 C, B, V = Symbol("C"), Symbol("B"), Symbol("v")
-
-
-class Options(OptionsModel):
-    """None."""
 
 
 class Facts(PageFacts):

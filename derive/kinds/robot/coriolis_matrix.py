@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from derive.derivation import Derivation, PageFacts, Step
 from derive.expression import ZERO, Expr, Matrix, Product, Symbol, add, column, multiply, subtract
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
@@ -19,10 +19,6 @@ RESULTS = {"C": "the matrix with c_kj = sum of c_ijk qdot_i (n by n); rates are 
 NEEDS = ("bodies",)
 EXAMPLE = planar_arm("The Coriolis matrix of a planar arm", "coriolis-matrix", gravity=False)
 C = Symbol("C")
-
-
-class Options(OptionsModel):
-    """None."""
 
 
 class Facts(PageFacts):

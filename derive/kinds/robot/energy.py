@@ -22,7 +22,7 @@ from derive.expression import (
     terms_of,
     transpose,
 )
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._dynamics.arm import Arm
@@ -44,10 +44,6 @@ EXAMPLE = planar_arm("The energies of a planar arm", "energy")
 HALF = number("1/2")
 K, P, RATE = symbols("K P q_dot")
 LONGEST_CELL = 24  # operations of an energy that still fits into a table
-
-
-class Options(OptionsModel):
-    """None."""
 
 
 class Facts(PageFacts):

@@ -11,7 +11,7 @@ from derive.algebra.readable.operation_count import operations
 from derive.derivation import Claim, Derivation, PageFacts, Step, named_results
 from derive.expression import Expr, Quotient, Symbol, add, column, multiply, subtract
 from derive.kinds.checks import agreement, law, links
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._dynamics.inverse_inertia import DET, Turned, turned
@@ -38,10 +38,6 @@ problems:
   find: forward-dynamics
 """
 LONGEST = 60  # operations of an acceleration that is still written out
-
-
-class Options(OptionsModel):
-    """None."""
 
 
 class Facts(PageFacts):

@@ -15,7 +15,7 @@ from derive.expression import (
     symbols,
     transpose,
 )
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
@@ -28,10 +28,6 @@ RESULTS = {"P": "potential energy", "g": "its partial derivatives (n)"}
 NEEDS = ("bodies",)
 EXAMPLE = planar_arm("Gravity", "gravity")
 P, G_0 = symbols("P g_0")
-
-
-class Options(OptionsModel):
-    """None."""
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:

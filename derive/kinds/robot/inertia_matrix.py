@@ -7,7 +7,7 @@ from derive.algebra.readable.matrix_factor import factored_matrix
 from derive.algebra.readable.operation_count import operations
 from derive.derivation import Derivation, PageFacts
 from derive.expression import ZERO, Expr, Matrix, Product, Sum, Symbol, add, children, free_symbols, transpose
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.naming import entry_symbol, fits
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
@@ -36,10 +36,6 @@ NEEDS = ("bodies",)
 EXAMPLE = planar_arm("The inertia matrix of a planar arm", "inertia-matrix", gravity=False)
 LONGEST_ENTRY = 60  # operations; an arm with a longer entry of D is worked in the frames of its links
 D = Symbol("D")
-
-
-class Options(OptionsModel):
-    """None."""
 
 
 class Facts(PageFacts):

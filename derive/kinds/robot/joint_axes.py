@@ -7,7 +7,7 @@ from typing import Any
 
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Derivation
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import axis_lines, chain_of, oracle_of, pose_name
 from derive.kinds.robot._columns import pose_lines
@@ -32,10 +32,6 @@ problems:
     - {theta: theta2*, d: 0, a: a2, alpha: 0}
   find: joint-axes
 """
-
-
-class Options(OptionsModel):
-    """None."""
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:

@@ -10,7 +10,7 @@ from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol, column
 from derive.kinds.checks import law, links
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, matrix_of, moment_names
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
@@ -35,10 +35,6 @@ problems:
 """
 BASE = Symbol("o_0_ddot")
 LONGEST_TORQUE = 90  # operations of a joint force that is still written out
-
-
-class Options(OptionsModel):
-    """None."""
 
 
 class Facts(PageFacts):

@@ -7,7 +7,7 @@ from dataclasses import replace
 from derive.derivation import Derivation, PageFacts
 from derive.expression import Symbol
 from derive.kinds.checks import is_rotation
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, end_frame, oracle_of
 from derive.kinds.robot._rows.exponentials import NAMED, Exponentials, ScrewsTold
@@ -32,10 +32,6 @@ problems:
   find: product-of-exponentials
 """
 ENDS = ("compose", "entry")  # what is left to say where the screws themselves are given
-
-
-class Options(OptionsModel):
-    """None."""
 
 
 class Facts(PageFacts):

@@ -22,7 +22,7 @@ from derive.expression import (
     subtract,
 )
 from derive.kinds.checks import SECOND_ROUTE, law, links
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of, moment_names
 from derive.kinds.robot._dynamics.rates import is_long, oracle, rate_column
@@ -49,10 +49,6 @@ problems:
 """
 RATE, MATRIX, SKEW = Symbol("D_dot"), Symbol("C"), Symbol("N")
 POINTS = 3
-
-
-class Options(OptionsModel):
-    """None."""
 
 
 class Facts(PageFacts):

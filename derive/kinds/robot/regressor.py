@@ -25,7 +25,7 @@ from derive.expression import (
     walk,
 )
 from derive.kinds.checks import agreement, law, links
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of, moment_names, oracle_of
 from derive.kinds.robot._dynamics.rates import is_long, rated
@@ -60,10 +60,6 @@ problems:
 LONGEST_COLUMN = 30  # operations of a column of Y that is still shown
 MOST_LISTED = 20  # parameters
 LONGEST_NUMBER = 10**6  # denominator of a number that is still written in full
-
-
-class Options(OptionsModel):
-    """None."""
 
 
 class Facts(PageFacts):
