@@ -14,7 +14,7 @@ from functools import lru_cache, reduce
 from flint import fmpq_mat
 
 from derive.algebra.generators import PI, letters_of
-from derive.algebra.rationals import Rational, lowest, to_flint
+from derive.algebra.rationals import Rational, as_fraction, lowest, to_flint
 from derive.errors import NotDerivable
 
 MOST_TURNS = 200  # of an angle by another, as a polynomial
@@ -99,7 +99,7 @@ def combination(form: Form, basis: Sequence[Form]) -> tuple[Fraction, ...] | Non
     if rank > len(basis):
         return None
     entries = (reduced[row, len(basis)] for row in range(len(basis)))
-    return tuple(Fraction(int(entry.p), int(entry.q)) for entry in entries)
+    return tuple(map(as_fraction, entries))
 
 
 def multiples(form: Form, angles: Sequence[Form]) -> tuple[Fraction, ...] | None:

@@ -20,7 +20,7 @@ from derive.algebra.powers import power
 from derive.algebra.ring import Ring, ring
 from derive.algebra.roots_and_functions import absolute, opaque, root
 from derive.algebra.scalar import Scalar, common_ring, trig
-from derive.algebra.trigonometry import of_direction
+from derive.algebra.trigonometry import RESOLVED
 from derive.algebra.trigonometry import trig_of as trig_of
 from derive.algebra.values import (
     MATRIX_FUNCTIONS,
@@ -148,7 +148,7 @@ class Walk:
                 return joined([[self.value(entry) for entry in row] for row in rows])
             case Derivative(of, by):
                 if expr not in self.known:
-                    self.known[expr] = _partial(self.value(of), by.name)
+                    self.known[expr] = self.value(of).diff(by.name)
                 return self.known[expr]
             case _:
                 raise NotDerivable("a floating-point number has no exact value")
@@ -259,16 +259,8 @@ class Walk:
                 return fixed_trig(degrees / 180)
             case Symbol(name) if name != PI:
                 return self.trig(self.names[angle]) if angle in self.names else trig(Form.of({name: 1}))
-            case Call("atan2", (y, x)):
-                return of_direction(self.scalar(y), self.scalar(x))
-            case Call("atan", (slope,)):
-                return of_direction(self.scalar(slope), Scalar.of(1))
-            case Call("acos", (cosine,)):
-                c = self.scalar(cosine)
-                return c, root(1 - c * c)
-            case Call("asin", (sine,)):
-                s = self.scalar(sine)
-                return root(1 - s * s), s
+            case Call(function, arguments) if function in RESOLVED:
+                return RESOLVED[function](*map(self.scalar, arguments))
         return trig_of(self.scalar(angle))
 
     def _has_inverse(self, expr: Expr) -> bool:
@@ -280,17 +272,8 @@ class Walk:
                     seen.add(part)
                     pending.append(self.names[part])
             elif isinstance(part, Call):
-                if part.function in ("atan2", "atan", "acos", "asin"):
+                if part.function in RESOLVED:
                     return True
             elif isinstance(part, Sum | Product):
                 pending.extend(children(part))
         return False
-
-
-def derivative(value: Scalar, name: str) -> Scalar:
-    """The partial derivative by a name. Raises NotDerivable where no rule is known."""
-    return value.diff(name)
-
-
-def _partial(value: Value, name: str) -> Value:
-    return value.diff(name)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from math import gcd, lcm
 
 from derive.algebra.exact_values import factored
+from derive.algebra.rationals import as_fraction, measure
 from derive.algebra.roots_and_functions import generator, opaque, root
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.scalar import Scalar
 from derive.errors import NotReal
 
 MAX_DEGREE = 64  # of a root; beyond it, as in x^1.570796, a power is left as it is
@@ -36,8 +36,7 @@ def power(base: Scalar, exponent: Scalar) -> Scalar:
 def _content(exponent: Scalar) -> Fraction:
     """The greatest number of which all coefficients above the line are multiples, signed as the first."""
     numbers = [as_fraction(k) for k in exponent.numerator.coeffs()]
-    size = Fraction(gcd(*(k.numerator for k in numbers)), lcm(*(k.denominator for k in numbers)))
-    return size if numbers[0] > 0 else -size
+    return measure(numbers) if numbers[0] > 0 else -measure(numbers)
 
 
 def _broken(base: Scalar, exponent: Fraction) -> Scalar:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from fractions import Fraction
+from math import gcd, lcm
 from typing import TypeAlias
 
 from flint import fmpq
@@ -25,9 +27,20 @@ def of_flint(value: fmpq) -> Rational:
     return int(value.p) if value.q == 1 else Fraction(int(value.p), int(value.q))
 
 
+def as_fraction(value: fmpq) -> Fraction:
+    """FLINT's rational as Python's, a fraction even where it is whole."""
+    return Fraction(int(value.p), int(value.q))
+
+
 def to_flint(value: Rational) -> fmpq:
     """Python's rational as FLINT's."""
     return fmpq(value.numerator, value.denominator)
+
+
+def measure(numbers: Iterable[Rational]) -> Fraction:
+    """The greatest number of which all are whole multiples; its sign is positive."""
+    several = tuple(numbers)
+    return Fraction(gcd(*(n.numerator for n in several)), lcm(*(n.denominator for n in several)))
 
 
 def decimal_places(value: Rational) -> int | None:

@@ -27,7 +27,7 @@ from derive.algebra.angles import Form, first_quarter, fixed_parts, multiples, r
 from derive.algebra.bounds import spend
 from derive.algebra.generators import PI, Opaque, Root, letters_of
 from derive.algebra.multivariate import grouped
-from derive.algebra.rationals import Rational, to_flint
+from derive.algebra.rationals import Rational, as_fraction, to_flint
 
 Pair = tuple[fmpq_mpoly, fmpq_mpoly]
 EXACT = {Form(()): (1, 0), Form.of({PI: Fraction(1, 2)}): (0, 1)}  # cosine and sine of 0 and 90 degrees
@@ -131,7 +131,7 @@ class Ring:
             sorted(
                 (
                     tuple((n, int(e)) for n, e in zip(self.names, exponents, strict=True) if e),
-                    Fraction(int(coefficient.p), int(coefficient.q)),
+                    as_fraction(coefficient),
                 )
                 for exponents, coefficient in polynomial.terms()
             )

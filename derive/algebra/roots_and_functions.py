@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from functools import reduce
-from math import gcd, lcm
 from operator import mul
 
 from flint import fmpq_mpoly
@@ -15,9 +14,9 @@ from derive.algebra.exact_values import square_root
 from derive.algebra.fixed_angles.constants import ball, holds_zero, is_number
 from derive.algebra.generators import Opaque, Root
 from derive.algebra.multivariate import factored, square_free
-from derive.algebra.rationals import Rational, to_flint
+from derive.algebra.rationals import Rational, as_fraction, measure, to_flint
 from derive.algebra.ring import Ring, ring
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.scalar import Scalar
 
 # The derivative of a function from its value f, its arguments u, v and their derivatives du, dv.
 RATES: Mapping[str, Callable[..., Scalar]] = {
@@ -103,16 +102,8 @@ def in_single_angles(value: Scalar) -> Scalar:
     for form in forms:
         for atom, n in form.moving.parts:
             coefficients.setdefault(atom, []).append(n)
-    singles = tuple(Form.of({atom: _measure(ns)}) for atom, ns in sorted(coefficients.items()))
+    singles = tuple(Form.of({atom: measure(ns)}) for atom, ns in sorted(coefficients.items()))
     return value.into(ring((), singles, value.ring.symbols).union(value.ring))
-
-
-def _measure(numbers: Iterable[Rational]) -> Fraction:
-    """The greatest number of which all are multiples."""
-    numbers = list(numbers)
-    return Fraction(
-        reduce(gcd, (abs(n.numerator) for n in numbers)), reduce(lcm, (n.denominator for n in numbers))
-    )
 
 
 def _terms(home: Ring, polynomial: fmpq_mpoly) -> str:

@@ -21,7 +21,7 @@ from derive.algebra.fixed_angles.zero_recognition import vanishes
 from derive.algebra.generators import RADIAN, Opaque
 from derive.algebra.lowest_terms import lowest_terms
 from derive.algebra.multivariate import grouped
-from derive.algebra.rationals import to_flint
+from derive.algebra.rationals import as_fraction, to_flint
 from derive.algebra.ring import Ring, carry, ring
 from derive.errors import DivisionByZero, NotDerivable
 
@@ -99,11 +99,8 @@ class Scalar:
             base = base * base if exponent else base
         return result
 
-    def __radd__(self, other: Like) -> Scalar:
-        return self + other
-
-    def __rmul__(self, other: Like) -> Scalar:
-        return self * other
+    __radd__ = __add__
+    __rmul__ = __mul__
 
     def __rsub__(self, other: Like) -> Scalar:
         return Scalar.of(other) - self
@@ -225,11 +222,6 @@ def common_ring(scalars: Iterable[Scalar]) -> Ring:
     """The smallest ring built from those of the scalars, in their order."""
     rings = dict.fromkeys(scalar.ring for scalar in scalars)
     return reduce(Ring.union, rings, ring())
-
-
-def as_fraction(value: object) -> Fraction:
-    """FLINT's rational as Python's."""
-    return Fraction(int(value.p), int(value.q))  # type: ignore[attr-defined]
 
 
 def _together(left: Scalar, right: Like) -> tuple[Scalar, Scalar]:

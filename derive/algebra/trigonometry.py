@@ -8,9 +8,10 @@ from functools import reduce
 from derive.algebra.angles import Form
 from derive.algebra.exact_values import Pair, added, form_trig, multiple
 from derive.algebra.generators import ITSELF, RADIAN, Opaque
+from derive.algebra.rationals import as_fraction
 from derive.algebra.ring import Ring
 from derive.algebra.roots_and_functions import canonical, in_single_angles, root
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.scalar import Scalar
 
 
 def trig_of(angle: Scalar) -> Pair:

@@ -21,9 +21,10 @@ from derive.algebra.exact_values import multiple
 from derive.algebra.formulas.quantities import rational
 from derive.algebra.multivariate import factored
 from derive.algebra.normal import Names, Walk
+from derive.algebra.rationals import as_fraction
 from derive.algebra.ring import Ring, ring
 from derive.algebra.roots_and_functions import root
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.scalar import Scalar
 from derive.algebra.values import Value
 from derive.answers.budget import affordable, parts_of
 from derive.answers.points import Point

@@ -6,7 +6,8 @@ import math
 from collections.abc import Mapping
 
 from derive.algebra.numbers.floats import generator_numbers
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.rationals import as_fraction
+from derive.algebra.scalar import Scalar
 from derive.errors import NotDerivable
 
 ZERO = 1e-9  # as against the size of the terms: a sign that rounding could turn is none

@@ -10,9 +10,10 @@ from typing import TypeAlias
 from flint import fmpq_mpoly
 
 from derive.algebra.multivariate import factored
+from derive.algebra.rationals import as_fraction
 from derive.algebra.readable.form import readable
 from derive.algebra.readable.terms import Style
-from derive.algebra.scalar import Scalar, as_fraction, common_ring
+from derive.algebra.scalar import Scalar, common_ring
 from derive.algebra.solving.polynomials import coefficients, known_sign, monomials
 from derive.control.roots import roots
 from derive.expression import ZERO, Expr, Relation

@@ -11,10 +11,11 @@ from typing import TypeAlias
 
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import scalar_number
+from derive.algebra.rationals import as_fraction
 from derive.algebra.readable.form import readable
 from derive.algebra.readable.terms import Style
 from derive.algebra.ring import Ring
-from derive.algebra.scalar import Scalar, as_fraction, common_ring
+from derive.algebra.scalar import Scalar, common_ring
 from derive.algebra.solving.polynomials import coefficients as rising_coefficients
 from derive.control.exact import common, divided, stripped
 from derive.control.ratios import Ratio

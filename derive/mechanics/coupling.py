@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from derive.algebra.angles import Form
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import Names, derivative, normal
+from derive.algebra.normal import Names, normal
 from derive.algebra.trigonometry import linear_form
 from derive.errors import NotDerivable
 from derive.expression import Expr, free_symbols
@@ -110,7 +110,7 @@ def coupling(
         for start, (i, made) in zip(starts, stages(robot), strict=True)
         for drive in _of_row(robot, start, i, made, names)
     )
-    rates = [[derivative(normal(drive.by), name) for name in robot.variables] for drive in found]
+    rates = [[normal(drive.by).diff(name) for name in robot.variables] for drive in found]
     return Coupling(found, ScalarMatrix.of(rates), angle_sums(robot, names))
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import derivative
 from derive.mechanics.chain import Chain
 from derive.mechanics.coupling import Coupling, Drive
 
@@ -59,7 +58,7 @@ def _of_drive(drive: Drive, point: ScalarMatrix, last: int) -> ScalarMatrix:
 def drift(chain: Chain, R: ScalarMatrix, p: ScalarMatrix) -> ScalarMatrix | None:
     """R dp/dq (3 by n): how a point at p (3 by 1) of a frame turned by R moves in that frame; None where no
     joint variable stands in p."""
-    rates = ScalarMatrix.of([derivative(entry, name) for name in chain.variables] for entry in p.entries)
+    rates = ScalarMatrix.of([entry.diff(name) for name in chain.variables] for entry in p.entries)
     return R @ rates if rates else None
 
 

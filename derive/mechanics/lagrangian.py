@@ -12,7 +12,7 @@ from typing import Literal
 
 from derive.algebra.function import Constraint
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import Names, derivative, normal
+from derive.algebra.normal import Names, normal
 from derive.algebra.scalar import Scalar
 from derive.expression import ZERO, Expr
 
@@ -72,10 +72,10 @@ class Condition:
 
 def rate(value: Scalar, system: LagrangianSystem) -> Scalar:
     """d/dt by the chain rule: coordinates, rates and the time itself."""
-    total = derivative(value, TIME)
+    total = value.diff(TIME)
     pairs = zip((*system.coordinates, *system.rates), (*system.rates, *system.accelerations), strict=True)
     for name, along in pairs:
-        if part := derivative(value, name):
+        if part := value.diff(name):
             total = total + part * Scalar.symbol(along)
     return total
 
@@ -111,14 +111,12 @@ def potential_energies(system: LagrangianSystem, names: Names) -> tuple[Scalar, 
 def inertial_side(lagrangian: Scalar, system: LagrangianSystem) -> tuple[Scalar, ...]:
     """d/dt dL/dqdot - dL/dq for each coordinate."""
     pairs = zip(system.coordinates, system.rates, strict=True)
-    return tuple(
-        rate(derivative(lagrangian, along), system) - derivative(lagrangian, q) for q, along in pairs
-    )
+    return tuple(rate(lagrangian.diff(along), system) - lagrangian.diff(q) for q, along in pairs)
 
 
 def mass_matrix(sides: Sequence[Scalar], system: LagrangianSystem) -> ScalarMatrix:
     """What multiplies the accelerations."""
-    return ScalarMatrix.of([derivative(side, name) for name in system.accelerations] for side in sides)
+    return ScalarMatrix.of([side.diff(name) for name in system.accelerations] for side in sides)
 
 
 def without(value: Scalar, names: Sequence[str]) -> Scalar:
@@ -146,11 +144,11 @@ def conditions(system: LagrangianSystem, names: Names) -> tuple[Condition, ...]:
         value = normal(constraint.left, names) - normal(constraint.right, names)
         used = set(value.generators())
         if used & set(system.rates):
-            a = tuple(derivative(value, name) for name in system.rates)
+            a = tuple(value.diff(name) for name in system.rates)
             found.append(Condition("velocity", value, a))
         else:
             found.append(
-                Condition("holonomic", value, tuple(derivative(value, name) for name in system.coordinates))
+                Condition("holonomic", value, tuple(value.diff(name) for name in system.coordinates))
             )
     return tuple(found)
 
@@ -165,7 +163,7 @@ def energy(lagrangian: Scalar, system: LagrangianSystem) -> Scalar:
     """Jacobi's integral: sum qdot dL/dqdot - L."""
     total = -lagrangian
     for name in system.rates:
-        total = total + Scalar.symbol(name) * derivative(lagrangian, name)
+        total = total + Scalar.symbol(name) * lagrangian.diff(name)
     return total
 
 

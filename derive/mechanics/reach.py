@@ -15,8 +15,9 @@ from operator import mul
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.multivariate import square_free
+from derive.algebra.rationals import as_fraction
 from derive.algebra.roots_and_functions import root
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.scalar import Scalar
 from derive.mechanics.chain import Chain
 from derive.mechanics.jacobian import motions_jacobian
 from derive.mechanics.lines import dot

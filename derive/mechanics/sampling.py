@@ -14,8 +14,9 @@ from flint import fmpq_mpoly
 
 from derive.algebra.generators import Opaque
 from derive.algebra.numbers.floats import atom_number, symbol_number
+from derive.algebra.rationals import as_fraction
 from derive.algebra.ring import Ring
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.scalar import Scalar
 
 SMALL = 1e-7  # what is left of zero, relative to the terms
 DEGREE = 6  # of an equation in one variable, at most

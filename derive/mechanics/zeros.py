@@ -15,9 +15,10 @@ from derive.algebra.angles import Form
 from derive.algebra.exact_values import Pair
 from derive.algebra.normal import Walk
 from derive.algebra.numbers.floats import scalar_number
+from derive.algebra.rationals import as_fraction
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.roots_and_functions import absolute, root
-from derive.algebra.scalar import Scalar, as_fraction, trig
+from derive.algebra.scalar import Scalar, trig
 from derive.algebra.solving.factors import depends
 from derive.algebra.solving.fixed_directions import direction
 from derive.algebra.substitution import pinned

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from derive.algebra.numbers.floats import Point, scalar_number
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.rationals import as_fraction
+from derive.algebra.scalar import Scalar
 
 Term: TypeAlias = tuple[float, tuple[tuple[int, int], ...]]  # coefficient, (generator, power) of each factor
 

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from math import gcd, lcm
 
 from flint import Ordering, fmpq_mpoly, fmpq_mpoly_ctx
 
 from derive.algebra.multivariate import factored
-from derive.algebra.rationals import Rational, of_flint, over, to_flint
+from derive.algebra.rationals import Rational, lowest, measure, of_flint, over, to_flint
 from derive.algebra.readable.terms import Alphabet, Monomial, Terms, divided, terminates
 
 
@@ -24,7 +23,7 @@ def content(terms: Terms, alphabet: Alphabet) -> Rational:
     values = list(terms.values())
     if alphabet.style.decimals and any(map(terminates, values)):
         return 1
-    return over(gcd(*[v.numerator for v in values]), lcm(*[v.denominator for v in values]))
+    return lowest(measure(values))
 
 
 def divided_by(terms: Terms, monomial: Monomial, number: Rational) -> Terms:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
 from functools import reduce
-from math import gcd, lcm
 
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.rationals import as_fraction, measure
 from derive.algebra.readable.form import readable, readable_matrix
 from derive.algebra.readable.terms import Style
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.scalar import Scalar
 from derive.expression import Expr, Product
 
 
@@ -33,11 +32,7 @@ def common_factor(matrix: ScalarMatrix) -> Scalar | None:
     powers = reduce(_least, (_least_powers(entry) for entry in entries))
     if not any(powers):
         return None
-    coefficients = [as_fraction(k) for entry in entries for _, k in entry.numerator.terms()]
-    number = Fraction(
-        reduce(gcd, (abs(k.numerator) for k in coefficients)),
-        reduce(lcm, (k.denominator for k in coefficients)),
-    )
+    number = measure(as_fraction(k) for entry in entries for k in entry.numerator.coeffs())
     home = matrix.ring
     return Scalar(home, home.context.from_dict({powers: 1})) * number
 

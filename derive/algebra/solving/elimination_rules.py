@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from itertools import product
 from typing import TypeAlias
 
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.rationals import as_fraction
+from derive.algebra.scalar import Scalar
 from derive.algebra.signs import sign_of
 from derive.algebra.solving.polynomials import coefficients, degree, holds, monomials, numerator
 

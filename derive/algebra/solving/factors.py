@@ -13,7 +13,8 @@ from flint import fmpq_mpoly
 from derive.algebra.bounds import spend
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.multivariate import grouped
-from derive.algebra.scalar import Scalar, as_fraction, common_ring
+from derive.algebra.rationals import as_fraction, measure, to_flint
+from derive.algebra.scalar import Scalar, common_ring
 from derive.algebra.solving.half_angles import HalfAngles, Halved, half_angles
 
 MOST_TERMS = 120  # of a column that is still worth writing
@@ -102,7 +103,8 @@ def primitive_column(column: ScalarMatrix, names: Iterable[str]) -> ScalarMatrix
 
 def primitive(scalar: Scalar) -> Scalar:
     """Without its numerical content."""
-    content = scalar.numerator.factor()[0] if len(scalar.numerator) < 2 else _content(scalar.numerator)
+    numbers = scalar.numerator.coeffs()
+    content = numbers[0] if len(numbers) == 1 else to_flint(measure(map(as_fraction, numbers)))
     return Scalar(scalar.ring, scalar.numerator / content)
 
 
@@ -126,18 +128,6 @@ def _times(entry: Scalar, multiple: fmpq_mpoly) -> Scalar:
     home = entry.ring
     over = multiple if entry.denominator is None else divmod(multiple, entry.denominator)[0]
     return Scalar(home, home.reduce(entry.numerator * over))
-
-
-def _content(polynomial: fmpq_mpoly) -> object:
-    """The greatest number that leaves whole coefficients."""
-    from fractions import Fraction
-    from math import gcd, lcm
-
-    from flint import fmpq
-
-    values = [as_fraction(k) for k in polynomial.coeffs()]
-    found = Fraction(reduce(gcd, (v.numerator for v in values)), reduce(lcm, (v.denominator for v in values)))
-    return fmpq(found.numerator, found.denominator)
 
 
 def _least_multiple(a: fmpq_mpoly, b: fmpq_mpoly) -> fmpq_mpoly:

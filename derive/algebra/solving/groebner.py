@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 from flint import Ordering, fmpz, fmpz_mpoly, fmpz_mpoly_ctx, fmpz_mpoly_vec
 
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.rationals import as_fraction
+from derive.algebra.scalar import Scalar
 
 BASIS_LIMITS = (40, 120, 600)  # polynomials, terms, bits
 

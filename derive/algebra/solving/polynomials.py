@@ -9,7 +9,8 @@ from flint import arb
 
 from derive.algebra.multivariate import ball_at, factored, grouped
 from derive.algebra.numbers.balls import number_sign
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.rationals import as_fraction
+from derive.algebra.scalar import Scalar
 from derive.algebra.signs import sign_of
 from derive.errors import NotDerivable
 

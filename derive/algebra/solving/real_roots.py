@@ -11,8 +11,9 @@ from flint import arb, ctx, fmpq, fmpq_poly
 
 from derive.algebra.exact_values import square_root
 from derive.algebra.multivariate import square_free
+from derive.algebra.rationals import as_fraction
 from derive.algebra.roots_and_functions import root
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.scalar import Scalar
 from derive.algebra.solving.polynomials import (
     ball,
     coefficients,

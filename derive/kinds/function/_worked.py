@@ -9,7 +9,8 @@ from flint import arb
 from derive.algebra.function import Function
 from derive.algebra.normal import normal
 from derive.algebra.numbers import floats as numeric
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.rationals import as_fraction
+from derive.algebra.scalar import Scalar
 from derive.algebra.solving.polynomial_systems import Value, put_in
 from derive.algebra.solving.polynomials import known_sign, odd_part
 from derive.derivation import Branch, Claim, Condition, Derivation, PageFacts, Phrase, Step, Table

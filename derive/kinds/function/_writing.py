@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from flint import arb
 
+from derive.algebra.rationals import as_fraction
 from derive.algebra.readable.operation_count import operations
-from derive.algebra.scalar import Scalar, as_fraction, fraction
+from derive.algebra.scalar import Scalar, fraction
 from derive.algebra.solving.polynomial_systems import Value
 from derive.algebra.solving.polynomials import monomials
 from derive.expression import ZERO, Approximate, Expr, Quotient, negate

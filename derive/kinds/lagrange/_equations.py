@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from fractions import Fraction
 from math import lcm, prod
 
-from derive.algebra.normal import derivative
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.polynomials import holds
 from derive.expression import (
@@ -35,7 +34,7 @@ def written_side(side: Scalar, system: LagrangianSystem, problem: Problem) -> Ex
     terms = [
         _times(problem.readable(factor), (Symbol(name),))
         for name in system.accelerations
-        if (factor := derivative(side, name))
+        if (factor := side.diff(name))
     ]
     rest = without(side, system.accelerations)
     if rest.denominator is not None and holds(Scalar(rest.ring, rest.denominator), system.rates):

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import derivative, normal
+from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
 from derive.expression import Expr, Symbol, free_symbols
 from derive.kinds.lagrange._letters import Letters
@@ -75,7 +75,7 @@ class Model:
         """The same with what friction takes."""
         lost = self.scalar(self.system.dissipation)
         pairs = zip(self.sides, self.system.rates, strict=True)
-        return tuple(side + derivative(lost, along) for side, along in pairs)
+        return tuple(side + lost.diff(along) for side, along in pairs)
 
     @cached_property
     def mass(self) -> ScalarMatrix:

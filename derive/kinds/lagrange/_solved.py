@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import derivative
 from derive.algebra.scalar import Scalar
 from derive.errors import NotDerivable
 from derive.kinds.lagrange._model import Model
@@ -31,7 +30,7 @@ def solved(model: Model) -> Solved:
         raise NotDerivable(f"{n + m} unknowns are not solved for here; leave solve: out")
     across = [on_accelerations(condition, system) for condition in model.conditions]
     rows = [[*model.mass.rows[k], *(-condition.a[k] for condition in model.conditions)] for k in range(n)] + [
-        [*(derivative(each, name) for name in system.accelerations), *[Scalar.of(0)] * m] for each in across
+        [*(each.diff(name) for name in system.accelerations), *[Scalar.of(0)] * m] for each in across
     ]
     right = [model.forces[q] - model.rest[k] for k, q in enumerate(system.coordinates)]
     right += [-without(each, system.accelerations) for each in across]

@@ -7,7 +7,6 @@ from dataclasses import replace
 from itertools import combinations
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import derivative
 from derive.algebra.numbers.floats import matrix_numbers, number
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.polynomials import known_sign, odd_part
@@ -76,7 +75,7 @@ def _driven(model: Model, found: Found, positive: set[str]) -> Phrase | None:
     """Where forces along the rates feed energy in instead of taking it; None where they are not known to."""
     pairs = [(model.rest[k] - model.forces[q]) for k, q in enumerate(model.system.coordinates)]
     still = model.system.rates
-    C = ScalarMatrix.of([without(derivative(each, along), still) for along in still] for each in pairs)
+    C = ScalarMatrix.of([without(each.diff(along), still) for along in still] for each in pairs)
     C = ScalarMatrix.of([put_in(model, entry, found) for entry in row] for row in C.rows)
     if not any(_sign(minor, found, positive) == -1 for minor in _principal_minors(C + C.T)):
         return None
@@ -124,7 +123,7 @@ def _gyroscopic(model: Model) -> bool:
     hill (Kelvin, Tait and Chetaev)."""
     system = model.system
     G = ScalarMatrix.of(
-        [without(derivative(left, along), system.rates) for along in system.rates] for left in model.rest
+        [without(left.diff(along), system.rates) for along in system.rates] for left in model.rest
     )
     return bool(G - G.T)
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from derive.algebra.normal import derivative
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, PageFacts, Record, Result, Step
@@ -109,12 +108,12 @@ def _partials(model: Model) -> Iterator[Step]:
     """For each coordinate dL/dqdot, its rate, and dL/dq."""
     system, problem, L = model.system, model.problem, Symbol(model.letters.lagrangian)
     for q, along in zip(system.coordinates, system.rates, strict=True):
-        momentum = derivative(model.lagrangian, along)
+        momentum = model.lagrangian.diff(along)
         outer = Derivative(L, Symbol(along))
         yield Step(f"momentum_{q}", (outer, written_side(momentum, system, problem)), "momentum")
         change = written_side(rate(momentum, system), system, problem)
         yield Step(f"rate_{q}", (Derivative(outer, Symbol(TIME)), change), "law")
-        force = written_side(derivative(model.lagrangian, q), system, problem)
+        force = written_side(model.lagrangian.diff(q), system, problem)
         yield Step(f"force_{q}", (Derivative(L, Symbol(q)), force), "force")
 
 
@@ -126,7 +125,7 @@ def _equations(model: Model, lefts: list[Expr], rights: list[Expr]) -> Iterator[
 def _conserved(model: Model) -> Iterator[Step]:
     """The energy (Jacobi's integral), where nothing drives the system and nothing brakes it."""
     system = model.system
-    driven = any(model.forces.values()) or bool(derivative(model.lagrangian, TIME))
+    driven = any(model.forces.values()) or bool(model.lagrangian.diff(TIME))
     braked = system.dissipation != ZERO
     if not (driven or braked) and all(map(_does_no_work, model.conditions)):
         total = energy(model.lagrangian, system)
@@ -138,7 +137,7 @@ def _conserved(model: Model) -> Iterator[Step]:
 
 def _does_no_work(condition: Condition) -> bool:
     """Whether a constraint stays where it is: none that holds the time, none that drives the rates."""
-    if derivative(condition.vanishing, TIME):
+    if condition.vanishing.diff(TIME):
         return False
     if condition.sort == "holonomic":
         return True
@@ -218,9 +217,9 @@ def _cyclic(model: Model) -> Iterator[tuple[Symbol, Expr]]:
     """Coordinates that neither L nor any force holds, with what is conserved for each."""
     lost = model.scalar(model.system.dissipation)
     for k, (q, along) in enumerate(zip(model.system.coordinates, model.system.rates, strict=True)):
-        free = not model.forces[q] and not model.reaction(k) and not derivative(lost, along)
-        if free and not derivative(model.lagrangian, q):
-            yield Symbol(q), model.problem.readable(derivative(model.lagrangian, along))
+        free = not model.forces[q] and not model.reaction(k) and not lost.diff(along)
+        if free and not model.lagrangian.diff(q):
+            yield Symbol(q), model.problem.readable(model.lagrangian.diff(along))
 
 
 # -- what it is held to ----------------------------------------------------------------------------------
@@ -232,7 +231,7 @@ def _laws(model: Model, found: Solved | None) -> Iterator[Claim]:
     power = Scalar.of(0)
     for name, side in zip(system.rates, model.sides, strict=True):
         power = power + Scalar.symbol(name) * side
-    balance = rate(energy(model.lagrangian, system), system) == power - derivative(model.lagrangian, TIME)
+    balance = rate(energy(model.lagrangian, system), system) == power - model.lagrangian.diff(TIME)
     yield law("power", balance)
     if found is not None:
         yield law("solved-for", satisfies(model, found))

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import derivative
 from derive.algebra.numbers.floats import number
 from derive.algebra.scalar import Scalar
 from derive.algebra.signs import signed
@@ -70,7 +69,7 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     given = _inputs(model, options)
     left = _at_rest(model, given)
     found = solved([each for each in left if each], system.coordinates, positive, problem)
-    stiffness = ScalarMatrix.of([derivative(row, q) for q in system.coordinates] for row in left)
+    stiffness = ScalarMatrix.of([row.diff(q) for q in system.coordinates] for row in left)
     said = [said_of(model, each, stiffness, positive) for each in found]
     steps = (
         *(Step(f"rest_{k}", (problem.readable(each), ZERO), "law") for k, each in enumerate(left, 1) if each),

@@ -8,7 +8,6 @@ from itertools import islice
 
 from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import derivative
 from derive.algebra.numbers.floats import matrix_numbers
 from derive.algebra.solving.polynomials import known_sign
 from derive.derivation import Claim, Derivation, PageFacts, Step
@@ -131,9 +130,7 @@ def _linear(model: Model, at: Mapping[Expr, Expr], inputs: tuple[str, ...]) -> L
     whole = [model.rest[k] - model.forces[q] for k, q in enumerate(system.coordinates)]
 
     def derivatives(names: tuple[str, ...], sign: int = 1) -> ScalarMatrix:
-        return ScalarMatrix.of(
-            [there(model, derivative(row, name), at) * sign for name in names] for row in whole
-        )
+        return ScalarMatrix.of([there(model, row.diff(name), at) * sign for name in names] for row in whole)
 
     return Linear(
         _mass(model, at),

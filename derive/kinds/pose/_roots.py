@@ -5,8 +5,9 @@ from __future__ import annotations
 from math import lcm
 
 from derive.algebra.normal import normal
+from derive.algebra.rationals import as_fraction
 from derive.algebra.roots_and_functions import root
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.scalar import Scalar
 from derive.expression import Call, Expr, Product, Quotient, multiply, number, sqrt
 from derive.kinds.problem import Problem
 

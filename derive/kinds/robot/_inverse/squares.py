@@ -9,7 +9,8 @@ from functools import reduce
 from operator import add as add_values
 
 from derive.algebra.infix import text
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.rationals import as_fraction
+from derive.algebra.scalar import Scalar
 from derive.expression import (
     Expr,
     Power,

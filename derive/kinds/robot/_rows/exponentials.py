@@ -7,7 +7,7 @@ from functools import cached_property, partial, reduce
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import derivative, normal
+from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import Point, matrix_numbers, number
 from derive.derivation import Record
 from derive.expression import (
@@ -117,7 +117,7 @@ class Exponentials:
         for screw in self.screws:
             E, by = screw.exponential, screw.row.by
             for name in sorted(free_symbols(by) & set(self.problem.subject.variables)):
-                rate = derivative(normal(by), name)
+                rate = normal(by).diff(name)
                 size = "" if rate == 1 else "-" if rate == -1 else f"dphi_{screw.i}/d{name} "
                 holds = E.diff(name) == (screw.bracket @ E).scaled(rate)
                 work = work.law("derivative", holds, i=screw.i, name=name, size=size)

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
+from derive.algebra.rationals import as_fraction
 from derive.algebra.readable.operation_count import operations
-from derive.algebra.scalar import Scalar, as_fraction
+from derive.algebra.scalar import Scalar
 from derive.algebra.solving.factors import Factored, factored
 from derive.expression import (
     MINUS_ONE,
