@@ -136,7 +136,8 @@ class Work:
 
     def knowing(self, names: Mapping[Expr, Expr]) -> Work:
         """With more quantities that are given and need no step of their own."""
-        return replace(self, known={**self.known, **names})
+        values = {name: value for name, value in self.values.items() if name not in names}
+        return replace(self, known={**self.known, **names}, values=values)
 
     def naming(self, **usual: Expr) -> tuple[Work, tuple[Symbol, ...]]:
         """With quantities that are given, each by the name its author uses, else by the usual one; and these

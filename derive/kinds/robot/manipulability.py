@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from derive.algebra.numbers import floats as numeric
+from derive.algebra.numbers.floats import Point, number
 from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.factors import Factored
-from derive.derivation import Claim, Derivation, PageFacts, Step
+from derive.derivation import Derivation, PageFacts
 from derive.errors import NotDerivable
 from derive.expression import (
     Approximate,
@@ -24,17 +24,22 @@ from derive.expression import (
     sqrt,
     transpose,
 )
-from derive.kinds.chains import closing
-from derive.kinds.checks import agreement, links
 from derive.kinds.evaluation import Evaluation, Place
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import oracle_of, scalar_of
+from derive.kinds.robot._chain import scalar_of
 from derive.kinds.robot._point import PointOn
-from derive.kinds.robot._singular.determinants import determinant, gram_determinant, natural, product_tree
+from derive.kinds.robot._singular.determinants import (
+    as_product,
+    determinant,
+    gram_determinant,
+    natural,
+    product_tree,
+)
 from derive.kinds.robot._singular.work import seen_from_middle
 from derive.kinds.robot._velocity.ellipsoids import PointTold, at_point, decided
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
+from derive.kinds.work import Work
 from derive.mechanics.minors import minors
 from derive.mechanics.robot import Robot
 from derive.mechanics.zeros import zeros
@@ -89,14 +94,12 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     if options.evaluate is not None:
         return _at_point(options, problem, options.evaluate)
     task = task_of(problem, options.rows, options.point)
-    det, whole, tree = _measure(task)
-    steps = _steps(task, whole, tree)
-    w = problem.final(tree)
-    definitions: dict[Expr, Expr] = {J: task.written, W: tree}
-    claims = (*links(steps, {**problem.names, **definitions}), _second_route(task, w))
-    return Derivation(
-        "manipulability", steps, {"w": w}, claims, definitions, uses=(task.base,), facts=_facts(task, det)
+    det, whole, w = _measure(task)
+    work = _lines(task, whole, w).closed(W)
+    work = work.agrees(
+        "singular-values", task.symbols, work[W], lambda at: _singular_values(task, at), DIFFERENCES
     )
+    return work.answer("manipulability", {"w": work[W]}, _facts(task, det))
 
 
 def _at_point(options: Options, problem: Problem, place: Place) -> Derivation:
@@ -108,12 +111,19 @@ def _at_point(options: Options, problem: Problem, place: Place) -> Derivation:
         return base
     found = at_point(task, place)
     w = scalar_of(base, "w")
-    size = numeric.number(w, found.place)
-    return Derivation(
-        "manipulability", found.steps, {"w": w, **found.results}, found.claims, {},
-        {"w": size, **found.evaluated}, (base,), found.plots,
-        replace(base.told(Facts), here=found.told, w=(W, Approximate(size)), numbers=()),
-    )  # fmt: skip
+    size = number(w, found.place)
+    facts = replace(base.told(Facts), here=found.told, w=(W, Approximate(size)), numbers=())
+    return (
+        Work(problem, uses=(base,), steps=(found.step,))
+        .claim(found.claim)
+        .answer(
+            "manipulability",
+            {"w": w, **found.results},
+            facts,
+            evaluated={"w": size, **found.evaluated},
+            plots=found.plots,
+        )
+    )
 
 
 def _measure(task: Task) -> tuple[Factored, Expr, Expr]:
@@ -139,7 +149,7 @@ def _of_minors(task: Task) -> tuple[Factored, Expr, Expr]:
     values = [minor.value for minor in minors(J) if minor.value]
     if not values:
         raise NotDerivable(_zero(task))
-    trees = (product_tree(problem, natural(problem, value, variables)) for value in values)
+    trees = (as_product(problem, value, variables) for value in values)
     whole = gram_determinant(problem, values, trees)
     if sum(len(value.numerator) for value in values) > SHORT:
         return Factored(Scalar.of(1), ()), whole, sqrt(whole)
@@ -178,19 +188,17 @@ def _positive(problem: Problem, factor: Expr) -> bool:
     return False
 
 
-def _steps(task: Task, det: Expr, w: Expr) -> tuple[Step, ...]:
-    problem = task.problem
-    product = Product((J, transpose(J)) if task.square or task.redundant else (transpose(J), J))
-    steps = [task.step]
+def _lines(task: Task, det: Expr, w: Expr) -> Work:
+    """J, its determinant or that of J J^T, and w."""
+    work, turned = task.board(), transpose(J)
+    gram = Product((J, turned) if task.square or task.redundant else (turned, J))
+    size = sqrt(determinant(gram))
     if task.square:
-        steps.append(Step("det", (determinant(J), det), "determinant"))
-        chain: tuple[Expr, ...] = (W, sqrt(determinant(product)), Call("abs", (determinant(J),)), w)
-    else:
-        rule = "determinant" if len(task.rows) < SIX else "law"  # too long to be multiplied out again
-        steps.append(Step("det", (determinant(product), det), rule))
-        chain = (W, sqrt(determinant(product)), w)
-    steps.append(closing(Step("w", chain, "law"), problem.final(w)))
-    return tuple(steps)
+        work = work.line(determinant(J), value=det, rule="determinant", label="det")
+        return work.line(W, size, Call("abs", (determinant(J),)), value=w, rule="law")
+    rule = "determinant" if len(task.rows) < SIX else "law"  # too long to be multiplied out again
+    work = work.line(determinant(gram), value=det, rule=rule, label="det")
+    return work.line(W, size, value=w, rule="law")
 
 
 def _facts(task: Task, det: Factored) -> Facts:
@@ -221,13 +229,8 @@ def _flat(factor: Scalar, name: str) -> bool:
     return factor.diff(name).diff(name) == -factor
 
 
-def _second_route(task: Task, w: Expr) -> Claim:
+def _singular_values(task: Task, at: Point) -> float:
+    """Their product."""
     import numpy as np
 
-    return agreement(
-        "singular-values",
-        task.symbols,
-        lambda at: numeric.number(w, oracle_of(task.problem).at(at)),
-        lambda at: float(np.prod(np.linalg.svd(task.numbers(at), compute_uv=False))),
-        DIFFERENCES,
-    )
+    return float(np.prod(np.linalg.svd(task.numbers(at), compute_uv=False)))

@@ -53,6 +53,11 @@ def _scale(factor: Scalar) -> int:
     return 1 if largest < LARGE else int(10 ** len(str(int(largest))))
 
 
+def as_product(problem: Problem, value: Scalar, variables: tuple[str, ...]) -> Expr:
+    """A determinant by its factors, as a tree."""
+    return product_tree(problem, natural(problem, value, variables))
+
+
 def product_tree(problem: Problem, det: Factored) -> Expr:
     """Constants and single sines and cosines first, then sums in parentheses; one sign in front."""
     front: list[Expr] = []

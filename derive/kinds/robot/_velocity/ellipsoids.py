@@ -37,10 +37,10 @@ class Ellipsoids:
     """What a configuration adds to a derivation."""
 
     place: dict[str, float]
-    steps: tuple[Step, ...]
+    step: Step
     results: dict[str, Result]
     evaluated: dict[str, Any]
-    claims: tuple[Claim, ...]
+    claim: Claim
     plots: tuple[Plot, ...]
     told: PointTold
 
@@ -52,39 +52,36 @@ def at_point(task: Task, place: Place) -> Ellipsoids:
     here = dict.fromkeys(task.problem.symbols, 0.0) | _numbers(task, place)  # a height has no part in J
     J = np.array(numeric.matrix_numbers(task.J, here))
     U, values, _ = np.linalg.svd(J)
-    values = np.append(values, np.zeros(len(task.rows) - len(values)))
-    values[values < NONE * max(values[0], 1.0)] = 0.0
-    directions = [_turned(U[:, k]) for k in range(len(values))]
-    order = sorted(range(len(values)), key=lambda k: values[k])
-    forces: list[float | str] = [1 / values[k] if values[k] else INFINITE for k in order]
-    shown = Step("J_here", (Symbol("J"), _tree(J)), "numbers")
-    evaluated = {
-        "axes": [float(value) for value in values],
-        "directions": directions,
-        "force_axes": forces,
-        "force_directions": [directions[k] for k in order],
-    }
-    plots = _pictures(task, here, values, directions)
+    sizes = [float(value) if value >= NONE * max(values[0], 1.0) else 0.0 for value in values]
+    sizes += [0.0] * (len(task.rows) - len(values))
+    directions = [_turned(U[:, k]) for k in range(len(sizes))]
+    order = sorted(range(len(sizes)), key=sizes.__getitem__)
+    forces = [1 / sizes[k] if sizes[k] else INFINITE for k in order]
+    turned = [directions[k] for k in order]
+    plots = _pictures(task, here, sizes, directions)
     told = PointTold(
         point=tuple((Symbol(name), value) for name, value in place),
-        table=_table(task, values, directions),
-        singular=bool(values[-1] == 0 and len(values) <= J.shape[1]),
-        even=bool(values[-1] > 0 and values[0] / values[-1] < 1 + 1e-9),
-        ratio=Approximate(float(values[0] / values[-1])) if values[-1] else None,
+        table=_table(task, sizes, directions),
+        singular=sizes[-1] == 0 and len(sizes) <= J.shape[1],
+        even=sizes[-1] > 0 and sizes[0] / sizes[-1] < 1 + 1e-9,
+        ratio=Approximate(sizes[0] / sizes[-1]) if sizes[-1] else None,
         plots=tuple(plot.name for plot in plots),
     )
     results: dict[str, Result] = {
-        "axes": column(Approximate(float(value)) for value in values),
-        "directions": tuple(tuple(map(Approximate, vector)) for vector in directions),
-        "force_axes": tuple((_axis(value),) for value in forces) if INFINITE not in forces else INFINITE,
-        "force_directions": tuple(tuple(map(Approximate, directions[k])) for k in order),
+        "axes": column(map(Approximate, sizes)),
+        "directions": _rounded(directions),
+        "force_axes": _rounded([[force] for force in forces]) if all(sizes) else INFINITE,
+        "force_directions": _rounded(turned),
     }
-    claims = (_claim(task, here, values, directions),)
-    return Ellipsoids(here, (shown,), results, evaluated, claims, plots, told)
+    evaluated = {"axes": sizes, "directions": directions, "force_axes": forces, "force_directions": turned}
+    step = Step("J_here", (Symbol("J"), Matrix(_rounded(J))), "numbers")
+    claim = _claim(task, here, sizes, directions)
+    return Ellipsoids(here, step, results, evaluated, claim, plots, told)
 
 
-def _axis(value: float | str) -> Expr:
-    return Approximate(float(value))
+def _rounded(rows: Any) -> tuple[tuple[Expr, ...], ...]:
+    """Rows of numbers as trees."""
+    return tuple(tuple(Approximate(float(x)) for x in row) for row in rows)
 
 
 def decided(task: Task, place: Place) -> bool:
@@ -110,21 +107,19 @@ def _turned(vector: Any) -> list[float]:
     return [0.0 if abs(x) < 1e-12 else float(x if largest > 0 else -x) for x in vector]
 
 
-def _tree(J: Any) -> Expr:
-    return Matrix(tuple(tuple(Approximate(float(x)) for x in row) for row in J))
-
-
-def _table(task: Task, values: Any, directions: list[list[float]]) -> Table:
+def _table(task: Task, values: list[float], directions: list[list[float]]) -> Table:
     """Each direction by its components, with how fast and how hard the arm is along it."""
     rows = tuple(
-        (*map(Approximate, vector), Approximate(float(s)), Approximate(1 / float(s)) if s else INFINITE)
+        (*map(Approximate, vector), Approximate(s), Approximate(1 / s) if s else INFINITE)
         for s, vector in zip(values, directions, strict=True)
     )
     axes = tuple(f"along {row[1]}" if row[0] == "v" else f"about {row[1]}" for row in task.rows)
     return Table((*axes, "velocity", "force"), rows)
 
 
-def _claim(task: Task, here: Mapping[str, float], values: Any, directions: list[list[float]]) -> Claim:
+def _claim(
+    task: Task, here: Mapping[str, float], values: list[float], directions: list[list[float]]
+) -> Claim:
     """The axes are those of J J^T with J by differences."""
     import numpy as np
 
@@ -137,16 +132,13 @@ def _claim(task: Task, here: Mapping[str, float], values: Any, directions: list[
 
 
 def _pictures(
-    task: Task, here: Mapping[str, float], values: Any, directions: list[list[float]]
+    task: Task, here: Mapping[str, float], values: list[float], directions: list[list[float]]
 ) -> tuple[Plot, ...]:
     """The arm with both ellipses at its tip, where two components in a plane are asked for."""
     if tuple(sorted(task.rows)) not in PLANE or not values[-1]:
         return ()
     labels = [row[1] for row in task.rows]
-    sizes = {
-        "velocity ellipse": [float(value) for value in values],
-        "force ellipse": [float(1 / value) for value in values],
-    }
+    sizes = {"velocity ellipse": values, "force ellipse": [1 / value for value in values]}
     vectors = [(along[0], along[1]) for along in directions]
     return (at_the_tip(_arm(task, here, ["xyz".index(each) for each in labels]), sizes, vectors, labels),)
 

@@ -8,7 +8,6 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.factors import common_factor, primitive
-from derive.derivation import Step
 from derive.errors import NotDerivable
 from derive.expression import (
     MINUS_ONE,
@@ -26,32 +25,31 @@ from derive.expression import (
     multiply,
     negate,
     squared,
+    symbols,
     transpose,
 )
 from derive.expression import replace as replaced
-from derive.kinds.chains import closing
 from derive.kinds.problem import Problem
-from derive.kinds.robot._singular.determinants import determinant, natural, product_tree
+from derive.kinds.robot._singular.determinants import as_product, determinant, natural
 from derive.kinds.robot._velocity.task import Task
+from derive.kinds.work import Work
 from derive.mechanics.minors import minors
 
 MOST_JOINTS = 4  # of an adjugate that is written out
-J, V, RATES = Symbol("J"), Symbol("v"), Symbol("q_dot")
+J, V, RATES, A, PLUS = symbols("J v q_dot A J^+")
 ADJ = Call("adj", (J,))
-PLUS = Symbol("J^+")
 
 
 @dataclass(frozen=True, slots=True)
 class Solved:
-    """The steps to qdot, written out as `qdot`; `exact` over `det` is its normal form. `zero` is the
-    equation of the configurations in which it fails."""
+    """The board with the lines to qdot, and that written out; `exact` over `det` is its normal form. `zero`
+    is the equation of the configurations in which it fails."""
 
     way: str
-    steps: tuple[Step, ...]
+    work: Work
     qdot: Expr
     exact: ScalarMatrix
     det: Scalar
-    definitions: dict[Expr, Expr]
     zero: tuple[Expr, ...]
 
 
@@ -63,24 +61,18 @@ def by_inverse(task: Task) -> Solved:
             f"the inverse of a Jacobian of {len(variables)} joints fills pages where no spherical wrist "
             "splits it in two; put numbers into the Jacobian, or ask for fewer rows"
         )
-    det = task.J.det()
+    det, adjugate, velocity = task.J.det(), task.J.adjugate(), column(task.velocities)
     if not det:
         raise NotDerivable(f"the Jacobian of {', '.join(task.rows)} is singular in every configuration")
-    tree = product_tree(problem, natural(problem, det, variables))
-    adjugate = task.J.adjugate()
-    shown = problem.readable_matrix(adjugate)
-    velocity = column(task.velocities)
+    tree = as_product(problem, det, variables)
     exact = adjugate @ normal_matrix(velocity)
     qdot = column(quotient(problem, entry, det, variables) for entry in exact.entries)
-    inverse = Call("inverse", (J,))
-    steps = (
-        task.step,
-        Step("det", (determinant(J), tree), "determinant"),
-        Step("adj", (inverse, Quotient(ADJ, determinant(J)), _over(tree, shown)), "adjugate"),
-        closing(Step("qdot", (RATES, Product((inverse, V)), qdot), "solve"), problem.final(qdot)),
-    )
-    definitions: dict[Expr, Expr] = {J: task.written, V: velocity, RATES: qdot}
-    return Solved("adjugate", steps, qdot, exact, det, definitions, (_unsigned(tree), ZERO))
+    inverse, shown = Call("inverse", (J,)), _over(tree, problem.readable_matrix(adjugate))
+    work = task.board().knowing({V: velocity})
+    work = work.line(determinant(J), value=tree, rule="determinant", label="det")
+    work = work.line(inverse, Quotient(ADJ, determinant(J)), value=shown, rule="adjugate", label="adj")
+    work = work.line(RATES, Product((inverse, V)), value=qdot, rule="solve", label="qdot").closed(RATES)
+    return Solved("adjugate", work, qdot, exact, det, (_unsigned(tree), ZERO))
 
 
 def _unsigned(tree: Expr) -> Expr:
@@ -98,55 +90,35 @@ def by_pseudo_inverse(task: Task) -> Solved:
 
     Raises NotDerivable for a Jacobian too large, and for one that is dependent everywhere.
     """
-    turned, A = transpose(J), Symbol("A")
-    gram_name = Product((J, turned)) if task.redundant else Product((turned, J))
-    gram = task.J @ task.J.T if task.redundant else task.J.T @ task.J
-    if gram.shape[0] > MOST_JOINTS - 1:
+    turned, inverse = transpose(J), Call("inverse", (A,))
+    plus = Product((turned, inverse) if task.redundant else (inverse, turned))
+    if min(task.J.shape) > MOST_JOINTS - 1:
         raise NotDerivable("the pseudo-inverse of so large a Jacobian fills pages; ask for fewer rows")
+    work = task.board().knowing({V: column(task.velocities), PLUS: plus})
+    work = work.line(A, Product((J, turned) if task.redundant else (turned, J)), rule="gram")
+    gram = work.value_matrix(A)
     det = gram.det()
     if not det:
         raise NotDerivable(f"the rows {', '.join(task.rows)} are dependent in every configuration")
-    made = _by_minors(task) if task.redundant else _by_gram(task, gram, det)
-    plus = (
-        Product((turned, Call("inverse", (A,))))
-        if task.redundant
-        else Product((Call("inverse", (A,)), turned))
-    )
-    chain = (RATES, Product((PLUS, V)), Product((*plus.factors, V)), made.qdot)
-    A_step = Step("A", (A, gram_name, task.problem.readable_matrix(gram)), "gram")
-    steps = (task.step, A_step, *made.steps, Step("qdot", chain, "solve"))
-    velocity = column(task.velocities)
-    definitions: dict[Expr, Expr] = {
-        J: task.written, A: A_step.result, V: velocity, RATES: made.qdot, PLUS: plus, **made.minors
-    }  # fmt: skip
-    qdot = made.qdot if not made.minors else replaced(made.qdot, made.minors)
-    zero = (determinant(A), ZERO)
-    return Solved("pseudo-inverse", steps, qdot, made.exact, det, definitions, zero)
+    work, qdot, exact = _by_minors(task, work) if task.redundant else _by_gram(task, work, gram, det)
+    formulas = Product((PLUS, V)), Product((*plus.factors, V))
+    work = work.line(RATES, *formulas, value=qdot, rule="solve", label="qdot")
+    minors_named = {step.chain[0]: step.result for step in work.steps if step.rule == "minor"}
+    return Solved("pseudo-inverse", work, replaced(qdot, minors_named), exact, det, (determinant(A), ZERO))
 
 
-@dataclass(frozen=True, slots=True)
-class _Made:
-    """The steps between A and qdot, qdot in the names of the minors and in normal form times det A."""
-
-    steps: tuple[Step, ...]
-    qdot: Matrix
-    exact: ScalarMatrix
-    minors: dict[Expr, Expr]
-
-
-def _by_minors(task: Task) -> _Made:
+def _by_minors(task: Task, work: Work) -> tuple[Work, Matrix, ScalarMatrix]:
     """The mean of the solutions with as many joints as rows, each weighted by the square of its minor: it
-    is J^+ v (Ben-Israel, 1992), and det A is the sum of those squares (Cauchy and Binet)."""
+    is J^+ v (Ben-Israel, 1992), and det A is the sum of those squares (Cauchy and Binet). With qdot in the
+    names of the minors, and in normal form times det A."""
     problem, variables, velocity = task.problem, task.found.variables, normal_matrix(column(task.velocities))
     found = [minor for minor in minors(task.J) if minor.value]
-    names: list[Expr] = [Symbol("Delta_" + "".join(str(k + 1) for k in minor.lines)) for minor in found]
-    trees = [product_tree(problem, natural(problem, minor.value, variables)) for minor in found]
-    steps = [
-        Step(f"minor_{place}", (name, tree), "minor")
-        for place, (name, tree) in enumerate(zip(names, trees, strict=True))
-    ]
+    names = [Symbol("Delta_" + "".join(str(k + 1) for k in minor.lines)) for minor in found]
+    for place, (name, minor) in enumerate(zip(names, found, strict=True)):
+        tree = as_product(problem, minor.value, variables)
+        work = work.line(name, value=tree, rule="minor", label=f"minor_{place}")
     squares = add(*map(squared, names))
-    steps.append(Step("det", (determinant(Symbol("A")), squares), "cauchy-binet"))
+    work = work.line(determinant(A), value=squares, rule="cauchy-binet", label="det")
     parts = [task.J.columns(*minor.lines).adjugate() @ velocity for minor in found]
     rows, exact = [], []
     for joint in range(len(variables)):
@@ -158,22 +130,19 @@ def _by_minors(task: Task) -> _Made:
         total = add(*(multiply(name, problem.readable(value)) for name, _, value in terms if value))
         rows.append(Quotient(total, squares))
         exact.append(sum((minor * value for _, minor, value in terms), Scalar.of(0)))
-    return _Made(tuple(steps), column(rows), ScalarMatrix.column(exact), dict(zip(names, trees, strict=True)))
+    return work, column(rows), ScalarMatrix.column(exact)
 
 
-def _by_gram(task: Task, gram: ScalarMatrix, det: Scalar) -> _Made:
-    """The adjugate of J^T J over its determinant, times J^T v."""
-    problem, variables, A = task.problem, task.found.variables, Symbol("A")
+def _by_gram(task: Task, work: Work, gram: ScalarMatrix, det: Scalar) -> tuple[Work, Matrix, ScalarMatrix]:
+    """The adjugate of J^T J over its determinant, times J^T v: qdot, and the same times the determinant."""
+    problem, variables = task.problem, task.found.variables
     adjugate = gram.adjugate()
-    tree = product_tree(problem, natural(problem, det, variables))
     exact = adjugate @ (task.J.T @ normal_matrix(column(task.velocities)))
     qdot = column(quotient(problem, entry, det, variables) for entry in exact.entries)
+    tree = as_product(problem, det, variables)
+    work = work.line(determinant(A), value=tree, rule="determinant", label="det")
     shown = Product((Quotient(ONE, determinant(A)), problem.readable_matrix(adjugate)))
-    steps = (
-        Step("det", (determinant(A), tree), "determinant"),
-        Step("A_inv", (Call("inverse", (A,)), shown), "adjugate"),
-    )
-    return _Made(steps, qdot, exact, {})
+    return work.line(Call("inverse", (A,)), value=shown, rule="adjugate", label="A_inv"), qdot, exact
 
 
 def quotient(problem: Problem, top: Scalar, bottom: Scalar, variables: tuple[str, ...]) -> Expr:
@@ -186,7 +155,7 @@ def quotient(problem: Problem, top: Scalar, bottom: Scalar, variables: tuple[str
         top, bottom = top / number, bottom / number
     if bottom.constant is not None:
         return problem.readable(top / bottom)
-    below = product_tree(problem, natural(problem, bottom, variables))
+    below = as_product(problem, bottom, variables)
     if is_negative(below):
         top, below = -top, negate(below)
     return Quotient(problem.readable(top), below)

@@ -7,69 +7,58 @@ from dataclasses import dataclass
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Call, Expr, Matrix, Product, Symbol, column, cross, subtract, transpose
+from derive.expression import (
+    ZERO,
+    Call,
+    Expr,
+    Matrix,
+    Product,
+    Symbol,
+    column,
+    cross,
+    subtract,
+    symbols,
+    transpose,
+)
 from derive.expression import replace as replaced
-from derive.kinds.checks import law, links
-from derive.kinds.problem import Problem
-from derive.kinds.robot._singular.determinants import determinant, natural, product_tree
+from derive.kinds.robot._singular.determinants import as_product, determinant
 from derive.kinds.robot._velocity.solving import quotient
 from derive.kinds.robot._velocity.task import Task
-from derive.mechanics.jacobian import jacobian
+from derive.kinds.work import Work
+from derive.mechanics.jacobian import halves, jacobian
 from derive.mechanics.poses import rotation_part
+from derive.mechanics.task import ROWS
 from derive.mechanics.wrist import Wrist
 
-V, OMEGA = Symbol("v"), Symbol("omega")
-U, N = Symbol("u"), Symbol("n")
-LINEAR, ANGULAR = ("vx", "vy", "vz"), ("wx", "wy", "wz")
-
-
-@dataclass(frozen=True, slots=True)
-class Half:
-    """The rates of three joints from three components: their steps, their trees in the names of the
-    components, and whether the block times them is what it should be."""
-
-    steps: tuple[Step, ...]
-    rates: tuple[Expr, ...]
-    exact: Claim
-    definitions: dict[Expr, Expr]
+V, OMEGA, CENTER, U, N, J_21 = symbols("v omega v_c u n J_21")
 
 
 @dataclass(frozen=True, slots=True)
 class Split:
-    """The whole: steps, qdot written out, claims, what the names stand for, and what it rests on."""
+    """The board with the lines to qdot (6 by 1), and that written out; the frames of the arm and the hand,
+    whether the center lies apart from the end-effector, and where the rates fail."""
 
-    steps: tuple[Step, ...]
+    work: Work
     qdot: Matrix
-    claims: tuple[Claim, ...]
-    definitions: dict[Expr, Expr]
-    uses: tuple[Derivation, ...]
     frames: tuple[int, int]
     offset: bool
     zero: tuple[tuple[Expr, Expr], ...]
 
 
 def by_wrist(task: Task, wrist: Wrist) -> Split:
-    """J_11^-1 and J_22^-1 in place of J^-1 (Spong et al., section 4.9.1)."""
-    problem = task.problem
-    known, center_names = _at_center(task, wrist)
-    arm_in = _components(U)
-    arm = _half(task, "J_11", wrist.J_11, task.found.variables[:3], arm_in, U)
-    J = jacobian(task.found, wrist.center, len(task.found.T_local))
-    R_h = rotation_part(task.found.T[wrist.hand])
-    J_21 = R_h.T @ J.block(slice(3, 6), slice(0, 3))
-    rest, left = _left_over(task, wrist, J_21)
-    hand = _half(task, "J_22", wrist.J_22, task.found.variables[3:], _components(N), N)
-    steps = (*known, *arm.steps, *rest, *hand.steps)
-    names: dict[Expr, Expr] = {**center_names, **arm.definitions, **left, **hand.definitions}
+    """J_11^-1 and J_22^-1 in place of J^-1 (Spong et al., section 4.9.1).
+
+    Raises NotDerivable where one of the two is singular in every configuration.
+    """
+    problem, rates = task.problem, task.rates
+    work = Work(problem, uses=(problem.ask("forward-kinematics"),))
+    work = work.knowing({V: column(map(Symbol, ROWS[:3])), OMEGA: column(map(Symbol, ROWS[3:]))})
+    work, arm = _half(_at_center(work, task, wrist), "J_11", wrist.J_11, rates[:3], U)
+    work, hand = _half(_left_over(work, task, wrist), "J_22", wrist.J_22, rates[3:], N)
     return Split(
-        steps,
-        column(_written_out(problem, arm, hand, names)),
-        (*links(steps, {**problem.names, **names}), arm.exact, hand.exact),
-        names,
-        (problem.ask("forward-kinematics"),),
+        work,
+        column(_written_out(work, rates, arm, hand)),
         (wrist.arm, wrist.hand),
         bool(task.point.position - wrist.center),
         tuple((determinant(Symbol(name)), ZERO) for name in ("J_11", "J_22")),
@@ -77,103 +66,75 @@ def by_wrist(task: Task, wrist: Wrist) -> Split:
 
 
 def _components(name: Symbol) -> tuple[Symbol, ...]:
-    return tuple(Symbol(f"{name.name}_{k}") for k in (1, 2, 3))
+    return symbols(f"{name.name}_1 {name.name}_2 {name.name}_3")
 
 
-def _at_center(task: Task, wrist: Wrist) -> tuple[tuple[Step, ...], dict[Expr, Expr]]:
+def _by_component(work: Work, name: Symbol, value: Matrix) -> Work:
+    """The components of a vector by their names."""
+    return work.knowing({each: entry for each, (entry,) in zip(_components(name), value.rows, strict=True)})
+
+
+def _at_center(work: Work, task: Task, wrist: Wrist) -> Work:
     """v_c = v - omega x (o_e - o_c), and u, the same in the axes of the arm's frame."""
-    problem = task.problem
-    v, omega = column(map(Symbol, LINEAR)), column(map(Symbol, ANGULAR))
-    arm = task.point.position - wrist.center
-    center, end = Symbol("v_c"), task.point.name
-    o_c = Symbol(f"o_{wrist.frame}")
-    velocity = normal_matrix(v) - normal_matrix(omega).cross(arm)
-    offset = bool(arm)
-    route = subtract(V, cross(OMEGA, subtract(end, o_c))) if offset else V
-    written = problem.readable_matrix(velocity)
-    R = Symbol(f"R_{wrist.arm}^0")
-    R_value = rotation_part(task.found.T[wrist.arm])
-    here = problem.readable_matrix(R_value.T @ normal_matrix(column(_components(center))))
-    steps = (
-        Step("v_c", (center, route, written), "center"),
-        Step("u", (U, Product((transpose(R), center)), here), "frame"),
-    )
-    names: dict[Expr, Expr] = {
-        V: v,
-        OMEGA: omega,
-        end: task.point.step.result,
-        R: problem.readable_matrix(R_value),
-    }
-    names[o_c] = problem.readable_matrix(wrist.center)
-    names[center] = column(_components(center))
-    names[U] = here
-    for name, (entry,) in zip(_components(center), written.rows, strict=True):
-        names[name] = entry
-    for name, (entry,) in zip(_components(U), here.rows, strict=True):
-        names[name] = entry
-    return steps, names
+    problem, o_e, o_c, R = task.problem, task.point.name, Symbol(f"o_{wrist.frame}"), _rotation(wrist.arm)
+    known = {o_e: task.point.position, o_c: wrist.center, R: rotation_part(task.found.T[wrist.arm])}
+    work = work.knowing({name: problem.readable_matrix(value) for name, value in known.items()})
+    offset = bool(task.point.position - wrist.center)
+    route = subtract(V, cross(OMEGA, subtract(o_e, o_c))) if offset else V
+    work = work.line(CENTER, route, rule="center")
+    velocity = work.matrix(CENTER)
+    work = work.knowing({CENTER: column(_components(CENTER))})
+    work = work.line(U, Product((transpose(R), CENTER)), rule="frame")
+    return _by_component(_by_component(work, CENTER, velocity), U, work.matrix(U))
 
 
-def _left_over(task: Task, wrist: Wrist, J_21: ScalarMatrix) -> tuple[tuple[Step, ...], dict[Expr, Expr]]:
+def _left_over(work: Work, task: Task, wrist: Wrist) -> Work:
     """n = R^T omega - J_21 q_a, in the axes of the hand's frame: what the wrist has to add."""
-    problem = task.problem
-    R = Symbol(f"R_{wrist.hand}^0")
-    R_value = rotation_part(task.found.T[wrist.hand])
-    omega = normal_matrix(column(map(Symbol, ANGULAR)))
-    rates = column(task.rates[:3])
-    value = R_value.T @ omega - J_21 @ normal_matrix(rates)
-    written = problem.readable_matrix(value)
-    shown = problem.readable_matrix(J_21)
-    J = Symbol("J_21")
-    steps = (
-        Step("J_21", (J, shown), "block"),
-        Step("n", (N, subtract(Product((transpose(R), OMEGA)), Product((J, rates))), written), "rest"),
-    )
-    names: dict[Expr, Expr] = {J: shown, R: problem.readable_matrix(R_value), N: written}
-    for name, (entry,) in zip(_components(N), written.rows, strict=True):
-        names[name] = entry
-    return steps, names
+    R, R_h = _rotation(wrist.hand), rotation_part(task.found.T[wrist.hand])
+    _, J_w = halves(jacobian(task.found, wrist.center, len(task.found.T_local)))
+    work = work.knowing({R: task.problem.readable_matrix(R_h)})
+    work = work.line(J_21, value=R_h.T @ J_w.columns(0, 1, 2), rule="block")
+    by_arm = Product((J_21, column(task.rates[:3])))
+    work = work.line(N, subtract(Product((transpose(R), OMEGA)), by_arm), rule="rest")
+    return _by_component(work, N, work.matrix(N))
+
+
+def _rotation(frame: int) -> Symbol:
+    return Symbol(f"R_{frame}^0")
 
 
 def _half(
-    task: Task,
-    name: str,
-    J: ScalarMatrix,
-    variables: tuple[str, ...],
-    given: tuple[Symbol, ...],
-    vector: Symbol,
-) -> Half:
-    """J^-1 times the components, by the adjugate. Raises NotDerivable where it is singular everywhere."""
-    problem = task.problem
-    det = J.det()
+    work: Work, name: str, J: ScalarMatrix, rates: tuple[Symbol, ...], vector: Symbol
+) -> tuple[Work, tuple[Expr, ...]]:
+    """The rates of three joints, J^-1 times the components of the vector, by the adjugate."""
+    problem, det = work.problem, J.det()
     if not det:
         raise NotDerivable("the Jacobian of the arm is singular in every configuration")
-    known = ScalarMatrix.column([Scalar.symbol(each.name) for each in given])
+    variables = tuple(rate.name.removesuffix("_dot") for rate in rates)
+    known = normal_matrix(column(_components(vector)))
     exact = J.adjugate() @ known
-    rates = tuple(quotient(problem, entry, det, variables) for entry in exact.entries)
-    block = Symbol(name)
-    unknown = column(Symbol(f"{each}_dot") for each in variables)
-    shown = problem.readable_matrix(J)
-    steps = (
-        Step(name, (block, shown), "block"),
-        Step(
-            f"det_{name}",
-            (determinant(block), product_tree(problem, natural(problem, det, variables))),
-            "determinant",
-        ),
-        Step(f"rates_{name}", (unknown, Product((Call("inverse", (block,)), vector)), column(rates)), "law"),
-    )
-    holds = J @ exact == known.scaled(det)
-    return Half(steps, rates, law("split", holds, block=name, vector=vector.name), {block: shown})
+    found = tuple(quotient(problem, entry, det, variables) for entry in exact.entries)
+    block, tree = Symbol(name), as_product(problem, det, variables)
+    work = work.line(block, value=J, rule="block")
+    work = work.line(determinant(block), value=tree, rule="determinant", label=f"det_{name}")
+    formula = Product((Call("inverse", (block,)), vector))
+    work = work.line(column(rates), formula, value=column(found), rule="law", label=f"rates_{name}")
+    return work.law("split", J @ exact == known.scaled(det), block=name, vector=vector.name), found
 
 
-def _written_out(problem: Problem, arm: Half, hand: Half, names: dict[Expr, Expr]) -> tuple[Expr, ...]:
+def _written_out(
+    work: Work, rates: tuple[Symbol, ...], arm: tuple[Expr, ...], hand: tuple[Expr, ...]
+) -> tuple[Expr, ...]:
     """All six rates in the given velocities alone, nested as they were found."""
     known: dict[Expr, Expr] = {}
-    for vector in (Symbol("v_c"), U):
-        known |= {name: replaced(names[name], known) for name in _components(vector)}
-    first = tuple(replaced(rate, known) for rate in arm.rates)
-    known |= {Symbol(f"{n}_dot"): rate for n, rate in zip(problem.subject.variables, first, strict=False)}
-    known |= {name: replaced(names[name], known) for name in _components(N)}
-    second = tuple(replaced(rate, known) for rate in hand.rates)
-    return tuple(replaced(rate, problem.names) for rate in (*first, *second))
+
+    def written(names: tuple[Symbol, ...], values: tuple[Expr, ...]) -> tuple[Expr, ...]:
+        found = tuple(replaced(value, known) for value in values)
+        known.update(zip(names, found, strict=True))
+        return found
+
+    for vector in (CENTER, U):
+        written(_components(vector), tuple(work[name] for name in _components(vector)))
+    first = written(rates[:3], arm)
+    written(_components(N), tuple(work[name] for name in _components(N)))
+    return tuple(replaced(rate, work.problem.names) for rate in (*first, *written(rates[3:], hand)))
