@@ -68,8 +68,12 @@ class Phrase:
     key: str
     about: Mapping[str, Said] = field(default_factory=dict)
 
+    def __hash__(self) -> int:
+        return hash(self.key)
+
 
 Condition: TypeAlias = Relation | Phrase
+Label: TypeAlias = Phrase | str
 Cell: TypeAlias = Expr | Condition | tuple[Condition, ...] | str
 Said: TypeAlias = "Phrase | Relation | Expr | str | int | tuple[Said, ...]"  # texts as they stand
 
@@ -117,17 +121,20 @@ class Table:
     rows: tuple[tuple[Cell, ...], ...]
 
 
+Curve: TypeAlias = tuple[tuple[float, ...], tuple[float, ...]]  # to the right, and up
+
+
 @dataclass(frozen=True, slots=True)
 class Plot:
     """Curves to draw: labels of the axes and named series of points. Data only, no drawing. `regions` are
     outlines to be filled, `equal` says that both axes have the same scale."""
 
     name: str
-    x_label: str
-    y_label: str
-    series: Mapping[str, tuple[tuple[float, ...], tuple[float, ...]]]
-    marks: Mapping[str, float] = field(default_factory=dict)  # horizontal lines
-    regions: Mapping[str, tuple[tuple[float, ...], tuple[float, ...]]] = field(default_factory=dict)
+    x_label: Label
+    y_label: Label
+    series: Mapping[Label, Curve]
+    marks: Mapping[Label, float] = field(default_factory=dict)  # horizontal lines
+    regions: Mapping[Label, Curve] = field(default_factory=dict)
     equal: bool = False
 
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 
-from derive.derivation import Plot
+from derive.derivation import Curve, Label, Phrase, Plot
 
 Points = Sequence[tuple[float, float]]
 CORNERS = 181  # of an ellipse
@@ -14,12 +14,12 @@ SHARE = 0.35  # of the arm's reach: how large an ellipse is drawn
 
 
 def at_the_tip(
-    arm: Points, ellipses: Mapping[str, Sequence[float]], directions: Points, labels: Sequence[str]
+    arm: Points, ellipses: Mapping[Label, Sequence[float]], directions: Points, labels: Sequence[str]
 ) -> Plot:
     """An arm by its places in the plane, from the base to the tip, and ellipses by their semi-axes along two
     unit vectors, each drawn to a scale of its own."""
     reach = sum(math.dist(a, b) for a, b in pairwise(arm)) or 1.0
-    series = {"arm": _coordinates(arm)}
+    series: dict[Label, Curve] = {Phrase("arm"): _coordinates(arm)}
     for name, axes in ellipses.items():
         scale = SHARE * reach / max(axes)
         series[name] = _coordinates(_ellipse(arm[-1], [scale * axis for axis in axes], directions))

@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from derive.derivation import Plot
+from derive.derivation import Curve, Label, Phrase, Plot
 
-Curve = tuple[tuple[float, ...], tuple[float, ...]]
 CORNERS = 145
-HEIGHT = "height above the shoulder"
+HEIGHT, WORKSPACE, LINKS = Phrase("height"), Phrase("workspace"), Phrase("links")
 ELBOWS = (0.5, 1.1, 0.8)  # of the arm drawn into the picture
 
 
@@ -17,13 +16,13 @@ def from_above(lengths: Sequence[float]) -> Plot:
     """The annulus of an arm in a plane, and where its end takes every orientation."""
     far, longest = sum(lengths), max(lengths)
     near = max(0.0, 2 * longest - far)
-    regions = {"workspace": _ring((0.0, 0.0), near, far, (0.0, 2 * math.pi))}
-    series = {"arm": _arm(lengths), "boundary": _circle(far)}
+    series: dict[Label, Curve] = {Phrase("arm"): _arm(lengths), Phrase("boundary"): _circle(far)}
     if near > 0:
-        series["inner boundary"] = _circle(near)
+        series[Phrase("inner-boundary")] = _circle(near)
     if len(lengths) == 3 and (radius := lengths[0] + lengths[1] - lengths[2]) > 0:
-        series["every orientation, up to here"] = _circle(radius)
-    return Plot("workspace", "x", "y", series, regions=regions, equal=True)
+        series[Phrase("every-orientation")] = _circle(radius)
+    ring = _ring((0.0, 0.0), near, far, (0.0, 2 * math.pi))
+    return Plot("workspace", "x", "y", series, regions={WORKSPACE: ring}, equal=True)
 
 
 def cross_section(lengths: Sequence[float], offset: float, side: float) -> Plot:
@@ -36,20 +35,19 @@ def cross_section(lengths: Sequence[float], offset: float, side: float) -> Plot:
     arm_x, arm_y = _arm(lengths)
     arm = (tuple(math.hypot(x, side) for x in arm_x), arm_y)
     return Plot(
-        "workspace", "distance from the first axis", HEIGHT, {"links": arm},
-        regions={"workspace": region}, equal=True,
+        "workspace", Phrase("distance"), HEIGHT, {LINKS: arm}, regions={WORKSPACE: region}, equal=True,
     )  # fmt: skip
 
 
 def _two_rings(lengths: Sequence[float], offset: float) -> Plot:
     near, far, whole = abs(lengths[0] - lengths[1]), sum(lengths), (0.0, 2 * math.pi)
     arm_x, arm_y = _arm(lengths)
-    regions = {
-        "workspace": _ring((offset, 0.0), near, far, whole),
-        "after half a turn": _ring((-offset, 0.0), near, far, whole),
+    regions: dict[Label, Curve] = {
+        WORKSPACE: _ring((offset, 0.0), near, far, whole),
+        Phrase("half-a-turn"): _ring((-offset, 0.0), near, far, whole),
     }
     arm = (tuple(offset + x for x in arm_x), arm_y)
-    return Plot("workspace", "in the plane of the links", HEIGHT, {"links": arm}, regions=regions, equal=True)
+    return Plot("workspace", Phrase("in-the-plane"), HEIGHT, {LINKS: arm}, regions=regions, equal=True)
 
 
 def _ring(center: tuple[float, float], near: float, far: float, turns: tuple[float, float]) -> Curve:

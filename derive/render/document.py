@@ -104,15 +104,19 @@ class Document:
 
     def plots(self) -> dict[str, Figure]:
         """Every plot of the page by the path of its picture, relative to the page and without suffix."""
+        from derive.render.phrases import spoken
+
         subjects = {
             problem.figure.removesuffix(".svg"): problem.drawing
             for problem in self.problems
             if problem.figure and problem.drawing
         }
         return subjects | {
-            plot_path(self.figures, problem.number, question.number, plot.name): plot
+            plot_path(self.figures, problem.number, question.number, plot.name): speech.figure(plot)
             for problem, question in self.questions()
             for worked in question.order
+            if worked.derivation.plots
+            for speech in [spoken(worked.folder, worked.derivation.kind)]
             for plot in worked.derivation.plots
         }
 

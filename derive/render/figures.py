@@ -88,11 +88,11 @@ def _fill(axes: Axes, plot: Plot, legend: bool = True) -> None:
     for name, height in plot.marks.items():
         axes.axhline(height, color="0.55", linewidth=0.9, linestyle=(0, (4, 3)))
         axes.annotate(
-            name, (0.99, height), xycoords=("axes fraction", "data"), xytext=(0, 2),
+            str(name), (0.99, height), xycoords=("axes fraction", "data"), xytext=(0, 2),
             textcoords="offset points", ha="right", va="bottom", color="0.35", fontsize=9,
         )  # fmt: skip
-    axes.set_xlabel(plot.x_label)
-    axes.set_ylabel(plot.y_label)
+    axes.set_xlabel(str(plot.x_label))
+    axes.set_ylabel(str(plot.y_label))
     axes.xaxis.set_major_formatter(TICKS)
     axes.yaxis.set_major_formatter(TICKS)
     axes.grid(True, color="0.9", linewidth=0.6)

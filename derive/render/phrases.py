@@ -9,7 +9,7 @@ it is typed in a sheet, x^2 and 90 deg.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from string import Formatter
 
 from jinja2 import TemplateNotFound
@@ -18,7 +18,7 @@ from derive.algebra.infix import SYMPY_NAMES, text
 from derive.algebra.normal import normal
 from derive.algebra.readable.form import readable
 from derive.algebra.readable.terms import Style
-from derive.derivation import Claim, Condition, Phrase, Result, Said
+from derive.derivation import Claim, Condition, Figure, Panels, Phrase, Plot, Result, Said
 from derive.expression import PI, Degrees, Expr, Quotient, Relation, walk
 from derive.render.latex import Printer
 from derive.render.skin import environment, words_file
@@ -88,6 +88,26 @@ class Speech:
             return self.say(result)
         parts = result if isinstance(result, tuple) else ()
         return tuple(self.say(part) for part in parts if isinstance(part, Phrase | Relation)) or result
+
+    def figure(self, figure: Figure) -> Figure:
+        """The figure with the words of its labels."""
+        match figure:
+            case Panels():
+                plots = tuple(self._plot(plot) for plot in figure.plots)
+                return replace(figure, plots=plots)
+            case Plot():
+                return self._plot(figure)
+        return figure
+
+    def _plot(self, plot: Plot) -> Plot:
+        return replace(
+            plot,
+            x_label=self.say(plot.x_label),
+            y_label=self.say(plot.y_label),
+            series={self.say(name): curve for name, curve in plot.series.items()},
+            marks={self.say(name): height for name, height in plot.marks.items()},
+            regions={self.say(name): curve for name, curve in plot.regions.items()},
+        )
 
     def claim(self, claim: Claim) -> str:
         """What was verified."""

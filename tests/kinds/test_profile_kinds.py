@@ -353,5 +353,6 @@ def test_angles_in_radians(tmp_path: Path) -> None:
     found = ask(tmp_path, "{distance: 2 rad, v_max: 1 rad/s, a_max: 1 rad/s^2}", "trapezoidal-profile")
     panels = found.plots[0]
     assert isinstance(panels, Panels)
-    assert panels.plots[0].y_label == "position [rad]"
+    said = spoken("profile", "trapezoidal-profile").say
+    assert said(panels.plots[0].y_label) == "position [rad]"
     assert numpy.isclose(value(found.results["t_3"]), 3.0)

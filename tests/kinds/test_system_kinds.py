@@ -12,7 +12,7 @@ from derive.algebra.formulas.grammar import parse, parse_equation
 from derive.algebra.normal import normal
 from derive.control.motor import motor
 from derive.control.system import Equation, System
-from derive.derivation import Derivation
+from derive.derivation import Derivation, Phrase
 from derive.errors import NotDerivable
 from derive.expression import Symbol
 from derive.kinds.problem import Problem
@@ -93,7 +93,7 @@ def test_wrong_controllers_are_faults(typed: Any) -> None:
 
 def test_step_response_by_scipy() -> None:
     found = ask("step-response", controller=PD, evaluate=POINT)
-    times, values = found.plots[0].series["response"]
+    times, values = found.plots[0].series[Phrase("response")]
     _, other = signal.step(([1.5, 1.0], [2, 2.5, 3.0, 1.0]), T=numpy.array(times))
     assert numpy.allclose(values, other, atol=1e-8)
     assert found.evaluated["steady_state"] == 1

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from derive.derivation import Claim, Derivation, PageFacts, Result, Table
+from derive.derivation import Cell, Claim, Derivation, PageFacts, Phrase, Result, Table
 from derive.expression import Expr, Product, Sum, Symbol, add, number, subtract
 from derive.kinds.checks import SECOND_ROUTE
 from derive.kinds.fields import NoOptions as Options
@@ -29,12 +29,8 @@ problems:
   find: mobility
 """
 C, DOF = Symbol("C"), Symbol("dof")
-# Single loops of revolute joints that move although the formula says they do not, by number of joints.
-MOVING_LOOPS = {
-    4: "Bennett's linkage",
-    5: "the linkages of Goldberg and Myard",
-    6: "those of Sarrus and Bricard",
-}
+MOVING_LOOPS = (4, 5, 6)  # revolute joints of single loops that move although the formula says they do not
+HEADINGS = ("joint", "number", "freedoms", "constraints-of-each", "constraints-together")
 OTHERS: dict[Space, tuple[Space, ...]] = {"spatial": ("planar", "spherical"), "planar": (), "spherical": ()}
 
 
@@ -45,7 +41,7 @@ class Facts(PageFacts):
     loops: Expr
     closed: bool
     table: Table
-    coincident: tuple[tuple[str, Expr, Expr, Expr], ...]  # joints: name, count, bodies, pairs
+    coincident: tuple[tuple[Phrase | None, Expr, Expr, Expr], ...]  # joints: name, count, bodies, pairs
     legs: tuple[tuple[str, Expr, Expr], ...]  # chain, count, bodies between
     sign: int  # of the degrees of freedom
     missing: Expr
@@ -53,7 +49,7 @@ class Facts(PageFacts):
     effective: Expr
     may_spin: bool
     others: tuple[tuple[Space, Expr], ...]
-    known: str
+    known: bool  # whether the formula does not see moving loops of so many revolute joints
 
 
 def derive(mechanism: Mechanism, options: Options, problem: Problem) -> Derivation:
@@ -90,7 +86,12 @@ def _facts(mechanism: Mechanism, size: int) -> Facts:
         closed=mechanism.loops > 0,
         table=_table(mechanism.joints, size),
         coincident=tuple(
-            (each.name, number(each.count), number(each.joining), number(each.joining - 1))
+            (
+                Phrase(each.name) if each.name else None,
+                number(each.count),
+                number(each.joining),
+                number(each.joining - 1),
+            )
             for each in mechanism.joints
             if each.joining > 2
         ),
@@ -110,14 +111,13 @@ def _facts(mechanism: Mechanism, size: int) -> Facts:
 
 def _table(joints: tuple[Joints, ...], size: int) -> Table:
     """How each sort is counted."""
-    rows = []
-    for each in joints:
-        freedoms = number(FREEDOMS[each.name] if each.name else size - each.constraints)
-        rows.append(
-            (each.name or "other", number(each.pairs), freedoms, number(each.constraints), number(each.total))
-        )
-    headings = ("joint", "number", "freedoms", "constraints of each", "constraints together")
-    return Table(headings, tuple(rows))
+    return Table(tuple(map(Phrase, HEADINGS)), tuple(_row(each, size) for each in joints))
+
+
+def _row(each: Joints, size: int) -> tuple[Cell, ...]:
+    freedoms = FREEDOMS[each.name] if each.name else size - each.constraints
+    counts = (each.pairs, freedoms, each.constraints, each.total)
+    return Phrase(each.name or "other"), *map(number, counts)
 
 
 def _others(mechanism: Mechanism) -> tuple[tuple[Space, Expr], ...]:
@@ -128,9 +128,11 @@ def _others(mechanism: Mechanism) -> tuple[tuple[Space, Expr], ...]:
     return tuple((space, number(n)) for space, n in counts if n is not None and n > max(mechanism.dof, 0))
 
 
-def _known(mechanism: Mechanism) -> str:
-    """The moving loops of so many revolute joints that the formula does not see."""
+def _known(mechanism: Mechanism) -> bool:
     only_revolute = all(each.name == "revolute" for each in mechanism.joints)
-    if mechanism.space != "spatial" or not only_revolute or mechanism.loops != 1:
-        return ""
-    return MOVING_LOOPS.get(mechanism.pairs, "")
+    return (
+        mechanism.space == "spatial"
+        and only_revolute
+        and mechanism.loops == 1
+        and mechanism.pairs in MOVING_LOOPS
+    )

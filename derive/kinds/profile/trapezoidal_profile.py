@@ -8,7 +8,7 @@ from math import inf
 from typing import Any
 
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Branch, Derivation, Figure, PageFacts, Phrase, Result
+from derive.derivation import Branch, Derivation, Figure, Label, PageFacts, Phrase, Result
 from derive.errors import NotDerivable
 from derive.expression import Expr, is_negative
 from derive.figures.courses import panels
@@ -20,6 +20,7 @@ from derive.kinds.profile._together import TogetherTold, together
 from derive.kinds.profile._trapezoid import NAMES, Outcome
 from derive.kinds.values_at import point_of
 from derive.mechanics import trapezoid
+from derive.mechanics.course import Course
 from derive.mechanics.profile import Axis, Profile, Units
 
 NEEDS = ("limits",)
@@ -156,9 +157,9 @@ def _facts(profile: Profile, found: Found | None, options: Options) -> Facts:
 def _plots(profile: Profile, found: Found | None, problem: Problem) -> tuple[Figure, ...]:
     if found is None or any(each.case == "infeasible" for each in found):
         return ()
-    courses = {}
+    courses: dict[Label, Course] = {}
     for k, (axis, each) in enumerate(zip(profile.axes, found, strict=True), 1):
-        courses[f"axis {k}"] = trapezoid.course(each, 0.0, _direction(axis, problem))
+        courses[Phrase("axis-number", {"k": k})] = trapezoid.course(each, 0.0, _direction(axis, problem))
     return (panels("profile", courses, profile.sort, problem.style.degrees),)
 
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.readable.operation_count import operations
-from derive.derivation import Derivation, PageFacts, Table
+from derive.derivation import Derivation, PageFacts, Phrase, Table
 from derive.expression import (
     ZERO,
     Expr,
@@ -124,5 +124,5 @@ def _table(energies: Mapping[str, Expr]) -> Table | None:
     cells = {label: (energies[f"K_{label}"], energies.get(f"P_{label}", ZERO)) for label in labels}
     if any(operations(cell) > LONGEST_CELL for pair in cells.values() for cell in pair):
         return None
-    rows = (("rotors" if label == "m" else label, *pair) for label, pair in cells.items())
-    return Table(("link", "kinetic energy", "potential energy"), tuple(rows))
+    rows = ((Phrase("rotors") if label == "m" else label, *pair) for label, pair in cells.items())
+    return Table((Phrase("link"), Phrase("kinetic-energy"), Phrase("potential-energy")), tuple(rows))

@@ -9,7 +9,7 @@ from pydantic import Field, PlainValidator, ValidationInfo, WithJsonSchema
 
 from derive.algebra.numbers.floats import matrix_numbers, scalar_number
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Claim, Derivation, PageFacts, Plot, Result, Step, Table
+from derive.derivation import Claim, Derivation, PageFacts, Phrase, Plot, Result, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Symbol, add, column, number
 from derive.kinds.checks import SECOND_ROUTE, links
@@ -210,7 +210,7 @@ def _facts(task: Task, options: Options, run: Iteration) -> Facts:
     return Facts(
         method=options.method,
         square=task.square,
-        table=Table((Symbol("k"), *variables, "error", H), tuple(kept)),
+        table=Table((Symbol("k"), *variables, Phrase("error"), H), tuple(kept)),
         verdict=run.verdict,
         steps=len(run.rows) - 1,
         error=Approximate(last.error if last.error >= CLOSE else 0.0),
@@ -239,7 +239,7 @@ def _plot(run: Iteration) -> Plot:
     """By powers of ten: Newton's method falls ever more steeply, the gradient method along a line."""
     counts = tuple(float(k) for k in range(len(run.rows)))
     powers = tuple(math.log10(max(row.error, NOTHING)) for row in run.rows)
-    return Plot("error", "iteration", "log10 of the error", {"error": (counts, powers)})
+    return Plot("error", Phrase("iteration"), Phrase("power-of-ten"), {Phrase("error"): (counts, powers)})
 
 
 def _claims(task: Task, here: dict[str, float], target: list[float], run: Iteration) -> tuple[Claim, ...]:

@@ -8,7 +8,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import numbers
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, PageFacts, Step, Table
+from derive.derivation import Cell, Claim, Derivation, PageFacts, Phrase, Step, Table
 from derive.expression import (
     ZERO,
     Approximate,
@@ -155,8 +155,8 @@ def _definite(minors: list[list[float]]) -> tuple[Claim, ...]:
 def _table(minors: list[list[float]]) -> Table | None:
     if not minors:
         return None
-    headings: tuple[Expr | str, ...] = (
-        "point",
+    headings: tuple[Cell, ...] = (
+        Phrase("point"),
         *(Symbol(f"Delta_{k}") for k in range(1, len(minors[0]) + 1)),
     )
     rows = [_row(p, point) for p, point in enumerate(minors, 1)]

@@ -9,7 +9,7 @@ from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, PageFacts, Step, Table
+from derive.derivation import Claim, Derivation, PageFacts, Phrase, Step, Table
 from derive.expression import (
     Approximate,
     Expr,
@@ -166,7 +166,11 @@ def _beside(columns: Sequence[Matrix]) -> Matrix:
 
 def _table(values: Mapping[Expr, Expr]) -> Table | None:
     """Every parameter and its value, where they are not too many."""
-    return Table(("parameter", "value"), tuple(values.items())) if len(values) <= MOST_LISTED else None
+    return (
+        Table((Phrase("parameter"), Phrase("value")), tuple(values.items()))
+        if len(values) <= MOST_LISTED
+        else None
+    )
 
 
 def _laws(problem: Problem, results: Mapping[str, Expr]) -> tuple[Claim, ...]:

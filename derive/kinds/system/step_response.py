@@ -15,7 +15,7 @@ from derive.control.rational import Rational
 from derive.control.response import BAND, HIGH, StepResponse, step_response
 from derive.control.roots import roots
 from derive.control.system import System
-from derive.derivation import Claim, Derivation, PageFacts, Plot, Result, Step
+from derive.derivation import Claim, Curve, Derivation, Label, PageFacts, Phrase, Plot, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Number, Quotient, Symbol, number
 from derive.kinds.checks import SECOND_ROUTE, law
@@ -48,7 +48,7 @@ CLOSE = 1e-6  # of transforms against each other
 NEARLY = 1e-9  # of shares of the steady state
 MOST_TERMS = 540  # of an inverted transform
 POINTS = 8
-LABELS = {"angle": "angle [rad]", "speed": "speed [rad/s]"}
+LABELS = ("angle", "speed")
 S = Symbol("s")
 
 
@@ -167,9 +167,12 @@ def _results(response: StepResponse, final: Expr | None) -> dict[str, Result]:
 
 
 def _plot(system: System, response: StepResponse) -> Plot:
-    label = next((LABELS[word] for word in system.motor if word in LABELS), f"{system.output.name}(t)")
-    marks = {"steady state": response.steady_state} if response.steady_state else {}
-    return Plot("step", "time [s]", label, {"response": (response.times, response.values)}, marks)
+    label = next((Phrase(word) for word in system.motor if word in LABELS), f"{system.output.name}(t)")
+    marks: dict[Label, float] = (
+        {Phrase("steady-state"): response.steady_state} if response.steady_state else {}
+    )
+    curves: dict[Label, Curve] = {Phrase("response"): (response.times, response.values)}
+    return Plot("step", Phrase("time"), label, curves, marks)
 
 
 def _facts(answer: Answer, options: Options) -> Facts:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from derive.algebra.numbers import floats as numeric
-from derive.derivation import Claim, Plot, Record, Result, Step, Table
+from derive.derivation import Claim, Label, Phrase, Plot, Record, Result, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Matrix, Symbol, column
 from derive.figures.ellipses import at_the_tip
@@ -113,8 +113,8 @@ def _table(task: Task, values: list[float], directions: list[list[float]]) -> Ta
         (*map(Approximate, vector), Approximate(s), Approximate(1 / s) if s else INFINITE)
         for s, vector in zip(values, directions, strict=True)
     )
-    axes = tuple(f"along {row[1]}" if row[0] == "v" else f"about {row[1]}" for row in task.rows)
-    return Table((*axes, "velocity", "force"), rows)
+    axes = (Phrase("along" if row[0] == "v" else "about", {"axis": row[1]}) for row in task.rows)
+    return Table((*axes, Phrase("velocity"), Phrase("force")), rows)
 
 
 def _claim(
@@ -138,7 +138,10 @@ def _pictures(
     if tuple(sorted(task.rows)) not in PLANE or not values[-1]:
         return ()
     labels = [row[1] for row in task.rows]
-    sizes = {"velocity ellipse": values, "force ellipse": [1 / value for value in values]}
+    sizes: dict[Label, list[float]] = {
+        Phrase("velocity-ellipse"): values,
+        Phrase("force-ellipse"): [1 / value for value in values],
+    }
     vectors = [(along[0], along[1]) for along in directions]
     return (at_the_tip(_arm(task, here, ["xyz".index(each) for each in labels]), sizes, vectors, labels),)
 
