@@ -8,7 +8,7 @@ from itertools import combinations
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
-from derive.algebra.solving.factors import TooLong
+from derive.mechanics.budget import Budget
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -17,19 +17,6 @@ class Minor:
 
     lines: tuple[int, ...]
     value: Scalar
-
-
-@dataclass(slots=True)
-class Budget:
-    """Products of terms that may still be made: the same on every machine."""
-
-    left: int
-
-    def spend(self, products: int) -> None:
-        """Raises TooLong where they are more than are left."""
-        self.left -= products
-        if self.left < 0:
-            raise TooLong
 
 
 def minors(J: ScalarMatrix, budget: Budget | None = None) -> tuple[Minor, ...]:

@@ -16,7 +16,8 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.factors import TooLong, common_factor
 from derive.errors import NotDerivable
-from derive.mechanics.minors import Budget, maximal_minors, minor_of
+from derive.mechanics.budget import Budget
+from derive.mechanics.minors import maximal_minors, minor_of
 from derive.mechanics.sampling import vanishes_on
 from derive.mechanics.vanishing import Locus, Vanishing, divides, with_signs
 

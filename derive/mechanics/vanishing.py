@@ -26,7 +26,7 @@ from derive.algebra.solving.half_angles import half_angles
 from derive.algebra.solving.resultants import resultant
 from derive.algebra.substitution import pinned
 from derive.errors import NotDerivable
-from derive.mechanics.minors import Budget
+from derive.mechanics.budget import Budget
 from derive.mechanics.sampling import vanishes_on
 from derive.mechanics.zeros import Write, Zero, zeros
 

@@ -7,9 +7,12 @@ from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of
-from derive.kinds.robot._inverse.given import Given
+from derive.kinds.robot._inverse import open_chain
+from derive.kinds.robot._inverse import two_link as triangle
+from derive.kinds.robot._inverse.facts import Facts as Facts
+from derive.kinds.robot._inverse.given import Given, goal_of
+from derive.mechanics.inverse.two_link import two_link
 from derive.mechanics.robot import Robot
-from derive.mechanics.two_link import two_link
 
 RESULTS = {
     "solutions": "every branch: a value for each joint variable, and when; long values are in terms of names "
@@ -42,18 +45,11 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     chain, given = chain_of(problem), options.given
     arm = two_link(chain)
     if arm is not None and isinstance(given, tuple) and len(given) == 2:
-        from derive.kinds.robot._inverse import planar
-
-        return planar.derive(arm, chain, given, options.evaluate, problem)
-    from derive.kinds.robot._inverse import general
-
-    return general.derive(chain, options, problem)
+        return triangle.derive(arm, chain, given, options.evaluate, problem)
+    return open_chain.derive(chain, given, options.evaluate, problem)
 
 
 def reached(options: Options, problem: Problem, count: int) -> tuple[dict[str, float], ...]:
     """Points at which what is given is the place of the end-effector: joint variables, lengths, and that."""
-    from derive.kinds.robot._inverse.general import sample_points
-    from derive.kinds.robot._inverse.given import goal_of
-
     chain = chain_of(problem)
-    return sample_points(chain, goal_of(options.given, chain, problem), problem, count)
+    return open_chain.sample_points(chain, goal_of(options.given, chain, problem), problem, count)

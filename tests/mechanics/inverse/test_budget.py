@@ -13,13 +13,15 @@ from pathlib import Path
 
 import pytest
 
+from derive.algebra.solving.factors import TooLong
 from derive.errors import NotDerivable
 from derive.kinds.robot._chain import chain_of
-from derive.kinds.robot._inverse import general
+from derive.kinds.robot._inverse import open_chain
 from derive.kinds.robot._inverse.given import goal_of
-from derive.kinds.robot._inverse.reasons import no_closed_form
-from derive.mechanics.inverse.budget import Budget, Spent
+from derive.kinds.robot._inverse.refused import no_closed_form
+from derive.mechanics.budget import Budget
 from derive.mechanics.inverse.plan import Search
+from derive.mechanics.inverse.search import MOST_TERMS
 from tests.kinds.robot.arms import ARMS
 
 PACKAGE = Path(__file__).parents[3] / "derive"
@@ -29,22 +31,22 @@ def search(name: str, budget: Budget) -> Search:
     arm = ARMS[name]
     chain, problem = chain_of(arm.problem()), arm.problem()
     goal = goal_of(arm.given, chain, problem)
-    points = general.sample_points(chain, goal, problem, 2)
-    return Search(chain, goal, points, partial(general.free_name, problem=problem, goal=goal), budget)
+    points = open_chain.sample_points(chain, goal, problem, 2)
+    return Search(chain, goal, points, partial(open_chain.free_name, problem=problem, goal=goal), budget)
 
 
 def test_what_is_spent_is_the_same_each_time() -> None:
     counts = []
     for _ in range(2):
-        budget = Budget()
+        budget = Budget(MOST_TERMS)
         assert search("UR5", budget).plan().complete
-        counts.append(budget.tried)
-    assert counts[0] == counts[1] < budget.most / 50
+        counts.append(MOST_TERMS - budget.left)
+    assert counts[0] == counts[1] < MOST_TERMS / 50
 
 
 @pytest.mark.parametrize("name", ["UR5", "PUMA 560", "3R"])
 def test_a_spent_budget_is_said_in_other_words(name: str) -> None:
-    here = search(name, Budget(most=300))
+    here = search(name, Budget(300))
     plan = here.plan()
     assert plan.stopped and not plan.complete
     said = no_closed_form(plan, here.goal, ARMS[name].problem())
@@ -53,16 +55,16 @@ def test_a_spent_budget_is_said_in_other_words(name: str) -> None:
 
 
 def test_a_stopped_search_is_refused(monkeypatch) -> None:
-    monkeypatch.setattr(general, "Budget", lambda: Budget(most=300))
+    monkeypatch.setattr(open_chain, "Budget", lambda most: Budget(300))
     arm = ARMS["UR5, symbolic"]
     with pytest.raises(NotDerivable, match="given up after"):
         replace(arm).problem().ask("inverse-kinematics", given=arm.given)
 
 
 def test_more_than_the_budget_is_not_spent() -> None:
-    budget = Budget(most=10)
+    budget = Budget(10)
     budget.spend(10)
-    with pytest.raises(Spent):
+    with pytest.raises(TooLong):
         budget.spend(1)
 
 

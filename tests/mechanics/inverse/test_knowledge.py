@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from derive.algebra.angles import Form
 from derive.mechanics.chain import chain
-from derive.mechanics.inverse.knowledge import Knowledge, singles
+from derive.mechanics.inverse.known import Knowledge, singles
 from tests.kinds.robot.arms import ARMS
 
 
@@ -28,23 +28,23 @@ def test_antiparallel_axes_count_backwards() -> None:
 
 
 def test_what_follows_from_sums() -> None:
-    here = known("3R").with_form(form("theta1", "theta2", "theta3")).with_form(form("theta2"))
+    here = known("3R").after(form("theta1", "theta2", "theta3")).after(form("theta2"))
     assert here.knows(form("theta1", "theta3"))
     assert not here.knows_joint("theta1")
     assert not here.complete
-    assert here.with_form(form("theta1")).complete
+    assert here.after(form("theta1")).complete
 
 
 def test_sums_that_differ_by_a_known_one_are_sought_once() -> None:
-    here = known("3R").with_form(form("theta1", "theta2", "theta3"))
+    here = known("3R").after(form("theta1", "theta2", "theta3"))
     assert list(here.sought()) == [form("theta1"), form("theta2"), form("theta3")]
 
 
 def test_displacements() -> None:
     here = known("cylindrical")
     assert here.slides == ("d2", "d3")
-    assert not here.with_form(form("theta1")).with_length("d2").complete
-    assert here.with_form(form("theta1")).with_length("d2").with_length("d3").complete
+    assert not here.after(form("theta1")).after("d2").complete
+    assert here.after(form("theta1")).after("d2").after("d3").complete
 
 
 def test_single_angles() -> None:

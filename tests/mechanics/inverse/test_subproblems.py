@@ -8,17 +8,23 @@ from derive.algebra.angles import Form
 from derive.algebra.formulas.grammar import parse
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
-from derive.mechanics.inverse.equation import Equation, View
-from derive.mechanics.inverse.slide import slide_of
-from derive.mechanics.inverse.squares import elbow, reach, split
-from derive.mechanics.inverse.trigonometric import Row, pair_of, row_of
+from derive.mechanics.inverse.paul import Between, Equation
+from derive.mechanics.inverse.subproblems import (
+    TrigEquation,
+    elbow,
+    reach,
+    slide,
+    split,
+    trig_equation,
+    two_equations,
+)
 
 Q = Form.of({"q": 1})
-SOMEWHERE = Equation(View(0, None), 0, 3, Scalar.of(0), Scalar.of(0))
+SOMEWHERE = Equation(Between(0, None), 0, 3, Scalar.of(0), Scalar.of(0))
 
 
-def row(text: str) -> Row | None:
-    return row_of(normal(parse(text)), Q, SOMEWHERE)
+def row(text: str) -> TrigEquation | None:
+    return trig_equation(normal(parse(text)), Q, SOMEWHERE)
 
 
 def test_one_equation() -> None:
@@ -31,7 +37,7 @@ def test_one_equation() -> None:
 def test_what_is_not_of_that_form(text) -> None:
     value = normal(parse(f"{text} + 0*cos(q)")) + normal(parse("cos(q)")) - normal(parse("cos(q)"))
     home = value.ring.union(normal(parse("cos(q)")).ring)
-    assert row_of(value.into(home), Q, SOMEWHERE) is None
+    assert trig_equation(value.into(home), Q, SOMEWHERE) is None
 
 
 @pytest.mark.parametrize(
@@ -47,8 +53,8 @@ def test_what_is_not_of_that_form(text) -> None:
 def test_two_equations(first, second, kind) -> None:
     rows = row(first), row(second)
     assert rows[0] and rows[1]
-    found = pair_of(Q, (rows[0], rows[1]))
-    assert found.kind == kind
+    found = two_equations(Q, rows[0], rows[1])
+    assert found.method == kind
     assert found.determinant
 
 
@@ -63,7 +69,7 @@ def test_the_law_of_cosines() -> None:
     found = elbow(Q, parts("a*cos(p) + b*cos(p)*cos(q) - b*sin(p)*sin(q) - x + h",
                            "a*sin(p) + b*sin(p)*cos(q) + b*cos(p)*sin(q) - y"), UNKNOWN)  # fmt: skip
     assert found is not None
-    assert [part.known for part in found.parts] == [normal(parse("x - h")), normal(parse("y"))]
+    assert [part.known for part in found.coordinates] == [normal(parse("x - h")), normal(parse("y"))]
     assert found.row.a == normal(parse("2*a*b"))
     assert found.row.b == 0
     assert -found.row.c == normal(parse("a^2 + b^2"))
@@ -81,8 +87,8 @@ def test_the_length_of_a_slide() -> None:
 
 
 def test_a_linear_slide() -> None:
-    found = slide_of(normal(parse("2*d*sin(a) - z + h")), "d", SOMEWHERE)
+    found = slide(normal(parse("2*d*sin(a) - z + h")), "d", SOMEWHERE)
     assert found is not None
     assert found.slope == normal(parse("2*sin(a)"))
     assert found.value == normal(parse("z - h"))
-    assert slide_of(normal(parse("d^2 - z")), "d", SOMEWHERE) is None
+    assert slide(normal(parse("d^2 - z")), "d", SOMEWHERE) is None

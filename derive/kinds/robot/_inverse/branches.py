@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from derive.algebra.angles import Form, combination
-from derive.algebra.numbers.compiled import Compiled, compiled
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Branch
 from derive.expression import (
@@ -22,10 +21,12 @@ from derive.expression import (
     is_negative,
     rebuild,
     replace,
+    walk,
 )  # fmt: skip
 from derive.kinds.problem import Problem
-from derive.kinds.robot._inverse.moves import Definition, Item, Option, choices, shares, weighted
-from derive.kinds.robot._inverse.trees import minus, ordered
+from derive.kinds.robot._inverse.signs import opposite, ordered, terms_of
+from derive.kinds.robot._inverse.subproblem import Definition, Item, Taken, branches_of, shares, weighted
+from derive.mechanics.inverse.known import determined
 
 LARGEST = 1200  # names, numbers and operations in a value; above that it stays in terms of earlier joints
 DIGITS = "0123456789"
@@ -34,8 +35,8 @@ READABLE = 130  # likewise in a value that is printed with everything put in
 
 @dataclass(frozen=True)
 class Solutions:
-    """The moves in order, and the joint variables of the arm. `reached` says of each branch whether it brings
-    the end-effector there wherever it is real."""
+    """The solved sub-problems in order, and the joint variables of the arm. `reached` says of each branch
+    whether it brings the end-effector there wherever it is real."""
 
     items: tuple[Item, ...]
     joints: tuple[str, ...]
@@ -45,8 +46,8 @@ class Solutions:
     reached: tuple[bool, ...] = ()
 
     @cached_property
-    def chosen(self) -> tuple[dict[int, Option], ...]:
-        return tuple(choices(self.items))
+    def chosen(self) -> tuple[Taken, ...]:
+        return tuple(branches_of(self.items))
 
     @cached_property
     def branches(self) -> tuple[Branch, ...]:
@@ -54,7 +55,7 @@ class Solutions:
         whole = [self._whole(taken) for taken in self.chosen]
         names = set(self.joints)
         short = not all(
-            size(value) <= READABLE and not _holds(value, names) and not _nested(value)
+            size(value) <= READABLE and not free_symbols(value) & names and not _nested(value)
             for values in whole
             for value in values.values()
         )
@@ -67,7 +68,7 @@ class Solutions:
     @cached_property
     def conditions(self) -> tuple[tuple[str, ...], ...]:
         """Which choices make each branch."""
-        return tuple(tuple(o.when for o in taken.values() if o.when) for taken in self.chosen)
+        return tuple(tuple(c.when for c in taken.values() if c.when) for taken in self.chosen)
 
     @property
     def turning(self) -> tuple[str, ...]:
@@ -86,33 +87,21 @@ class Solutions:
         branch is not real there. Raises KeyError for a name without a value."""
         return [self._at(taken, dict(point)) for taken in self.chosen]
 
-    @cached_property
-    def _functions(self) -> dict[int, Compiled]:
-        """Every definition and option as a function."""
-        parts: list[Definition | Option] = []
-        for item in self.items:
-            parts += [item] if isinstance(item, Definition) else item.options
-        return {id(part): compiled(part.value) for part in parts}
-
-    def value(self, part: Definition | Option, known: Point) -> float:
-        """Of a definition or an option, by what is known."""
-        return self._functions[id(part)](known)
-
-    def _at(self, taken: Mapping[int, Option], known: dict[str, float]) -> dict[str, float] | None:
+    def _at(self, taken: Taken, known: dict[str, float]) -> dict[str, float] | None:
         forms: list[Form] = []
         values: list[float] = []
         try:
             for item in self.items:
-                part = item if isinstance(item, Definition) else taken[item.number]
-                value = self.value(part, known)
                 if isinstance(item, Definition):
-                    known[item.name.name] = value
-                elif isinstance(item.of, Form):
-                    forms.append(item.of)
-                    values.append(value)
-                    known |= self.angles(forms, values)
-                else:
-                    known[item.of] = value
+                    known[item.name.name] = item.at(known)
+                    continue
+                value = taken[item.number].at(known)
+                if isinstance(item.unknown, str):
+                    known[item.unknown] = value
+                    continue
+                forms.append(item.unknown)
+                values.append(value)
+                known |= self.angles(forms, values)
         except (ValueError, ZeroDivisionError):
             return None
         return {name: known[name] for name in self.joints}
@@ -127,36 +116,43 @@ class Solutions:
 
     # -- with everything put in -------------------------------------------------------------------
 
-    def _whole(self, taken: Mapping[int, Option]) -> dict[str, Expr]:
+    def _whole(self, taken: Taken) -> dict[str, Expr]:
         """The joint variables in what is given; in earlier ones where that is too long."""
         known: dict[Expr, Expr] = {}
         forms: list[Form] = []
         values: list[Expr] = []
         found: dict[str, Expr] = {}
-        for item in self.items:
-            if isinstance(item, Definition):
-                known[item.name] = replace(self._summed(item.value, known, forms, values), known)
-                continue
-            value = replace(self._summed(taken[item.number].value, known, forms, values), known)
-            if isinstance(item.of, str):
-                self._keep(item.of, value, known, found)
-                continue
-            forms.append(item.of)
-            values.append(value)
-            if len(item.of.parts) > 1:
-                known[item.head] = value
-            sign = taken[item.number].sign
-            for joint, result in self._fresh(found, forms, values):
-                self._keep(joint, result, known, found)
+
+        def keep(joint: str, value: Expr) -> None:
+            found[joint] = value
             if size(value) <= LARGEST:
-                known |= {key: replace(v, known) for key, v in item.trig.get(sign, {}).items()}
+                known[Symbol(joint)] = value
+
+        for item in self.items:
+            tree = item.value if isinstance(item, Definition) else taken[item.number].value
+            value = replace(self._summed(tree, known, forms, values), known)
+            if isinstance(item, Definition):
+                known[item.name] = value
+                continue
+            if isinstance(item.unknown, str):
+                keep(item.unknown, value)
+                continue
+            forms.append(item.unknown)
+            values.append(value)
+            if len(item.unknown.parts) > 1:
+                known[item.head] = value
+            for joint, result in self._fresh(found, forms, values):
+                keep(joint, result)
+            if size(value) <= LARGEST:
+                trig = item.trig.get(taken[item.number].sign, {})
+                known |= {key: replace(v, known) for key, v in trig.items()}
         return {name: self._final(found[name]) for name in self.joints}
 
     def _fresh(
         self, found: Mapping[str, Expr], forms: Sequence[Form], values: Sequence[Expr]
     ) -> Iterator[tuple[str, Expr]]:
         """The joint angles that the latest sum determines, in terms of the values of the sums."""
-        for joint in [j for j in self.turning if j not in found and self._fixed(j, forms)]:
+        for joint in [j for j in self.turning if j not in found and determined(j, forms)]:
             weights = shares(joint, tuple(forms), self.turning) or ()
             yield joint, ordered(_flat(weighted(values, weights)))
 
@@ -177,43 +173,31 @@ class Solutions:
         found: dict[str, int] = {}
         rest: list[Expr] = []
         for term in tree.terms:
-            bare = minus(term) if is_negative(term) else term
+            bare = opposite(term) if is_negative(term) else term
             if isinstance(bare, Symbol) and bare.name in self.turning:
                 found[bare.name] = -1 if is_negative(term) else 1
             else:
                 rest.append(term)
         return Form.of(found), rest
 
-    def _keep(self, joint: str, value: Expr, known: dict[Expr, Expr], found: dict[str, Expr]) -> None:
-        found[joint] = value
-        if size(value) <= LARGEST:
-            known[Symbol(joint)] = value
-
-    def _fixed(self, joint: str, forms: Sequence[Form]) -> bool:
-        """Whether these sums determine a joint angle."""
-        return combination(Form.of({joint: 1}), forms) is not None
-
     # -- in short formulas ------------------------------------------------------------------------
 
-    def _short(self, taken: Mapping[int, Option]) -> dict[str, Expr]:
+    def _short(self, taken: Taken) -> dict[str, Expr]:
         """Every name of the working with its formula, each after those it rests on."""
         forms: list[Form] = []
         sums: list[Expr] = []
         found: dict[str, Expr] = {}
-
-        def written(tree: Expr) -> Expr:
-            known: dict[Expr, Expr] = {Symbol(name): ZERO for name in found}
-            return self._final(self._summed(tree, known, forms, sums))
-
         for item in self.items:
+            tree = item.value if isinstance(item, Definition) else taken[item.number].value
+            known: dict[Expr, Expr] = {Symbol(name): ZERO for name in found}
+            value = self._final(self._summed(tree, known, forms, sums))
             if isinstance(item, Definition):
-                found[item.name.name] = written(item.value)
+                found[item.name.name] = value
                 continue
-            value = written(taken[item.number].value)
-            name = item.of if isinstance(item.of, str) else self._name(item.of)
+            name = item.unknown if isinstance(item.unknown, str) else self._name(item.unknown)
             found[name] = value
-            if isinstance(item.of, Form):
-                forms.append(item.of)
+            if isinstance(item.unknown, Form):
+                forms.append(item.unknown)
                 sums.append(Symbol(name))
                 found |= {joint: self._final(result) for joint, result in self._fresh(found, forms, sums)}
         return _used(found, self.joints)
@@ -250,38 +234,26 @@ def _used(found: Mapping[str, Expr], wanted: Iterable[str]) -> dict[str, Expr]:
 
 def size(tree: Expr) -> int:
     """How many nodes a tree has."""
-    return 1 + sum(map(size, children(tree)))
+    return sum(1 for _ in walk(tree))
 
 
 def plain(tree: Expr) -> bool:
     """Whether it holds no inverse function and no root."""
-    if isinstance(tree, Call) and tree.function in ("atan2", "sqrt"):
-        return False
-    return all(map(plain, children(tree)))
+    return not any(isinstance(node, Call) and node.function in ("atan2", "sqrt") for node in walk(tree))
 
 
-def _holds(tree: Expr, names: set[str]) -> bool:
-    if isinstance(tree, Symbol):
-        return tree.name in names
-    return any(_holds(part, names) for part in children(tree))
-
-
-def _nested(tree: Expr, inside: bool = False) -> bool:
+def _nested(tree: Expr) -> bool:
     """Whether a root stands inside a root."""
-    root = isinstance(tree, Call) and tree.function == "sqrt"
-    return (root and inside) or any(_nested(part, inside or root) for part in children(tree))
+    roots = [node for node in walk(tree) if _is_root(node)]
+    return any(_is_root(inner) for root in roots for part in children(root) for inner in walk(part))
+
+
+def _is_root(tree: Expr) -> bool:
+    return isinstance(tree, Call) and tree.function == "sqrt"
 
 
 def _flat(tree: Expr) -> Expr:
     """A sum of sums as one sum."""
     if not isinstance(tree, Sum):
         return tree
-    return Sum(tuple(_terms(tree)))
-
-
-def _terms(tree: Sum) -> Iterator[Expr]:
-    for term in tree.terms:
-        if isinstance(term, Sum):
-            yield from _terms(term)
-        else:
-            yield term
+    return Sum(tuple(inner for term in tree.terms for inner in terms_of(_flat(term))))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -10,14 +9,9 @@ from derive.algebra.numbers.compiled import compiled
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Claim
 from derive.expression import Expr
-from derive.kinds.checks import SECOND_ROUTE, TOLERANCE, close
-from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import oracle_of
+from derive.kinds.checks import SECOND_ROUTE
 from derive.kinds.robot._inverse.branches import Solutions
-from derive.mechanics.inverse.goal import Goal
-from derive.mechanics.oracle import Oracle
-
-SAME = 1e-6  # radians or metres: two joint values this close are one
+from derive.kinds.robot._inverse.target import SAME, Target
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,42 +41,16 @@ class Tried:
         yield Claim("the solutions as printed have the values found step by step", SECOND_ROUTE, same)
 
 
-def tried(solutions: Solutions, goal: Goal, problem: Problem, points: Sequence[Mapping[str, float]]) -> Tried:
+def tried(solutions: Solutions, target: Target, points: Sequence[Mapping[str, float]]) -> Tried:
     """Every branch at every point."""
-    oracle = oracle_of(problem)
     reached = [True] * len(solutions.chosen)
     found = True
     for point in points:
         branches = solutions.at(point)
-        there = [values is None or reaches(oracle, goal, point, values) for values in branches]
+        there = [values is None or target.reached(point, values) for values in branches]
         reached = [before and now for before, now in zip(reached, there, strict=True)]
-        found &= any(values is not None and matches(values, point, solutions) for values in branches)
-    return Tried(tuple(reached), found, len(solutions.joints) < goal.size)
-
-
-def reaches(oracle: Oracle, goal: Goal, point: Mapping[str, float], values: Mapping[str, float]) -> bool:
-    """Whether the arm stands where it should, by the forward kinematics in NumPy."""
-    given = goal.numbers(oracle.tool({**point, **values}))
-    wanted = {name: point[name] for name in given}
-    return close(plain(goal, given), plain(goal, wanted), TOLERANCE)
-
-
-def matches(values: Mapping[str, float], point: Mapping[str, float], solutions: Solutions) -> bool:
-    """Whether these are the joint values of the point, angles up to whole turns."""
-    return all(
-        abs(gap(values[name], point[name], name in solutions.slides)) <= SAME for name in solutions.joints
-    )
-
-
-def gap(one: float, other: float, slide: bool) -> float:
-    """The difference of two joint values, of angles up to whole turns."""
-    return one - other if slide else math.remainder(one - other, 2 * math.pi)
-
-
-def plain(goal: Goal, given: Mapping[str, float]) -> list[float]:
-    """Numbers to compare; an angle by its cosine and sine."""
-    found = [value for name, value in given.items() if name != goal.angle]
-    return found + [f(given[goal.angle]) for f in (math.cos, math.sin)] if goal.angle else found
+        found &= any(values is not None and target.same(values, point) for values in branches)
+    return Tried(tuple(reached), found, len(solutions.joints) < target.goal.size)
 
 
 def _as_printed(solutions: Solutions, point: Mapping[str, float]) -> bool:
@@ -93,13 +61,13 @@ def _as_printed(solutions: Solutions, point: Mapping[str, float]) -> bool:
             continue
         turn = [name for name in branch.short if name in values]
         for formulas, names in ((branch.values, turn or list(values)), (branch.short, list(branch.short))):
-            found = in_turn(formulas, names, given)
+            found = _in_turn(formulas, names, given)
             if names and any(abs(found[n] - v) > SAME * max(1.0, abs(v)) for n, v in values.items()):
                 return False
     return True
 
 
-def in_turn(formulas: Mapping[str, Expr], names: Sequence[str], given: Point) -> dict[str, float]:
+def _in_turn(formulas: Mapping[str, Expr], names: Sequence[str], given: Point) -> dict[str, float]:
     """The values of formulas, each put into those after it. Raises as `compiled` does."""
     known = dict(given)
     for name in names:

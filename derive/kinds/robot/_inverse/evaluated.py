@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise, product
@@ -15,14 +15,15 @@ from derive.expression import Expr, Number, Symbol, free_symbols, rebuild
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
+from derive.kinds.robot._inverse.at_pose import AtPose, Configuration, InNumbers
 from derive.kinds.robot._inverse.branches import Solutions, plain
-from derive.kinds.robot._inverse.moves import Definition, Item
-from derive.kinds.robot._inverse.numbers import AtPoint, Leaf
-from derive.kinds.robot._inverse.settled import Leaves, Settled, told
+from derive.kinds.robot._inverse.distinct import Configurations, Distinct, listed
+from derive.kinds.robot._inverse.facts import AtPlace
+from derive.kinds.robot._inverse.target import Target
+from derive.kinds.robot._inverse.worked import Worked
 from derive.kinds.values_at import point_of
 from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.goal import Goal
-from derive.mechanics.inverse.plan import Plan
 from derive.mechanics.oracle import Oracle
 
 REACHED = 1e-6  # in lengths of the arm
@@ -30,101 +31,90 @@ ROUNDED = 5e-3  # how far R^T R of a rotation typed with three digits may be fro
 SMALL = 1e-7  # of a coefficient, which rounding may leave
 EXACTLY = 1e-13
 FEWEST_PLACES, MOST_PLACES = 3, 8  # of numbers that are taken as rounded
+NOWHERE = AtPlace()
 ROTATION = tuple(f"r{i}{j}" for i, j in product((1, 2, 3), repeat=2))
 
 
 @dataclass(frozen=True, slots=True)
 class Evaluated:
-    """What the JSON says under `evaluated`, and about it: `out_of_reach` where no branch is real, `missed`
-    where some are but do not bring the end-effector there, `free` where an unknown can be chosen at will,
-    `rounded` where the nearest rotation was taken for the one typed."""
+    """What the JSON says under `evaluated`, and what the words say of it."""
 
     values: Mapping[str, Any]
-    out_of_reach: bool = False
-    missed: bool = False
-    free: bool = False
-    rounded: bool = False
-
-    @property
-    def facts(self) -> dict[str, bool]:
-        names = ("out_of_reach", "missed", "free", "rounded")
-        return {name: getattr(self, name) for name in names}
+    place: AtPlace = NOWHERE
 
 
 def evaluated(
-    solutions: Solutions, items: tuple[Item, ...], chain: Chain, plan: Plan, goal: Goal, place: Place | None
+    branches: Sequence[Branch],
+    place: Place | None,
+    problem: Problem,
+    in_numbers: Callable[[dict[str, float]], Evaluated],
 ) -> Evaluated:
-    """`solutions` with floats, where every name that they need has a value. Empty without a point. `items`
-    are all definitions and moves, those that no branch needs included.
-
-    Raises NotDerivable where what is typed as a rotation is none.
-    """
+    """The branches at a place by the values of all names, or in the letters that have none. Empty without a
+    place."""
     if place is None:
         return Evaluated({})
-    problem = solutions.problem
-    point = known_at(place, problem)
-    if needed(solutions) - point.keys():
-        return Evaluated(in_letters(solutions.branches, place, problem))
+    point = dict(point_of(dict(place), problem.where))
+    formulas = [branch.short or branch.values for branch in branches]
+    rest_on = frozenset[str]().union(*(free_symbols(tree) for each in formulas for tree in each.values()))
+    if rest_on - point.keys() - formulas[0].keys():
+        return Evaluated({"solutions": [_in_letters(each, dict(place), problem) for each in branches]})
+    return in_numbers(point)
+
+
+def by_plan(solutions: Solutions, worked: Worked, place: Place, point: dict[str, float]) -> Evaluated:
+    """By the formulas of the sub-problems, and by other equations where these fail. Raises NotDerivable where
+    what is typed as a rotation is none."""
+    problem, goal, chain = worked.problem, worked.goal, worked.chain
     point, rounding = _with_rotation(point)
     size = _size(oracle_of(problem), _anything(point, problem))
     typed = _last_digit({name: value for name, value in place if name in goal.names}) / size
-    at = AtPoint(solutions, items, chain, plan, size, max(SMALL, 4 * rounding))
+    in_numbers = tuple(InNumbers(planned, size) for planned in worked.plan.steps)
+    at = AtPose(solutions, in_numbers, max(SMALL, 4 * rounding))
     found = Evaluated({})
     for here, off in ((at, rounding), (replace(at, meeting=8 * typed), max(rounding, typed))):
-        leaves = _leaves(here, solutions, point)
-        found = at_point(leaves, solutions.conditions, chain, goal, problem, point, off)
-        if not found.out_of_reach or not typed:  # a stretched arm may be out of reach by what was rounded
+        ways = _configurations(here, solutions, point)
+        found = at_point(ways, solutions.conditions, chain, goal, problem, point, off)
+        if not found.place.out_of_reach or not typed:  # stretched, it may be out of reach by what was rounded
             break
     return found
 
 
-def _leaves(at: AtPoint, solutions: Solutions, point: Point) -> Leaves:
+def _configurations(at: AtPose, solutions: Solutions, point: Point) -> Configurations:
     exactly = replace(at, small=EXACTLY, meeting=EXACTLY)
 
-    def leaves(k: int, pins: Mapping[int, float], usual: float, exact: bool) -> Iterator[Leaf]:
-        return (exactly if exact else at).leaves(solutions.chosen[k], point, pins, usual)
+    def configurations(
+        k: int, pins: Mapping[int, float], usual: float, exact: bool
+    ) -> Iterator[Configuration]:
+        return (exactly if exact else at).configurations(solutions.chosen[k], point, pins, usual)
 
-    return leaves
+    return configurations
 
 
 def at_point(
-    leaves: Leaves, conditions: Sequence[Sequence[str]], chain: Chain, goal: Goal, problem: Problem,
-    point: Point, rounding: float = 0.0,
+    configurations: Configurations, conditions: Sequence[Sequence[str]], chain: Chain, goal: Goal,
+    problem: Problem, point: Point, rounding: float = 0.0,
 ) -> Evaluated:  # fmt: skip
-    """The solutions at a point, from the values that `leaves` gives for each branch; `rounding` is how far
-    what is typed may be off, in lengths of the arm and in elements of R."""
+    """The solutions at a point, from the configurations of each branch; `rounding` is how far what is typed
+    may be off, in lengths of the arm and in elements of R."""
     wanted = _anything(point, problem)
-    oracle = oracle_of(problem)
-    slides = frozenset(joint.variable for _, joint in chain.moving if joint.type == "prismatic")
-    size = _size(oracle, wanted)
-    settled = Settled(oracle, goal, chain.variables, slides, leaves, wanted, size, REACHED + 10 * rounding)
-    found = settled.solutions(len(conditions))
-    real = [any(leaf.values for leaf in leaves(k, {}, 0.0, False)) for k in range(len(conditions))]
+    tolerance, size = REACHED + 10 * rounding, _size(oracle_of(problem), wanted)
+    distinct = Distinct(Target.of(problem, chain, goal), configurations, wanted, size, tolerance)
+    found = distinct.solutions(len(conditions))
+    real = [any(each.values for each in configurations(k, {}, 0.0, False)) for k in range(len(conditions))]
     return Evaluated(
-        {"solutions": told(found, conditions, real, len(chain.variables) < goal.size)},
-        out_of_reach=not any(real),
-        missed=any(real) and not found,
-        free=any(each.freedom for each in found),
-        rounded=rounding > REACHED,
+        {"solutions": listed(found, conditions, real, len(chain.variables) < goal.size)},
+        AtPlace(
+            out_of_reach=not any(real),
+            missed=any(real) and not found,
+            free=any(each.self_motion for each in found),
+            rounded=rounding > REACHED,
+        ),
     )
 
 
 def _anything(point: Point, problem: Problem) -> dict[str, float]:
     """The point, with a value for what nothing rests on."""
     return {**dict.fromkeys(problem.symbols, 1.0), **point}
-
-
-def known_at(place: Place, problem: Problem) -> dict[str, float]:
-    """Every name that has a value; one that is given in letters without values has none."""
-    return dict(point_of(dict(place), problem.where))
-
-
-def needed(solutions: Solutions) -> frozenset[str]:
-    """The names that the branches rest on: what is given, and lengths."""
-    defined = {item.name.name for item in solutions.items if isinstance(item, Definition)}
-    trees = [item.value for item in solutions.items if isinstance(item, Definition)]
-    trees += [option.value for taken in solutions.chosen for option in taken.values()]
-    return frozenset().union(*map(free_symbols, trees)) - defined - set(solutions.joints)
 
 
 def _size(oracle: Oracle, point: Point) -> float:
@@ -165,15 +155,8 @@ def _with_rotation(point: dict[str, float]) -> tuple[dict[str, float], float]:
     return ({**point, **nearest}, off) if off > 1e-12 else (point, 0.0)
 
 
-# -- in letters ------------------------------------------------------------------------------------------
-
-
-def in_letters(branches: tuple[Branch, ...], place: Place, problem: Problem) -> dict[str, Any]:
+def _in_letters(branch: Branch, place: Mapping[str, Expr], problem: Problem) -> dict[str, Any]:
     """What has all its values as numbers, the rest as trees in the letters left."""
-    return {"solutions": [_branch_in_letters(branch, dict(place), problem) for branch in branches]}
-
-
-def _branch_in_letters(branch: Branch, place: Mapping[str, Expr], problem: Problem) -> dict[str, Any]:
     known: dict[Expr, Expr] = {Symbol(name): value for name, value in place.items()}
     found: dict[str, Any] = {}
     for name, formula in (branch.short or branch.values).items():

@@ -28,8 +28,9 @@ from derive.kinds.robot._singular.determinants import determinant, gram_determin
 from derive.kinds.robot._singular.geometry import Seeing
 from derive.kinds.robot._singular.sets import Block
 from derive.kinds.robot._velocity.task import Task
+from derive.mechanics.budget import Budget
 from derive.mechanics.jacobian import jacobian
-from derive.mechanics.minors import Budget, Minor, minors
+from derive.mechanics.minors import Minor, minors
 from derive.mechanics.poses import position_part, rotation_part
 from derive.mechanics.seen import seen_shortest
 from derive.mechanics.singular import of_determinant, of_minors, searching

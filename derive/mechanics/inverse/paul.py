@@ -18,21 +18,21 @@ from derive.mechanics.poses import homogeneous, inverse_pose
 
 
 @dataclass(frozen=True, slots=True)
-class View:
+class Between:
     """The frames between which an equation is written; `last` None is the end-effector."""
 
     first: int
     last: int | None
 
 
-Place: TypeAlias = tuple[View, int, int]
+Place: TypeAlias = tuple[Between, int, int]
 
 
 @dataclass(frozen=True, slots=True)
 class Equation:
-    """One entry of a view, counted from 0: column 3 is the position. left = right."""
+    """One entry of T_last^first, counted from 0: column 3 is the position. left = right."""
 
-    view: View
+    between: Between
     row: int
     col: int
     left: Scalar
@@ -40,7 +40,7 @@ class Equation:
 
     @property
     def place(self) -> Place:
-        return self.view, self.row, self.col
+        return self.between, self.row, self.col
 
     @property
     def is_position(self) -> bool:
@@ -85,7 +85,7 @@ def position_equations(
         left, right = frames.seen_from(i, known), frames.seen_from(i, there)
         for row in range(3):
             if goal[row] is not None or whole:
-                yield Equation(View(i, None), row, 3, left[row, 0], right[row, 0])
+                yield Equation(Between(i, None), row, 3, left[row, 0], right[row, 0])
 
 
 def pose_equations(frames: Frames, R: ScalarMatrix, p: Sequence[Scalar] | None) -> Iterator[Equation]:
@@ -94,14 +94,14 @@ def pose_equations(frames: Frames, R: ScalarMatrix, p: Sequence[Scalar] | None) 
     width = 4 if p else 3
     for i in (frames.base, *frames.moving):
         left = frames.seen_from(i, pose)
-        yield from _entries(View(i, None), left, frames.seen_from(i, frames.end), width)
+        yield from _entries(Between(i, None), left, frames.seen_from(i, frames.end), width)
         for j in (row - 1 for row in frames.moving):
             if j > i:
                 after = inverse_pose(inverse_pose(frames.T[j]) @ frames.end)
-                yield from _entries(View(i, j), left @ after, frames.seen_from(i, frames.T[j]), width)
+                yield from _entries(Between(i, j), left @ after, frames.seen_from(i, frames.T[j]), width)
 
 
-def _entries(view: View, left: ScalarMatrix, right: ScalarMatrix, width: int) -> Iterator[Equation]:
+def _entries(between: Between, left: ScalarMatrix, right: ScalarMatrix, width: int) -> Iterator[Equation]:
     for row in range(3):
         for col in range(width):
-            yield Equation(view, row, col, left[row, col], right[row, col])
+            yield Equation(between, row, col, left[row, col], right[row, col])

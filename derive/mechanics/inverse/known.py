@@ -7,7 +7,7 @@ turns by q3 - q2, and the sums of its rows are q2 and q3 themselves: there any s
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from itertools import combinations, product
@@ -45,17 +45,17 @@ class Knowledge:
         """The revolute joints."""
         return tuple(atom for run in self.runs for atom, _ in run.parts)
 
-    def with_form(self, form: Form) -> Knowledge:
-        return replace(self, forms=(*self.forms, form))
-
-    def with_length(self, name: str) -> Knowledge:
-        return replace(self, lengths=self.lengths | {name})
+    def after(self, unknown: Form | str) -> Knowledge:
+        """What is known once a sub-problem has given this sum of angles, or this displacement."""
+        if isinstance(unknown, str):
+            return replace(self, lengths=self.lengths | {unknown})
+        return replace(self, forms=(*self.forms, unknown))
 
     def knows(self, form: Form) -> bool:
         return combination(form, self.forms) is not None
 
     def knows_joint(self, name: str) -> bool:
-        return name in self.lengths if name in self.slides else self.knows(Form.of({name: 1}))
+        return name in self.lengths if name in self.slides else determined(name, self.forms)
 
     @property
     def complete(self) -> bool:
@@ -67,10 +67,6 @@ class Knowledge:
     def run_of(self, form: Form) -> Form:
         """The parallel joints a sum belongs to."""
         return next(run for run in self.runs if run.of_atom(form.parts[0][0]))
-
-    def bound(self) -> frozenset[str]:
-        """The joints of sums that are known, though each by itself may not be."""
-        return frozenset(atom for form in self.forms for atom, _ in form.parts)
 
     def related(self, form: Form) -> frozenset[str]:
         """The joints that an equation in this sum may hold: parallel ones, and those of known sums."""
@@ -89,12 +85,7 @@ class Knowledge:
 
     def basis(self, form: Form | None) -> tuple[Form, ...]:
         """As many independent sums as there are joints: the known ones, the one sought, and single angles."""
-        found = [*self.forms, *([form] if form else [])]
-        for name in self.joints:
-            single = Form.of({name: 1})
-            if combination(single, found) is None:
-                found.append(single)
-        return tuple(found)
+        return completed((*self.forms, *([form] if form else [])), self.joints)
 
     def unknown_generators(self, form: Form | None) -> frozenset[str]:
         """The names of the generators that are not known, in the ring of that basis."""
@@ -117,6 +108,20 @@ class Knowledge:
 
     def _same(self, form: Form, other: Form) -> bool:
         return combination(form, (*self.forms, other)) is not None
+
+
+def determined(joint: str, forms: Sequence[Form]) -> bool:
+    """Whether these sums of angles determine a joint angle."""
+    return combination(Form.of({joint: 1}), forms) is not None
+
+
+def completed(forms: Sequence[Form], joints: Iterable[str]) -> tuple[Form, ...]:
+    """The sums of angles, and single angles that do not follow from them: a basis for all of the joints."""
+    found = list(forms)
+    for joint in joints:
+        if not determined(joint, found):
+            found.append(Form.of({joint: 1}))
+    return tuple(found)
 
 
 def _positive(form: Form) -> Form:

@@ -11,16 +11,16 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.mechanics.chain import Chain
 from derive.mechanics.coupling import tangled
-from derive.mechanics.inverse.budget import MOST
-from derive.mechanics.inverse.equation import Equation
 from derive.mechanics.inverse.goal import Goal
+from derive.mechanics.inverse.paul import Equation
 from derive.mechanics.inverse.plan import Plan
+from derive.mechanics.inverse.search import MOST_TERMS
 
 STEP = 1e-6  # of differences
 LONGEST = 160  # letters of an equation in the message
 
 
-def refuse(chain: Chain, goal: Goal) -> None:
+def refuse_at_once(chain: Chain, goal: Goal) -> None:
     """Raises NotDerivable where no search can succeed: more joints than what is given can determine, or a
     joint of which it says nothing."""
     if any(joint.type not in ("revolute", "prismatic") for _, joint in chain.moving):
@@ -40,7 +40,9 @@ def refuse(chain: Chain, goal: Goal) -> None:
         )
 
 
-def loose(chain: Chain, goal: Goal, problem: Problem, points: Sequence[Mapping[str, float]]) -> None:
+def refuse_self_motion(
+    chain: Chain, goal: Goal, problem: Problem, points: Sequence[Mapping[str, float]]
+) -> None:
     """Raises NotDerivable where the arm can move everywhere without changing what is given."""
     import numpy as np
 
@@ -72,8 +74,9 @@ def no_closed_form(plan: Plan, goal: Goal, problem: Problem) -> str:
     equations = "; ".join(dict.fromkeys(_written(equation, problem) for equation in plan.left))
     if plan.stopped:
         return (
-            f"{unknown}: the search was given up after {MOST} terms of equations, so that a closed form may "
-            f"exist; give numbers to some of the symbols, or fix a joint. The equations left are {equations}"
+            f"{unknown}: the search was given up after {MOST_TERMS} terms of equations, so that a closed "
+            "form may exist; give numbers to some of the symbols, or fix a joint. The equations left are "
+            f"{equations}"
         )
     if not plan.left:
         return f"no closed form found: what is given ({_listed(goal)}) does not change with {unknown}"

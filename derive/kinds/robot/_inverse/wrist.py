@@ -3,42 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import product
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix, trig_of
 from derive.algebra.scalar import Scalar
+from derive.derivation import Step
 from derive.expression import Degrees, Expr, Matrix, Symbol, add, atan2, negate, number
+from derive.kinds.robot._inverse.facts import SingularWrist
+from derive.kinds.robot._inverse.signs import signed
 
 
-@dataclass(frozen=True, slots=True)
-class Case:
-    """The middle angle at which it happens, first + sign * last, and the value of that."""
-
-    middle: Degrees
-    joints: tuple[str, str, str]
-    sign: int
-    value: Expr
-
-    @property
-    def determined(self) -> Expr:
-        first, _, last = map(Symbol, self.joints)
-        return add(first, last if self.sign > 0 else negate(last))
-
-
-def cases(made: Matrix, known: Matrix, joints: tuple[str, str, str], even: bool) -> Iterator[Case]:
-    """`made` is the wrist's rotation in its angles, `known` its entries by name; `even` where the middle
-    angle is known by its cosine."""
+def singular(made: Matrix, known: Matrix, joints: tuple[str, ...], even: bool) -> Iterator[SingularWrist]:
+    """`made` is the wrist's rotation in the angles of its three `joints`, `known` its entries by name; `even`
+    where the middle angle is known by its cosine."""
+    first, between, last = map(Symbol, joints)
+    count = 0
     for degrees in (0, 180) if even else (90, -90):
         middle = Degrees(number(degrees).value)
-        R = normal_matrix(made, {Symbol(joints[1]): middle})
-        found = _combination(R, known, joints)
+        found = _combination(normal_matrix(made, {between: middle}), known, joints)
         if found:
-            yield Case(middle, joints, *found)
+            count += 1
+            chain = (add(first, signed(found[0], last)), found[1])
+            yield SingularWrist(middle=(between, middle), step=Step(f"singular_{count}", chain, "singular"))
 
 
-def _combination(R: ScalarMatrix, known: Matrix, joints: tuple[str, str, str]) -> tuple[int, Expr] | None:
+def _combination(R: ScalarMatrix, known: Matrix, joints: tuple[str, ...]) -> tuple[int, Expr] | None:
     """The sum or difference of the outer angles that stands in R by its cosine and sine, with few signs."""
     first, last = Scalar.symbol(joints[0]), Scalar.symbol(joints[2])
     found = []

@@ -1,12 +1,10 @@
-"""Arithmetic on trees as a person does it: signs in front, squares of numbers worked out."""
+"""Signs as a person writes them: what is subtracted last, one minus in front, numbers worked out."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
-from math import lcm
 
-from derive.algebra.infix import text
 from derive.expression import (
     MINUS_ONE,
     ONE,
@@ -21,31 +19,38 @@ from derive.expression import (
     is_negative,
     multiply,
     negate,
-    number,
-    sqrt,
     squared,
+    walk,
 )
 
 LONG_DECIMAL = 6  # digits and point
 
 
 def leaves(tree: Expr) -> int:
-    """How many names and numbers stand in a tree."""
-    parts = children(tree)
-    return sum(map(leaves, parts)) if parts else int(tree != MINUS_ONE)
+    """How many names and numbers stand in a tree, signs apart."""
+    return sum(1 for node in walk(tree) if not children(node) and node != MINUS_ONE)
 
 
-def starts_negative(tree: Expr) -> bool:
-    """Whether it is written with a minus in front."""
-    return text(tree).startswith("-")
+def terms_of(tree: Expr) -> tuple[Expr, ...]:
+    """The terms of a sum; anything else by itself, zero not at all."""
+    found = tree.terms if isinstance(tree, Sum) else (tree,)
+    return tuple(term for term in found if term != ZERO)
 
 
-def minus(tree: Expr) -> Expr:
-    """The opposite, each term of a sum with its sign turned."""
+def begins_negative(tree: Expr) -> bool:
+    """Whether it is written with a minus in front, of a sum the first term."""
+    return any(map(is_negative, terms_of(tree)[:1]))
+
+
+def all_negative(tree: Expr) -> bool:
+    """Whether it is written with a minus in front, of a sum every term."""
+    return all(map(is_negative, tree.terms)) if isinstance(tree, Sum) else is_negative(tree)
+
+
+def opposite(tree: Expr) -> Expr:
+    """-tree, each term of a sum with its sign turned."""
     if isinstance(tree, Sum):
-        return ordered(Sum(tuple(map(minus, tree.terms))))
-    if isinstance(tree, Product) and tree.factors[0] == MINUS_ONE:
-        return multiply(*tree.factors[1:])
+        return ordered(Sum(tuple(map(opposite, tree.terms))))
     return negate(tree)
 
 
@@ -56,25 +61,14 @@ def ordered(tree: Expr) -> Expr:
         case Sum(terms):
             return Sum(tuple(sorted(terms, key=is_negative)))
         case Product((first, Sum(terms))) if first == MINUS_ONE and any(map(is_negative, terms)):
-            return ordered(Sum(tuple(map(minus, terms))))
+            return opposite(Sum(terms))
         case _:
             return tree
 
 
 def unsigned(tree: Expr) -> Expr:
     """Without the sign in front: what is squared needs none."""
-    return minus(tree) if all_negative(tree) else tree
-
-
-def all_negative(tree: Expr) -> bool:
-    """Whether it is written with a minus in front, of a sum every term."""
-    return all(map(is_negative, tree.terms)) if isinstance(tree, Sum) else is_negative(tree)
-
-
-def terms_of(tree: Expr) -> tuple[Expr, ...]:
-    """The terms of a sum; anything else by itself, zero not at all."""
-    found = tree.terms if isinstance(tree, Sum) else (tree,)
-    return tuple(term for term in found if term != ZERO)
+    return opposite(tree) if all_negative(tree) else tree
 
 
 def times(factor: Expr, other: Expr) -> Expr:
@@ -84,7 +78,7 @@ def times(factor: Expr, other: Expr) -> Expr:
     if isinstance(factor, Product) and factor.factors[0] == MINUS_ONE:
         return negate(multiply(*factor.factors[1:], other))
     if isinstance(factor, Sum) and all_negative(factor):
-        return negate(multiply(minus(factor), other))
+        return negate(multiply(opposite(factor), other))
     return multiply(factor, other)
 
 
@@ -93,7 +87,7 @@ def over(top: Expr, bottom: Expr) -> Expr:
     if bottom == ONE:
         return top
     if all_negative(bottom):
-        return over(minus(top), minus(bottom))
+        return over(opposite(top), opposite(bottom))
     return Quotient(top, bottom)
 
 
@@ -114,30 +108,6 @@ def total(terms: Iterable[Expr]) -> Expr:
     return add(*rest, Number(value, decimal))
 
 
-def length(*parts: Expr) -> Expr:
-    """sqrt(x^2 + y^2)."""
-    return sqrt(total(map(square, parts)))
-
-
 def signed(sign: int, tree: Expr) -> Expr:
     """The tree or its opposite."""
     return tree if sign > 0 else negate(tree)
-
-
-def common_denominator(trees: Iterable[Expr]) -> int:
-    """What makes the fractions in front of these whole; 1 where they are decimals."""
-    found = [tree.factors[0] if isinstance(tree, Product) else tree for tree in trees]
-    fractions = [each for each in found if isinstance(each, Number)]
-    if any(each.decimal for each in fractions):
-        return 1
-    return lcm(*(each.value.denominator for each in fractions)) if fractions else 1
-
-
-def multiplied(n: int, tree: Expr) -> Expr:
-    """n times a term, numbers worked out."""
-    if isinstance(tree, Number):
-        return Number(tree.value * n, tree.decimal)
-    if isinstance(tree, Product) and isinstance(tree.factors[0], Number):
-        first = tree.factors[0]
-        return multiply(Number(first.value * n, first.decimal), *tree.factors[1:])
-    return multiply(number(n), tree)

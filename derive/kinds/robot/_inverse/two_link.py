@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from functools import partial
 
 from derive.algebra.normal import normal
-from derive.algebra.numbers import floats as numeric
 from derive.algebra.numbers.compiled import compiled
+from derive.algebra.numbers.floats import number as value_of
 from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.scalar import Scalar
 from derive.derivation import Branch, Claim, Derivation, Step
@@ -21,7 +22,6 @@ from derive.expression import (
     add,
     atan2,
     cos,
-    free_symbols,
     multiply,
     negate,
     number,
@@ -30,16 +30,17 @@ from derive.expression import (
     squared,
     subtract,
 )
-from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
+from derive.kinds.checks import SECOND_ROUTE, links, random_points
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import oracle_of
-from derive.kinds.robot._inverse.evaluated import SMALL, Evaluated, at_point, in_letters, known_at
-from derive.kinds.robot._inverse.numbers import Leaf
-from derive.kinds.robot._inverse.trees import times
+from derive.kinds.robot._inverse.at_pose import Configuration
+from derive.kinds.robot._inverse.evaluated import SMALL, Evaluated, at_point, evaluated
+from derive.kinds.robot._inverse.facts import Facts, Triangle
+from derive.kinds.robot._inverse.signs import times
+from derive.kinds.robot._inverse.target import Target, Values
 from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.goal import Goal, of_coordinates
-from derive.mechanics.two_link import TwoLink
+from derive.mechanics.inverse.two_link import TwoLink
 
 ELBOWS = (("down", number(1), ">"), ("up", number(-1), "<"))
 POINTS = 5
@@ -54,12 +55,13 @@ def derive(
     writing = _Writing(problem, arm, x, y)
     steps = writing.steps()
     branches = tuple(writing.branch(name, sign, relation) for name, sign, relation in ELBOWS)
+    target = Target.of(problem, chain, goal)
     known = {**problem.names, **writing.position()}
     claims = (
         *links([step for step in steps if step.rule in ("position", "law-of-cosines")], known),
-        *(_closes(problem, branch, given) for branch in branches),
+        *(_reaches(problem, target, branch) for branch in branches),
     )
-    values = _evaluated(branches, arm, chain, goal, problem, place)
+    values = evaluated(branches, place, problem, partial(_in_numbers, branches, arm, chain, goal, problem))
     return Derivation(
         "inverse-kinematics",
         steps,
@@ -67,7 +69,12 @@ def derive(
         claims,
         evaluated=values.values,
         uses=(problem.ask("forward-kinematics"),),
-        facts={**writing.facts(), **values.facts, **problem.angular(chain.variables)},
+        facts=Facts(
+            triangle=writing.triangle(),
+            place=values.place,
+            angle_results=chain.variables,
+            style=problem.style,
+        ),
     )
 
 
@@ -101,13 +108,8 @@ class _Writing:
         triangle = Step("triangle", (inside, Quotient(sides, length)), "law-of-cosines")
         solved = Step("c_2", (cosine, self.cosine()), "law-of-cosines")
         elbows = [
-            Step(
-                f"elbow_{name}",
-                (self.theta_2, atan2(self.sine(sign, cosine), cosine)),
-                "branch",
-                {"sign": relation},
-            )
-            for name, sign, relation in ELBOWS
+            Step(f"elbow_{name}", (self.theta_2, atan2(self.sine(sign, cosine), cosine)), "branch")
+            for name, sign, _ in ELBOWS
         ]
         shoulder = self.shoulder(cosine, sin(self.theta_2))
         return (*position, triangle, solved, *elbows, Step("theta_1", (self.theta_1, shoulder), "difference"))
@@ -143,57 +145,47 @@ class _Writing:
         }
         return Branch(values, f"elbow {elbow}, {self.arm.theta_2} {relation} 0")
 
-    def facts(self) -> dict[str, object]:
-        return {
-            "triangle": True, "x": self.x, "y": self.y, "theta_1": self.theta_1, "theta_2": self.theta_2,
-            "a_1": self.a_1, "a_2": self.a_2, "r": sqrt(self.square),
-            "same": self.a_1 == self.a_2, "elbow": subtract(PI, self.theta_2),
-        }  # fmt: skip
+    def triangle(self) -> Triangle:
+        """For the words."""
+        return Triangle(
+            r=sqrt(self.square),
+            elbow=subtract(PI, self.theta_2),
+            theta_1=self.theta_1,
+            theta_2=self.theta_2,
+            same=self.a_1 == self.a_2,
+        )
 
 
-def _closes(problem: Problem, branch: Branch, given: tuple[str, ...]) -> Claim:
+def _reaches(problem: Problem, target: Target, branch: Branch) -> Claim:
     """The branch at reachable points, put back through the poses in numbers."""
-    oracle, names = oracle_of(problem), problem.subject.variables
     holds = True
-    for point in random_points(sorted(problem.symbols), POINTS):
-        at = oracle.at(point)
-        target = dict(zip(given, oracle.tool(at)[:2, 3], strict=True))
-        found = {name: numeric.number(branch.values[name], {**at, **target}) for name in names}
-        reached = oracle.tool({**at, **found})[:2, 3]
-        holds &= close(list(target.values()), reached)
+    for each in random_points(sorted(problem.symbols), POINTS):
+        at = dict(target.oracle.at(each))
+        point = {**at, **target.goal.numbers(target.oracle.tool(at))}
+        holds &= target.reached(point, {name: value_of(tree, point) for name, tree in branch.values.items()})
     return Claim(f"the branch '{branch.when}' reaches its target", SECOND_ROUTE, holds)
 
 
-def _evaluated(
-    branches: tuple[Branch, ...],
-    arm: TwoLink,
-    chain: Chain,
-    goal: Goal,
-    problem: Problem,
-    place: Place | None,
+def _in_numbers(
+    branches: Sequence[Branch], arm: TwoLink, chain: Chain, goal: Goal, problem: Problem, point: Values
 ) -> Evaluated:
-    """The branches in numbers, or in the letters that are left."""
-    if place is None:
-        return Evaluated({})
-    point = known_at(place, problem)
-    needed = frozenset().union(*(free_symbols(tree) for each in branches for tree in each.values.values()))
-    if needed - point.keys():
-        return Evaluated(in_letters(branches, place, problem))
+    """The branches at a point; folded back on its base, the arm may point anywhere."""
     functions = [{name: compiled(value) for name, value in each.values.items()} for each in branches]
     a_1, a_2 = (scalar_number(length, point) for length in (arm.a_1, arm.a_2))
     x, y = (point[name] for name in goal.names)
     folded = max(math.hypot(x, y), abs(a_1 - a_2)) < SMALL * (a_1 + a_2)
 
-    def leaves(k: int, pins: Mapping[int, float], usual: float, exact: bool) -> Iterator[Leaf]:
-        """Folded back on its base, the arm may point anywhere."""
+    def configurations(
+        k: int, pins: Mapping[int, float], usual: float, exact: bool
+    ) -> Iterator[Configuration]:
         if folded:
             theta_1 = pins.get(0, usual)
-            yield Leaf({arm.theta_1: theta_1, arm.theta_2: math.pi}, {0: theta_1})
+            yield Configuration({arm.theta_1: theta_1, arm.theta_2: math.pi}, {0: theta_1})
             return
         try:
-            yield Leaf({name: value(point) for name, value in functions[k].items()}, {})
+            yield Configuration({name: value(point) for name, value in functions[k].items()}, {})
         except (ValueError, ZeroDivisionError):
-            yield Leaf({}, {})
+            yield Configuration({}, {})
 
-    conditions = [str(each.when).split(", ") for each in branches]
-    return at_point(leaves, conditions, chain, goal, problem, point)
+    conditions = [each.when.split(", ") for each in branches]
+    return at_point(configurations, conditions, chain, goal, problem, point)

@@ -1,0 +1,192 @@
+"""One equation in one angle, a cos q + b sin q = c, written out: two values."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+
+from derive.algebra.angles import Form
+from derive.algebra.infix import text
+from derive.algebra.normal import normal, trig_of
+from derive.algebra.solving.fixed_directions import direction, sum_of_squares
+from derive.expression import (
+    ONE,
+    ZERO,
+    Expr,
+    Number,
+    add,
+    atan2,
+    cos,
+    is_negative,
+    negate,
+    sin,
+    sqrt,
+    subtract,
+)  # fmt: skip
+from derive.kinds.robot._inverse.facts import Method
+from derive.kinds.robot._inverse.progress import Progress
+from derive.kinds.robot._inverse.signs import opposite, over, signed, square, times, total, unsigned
+from derive.kinds.robot._inverse.solving import Solving
+from derive.kinds.robot._inverse.subproblem import Choice
+from derive.mechanics.inverse.paul import Equation
+from derive.mechanics.inverse.search import Stage
+from derive.mechanics.inverse.subproblems import Elbow, OneEquation, TrigEquation
+
+SIGNS = (1, -1)
+LONG_CONDITION = 60  # letters
+Trees = tuple[Expr, Expr, Expr]  # of a, b, c
+
+
+def write(solving: Solving, found: OneEquation, stage: Stage) -> None:
+    """The equation as it is read, and its two solutions."""
+    progress = solving.progress
+    row = _scaled(found.row)
+    row = min((row, row.negated()), key=lambda r: min(_by_sines(progress, r), _by_cosines(progress, r)))
+    a, b, c = (solving.short(value) if value else ZERO for value in (row.a, row.b, row.c))
+    solving.equation(*_as_read(progress, found, (a, b, c)))
+    solve(solving, found.unknown, (a, b, c), row, _length(solving, found.row, stage))
+
+
+def _scaled(row: TrigEquation) -> TrigEquation:
+    """With the coefficient one, where cosine or sine stands alone and has a number before it."""
+    alone = row.a or row.b
+    if (row.a and row.b) or any(not name.startswith("sqrt(") for name in alone.generators()):
+        return row
+    return replace(row, a=row.a / alone, b=row.b / alone, c=row.c / alone)
+
+
+def _as_read(progress: Progress, found: OneEquation, trees: Trees) -> tuple[Expr, Expr]:
+    """The known side and the other; as they stand where the angle is on the side of the known pose."""
+    a, b, c = trees
+    equation: Equation = found.row.equation
+    if any(equation.left.diff(atom) for atom, _ in found.unknown.parts):
+        return progress.tree(equation.left), progress.tree(equation.right)
+    q = progress.angle(found.unknown)
+    return c, add(times(a, cos(q)), times(b, sin(q)))
+
+
+def _length(solving: Solving, row: TrigEquation, stage: Stage) -> Expr | None:
+    """sqrt(k1^2 + k2^2) of the other two entries in the row or column of a rotation matrix whose third entry
+    is, up to its sign, the cosine or sine: the size of the other function."""
+    alone = row.a if row.b == 0 else row.b
+    if row.equation.is_position or alone.constant not in (1, -1) or (row.a and row.b):
+        return None
+    entries = {one.equation.place: one.equation for one in stage.equations}
+    between, i, j = row.equation.place
+    lines = ([(between, i, k) for k in range(3) if k != j], [(between, k, j) for k in range(3) if k != i])
+    sides = [[entries[place].left for place in line] for line in lines if all(p in entries for p in line)]
+    determined = solving.progress.determined()
+    open_ones = [name for name in solving.progress.turning if name not in determined]
+    known = [line for line in sides if not any(value.diff(name) for value in line for name in open_ones)]
+    if not known:
+        return None
+    line = min(known, key=lambda values: sum(len(v.numerator) for v in values))
+    return sqrt(total(map(square, map(solving.short, line))))
+
+
+def solve(solving: Solving, angle: Form, trees: Trees, row: TrigEquation, length: Expr | None = None) -> None:
+    """The two solutions by the form of the equation; `row` holds a and b, `trees` also c, which is zero only
+    where it is written so."""
+    if row.b == 0 or row.a == 0:
+        _alone(solving, angle, trees, row, length)
+    else:
+        _both(solving, angle, trees, row)
+
+
+def _both(solving: Solving, angle: Form, trees: Trees, row: TrigEquation) -> None:
+    """Two opposite directions where c is zero; else the sine or the cosine of a difference."""
+    progress, q = solving.progress, solving.progress.angle(angle)
+    a, b, c = trees
+    by_sines = _by_sines(progress, row) <= _by_cosines(progress, row)
+    x, y = (opposite(b), a) if c == ZERO or by_sines else (a, b)
+    if c == ZERO:
+        values = (direction(y, x), direction(opposite(y), opposite(x)))
+        method = Method(name="zero", unless=(unsigned(b), unsigned(a)))
+    else:
+        values = _general(x, y, c, by_sines)
+        form = (add(times(a, cos(q)), times(b, sin(q))), c) if isinstance(solving.found, Elbow) else None
+        method = Method(name="general", least=_squares(x, y), c=square(c), form=form)
+    choices = [Choice(v, sign, _side(progress, q, row, sign)) for v, sign in zip(values, SIGNS, strict=True)]
+    solving.solved(q, choices, method)
+
+
+def _alone(solving: Solving, angle: Form, trees: Trees, row: TrigEquation, length: Expr | None) -> None:
+    """cos q = u or sin q = u: q by the sign of the other function."""
+    q, even = solving.progress.angle(angle), row.b == 0
+    u = over(trees[2], trees[0] if even else trees[1])
+    own, other = (cos(q), sin(q)) if even else (sin(q), cos(q))
+    plain = any(step.chain == (u, own) for step in solving.steps)
+    if not plain:
+        solving.add("solved", own, u)
+    choices: list[Choice] = []
+    shown: list[Choice] = []
+    trig: dict[int, dict[Expr, Expr]] = {}
+    for sign in SIGNS:
+        when = f"{text(q if even else cos(q))} {'>' if sign > 0 else '<'} 0"
+        value, page = (signed(sign, length or sqrt(subtract(ONE, square(each)))) for each in (u, own))
+        whole = list(_without_fraction(solving.progress, row, trees, sign, when))
+        choices += whole or [Choice(_angle(u, value, even), sign, when)]
+        shown.append(Choice(_angle(own, page, even), sign, when))
+        trig[sign] = {own: u, other: value}
+    method = Method(
+        name="cosine" if even else "sine", exists=u if plain else own, by_length=length is not None
+    )
+    solving.solved(q, choices, method, shown, trig)
+
+
+def _without_fraction(
+    progress: Progress, row: TrigEquation, trees: Trees, sign: int, when: str
+) -> Iterator[Choice]:
+    """For each sign of the coefficient, where those are known: a cos q = c is q = atan2(sqrt(a^2 - c^2), c)
+    for a positive a."""
+    even = row.b == 0
+    a, c = trees[0] if even else trees[1], trees[2]
+    positive, earlier = progress.sign_of(row.a if even else row.b)
+    if not positive or isinstance(a, Number):
+        return
+    root = signed(sign, sqrt(subtract(square(a), square(c))))
+    for each in SIGNS if earlier else (1,):
+        value = _angle(c if positive * each > 0 else opposite(c), root, even)
+        yield Choice(value, sign, when, earlier, each)
+
+
+def _angle(own: Expr, other: Expr, even: bool) -> Expr:
+    return atan2(other, own) if even else atan2(own, other)
+
+
+def _general(x: Expr, y: Expr, c: Expr, by_sines: bool) -> tuple[Expr, Expr]:
+    """By the sine of a difference, as Craig does, or by its cosine."""
+    squares = _squares(x, y)
+    whole = isinstance(squares, Number)
+    root = sqrt(subtract(squares, square(c)) if whole else total((square(x), square(y), negate(square(c)))))
+    if by_sines:
+        join = add if is_negative(c) else subtract
+        plus, less = (join(direction(y, x), atan2(unsigned(c), signed(sign, root))) for sign in SIGNS)
+    else:
+        plus, less = (add(direction(y, x), signed(sign, atan2(root, c))) for sign in SIGNS)
+    return plus, less
+
+
+def _squares(x: Expr, y: Expr) -> Expr:
+    """x^2 + y^2."""
+    found = sum_of_squares(y, x)
+    return total((square(x), square(y))) if found is None else found
+
+
+def _by_sines(progress: Progress, row: TrigEquation) -> int:
+    return progress.minuses(row.a, -row.b) if row.a and row.b else progress.minuses(row.a, row.b, row.c)
+
+
+def _by_cosines(progress: Progress, row: TrigEquation) -> int:
+    return progress.minuses(row.b, row.a, row.c)
+
+
+def _side(progress: Progress, q: Expr, row: TrigEquation, sign: int) -> str:
+    """Which of two angles: the sign of a sin q - b cos q, where that is short."""
+    c, s = trig_of(normal(q))
+    names = {symbol.name: value for symbol, value in progress.named}
+    condition = text(progress.problem.readable((row.a * s - row.b * c).substitute(names)))
+    if len(condition) <= LONG_CONDITION and not re.search(r"\d{5}", condition):
+        return f"{condition} {'>' if sign > 0 else '<'} 0"
+    return f"{'first' if sign > 0 else 'second'} value of {text(q)}"

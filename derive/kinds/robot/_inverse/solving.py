@@ -1,0 +1,86 @@
+"""One sub-problem while its solution is written."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from derive.algebra.angles import Form
+from derive.algebra.scalar import Scalar
+from derive.derivation import Step
+from derive.expression import Expr, Symbol, negate
+from derive.kinds.robot._inverse.compared import Poses
+from derive.kinds.robot._inverse.facts import Method, SolvedFacts
+from derive.kinds.robot._inverse.progress import Progress
+from derive.kinds.robot._inverse.signs import begins_negative
+from derive.kinds.robot._inverse.subproblem import Choice, Definition, Solved
+from derive.mechanics.inverse.subproblems import Reach, SubProblem
+
+
+class Solving:
+    """One sub-problem while its solution is written; `poses` are those its equations stand in."""
+
+    def __init__(self, progress: Progress, poses: Poses, found: SubProblem) -> None:
+        self.progress, self.problem = progress, progress.problem
+        self.poses, self.found = poses, found
+        self.steps: list[Step] = []
+
+    def short(self, value: Scalar) -> Expr:
+        """A tree for a known quantity: as it is where that is short, else a name, defined in a step."""
+        known = self.progress.known_as(value)
+        if known is not None:
+            return known
+        negative = begins_negative(self.progress.tree(value))
+        symbol = self.progress.define(self.progress.next_name(), -value if negative else value)
+        self.steps.append(Step(symbol.name, (symbol, self.progress.value_of(symbol)), "name"))
+        return negate(symbol) if negative else symbol
+
+    def name(self, value: Expr) -> Symbol:
+        """A name for a tree, said aside."""
+        symbol = Symbol(self.progress.next_name())
+        self.progress.items.append(Definition(symbol, value))
+        self.steps.append(Step(symbol.name, (symbol, value), "aside"))
+        return symbol
+
+    def add(self, rule: str, *chain: Expr) -> None:
+        """A step by a rule."""
+        self.progress.steps += 1
+        self.steps.append(Step(f"{rule}_{self.progress.steps}", chain, rule))
+
+    def equation(self, left: Expr, right: Expr) -> None:
+        """An equation, unless it was shown before."""
+        if not any(step.chain == (left, right) for each in self.progress.solved for step in each.steps):
+            self.add("equation", left, right)
+
+    def solved(
+        self, head: Expr, choices: Sequence[Choice], method: Method, shown: Sequence[Choice] = (),
+        trig: Mapping[int, Mapping[Expr, Expr]] | None = None,
+    ) -> None:  # fmt: skip
+        """The unknown has these values; `shown` are they as the page writes them, where that differs. Joints
+        and signs that are decided so are known from now on."""
+        progress, unknown = self.progress, self.found.unknown
+        for choice in shown or choices:
+            self.add("option", head, choice.value)
+        left = progress.left_of(unknown) if isinstance(unknown, Form) else ()
+        facts = SolvedFacts(
+            method=method,
+            unknown=head,
+            compared=self.poses.compared(self.found.equations),
+            orientation=progress.goal.R is not None and None in progress.goal.p,
+            names=self._by("name"),
+            equations=self._by("equation"),
+            squares=self._by("squares"),
+            aside=self._by("aside"),
+            solved=self._by("solved"),
+            choices=self._by("option"),
+            left=left,
+        )
+        number, steps = len(progress.solved), (*self.steps, *left)
+        solved = Solved(number, unknown, head, tuple(choices), steps, facts, self.poses.stage, trig or {})
+        if solved.two_valued and trig:
+            progress.signs[f"{'sin' if method.name == 'cosine' else 'cos'}({unknown})"] = number
+        elif solved.two_valued and isinstance(self.found, Reach) and not self.found.linear:
+            progress.signs[self.found.unknown] = number
+        progress.items.append(solved)
+
+    def _by(self, rule: str) -> tuple[Step, ...]:
+        return tuple(step for step in self.steps if step.rule == rule)

@@ -1,0 +1,120 @@
+"""From a plan to the page: what is given, the decoupling, and every sub-problem in its stage."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import product
+
+from derive.algebra.scalar import Scalar
+from derive.derivation import Step
+from derive.expression import Matrix, Product, Symbol, add, column, multiply, transpose
+from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import TOOL
+from derive.kinds.robot._inverse import lengths, one_equation, two_equations
+from derive.kinds.robot._inverse.compared import Poses
+from derive.kinds.robot._inverse.progress import Progress
+from derive.kinds.robot._inverse.solving import Solving
+from derive.kinds.robot._inverse.worked import Orientation, Worked
+from derive.mechanics.chain import Chain
+from derive.mechanics.inverse.goal import Goal
+from derive.mechanics.inverse.plan import Decoupling, Plan
+from derive.mechanics.inverse.search import Stage
+from derive.mechanics.inverse.subproblems import Elbow, OneEquation, Reach, Slide, TwoEquations
+from derive.mechanics.poses import homogeneous, inverse_pose, rotation_part
+
+
+@dataclass(frozen=True, slots=True)
+class Stages:
+    """What the steps before and between the sub-problems are made from."""
+
+    problem: Problem
+    chain: Chain
+    goal: Goal
+    plan: Plan
+    free_name: Callable[[str], str]
+
+    def worked(self) -> Worked:
+        """The whole, every sub-problem solved."""
+        turning = [joint.variable for _, joint in self.chain.moving if joint.type == "revolute"]
+        progress = Progress(self.problem, self.goal, turning, self.free_name)
+        decoupling = self.plan.decoupling
+        centre = (self._centre(progress, decoupling),) if decoupling and decoupling.centre else ()
+        orientation: Orientation | None = None
+        for planned in self.plan.steps:
+            hand = decoupling is not None and planned.stage.joints == self.chain.variables[-3:]
+            if hand and decoupling and orientation is None:
+                orientation = self._orientation(progress, decoupling)
+            write(Solving(progress, self._poses(hand), planned.subproblem), planned.stage)
+        return Worked(
+            self.problem,
+            self.chain,
+            self.goal,
+            self.plan,
+            tuple(progress.items),
+            self._pose(),
+            centre,
+            orientation,
+        )
+
+    def _pose(self) -> tuple[Step, ...]:
+        """The known pose or orientation by its elements, where it is one."""
+        R = self.goal.R
+        if R is None:
+            return ()
+        if not self.goal.whole_position:
+            return (Step("R", (Symbol("R"), self.problem.readable_matrix(R)), "given"),)
+        T = homogeneous(R, [part for part in self.goal.p if part is not None])
+        return (Step("T", (Symbol("T"), self.problem.readable_matrix(T)), "given"),)
+
+    def _poses(self, hand: bool) -> Poses:
+        """How the poses of a stage are called."""
+        decoupling, goal = self.plan.decoupling, self.goal
+        last = TOOL if self.problem.subject.ends_in_tool else str(len(self.chain.joints))
+        if hand and decoupling:
+            base = decoupling.wrist.rows[0] - 1
+            wanted = Symbol(f"R_{last}^{base}") if decoupling.turn else Symbol("R")
+            return Poses("R", base, last, wanted, "hand")
+        if decoupling:
+            return Poses("T", 0, last, Symbol("p_w"), "arm")
+        if goal.R is None:
+            return Poses("T", 0, last, Symbol("p"))
+        letter = "T" if goal.whole_position else "R"
+        return Poses(letter, 0, last, Symbol(letter))
+
+    def _centre(self, progress: Progress, decoupling: Decoupling) -> Step:
+        """p_w = p + R (centre in the end-effector's frame)."""
+        names = [progress.define(name, value) for name, value in decoupling.centre.items()]
+        p = column(self.problem.readable(part or Scalar.of(0)) for part in self.goal.p)
+        whole = add(p, multiply(Symbol("R"), self.problem.readable_matrix(decoupling.wrist.centre)))
+        values = column(map(progress.value_of, names))
+        return Step("p_w", (Symbol("p_w"), column(names), whole, values), "centre")
+
+    def _orientation(self, progress: Progress, decoupling: Decoupling) -> Orientation:
+        """What is left for the wrist to make, and what it makes."""
+        base = decoupling.wrist.rows[0] - 1
+        rest = rotation_part(inverse_pose(self.chain.T[base]) @ self.chain.T_tool)
+        made = self.problem.readable_matrix(rest)
+        names = tuple(progress.define(each, value) for each, value in decoupling.turn.items())
+        rows = names or tuple(Symbol(f"r{i}{j}") for i, j in product((1, 2, 3), repeat=2))
+        entries = Matrix(tuple(rows[k : k + 3] for k in (0, 3, 6)))
+        name, before = self._poses(hand=True).wanted, Symbol(f"R_{base}^0")
+        wanted = Step("turn", (name, Product((transpose(before), Symbol("R"))), entries), "turn")
+        return Orientation(
+            entries, (wanted,) if names else (), Step("turn_made", (name, made), "turn"), made, before
+        )
+
+
+def write(solving: Solving, stage: Stage) -> None:
+    """The next sub-problem, the names it needs before it."""
+    match solving.found:
+        case TwoEquations() as found:
+            two_equations.write(solving, found)
+        case OneEquation() as found:
+            one_equation.write(solving, found, stage)
+        case Elbow() as found:
+            lengths.elbow(solving, found)
+        case Reach() as found:
+            lengths.reach(solving, found)
+        case Slide() as found:
+            lengths.slide(solving, found)

@@ -1,0 +1,109 @@
+"""A solved sub-problem: a joint variable, or a sum of them, by those found before; and the branches."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property, lru_cache
+from math import prod
+from typing import TypeAlias
+
+from derive.algebra.angles import Form, combination
+from derive.algebra.numbers.compiled import Compiled, compiled
+from derive.derivation import Step
+from derive.expression import ZERO, Expr, Symbol, add, multiply, number
+from derive.kinds.robot._inverse.facts import SolvedFacts
+from derive.kinds.robot._inverse.signs import opposite
+from derive.mechanics.inverse.known import completed
+
+
+@dataclass(frozen=True)
+class Choice:
+    """One value of the unknown: chosen freely by `sign`, or where the signs chosen at earlier sub-problems
+    have this product. `when` says which it is; 0 is no choice."""
+
+    value: Expr
+    sign: int = 0
+    when: str = ""
+    earlier: tuple[int, ...] = ()
+    product: int = 1
+
+    def fits(self, signs: Mapping[int, int]) -> bool:
+        """Whether it goes with the signs chosen at earlier sub-problems, by their numbers."""
+        return not self.earlier or prod(signs[each] for each in self.earlier) == self.product
+
+    @cached_property
+    def at(self) -> Compiled:
+        """The value in numbers. Raises as `compiled` does."""
+        return compiled(self.value)
+
+
+@dataclass(frozen=True)
+class Definition:
+    """A name for a quantity that is known by then."""
+
+    name: Symbol
+    value: Expr
+
+    @cached_property
+    def at(self) -> Compiled:
+        """The value in numbers. Raises as `compiled` does."""
+        return compiled(self.value)
+
+
+@dataclass(frozen=True, slots=True)
+class Solved:
+    """`number` counts the sub-problems from 0; `unknown` is a sum of angles or the name of a displacement,
+    `head` how it is written, `stage` that of its equations ("whole", "arm" or "hand"); `trig` are the sine
+    and cosine of that sum where they are known without it, by sign."""
+
+    number: int
+    unknown: Form | str
+    head: Expr
+    choices: tuple[Choice, ...]
+    steps: tuple[Step, ...]
+    facts: SolvedFacts
+    stage: str
+    trig: Mapping[int, Mapping[Expr, Expr]] = field(default_factory=dict)
+
+    @property
+    def two_valued(self) -> bool:
+        """Whether there is a choice to make, rather than one made already."""
+        return len(self.choices) > 1 and any(choice.sign for choice in self.choices)
+
+
+Item: TypeAlias = Definition | Solved
+Taken: TypeAlias = Mapping[int, Choice]  # of a branch: the choice at each sub-problem, by its number
+
+
+def branches_of(items: Sequence[Item]) -> Iterator[Taken]:
+    """Every branch."""
+    yield from _branches([item for item in items if isinstance(item, Solved)], {}, {})
+
+
+def _branches(solved: Sequence[Solved], signs: dict[int, int], taken: dict[int, Choice]) -> Iterator[Taken]:
+    if not solved:
+        yield taken
+        return
+    first, *rest = solved
+    for choice in first.choices:
+        if choice.fits(signs):
+            here = {**signs, first.number: choice.sign} if choice.sign else signs
+            yield from _branches(rest, here, {**taken, first.number: choice})
+
+
+@lru_cache(maxsize=1024)
+def shares(joint: str, forms: tuple[Form, ...], joints: tuple[str, ...]) -> tuple[int, ...] | None:
+    """How a joint angle is made up of known sums, the angles nobody knows yet taken as zero."""
+    found = combination(Form.of({joint: 1}), completed(forms, joints))
+    return tuple(int(n) for n in found[: len(forms)]) if found else None
+
+
+def weighted(values: Sequence[Expr], weights: Sequence[int]) -> Expr:
+    """A sum of values with whole weights; -1 turns the signs of all terms."""
+    terms = [
+        opposite(value) if n == -1 else multiply(number(n), value)
+        for value, n in zip(values, weights, strict=True)
+        if n
+    ]
+    return add(*terms) if terms else ZERO

@@ -1,0 +1,63 @@
+"""Whether joint values bring the end-effector where it should be, by the forward kinematics in NumPy."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from derive.kinds.checks import TOLERANCE, close
+from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import oracle_of
+from derive.mechanics.chain import Chain
+from derive.mechanics.inverse.goal import Goal
+from derive.mechanics.oracle import Oracle
+
+SAME = 1e-6  # radians or metres: two joint values this close are one
+Values = dict[str, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """An arm in numbers, and what is known of its end-effector. A point holds a value for every name."""
+
+    oracle: Oracle
+    goal: Goal
+    joints: tuple[str, ...]
+    slides: frozenset[str]
+
+    @staticmethod
+    def of(problem: Problem, chain: Chain, goal: Goal) -> Target:
+        slides = frozenset(joint.variable for _, joint in chain.moving if joint.type == "prismatic")
+        return Target(oracle_of(problem), goal, chain.variables, slides)
+
+    def reached(self, point: Mapping[str, float], values: Mapping[str, float]) -> bool:
+        """Whether the arm stands where the point says."""
+        return close(self._there(point, values), self._plain(point), TOLERANCE)
+
+    def misses(self, point: Mapping[str, float], values: Mapping[str, float], size: float) -> float:
+        """How far off the end-effector stands, in lengths of `size` and in elements of R."""
+        scale = [size if place[1] == 3 else 1.0 for place in self.goal.places.values()] + [1.0, 1.0]
+        pairs = zip(self._there(point, values), self._plain(point), scale, strict=False)
+        return max(abs(one - other) / unit for one, other, unit in pairs)
+
+    def gaps(self, one: Mapping[str, float], other: Mapping[str, float]) -> Values:
+        """The difference of each joint value, of angles up to whole turns."""
+        return {name: gap(one[name], other[name], name in self.slides) for name in self.joints}
+
+    def same(self, one: Mapping[str, float], other: Mapping[str, float]) -> bool:
+        return all(abs(each) <= SAME for each in self.gaps(one, other).values())
+
+    def _there(self, point: Mapping[str, float], values: Mapping[str, float]) -> list[float]:
+        return self._plain(self.goal.numbers(self.oracle.tool({**point, **values})))
+
+    def _plain(self, given: Mapping[str, float]) -> list[float]:
+        """Numbers to compare; an angle by its cosine and sine."""
+        found = [given[name] for name in self.goal.places]
+        angle = self.goal.angle
+        return [*found, *(f(given[angle]) for f in (math.cos, math.sin))] if angle else found
+
+
+def gap(one: float, other: float, slide: bool = False) -> float:
+    """The difference of two joint values, of angles up to whole turns."""
+    return one - other if slide else math.remainder(one - other, 2 * math.pi)

@@ -1,0 +1,195 @@
+"""An inverse as it was worked: its steps in order, what its names stand for, and what the words read."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+from derive.derivation import Claim, Step, Table
+from derive.expression import Expr, Matrix, Symbol, atan2, free_symbols
+from derive.kinds.checks import links
+from derive.kinds.problem import Problem
+from derive.kinds.robot._inverse.branches import Solutions
+from derive.kinds.robot._inverse.facts import AtPlace, Facts, GivenAngle, SingularWrist, SolvedFacts, Wrist
+from derive.kinds.robot._inverse.subproblem import Definition, Item, Solved
+from derive.kinds.robot._inverse.wrist import singular
+from derive.mechanics.chain import Chain
+from derive.mechanics.inverse.goal import AXES, Goal
+from derive.mechanics.inverse.plan import Plan
+
+CHECKED = ("equation", "squares", "solved")  # steps that hold for every configuration of the arm
+FIRST_AND_SECOND = {1: "first", -1: "second"}
+
+
+@dataclass(frozen=True, slots=True)
+class Orientation:
+    """What a spherical wrist has to make, by its `entries` and, where those are named, what they are
+    (`wanted`); what it makes in its angles (`made`, of this `rotation`); and the rotation `before` it."""
+
+    entries: Matrix
+    wanted: tuple[Step, ...]
+    made: Step
+    rotation: Matrix
+    before: Symbol
+
+
+@dataclass(frozen=True)
+class Worked:
+    """`all_items` are the definitions and solved sub-problems; `pose` and `centre` the steps about what is
+    given and where the centre of the wrist is, before the arm is solved; `orientation` comes before the
+    wrist."""
+
+    problem: Problem
+    chain: Chain
+    goal: Goal
+    plan: Plan
+    all_items: tuple[Item, ...]
+    pose: tuple[Step, ...]
+    centre: tuple[Step, ...]
+    orientation: Orientation | None
+
+    @cached_property
+    def items(self) -> tuple[Item, ...]:
+        """The solved sub-problems, and the definitions that are used."""
+        used = {name for case in self.singular for name in free_symbols(case.step.result)}
+        kept: list[Item] = []
+        for item in reversed(self.all_items):
+            if isinstance(item, Solved):
+                used |= _names(item)
+                kept.append(item)
+            elif item.name.name in used:
+                used |= free_symbols(item.value)
+                kept.append(item)
+        return tuple(reversed(kept))
+
+    @cached_property
+    def solved(self) -> tuple[Solved, ...]:
+        return tuple(item for item in self.all_items if isinstance(item, Solved))
+
+    @property
+    def arm(self) -> list[Solved]:
+        """The sub-problems of all joints but those of a spherical wrist."""
+        return [each for each in self.solved if each.stage != "hand"]
+
+    @property
+    def hand(self) -> list[Solved]:
+        """The sub-problems of a spherical wrist."""
+        return [each for each in self.solved if each.stage == "hand"]
+
+    @cached_property
+    def singular(self) -> tuple[SingularWrist, ...]:
+        """What the wrist determines where its outer axes coincide."""
+        first, joints = next(iter(self.hand), None), self.chain.variables[-3:]
+        if first is None or self.orientation is None or first.head != Symbol(joints[1]):
+            return ()
+        method = first.facts.method.name
+        if method not in ("cosine", "sine"):
+            return ()
+        return tuple(
+            singular(self.orientation.rotation, self.orientation.entries, joints, method == "cosine")
+        )
+
+    @cached_property
+    def steps(self) -> tuple[Step, ...]:
+        """In the order of the page."""
+        arm, hand = ([step for each in solved for step in each.steps] for solved in (self.arm, self.hand))
+        turn = (*self.orientation.wanted, self.orientation.made) if self.orientation else ()
+        singular_steps = (case.step for case in self.singular)
+        return (*self.pose, *self.centre, *arm, *turn, *self.elements, *hand, *singular_steps)
+
+    @cached_property
+    def elements(self) -> tuple[Step, ...]:
+        """The elements of the wrist's orientation that are used."""
+        names = self.plan.decoupling.turn if self.plan.decoupling else {}
+        return tuple(
+            Step(item.name.name, (item.name, item.value), "name")
+            for item in self.items
+            if isinstance(item, Definition) and item.name.name in names
+        )
+
+    @cached_property
+    def definitions(self) -> dict[Expr, Expr]:
+        """Every name in the equations, in the joint variables or in other names."""
+        T = self.chain.T_tool
+        found: dict[Expr, Expr] = {
+            Symbol(name): self.problem.readable(T[i, j]) for name, (i, j) in self.goal.places.items()
+        }
+        if self.goal.angle:
+            first, second, place = self.goal.plane
+            cosine, sine = (self.problem.readable(T[k, place]) for k in (first, second))
+            found[Symbol(self.goal.angle)] = atan2(sine, cosine)
+        return found | {item.name: item.value for item in self.items if isinstance(item, Definition)}
+
+    def claims(self) -> tuple[Claim, ...]:
+        """Every equation holds with the forward kinematics put in for what is given."""
+        checked = [step for step in self.steps if step.rule in CHECKED]
+        return links(checked, {**self.problem.names, **self.definitions})
+
+    # -- for the words ----------------------------------------------------------------------------
+
+    def facts(self, solutions: Solutions, partial: bool, place: AtPlace) -> Facts:
+        """What the words choose their sentences by."""
+        goal, plan, readable = self.goal, self.plan, self.problem.readable
+        angle = None
+        if goal.angle:
+            angle = GivenAngle(name=Symbol(goal.angle), base=AXES[goal.plane[0]], axis=AXES[goal.plane[2]])
+        return Facts(
+            pose=self.pose,
+            angle=angle,
+            orientation=goal.R is not None and not goal.whole_position,
+            conditions=tuple((readable(each.left), readable(each.right)) for each in plan.conditions),
+            arm=tuple(each.facts for each in self.arm),
+            wrist=self._wrist(),
+            tree=self._tree(solutions),
+            count=len(solutions.chosen),
+            chosen=tuple(each.head for each in self._two_valued()),
+            partial=partial,
+            place=place,
+            angle_results=solutions.turning,
+            style=self.problem.style,
+        )
+
+    def _wrist(self) -> Wrist | None:
+        if self.plan.decoupling is None or self.orientation is None:
+            return None
+        wrist = self.plan.decoupling.wrist
+        return Wrist(
+            joints=wrist.rows,
+            centre=self.centre,
+            at_end=not wrist.centre,
+            before=self.orientation.before,
+            wanted=self.orientation.wanted,
+            elements=self.elements,
+            made=self.orientation.made,
+            solved=tuple(map(self._in_wrist, self.hand)),
+            singular=self.singular,
+        )
+
+    def _in_wrist(self, solved: Solved) -> SolvedFacts:
+        """What happens where the outer axes coincide is said once."""
+        facts = solved.facts
+        if self.singular and facts.method.factor:
+            return replace(facts, method=replace(facts.method, unless=()))
+        return facts
+
+    def _two_valued(self) -> list[Solved]:
+        return [each for each in self.solved if each.two_valued]
+
+    def _tree(self, solutions: Solutions) -> Table | None:
+        """Which of the two values each solution takes, where there are several choices."""
+        two = self._two_valued()
+        if len(two) < 2:
+            return None
+        rows = tuple(
+            (str(k), *(FIRST_AND_SECOND[taken[each.number].sign] for each in two))
+            for k, taken in enumerate(solutions.chosen, 1)
+        )
+        return Table(("solution", *(each.head for each in two)), rows)
+
+
+def _names(solved: Solved) -> set[str]:
+    """Every name in a solved sub-problem."""
+    trees = [choice.value for choice in solved.choices]
+    trees += [value for trig in solved.trig.values() for value in trig.values()]
+    trees += [expr for step in solved.steps for expr in step.chain]
+    return {name for tree in trees for name in free_symbols(tree)}

@@ -1,0 +1,208 @@
+"""The sub-problems: the forms in which equations can be solved for one joint variable.
+
+a cos q + b sin q = c, alone and in pairs (Siciliano et al., section 2.12; Craig, chapter 4); the law of
+cosines at an elbow, and the length of a sliding joint, by squaring and adding coordinates, for a sum of
+squares holds fewer joint variables than each of them (the third sub-problem of Paden and Kahan; Murray, Li
+and Sastry, section 3.3); and what is linear in a displacement.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import reduce
+from itertools import combinations
+from operator import add
+from typing import Literal, TypeAlias
+
+from derive.algebra.angles import Form
+from derive.algebra.scalar import Scalar
+from derive.mechanics.inverse.paul import Equation
+
+Method: TypeAlias = Literal["direction", "difference", "determinant"]
+
+
+@dataclass(frozen=True, slots=True)
+class TrigEquation:
+    """a cos q + b sin q = c, and the equation that says so."""
+
+    a: Scalar
+    b: Scalar
+    c: Scalar
+    equation: Equation
+
+    def negated(self) -> TrigEquation:
+        return TrigEquation(-self.a, -self.b, -self.c, self.equation)
+
+    @property
+    def terms(self) -> int:
+        return sum(len(part.numerator) for part in (self.a, self.b, self.c))
+
+
+@dataclass(frozen=True, slots=True)
+class Coordinate:
+    """known = unknown: an equation with everything that is known on one side."""
+
+    equation: Equation
+    known: Scalar
+    unknown: Scalar
+
+
+@dataclass(frozen=True, slots=True)
+class OneEquation:
+    """Two angles satisfy one equation where a^2 + b^2 > c^2, one where they are equal, else none."""
+
+    unknown: Form
+    row: TrigEquation
+
+    @property
+    def equations(self) -> tuple[Equation, ...]:
+        return (self.row.equation,)
+
+
+@dataclass(frozen=True, slots=True)
+class TwoEquations:
+    """One angle satisfies two equations, where the determinant of their coefficients is not zero.
+
+    direction: cos and sin each stand alone; difference: the coefficients are (k1, -k2) and (k2, k1), so
+    that the angle is a difference of two directions; determinant: by Cramer's rule.
+    """
+
+    unknown: Form
+    first: TrigEquation
+    second: TrigEquation
+    method: Method
+
+    @property
+    def equations(self) -> tuple[Equation, ...]:
+        return self.first.equation, self.second.equation
+
+    @property
+    def determinant(self) -> Scalar:
+        return self.first.a * self.second.b - self.first.b * self.second.a
+
+    @property
+    def shared(self) -> bool:
+        """Whether cosine and sine, each alone, have the same factor up to a number."""
+        ratio = self.second.b / self.first.a if self.first.a and self.second.b else None
+        return ratio is not None and ratio.constant is not None
+
+
+@dataclass(frozen=True, slots=True)
+class Elbow:
+    """The law of cosines: the sum of the squares of the known sides is a cos q + b sin q + constant. `row`
+    holds a, b, and the negative of the constant alone, without the squares."""
+
+    unknown: Form
+    coordinates: tuple[Coordinate, ...]
+    row: TrigEquation
+
+    @property
+    def equations(self) -> tuple[Equation, ...]:
+        return tuple(each.equation for each in self.coordinates)
+
+
+@dataclass(frozen=True, slots=True)
+class Reach:
+    """The sum of the squares of the known sides is square d^2 + linear d + constant."""
+
+    unknown: str
+    coordinates: tuple[Coordinate, ...]
+    square: Scalar
+    linear: Scalar
+    constant: Scalar
+
+    @property
+    def equations(self) -> tuple[Equation, ...]:
+        return tuple(each.equation for each in self.coordinates)
+
+
+@dataclass(frozen=True, slots=True)
+class Slide:
+    """slope d = value."""
+
+    unknown: str
+    slope: Scalar
+    value: Scalar
+    equation: Equation
+
+    @property
+    def equations(self) -> tuple[Equation, ...]:
+        return (self.equation,)
+
+
+SubProblem: TypeAlias = OneEquation | TwoEquations | Elbow | Reach | Slide
+
+
+def trig_equation(value: Scalar, angle: Form, equation: Equation) -> TrigEquation | None:
+    """The coefficients where an expression is a cos q + b sin q - c; None where it is not of that form."""
+    found = _coefficients(value, (f"cos({angle})", f"sin({angle})"), ((1, 0), (0, 1), (0, 0)))
+    if found is None or not (found[0] or found[1]):
+        return None
+    a, b, c = found
+    return TrigEquation(a, b, -c, equation)
+
+
+def two_equations(angle: Form, one: TrigEquation, other: TrigEquation) -> TwoEquations:
+    """Two equations in the order and with the signs in which they are solved most plainly."""
+    first, second = (other, one) if one.a == 0 or other.b == 0 else (one, other)
+    if first.b == 0 and second.a == 0:
+        return TwoEquations(angle, first, second, "direction")
+    for row, partner in ((first, second), (second, first)):
+        for turned in (partner, partner.negated()):
+            if turned.a == -row.b and turned.b == row.a:
+                return TwoEquations(angle, row, turned, "difference")
+    return TwoEquations(angle, first, second, "determinant")
+
+
+def slide(difference: Scalar, name: str, equation: Equation) -> Slide | None:
+    """From slope d - value; None where it is not of that form."""
+    found = _coefficients(difference, (name,), ((1,), (0,)))
+    return Slide(name, found[0], -found[1], equation) if found and found[0] else None
+
+
+def split(equation: Equation, value: Scalar, unknown: frozenset[str]) -> Coordinate:
+    """right - left, sorted into what holds unknown generators and what does not."""
+    home = value.ring
+    outer = home.grouped(value.numerator, unknown).get((0,) * len(unknown), home.zero)
+    return Coordinate(equation, -Scalar(home, outer), Scalar(home, value.numerator - outer))
+
+
+def subsets(coordinates: Sequence[Coordinate]) -> Iterator[tuple[Coordinate, ...]]:
+    """All three coordinates, then two of them; those without unknowns apart."""
+    moving = [each for each in coordinates if each.unknown]
+    for size in (3, 2):
+        yield from combinations(moving, size)
+
+
+def elbow(angle: Form, coordinates: tuple[Coordinate, ...], unknown: frozenset[str]) -> Elbow | None:
+    """The sum of squares as an equation in one angle."""
+    total = _sum_of_squares(coordinates)
+    if set(total.generators()) & (unknown - {f"cos({angle})", f"sin({angle})"}):
+        return None
+    row = trig_equation(total, angle, coordinates[0].equation)
+    return Elbow(angle, coordinates, row) if row else None
+
+
+def reach(name: str, coordinates: tuple[Coordinate, ...], unknown: frozenset[str]) -> Reach | None:
+    """The sum of squares as an equation in one displacement."""
+    total = _sum_of_squares(coordinates)
+    if set(total.generators()) & (unknown - {name}):
+        return None
+    found = _coefficients(total, (name,), ((2,), (1,), (0,)))
+    return Reach(name, coordinates, *found) if found and found[0] else None
+
+
+def _sum_of_squares(coordinates: tuple[Coordinate, ...]) -> Scalar:
+    return reduce(add, (each.unknown * each.unknown for each in coordinates))
+
+
+def _coefficients(
+    value: Scalar, names: tuple[str, ...], powers: tuple[tuple[int, ...], ...]
+) -> list[Scalar] | None:
+    """Those of the given powers of some generators; None where others occur."""
+    home = value.ring
+    found = home.grouped(value.numerator, names)
+    if not found.keys() <= set(powers):
+        return None
+    return [Scalar(home, found.get(key, home.zero)) for key in powers]
