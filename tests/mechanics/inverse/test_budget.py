@@ -22,6 +22,7 @@ from derive.kinds.robot._inverse.refused import no_closed_form
 from derive.mechanics.budget import Budget
 from derive.mechanics.inverse.plan import Search
 from derive.mechanics.inverse.search import MOST_TERMS
+from derive.names import free
 from tests.kinds.robot.arms import ARMS
 
 PACKAGE = Path(__file__).parents[3] / "derive"
@@ -32,7 +33,7 @@ def search(name: str, budget: Budget) -> Search:
     chain, problem = chain_of(arm.problem()), arm.problem()
     goal = goal_of(arm.given, chain, problem)
     points = open_chain.sample_points(chain, goal, problem, 2)
-    return Search(chain, goal, points, partial(open_chain.free_name, problem=problem, goal=goal), budget)
+    return Search(chain, goal, points, partial(free, problem.taken | set(goal.names)), budget)
 
 
 def test_what_is_spent_is_the_same_each_time() -> None:

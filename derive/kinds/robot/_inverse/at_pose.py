@@ -135,8 +135,8 @@ class State:
 
 @dataclass(frozen=True, slots=True)
 class AtPose:
-    """The branches at a pose, and the sub-problems they are made from: `small` is what counts as zero of their coefficients, `meeting` likewise of a^2 + b^2 - c^2 against
-    a^2 + b^2."""
+    """The branches at a pose, and the sub-problems they are made from: `small` is what counts as zero of
+    their coefficients, `meeting` likewise of a^2 + b^2 - c^2 against a^2 + b^2."""
 
     solutions: Solutions
     in_numbers: tuple[InNumbers, ...]

@@ -8,7 +8,7 @@ from functools import cached_property
 
 from derive.algebra.angles import Form, combination
 from derive.algebra.numbers.floats import Point
-from derive.derivation import Branch
+from derive.derivation import Branch, Condition
 from derive.expression import (
     ZERO,
     Call,
@@ -61,12 +61,12 @@ class Solutions:
         )
         reached = self.reached or (True,) * len(self.chosen)
         return tuple(
-            Branch(values, ", ".join(when), self._short(taken) if short else {}, true)
+            Branch(values, when, self._short(taken) if short else {}, true)
             for values, when, taken, true in zip(whole, self.conditions, self.chosen, reached, strict=True)
         )
 
     @cached_property
-    def conditions(self) -> tuple[tuple[str, ...], ...]:
+    def conditions(self) -> tuple[tuple[Condition, ...], ...]:
         """Which choices make each branch."""
         return tuple(tuple(c.when for c in taken.values() if c.when) for taken in self.chosen)
 

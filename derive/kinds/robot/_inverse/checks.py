@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import reduce
 
 from derive.algebra.numbers.compiled import compiled
 from derive.algebra.numbers.floats import Point
-from derive.derivation import Claim
+from derive.derivation import Claim, Condition, Phrase
 from derive.expression import Expr
 from derive.kinds.checks import SECOND_ROUTE
 from derive.kinds.robot._inverse.branches import Solutions
@@ -31,14 +32,20 @@ class Tried:
 
     def claims(self, solutions: Solutions, point: Mapping[str, float]) -> Iterator[Claim]:
         """What has to hold; of a branch nothing where it need not reach."""
-        for branch, holds in zip(solutions.branches, self.reached, strict=True):
-            name = f" '{branch.when}'" if branch.when else ""
+        for when, holds in zip(solutions.conditions, self.reached, strict=True):
             if holds or not self.spare:
-                yield Claim(f"the branch{name} reaches its target", SECOND_ROUTE, holds)
-        claim = "the joint values a pose came from are among the solutions"
-        yield Claim(claim, SECOND_ROUTE, self.found)
-        same = _as_printed(solutions, point)
-        yield Claim("the solutions as printed have the values found step by step", SECOND_ROUTE, same)
+                yield reaches(when, holds)
+        yield Claim("pose-found", SECOND_ROUTE, self.found)
+        yield Claim("as-printed", SECOND_ROUTE, _as_printed(solutions, point))
+
+
+def reaches(when: Sequence[Condition], holds: bool) -> Claim:
+    """That the branch with these conditions brings the end-effector to its place."""
+    if not when:
+        return Claim("only-branch-reaches", SECOND_ROUTE, holds)
+    first, *rest = when
+    whole = reduce(lambda done, then: Phrase("also", {"first": done, "then": then}), rest, first)
+    return Claim("branch-reaches", SECOND_ROUTE, holds, {"when": whole})
 
 
 def tried(solutions: Solutions, target: Target, points: Sequence[Mapping[str, float]]) -> Tried:

@@ -12,7 +12,11 @@ from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import Any, TypeAlias
 
+from derive.algebra.infix import text
+from derive.derivation import Condition, Phrase
+from derive.expression import Expr, Symbol, add
 from derive.kinds.robot._inverse.at_pose import Configuration
+from derive.kinds.robot._inverse.signs import signed
 from derive.kinds.robot._inverse.target import SAME, Target, Values, gap
 
 # of a branch (its number): what is pinned (by the number of the sub-problem), to what any other is pinned
@@ -33,7 +37,7 @@ class SelfMotion:
     two of the angles that do not, with their values."""
 
     names: tuple[str, ...]
-    fixed: Mapping[str, float]
+    fixed: Mapping[Expr, float]
     count: int = 1
 
 
@@ -152,7 +156,7 @@ class Distinct:
     def _self_motion(self, k: int, here: Configuration) -> SelfMotion | None:
         """What moves with the unknowns that were pinned, where they can be moved."""
         names: set[str] = set()
-        fixed: dict[str, float] = {}
+        fixed: dict[Expr, float] = {}
         count = 0
         for number, value in here.pinned.items():
             other = self._moved(k, here, number, value)
@@ -182,13 +186,13 @@ class Distinct:
 
         return min((each.values for each in there), key=apart, default=None)
 
-    def _tied(self, moved: Sequence[str], here: Values, there: Values) -> Iterator[tuple[str, float]]:
+    def _tied(self, moved: Sequence[str], here: Values, there: Values) -> Iterator[tuple[Expr, float]]:
         """Sums and differences of two angles that did not change while both did."""
         for one, other in combinations([name for name in moved if name not in self.target.slides], 2):
-            for sign, operator in ((1, "+"), (-1, "-")):
+            for sign in (1, -1):
                 before, after = (each[one] + sign * each[other] for each in (here, there))
                 if abs(gap(after, before)) < SAME + 2 * self.tolerance:
-                    yield f"{one} {operator} {other}", rounder(wrapped(before))
+                    yield add(Symbol(one), signed(sign, Symbol(other))), rounder(wrapped(before))
 
 
 def lowest(value: Callable[[float], float], low: float, high: float) -> float:
@@ -212,38 +216,31 @@ def wrapped(angle: float) -> float:
 
 
 def listed(
-    found: Sequence[Solution], conditions: Sequence[Sequence[str]], real: Sequence[bool], spare: bool
+    found: Sequence[Solution], conditions: Sequence[Sequence[Condition]], real: Sequence[bool], spare: bool
 ) -> list[dict[str, Any]]:
     """As the JSON lists it, in the order of the branches: one without a solution is not real. Where a pose
     has more coordinates than the arm joints (`spare`), `true_at` says whether a branch meets all of them.
     `real` says of each branch whether its formulas have values."""
     entries: list[dict[str, Any]] = []
     for k, own in enumerate(conditions):
-        for each in found:
-            if each.branches[0] == k:
-                shared = [c for c in own if all(c in conditions[other] for other in each.branches)]
-                entries.append({**each.values, "when": _said(shared, each.self_motion)})
-                if each.self_motion:
-                    entries[-1] |= {
-                        "free": list(each.self_motion.names),
-                        "fixed": dict(each.self_motion.fixed),
-                    }
-                entries[-1] |= {"true_at": True} if spare else {}
+        for each in (each for each in found if each.branches[0] == k):
+            shared = [c for c in own if all(c in conditions[other] for other in each.branches)]
+            entries.append({**each.values, "when": tuple(shared), **({"true_at": True} if spare else {})})
+            if motion := each.self_motion:
+                entries[-1]["when"] = (*shared, _free(motion))
+                fixed = {text(tree): value for tree, value in motion.fixed.items()}
+                entries[-1] |= {"free": list(motion.names), "fixed": fixed}
         if not any(k in each.branches for each in found):
-            entries.append({"when": ", ".join(own), "real": False})
-            entries[-1] |= {"true_at": False} if spare and real[k] else {}
+            missed = {"true_at": False} if spare and real[k] else {}
+            entries.append({"when": tuple(own), "real": False, **missed})
     return entries
 
 
-def _said(conditions: Sequence[str], motion: SelfMotion | None) -> str:
-    """The conditions that all branches share, and what is free in words."""
-    if motion is None:
-        return ", ".join(conditions)
-    first, *others = motion.names
+def _free(motion: SelfMotion) -> Phrase:
+    """What is free, and what is determined nevertheless."""
+    first, *others = names = tuple(map(Symbol, motion.names))
     if motion.fixed and len(others) == 1:
-        said = f"where {first} is free: only {' and '.join(motion.fixed)} is determined"
-    elif others and motion.count == len(motion.names):
-        said = f"where {' and '.join(motion.names)} are free"
-    else:
-        said = f"where {first} is free" + (f", and {' and '.join(others)} with it" if others else "")
-    return ", ".join((*conditions, said))
+        return Phrase("free-but-for", {"free": first, "determined": tuple(motion.fixed)})
+    if others and motion.count == len(names):
+        return Phrase("all-free", {"names": names})
+    return Phrase("free-with" if others else "free", {"free": first, "others": tuple(others)})

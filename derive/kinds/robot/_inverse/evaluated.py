@@ -9,7 +9,7 @@ from itertools import pairwise, product
 from typing import Any
 
 from derive.algebra.numbers.floats import Point, number
-from derive.derivation import Branch
+from derive.derivation import Branch, Condition
 from derive.errors import NotDerivable
 from derive.expression import Expr, Number, Symbol, free_symbols, rebuild
 from derive.kinds.evaluation import Place
@@ -91,7 +91,7 @@ def _configurations(at: AtPose, solutions: Solutions, point: Point) -> Configura
 
 
 def at_point(
-    configurations: Configurations, conditions: Sequence[Sequence[str]], chain: Chain, goal: Goal,
+    configurations: Configurations, conditions: Sequence[Sequence[Condition]], chain: Chain, goal: Goal,
     problem: Problem, point: Point, rounding: float = 0.0,
 ) -> Evaluated:  # fmt: skip
     """The solutions at a point, from the configurations of each branch; `rounding` is how far what is typed

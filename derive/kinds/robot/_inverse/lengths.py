@@ -8,7 +8,6 @@ from functools import reduce
 from math import lcm
 from operator import add as add_values
 
-from derive.algebra.infix import text
 from derive.algebra.rationals import as_fraction
 from derive.algebra.scalar import Scalar
 from derive.expression import (
@@ -30,7 +29,7 @@ from derive.expression import (
     subtract,
 )
 from derive.kinds.robot._inverse.facts import Method
-from derive.kinds.robot._inverse.one_equation import SIGNS, solve
+from derive.kinds.robot._inverse.one_equation import SIGNS, of_sign, solve
 from derive.kinds.robot._inverse.signs import (
     begins_negative,
     leaves,
@@ -70,8 +69,9 @@ def reach(solving: Solving, found: Reach) -> None:
     solving.add("squares", total(squares), add(times(P, squared(d)), times(Q, d), *terms_of(D)))
     rest = total((*squares, *map(opposite, terms_of(D))))
     values: tuple[Expr, Expr]
+    signed_part: Expr
     if not found.linear:
-        size, sign_of = sqrt(over(rest, P)), d.name
+        size, signed_part = sqrt(over(rest, P)), d
         values = (size, negate(size))
     else:
         half, middle = found.linear / 2, found.square * Scalar.symbol(d.name) + found.linear / 2
@@ -83,12 +83,9 @@ def reach(solving: Solving, found: Reach) -> None:
             key=leaves,
         )
         values = (over(ordered(add(opposite(h), sqrt(rest))), P), over(subtract(opposite(h), sqrt(rest)), P))
-        sign_of = text(progress.tree(middle))
+        signed_part = progress.tree(middle)
         progress.sums.append((middle, len(progress.solved)))
-    choices = [
-        Choice(value, sign, f"{sign_of} {relation} 0")
-        for value, sign, relation in zip(values, SIGNS, "><", strict=True)
-    ]
+    choices = [Choice(v, sign, of_sign(signed_part, sign)) for v, sign in zip(values, SIGNS, strict=True)]
     positive = not found.linear and solving.problem.assumptions.get(d.name) in ("positive", "nonnegative")
     method = Method(name="reach", positive=positive, exists=_doubtful(rest))
     solving.solved(d, choices[:1] if positive else choices, method)

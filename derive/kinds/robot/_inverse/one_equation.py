@@ -10,6 +10,7 @@ from derive.algebra.angles import Form
 from derive.algebra.infix import text
 from derive.algebra.normal import normal, trig_of
 from derive.algebra.solving.fixed_directions import direction, sum_of_squares
+from derive.derivation import Condition, Phrase, Relation
 from derive.expression import (
     ONE,
     ZERO,
@@ -123,7 +124,7 @@ def _alone(solving: Solving, angle: Form, trees: Trees, row: TrigEquation, lengt
     shown: list[Choice] = []
     trig: dict[int, dict[Expr, Expr]] = {}
     for sign in SIGNS:
-        when = f"{text(q if even else cos(q))} {'>' if sign > 0 else '<'} 0"
+        when = of_sign(q if even else cos(q), sign)
         value, page = (signed(sign, length or sqrt(subtract(ONE, square(each)))) for each in (u, own))
         whole = list(_without_fraction(solving.progress, row, trees, sign, when))
         choices += whole or [Choice(_angle(u, value, even), sign, when)]
@@ -136,7 +137,7 @@ def _alone(solving: Solving, angle: Form, trees: Trees, row: TrigEquation, lengt
 
 
 def _without_fraction(
-    progress: Progress, row: TrigEquation, trees: Trees, sign: int, when: str
+    progress: Progress, row: TrigEquation, trees: Trees, sign: int, when: Condition
 ) -> Iterator[Choice]:
     """For each sign of the coefficient, where those are known: a cos q = c is q = atan2(sqrt(a^2 - c^2), c)
     for a positive a."""
@@ -182,11 +183,16 @@ def _by_cosines(progress: Progress, row: TrigEquation) -> int:
     return progress.minuses(row.b, row.a, row.c)
 
 
-def _side(progress: Progress, q: Expr, row: TrigEquation, sign: int) -> str:
+def of_sign(tree: Expr, sign: int) -> Relation:
+    """That it is positive, or negative."""
+    return Relation(tree, ">" if sign > 0 else "<", ZERO)
+
+
+def _side(progress: Progress, q: Expr, row: TrigEquation, sign: int) -> Condition:
     """Which of two angles: the sign of a sin q - b cos q, where that is short."""
     c, s = trig_of(normal(q))
     names = {symbol.name: value for symbol, value in progress.named}
-    condition = text(progress.problem.readable((row.a * s - row.b * c).substitute(names)))
-    if len(condition) <= LONG_CONDITION and not re.search(r"\d{5}", condition):
-        return f"{condition} {'>' if sign > 0 else '<'} 0"
-    return f"{'first' if sign > 0 else 'second'} value of {text(q)}"
+    tree = progress.problem.readable((row.a * s - row.b * c).substitute(names))
+    if len(written := text(tree)) <= LONG_CONDITION and not re.search(r"\d{5}", written):
+        return of_sign(tree, sign)
+    return Phrase("first-value" if sign > 0 else "second-value", {"angle": q})

@@ -10,7 +10,7 @@ from typing import TypeAlias
 
 from derive.algebra.angles import Form, combination
 from derive.algebra.numbers.compiled import Compiled, compiled
-from derive.derivation import Step
+from derive.derivation import Condition, Step
 from derive.expression import ZERO, Expr, Symbol, add, multiply, number
 from derive.kinds.robot._inverse.facts import SolvedFacts
 from derive.kinds.robot._inverse.signs import opposite
@@ -20,11 +20,12 @@ from derive.mechanics.inverse.known import completed
 @dataclass(frozen=True)
 class Choice:
     """One value of the unknown: chosen freely by `sign`, or where the signs chosen at earlier sub-problems
-    have this product. `when` says which it is; 0 is no choice."""
+    have this product. `when` says which it is; 0 is no
+    choice."""
 
     value: Expr
     sign: int = 0
-    when: str = ""
+    when: Condition | None = None
     earlier: tuple[int, ...] = ()
     product: int = 1
 

@@ -11,7 +11,7 @@ from derive.algebra.numbers.compiled import compiled
 from derive.algebra.numbers.floats import number as value_of
 from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.scalar import Scalar
-from derive.derivation import Branch, Claim, Derivation, Step
+from derive.derivation import Branch, Condition, Derivation, Phrase, Step
 from derive.expression import (
     ONE,
     PI,
@@ -30,19 +30,21 @@ from derive.expression import (
     squared,
     subtract,
 )
-from derive.kinds.checks import SECOND_ROUTE, links, random_points
+from derive.kinds.checks import links, random_points
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.at_pose import Configuration
+from derive.kinds.robot._inverse.checks import reaches
 from derive.kinds.robot._inverse.evaluated import SMALL, Evaluated, at_point, evaluated
 from derive.kinds.robot._inverse.facts import Facts, Triangle
-from derive.kinds.robot._inverse.signs import times
+from derive.kinds.robot._inverse.one_equation import of_sign
+from derive.kinds.robot._inverse.signs import signed
 from derive.kinds.robot._inverse.target import Target, Values
 from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.goal import Goal, of_coordinates
 from derive.mechanics.inverse.two_link import TwoLink
 
-ELBOWS = (("down", number(1), ">"), ("up", number(-1), "<"))
+ELBOWS = {"down": 1, "up": -1}  # the sign of theta_2
 POINTS = 5
 
 
@@ -54,18 +56,27 @@ def derive(
     goal = of_coordinates(chain.T_tool, given, chain.variables)
     writing = _Writing(problem, arm, x, y)
     steps = writing.steps()
-    branches = tuple(writing.branch(name, sign, relation) for name, sign, relation in ELBOWS)
+    conditions: list[tuple[Condition, ...]] = [
+        (Phrase(f"elbow-{elbow}"), of_sign(writing.theta_2, sign)) for elbow, sign in ELBOWS.items()
+    ]
+    branches = [
+        Branch(writing.values(sign), when) for sign, when in zip(ELBOWS.values(), conditions, strict=True)
+    ]
     target = Target.of(problem, chain, goal)
     known = {**problem.names, **writing.position()}
     claims = (
         *links([step for step in steps if step.rule in ("position", "law-of-cosines")], known),
-        *(_reaches(problem, target, branch) for branch in branches),
+        *(
+            reaches(when, _puts_back(problem, target, each))
+            for each, when in zip(branches, conditions, strict=True)
+        ),
     )
-    values = evaluated(branches, place, problem, partial(_in_numbers, branches, arm, chain, goal, problem))
+    in_numbers = partial(_in_numbers, branches, conditions, arm, chain, goal, problem)
+    values = evaluated(branches, place, problem, in_numbers)
     return Derivation(
         "inverse-kinematics",
         steps,
-        {"solutions": branches},
+        {"solutions": tuple(branches)},
         claims,
         evaluated=values.values,
         uses=(problem.ask("forward-kinematics"),),
@@ -108,8 +119,8 @@ class _Writing:
         triangle = Step("triangle", (inside, Quotient(sides, length)), "law-of-cosines")
         solved = Step("c_2", (cosine, self.cosine()), "law-of-cosines")
         elbows = [
-            Step(f"elbow_{name}", (self.theta_2, atan2(self.sine(sign, cosine), cosine)), "branch")
-            for name, sign, _ in ELBOWS
+            Step(f"elbow_{elbow}", (self.theta_2, atan2(self.sine(sign, cosine), cosine)), "branch")
+            for elbow, sign in ELBOWS.items()
         ]
         shoulder = self.shoulder(cosine, sin(self.theta_2))
         return (*position, triangle, solved, *elbows, Step("theta_1", (self.theta_1, shoulder), "difference"))
@@ -124,26 +135,24 @@ class _Writing:
         return Quotient(self.problem.readable(top), self.problem.readable(bottom))
 
     @staticmethod
-    def sine(sign: Expr, cosine: Expr) -> Expr:
-        return times(sign, sqrt(subtract(ONE, squared(cosine))))
+    def sine(sign: int, cosine: Expr) -> Expr:
+        return signed(sign, sqrt(subtract(ONE, squared(cosine))))
 
     def shoulder(self, c_2: Expr, s_2: Expr) -> Expr:
         """atan2(y, x) - atan2(a_2 s_2, a_1 + a_2 c_2)."""
         inner = atan2(multiply(self.a_2, s_2), add(self.a_1, multiply(self.a_2, c_2)))
         return subtract(atan2(self.y, self.x), inner)
 
-    def branch(self, elbow: str, sign: Expr, relation: str) -> Branch:
+    def values(self, sign: int) -> dict[str, Expr]:
         """Both angles in the given coordinates alone."""
         u = self.problem.final(self.cosine())
-        s = self.sine(sign, u)
         along = add(self.a_1, multiply(self.a_2, self.cosine()))  # a_1 + a_2 c_2
         along = self.problem.readable(normal(along, self.problem.names))
-        inner = atan2(times(sign, multiply(self.problem.final(self.a_2), self.sine(ONE, u))), along)
-        values = {
-            self.arm.theta_1: subtract(atan2(self.y, self.x), inner),
-            self.arm.theta_2: atan2(s, u),
+        across = signed(sign, multiply(self.problem.final(self.a_2), self.sine(1, u)))
+        return {
+            self.arm.theta_1: subtract(atan2(self.y, self.x), atan2(across, along)),
+            self.arm.theta_2: atan2(self.sine(sign, u), u),
         }
-        return Branch(values, f"elbow {elbow}, {self.arm.theta_2} {relation} 0")
 
     def triangle(self) -> Triangle:
         """For the words."""
@@ -156,19 +165,20 @@ class _Writing:
         )
 
 
-def _reaches(problem: Problem, target: Target, branch: Branch) -> Claim:
-    """The branch at reachable points, put back through the poses in numbers."""
+def _puts_back(problem: Problem, target: Target, branch: Branch) -> bool:
+    """Whether a branch at reachable points, put back through the poses in numbers, gives these points."""
     holds = True
     for each in random_points(sorted(problem.symbols), POINTS):
         at = dict(target.oracle.at(each))
         point = {**at, **target.goal.numbers(target.oracle.tool(at))}
         holds &= target.reached(point, {name: value_of(tree, point) for name, tree in branch.values.items()})
-    return Claim(f"the branch '{branch.when}' reaches its target", SECOND_ROUTE, holds)
+    return holds
 
 
 def _in_numbers(
-    branches: Sequence[Branch], arm: TwoLink, chain: Chain, goal: Goal, problem: Problem, point: Values
-) -> Evaluated:
+    branches: Sequence[Branch], conditions: Sequence[Sequence[Condition]], arm: TwoLink, chain: Chain,
+    goal: Goal, problem: Problem, point: Values,
+) -> Evaluated:  # fmt: skip
     """The branches at a point; folded back on its base, the arm may point anywhere."""
     functions = [{name: compiled(value) for name, value in each.values.items()} for each in branches]
     a_1, a_2 = (scalar_number(length, point) for length in (arm.a_1, arm.a_2))
@@ -187,5 +197,4 @@ def _in_numbers(
         except (ValueError, ZeroDivisionError):
             yield Configuration({}, {})
 
-    conditions = [each.when.split(", ") for each in branches]
     return at_point(configurations, conditions, chain, goal, problem, point)

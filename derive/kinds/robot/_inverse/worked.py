@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from derive.derivation import Claim, Step, Table
+from derive.derivation import Claim, Phrase, Said, Step, Table
 from derive.expression import Expr, Matrix, Symbol, atan2, free_symbols
 from derive.kinds.checks import links
 from derive.kinds.problem import Problem
@@ -18,7 +18,7 @@ from derive.mechanics.inverse.goal import AXES, Goal
 from derive.mechanics.inverse.plan import Plan
 
 CHECKED = ("equation", "squares", "solved")  # steps that hold for every configuration of the arm
-FIRST_AND_SECOND = {1: "first", -1: "second"}
+FIRST_AND_SECOND = {1: Phrase("first"), -1: Phrase("second")}
 
 
 @dataclass(frozen=True, slots=True)
@@ -180,11 +180,11 @@ class Worked:
         two = self._two_valued()
         if len(two) < 2:
             return None
-        rows = tuple(
+        rows: tuple[tuple[Said, ...], ...] = tuple(
             (str(k), *(FIRST_AND_SECOND[taken[each.number].sign] for each in two))
             for k, taken in enumerate(solutions.chosen, 1)
         )
-        return Table(("solution", *(each.head for each in two)), rows)
+        return Table((Phrase("solution"), *(each.head for each in two)), rows)
 
 
 def _names(solved: Solved) -> set[str]:
