@@ -53,6 +53,7 @@ class Strata:
 
     @property
     def inclusion(self) -> Inclusion:
+        """Which of the sets lie in which."""
         return Inclusion(self.search)
 
     def _plainest(self, place: Locus) -> Locus:
@@ -213,9 +214,11 @@ class Inclusion:
     search: Vanishing
 
     def strictly(self, one: Locus, other: Locus) -> bool:
+        """Whether the first is a proper part of the second."""
         return self.holds(one, other) and not self.holds(other, one)
 
     def same(self, one: Locus, other: Locus) -> bool:
+        """Whether they are one set."""
         return self.holds(one, other) and self.holds(other, one)
 
     def holds(self, one: Locus, other: Locus) -> bool:

@@ -50,6 +50,7 @@ class Fixed:
 
     @property
     def sign(self) -> str:
+        """The name of the sign."""
         return f"{SIGN}{self.variable})"
 
 
@@ -290,6 +291,7 @@ def signs_of(value: Scalar) -> tuple[str, ...]:
 
 
 def every_sign(names: Sequence[str]) -> Iterator[tuple[tuple[str, int], ...]]:
+    """Every choice of these signs, as pairs of a name and 1 or -1."""
     for choice in product((1, -1), repeat=len(names)):
         yield tuple(zip(names, choice, strict=True))
 

@@ -34,6 +34,7 @@ class Goal:
 
     @property
     def names(self) -> tuple[str, ...]:
+        """Of everything that is known, the angle last."""
         return (*self.places, self.angle) if self.angle else tuple(self.places)
 
     def numbers(self, T: Any) -> dict[str, float]:
@@ -46,6 +47,7 @@ class Goal:
 
     @property
     def whole_position(self) -> bool:
+        """Whether x, y and z are known."""
         return None not in self.p
 
     @property

@@ -52,16 +52,20 @@ class Knowledge:
         return replace(self, forms=(*self.forms, unknown))
 
     def knows(self, form: Form) -> bool:
+        """Whether a sum of angles follows from those known."""
         return combination(form, self.forms) is not None
 
     def knows_joint(self, name: str) -> bool:
+        """Whether a joint variable is known."""
         return name in self.lengths if name in self.slides else determined(name, self.forms)
 
     @property
     def complete(self) -> bool:
+        """Whether all of them are."""
         return all(map(self.knows_joint, (*self.joints, *self.slides)))
 
     def unknown_joints(self) -> frozenset[str]:
+        """The joint variables still sought."""
         return frozenset(name for name in (*self.joints, *self.slides) if not self.knows_joint(name))
 
     def run_of(self, form: Form) -> Form:

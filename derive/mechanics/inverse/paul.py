@@ -40,10 +40,12 @@ class Equation:
 
     @property
     def place(self) -> Place:
+        """Where it stands; no two equations of an arm stand in one place."""
         return self.between, self.row, self.col
 
     @property
     def is_position(self) -> bool:
+        """Whether it compares lengths; else cosines of directions."""
         return self.col == 3
 
 

@@ -19,7 +19,7 @@ from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.known import Knowledge, singles
 from derive.mechanics.inverse.paul import Equation, Frames, pose_equations, position_equations
 from derive.mechanics.inverse.search import Stage
-from derive.mechanics.inverse.subproblems import SubProblem
+from derive.mechanics.inverse.subproblems import SubProblem, equations_of
 from derive.mechanics.inverse.wrist import Wrist, spherical_wrist
 from derive.mechanics.poses import rotation_part
 
@@ -63,6 +63,7 @@ class Plan:
 
     @property
     def complete(self) -> bool:
+        """Whether every joint variable is found."""
         return self.knowledge.complete and not self.stopped
 
 
@@ -118,7 +119,7 @@ class Search:
         steps: list[Planned] = []
         try:
             while not known.complete:
-                used = {equation.place for each in steps for equation in each.subproblem.equations}
+                used = {equation.place for each in steps for equation in equations_of(each.subproblem)}
                 found = stage.next(known, self.budget, used)
                 if found is None:
                     return Plan(tuple(steps), known, left=tuple(stage.left(known)))

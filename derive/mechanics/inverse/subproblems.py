@@ -32,10 +32,12 @@ class TrigEquation:
     equation: Equation
 
     def negated(self) -> TrigEquation:
+        """The same equation with its signs turned."""
         return TrigEquation(-self.a, -self.b, -self.c, self.equation)
 
     @property
     def terms(self) -> int:
+        """How many terms it has."""
         return sum(len(part.numerator) for part in (self.a, self.b, self.c))
 
 
@@ -55,10 +57,6 @@ class OneEquation:
     unknown: Form
     row: TrigEquation
 
-    @property
-    def equations(self) -> tuple[Equation, ...]:
-        return (self.row.equation,)
-
 
 @dataclass(frozen=True, slots=True)
 class TwoEquations:
@@ -74,11 +72,8 @@ class TwoEquations:
     method: Method
 
     @property
-    def equations(self) -> tuple[Equation, ...]:
-        return self.first.equation, self.second.equation
-
-    @property
     def determinant(self) -> Scalar:
+        """That of the coefficients."""
         return self.first.a * self.second.b - self.first.b * self.second.a
 
     @property
@@ -97,10 +92,6 @@ class Elbow:
     coordinates: tuple[Coordinate, ...]
     row: TrigEquation
 
-    @property
-    def equations(self) -> tuple[Equation, ...]:
-        return tuple(each.equation for each in self.coordinates)
-
 
 @dataclass(frozen=True, slots=True)
 class Reach:
@@ -112,10 +103,6 @@ class Reach:
     linear: Scalar
     constant: Scalar
 
-    @property
-    def equations(self) -> tuple[Equation, ...]:
-        return tuple(each.equation for each in self.coordinates)
-
 
 @dataclass(frozen=True, slots=True)
 class Slide:
@@ -126,12 +113,21 @@ class Slide:
     value: Scalar
     equation: Equation
 
-    @property
-    def equations(self) -> tuple[Equation, ...]:
-        return (self.equation,)
-
 
 SubProblem: TypeAlias = OneEquation | TwoEquations | Elbow | Reach | Slide
+
+
+def equations_of(found: SubProblem) -> tuple[Equation, ...]:
+    """The equations a sub-problem rests on."""
+    match found:
+        case OneEquation(_, row):
+            return (row.equation,)
+        case TwoEquations(_, first, second):
+            return first.equation, second.equation
+        case Slide():
+            return (found.equation,)
+        case Elbow() | Reach():
+            return tuple(each.equation for each in found.coordinates)
 
 
 def trig_equation(value: Scalar, angle: Form, equation: Equation) -> TrigEquation | None:

@@ -33,6 +33,7 @@ class Line:
         return Line(moved(T, self.point), rotation_part(T) @ self.direction)
 
     def holds(self, point: ScalarMatrix) -> bool:
+        """Whether a point (3 by 1) lies on it."""
         return not self.direction.cross(point - self.point)
 
 

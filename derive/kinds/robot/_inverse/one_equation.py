@@ -10,12 +10,13 @@ from derive.algebra.angles import Form
 from derive.algebra.infix import text
 from derive.algebra.normal import normal, trig_of
 from derive.algebra.solving.fixed_directions import direction, sum_of_squares
-from derive.derivation import Condition, Phrase, Relation
+from derive.derivation import Condition, Phrase
 from derive.expression import (
     ONE,
     ZERO,
     Expr,
     Number,
+    Relation,
     add,
     atan2,
     cos,

@@ -13,7 +13,7 @@ from derive.kinds.robot._inverse.facts import Method, SolvedFacts
 from derive.kinds.robot._inverse.progress import Progress
 from derive.kinds.robot._inverse.signs import begins_negative
 from derive.kinds.robot._inverse.subproblem import Choice, Definition, Solved
-from derive.mechanics.inverse.subproblems import Reach, SubProblem
+from derive.mechanics.inverse.subproblems import Reach, SubProblem, equations_of
 
 
 class Solving:
@@ -64,7 +64,7 @@ class Solving:
         facts = SolvedFacts(
             method=method,
             unknown=head,
-            compared=self.poses.compared(self.found.equations),
+            compared=self.poses.compared(equations_of(self.found)),
             orientation=progress.goal.R is not None and None in progress.goal.p,
             names=self._by("name"),
             equations=self._by("equation"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from derive.derivation import Claim, Phrase, Said, Step, Table
+from derive.derivation import Cell, Claim, Phrase, Step, Table
 from derive.expression import Expr, Matrix, Symbol, atan2, free_symbols
 from derive.kinds.checks import links
 from derive.kinds.problem import Problem
@@ -180,7 +180,7 @@ class Worked:
         two = self._two_valued()
         if len(two) < 2:
             return None
-        rows: tuple[tuple[Said, ...], ...] = tuple(
+        rows: tuple[tuple[Cell, ...], ...] = tuple(
             (str(k), *(FIRST_AND_SECOND[taken[each.number].sign] for each in two))
             for k, taken in enumerate(solutions.chosen, 1)
         )
