@@ -7,7 +7,7 @@ from dataclasses import replace
 from derive.algebra.normal import normal
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.scalar import Scalar
-from derive.derivation import Derivation, PageFacts, Plot, Record, Result, Step
+from derive.derivation import Derivation, PageFacts, Phrase, Plot, Record, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     ZERO,
@@ -78,7 +78,7 @@ class Facts(PageFacts):
     spare: tuple[int, ...]  # joints that do not move the point
     free: bool  # these turn the end-effector as they like
     same: bool  # there is no hole
-    description: str
+    description: Phrase
     secondary: Secondary | None
     last: Expr
     shoulder: tuple[Expr, Expr]
@@ -245,21 +245,18 @@ def _facts(problem: Problem, region: Region, point: Tracked, plots: tuple[Plot, 
     )
 
 
-def _description(region: Region, closed: bool) -> str:
+def _description(region: Region, closed: bool) -> Phrase:
     match region.kind, len(region.lengths):
-        case "planar", 1 if region.slides:
-            return "the side of a cylinder about the axis of the joint"
         case "planar", 1:
-            return "a circle about the axis of the joint"
+            return Phrase("side-of-a-cylinder" if region.slides else "circle")
         case "planar", _ if region.slides:
-            return "a cylinder about the first axis" if closed else "a hollow cylinder about the first axis"
+            return Phrase("cylinder" if closed else "hollow-cylinder")
         case "planar", _:
-            return "a disc about the first axis" if closed else "an annulus about the first axis"
+            return Phrase("disc" if closed else "annulus")
         case "torus", _:
-            return "the annulus of the two links, at the offset from the first axis, swung about that axis"
-    hole = "a ball" if closed else "a hollow ball"
-    bored = ", bored through along the first axis" if region.side != ZERO else ""
-    return f"{hole} about the shoulder{bored}"
+            return Phrase("swung-annulus")
+    ball = Phrase("ball" if closed else "hollow-ball")
+    return ball if region.side == ZERO else Phrase("bored-through", {"ball": ball})
 
 
 def _secondary(problem: Problem, region: Region) -> Secondary:

@@ -13,6 +13,7 @@ from derive.algebra.infix import text
 from derive.algebra.numbers.floats import number
 from derive.build import derive_all
 from derive.errors import NotDerivable, SheetErrors
+from derive.render.phrases import spoken
 from derive.sheet.load import load_sheet
 from derive.writing import render
 from tests.kinds.robot.test_singularities import ELBOW, PUMA, SCARA, STANFORD, THREE_R, TWO_R, arm
@@ -54,7 +55,7 @@ def test_three_links_leave_a_hole_only_under_a_long_one(lengths, hole) -> None:
 def test_the_hollow_ball_of_the_anthropomorphic_arm() -> None:
     found = problem(arm(ELBOW)).ask("workspace").results
     assert (text(found["r_min"]), text(found["r_max"])) == ("Abs(a2 - a3)", "a2 + a3")
-    assert found["description"] == "a hollow ball about the shoulder"
+    assert spoken("robot", "workspace").say(found["description"]) == "a hollow ball about the shoulder"
 
 
 def test_an_arm_that_is_neither_is_refused() -> None:
@@ -122,6 +123,6 @@ def test_a_target_with_an_angle(tmp_path) -> None:
 def test_joints_that_do_not_move_the_point_are_left_out(rows, r_min, r_max, description) -> None:
     found = problem(arm(rows)).ask("workspace")
     assert (text(found.results["r_min"]), text(found.results["r_max"])) == (r_min, r_max)
-    assert found.results["description"] == description
+    assert spoken("robot", "workspace").say(found.results["description"]) == description
     assert found.facts.free
     assert all(claim.holds for claim in found.claims)
