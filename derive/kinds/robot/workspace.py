@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from derive.algebra.normal import normal
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.scalar import Scalar
-from derive.derivation import Derivation, PageFacts, Phrase, Plot, Record, Result, Step
+from derive.derivation import Derivation, PageFacts, Phrase, Plot, Record, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     ZERO,
@@ -22,7 +20,6 @@ from derive.expression import (
 )
 from derive.figures.workspaces import cross_section, from_above
 from derive.kinds.chains import closing
-from derive.kinds.checks import links
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -30,6 +27,7 @@ from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.kinds.robot._reach.checks import Region, second_route
 from derive.kinds.values_at import point_of
+from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.reach import PlanarArm, SwungArm, moving_joints, planar_arm, swung_arm, turns_freely
 from derive.mechanics.robot import Robot
@@ -86,31 +84,25 @@ class Facts(PageFacts):
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
-    """The annulus or the hollow sphere between the arm folded and the arm stretched; joints turn without
-    limits.
+    """The annulus or the hollow sphere between the arm folded and the arm stretched: r_min and r_max in
+    the unit of the lengths (Siciliano et al., section 2.10; Craig, section 4.2). Joints turn without limits.
 
     Raises NotDerivable for arms of any other build.
     """
     found = chain_of(problem)
     point = tracked(problem, found, options.point)
     region = _region(problem, found, point)
-    found_steps = (
-        Step("r_max", (R_MAX, *region.largest), "stretched"),
-        Step("r_min", (R_MIN, *region.smallest), "folded"),
+    r_max, r_min = _final(problem, region.largest[-1]), _final(problem, region.smallest[-1])
+    steps = (
+        closing(Step("r_max", (R_MAX, *region.largest), "stretched"), r_max),
+        closing(Step("r_min", (R_MIN, *region.smallest), "folded"), r_min),
     )
-    steps = tuple(closing(step, _final(problem, step.result)) for step in found_steps)
+    work = Work(problem, uses=(problem.ask("forward-kinematics"),), steps=steps).linked(but=("r_min",))
+    work = work.claim(*second_route(problem, found, point, region, {1: r_max, -1: r_min}))
     plots = _pictures(problem, region, options)
     facts = _facts(problem, region, point, plots)
-    results: dict[str, Result] = {
-        "r_min": steps[1].result,
-        "r_max": steps[0].result,
-        "description": facts.description,
-    }
-    return Derivation(
-        "workspace", steps, results,
-        (*links(steps[:1], problem.names), *second_route(problem, found, point, region, steps)),
-        {}, uses=(problem.ask("forward-kinematics"),), plots=plots, facts=facts,
-    )  # fmt: skip
+    results = {"r_min": r_min, "r_max": r_max, "description": facts.description}
+    return work.answer("workspace", results, facts, plots=plots)
 
 
 def _final(problem: Problem, tree: Expr) -> Expr:
@@ -124,7 +116,7 @@ def _region(problem: Problem, found: Chain, point: Tracked) -> Region:
     _refuse_coupled(found, point)
     planar = planar_arm(found, point.position, point.last)
     if planar:
-        return replace(_annulus(problem, planar), slides=planar.slides)
+        return _annulus(problem, planar)
     swung = swung_arm(found, point.position, point.last)
     if swung:
         return _shell(problem, swung)
@@ -151,12 +143,12 @@ def _each_its_row(found: Chain) -> bool:
 
 def _annulus(problem: Problem, arm: PlanarArm) -> Region:
     lengths = tuple(map(problem.readable, arm.lengths))
-    largest = _sum(problem, arm.lengths)
-    if len(lengths) == 1:
-        return Region("planar", lengths, (lengths[0],), largest, arm.center)
+    smallest = lengths
     if len(lengths) == 2:
-        return Region("planar", lengths, _difference(problem, arm.lengths), largest, arm.center)
-    return Region("planar", lengths, _holes(problem, _overreach(problem, arm.lengths)), largest, arm.center)
+        smallest = _difference(problem, arm.lengths)
+    elif len(lengths) > 2:
+        smallest = _holes(problem, _overreach(problem, arm.lengths))
+    return Region("planar", lengths, smallest, _sum(problem, arm.lengths), arm.center, slides=arm.slides)
 
 
 def _shell(problem: Problem, arm: SwungArm) -> Region:
@@ -194,10 +186,9 @@ def _difference(problem: Problem, lengths: tuple[Scalar, ...]) -> tuple[Expr, ..
     one, two = map(problem.readable, lengths)
     value = lengths[0] - lengths[1]
     written = Call("abs", (subtract(one, two),))
-    if value.constant is not None:
-        size = problem.readable(value if value.constant >= 0 else -value)
-        return (written, size)
-    return (written,)
+    if value.constant is None:
+        return (written,)
+    return written, problem.readable(value if value.constant >= 0 else -value)
 
 
 def _holes(problem: Problem, holes: tuple[Expr, ...]) -> tuple[Expr, ...]:
@@ -263,13 +254,11 @@ def _secondary(problem: Problem, region: Region) -> Secondary:
     *others, last = region.lengths
     far = problem.readable(normal(subtract(add(*others), last)))
     scalars = tuple(map(normal, others))
-    gap = _difference(problem, scalars)[-1] if len(others) == 2 else _gap(problem, scalars)
+    chain = (
+        _difference(problem, scalars) if len(others) == 2 else _holes(problem, _overreach(problem, scalars))
+    )
+    gap = chain[-1]  # the radius of the hole in the workspace of these links
     return Secondary(far=far, gap=gap, inside=Call("abs", (subtract(Symbol("r"), last),)))
-
-
-def _gap(problem: Problem, lengths: tuple[Scalar, ...]) -> Expr:
-    """The radius of the hole in the workspace of these links."""
-    return _holes(problem, _overreach(problem, lengths))[-1]
 
 
 def _overreach(problem: Problem, lengths: tuple[Scalar, ...]) -> tuple[Expr, ...]:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers import floats as numeric
-from derive.derivation import Claim, Step
+from derive.derivation import Claim
 from derive.expression import ZERO, Expr
 from derive.kinds.checks import SECOND_ROUTE, random_points
 from derive.kinds.problem import Problem
@@ -40,15 +40,12 @@ class Region:
 
 
 def second_route(
-    problem: Problem, found: Chain, point: Tracked, region: Region, steps: tuple[Step, ...]
+    problem: Problem, found: Chain, point: Tracked, region: Region, bounds: Mapping[int, Expr]
 ) -> tuple[Claim, ...]:
-    """The largest and smallest distance by a search over the joints, one after the other."""
-    if region.kind == "torus":
-        return (_reached(problem, found, point, region, steps[0].result, 1),)
-    return (
-        _reached(problem, found, point, region, steps[0].result, 1),
-        _reached(problem, found, point, region, steps[1].result, -1),
-    )
+    """The largest distance (1) and the smallest (-1) by a search over the joints, one after the other; of a
+    torus the largest alone."""
+    signs = (1,) if region.kind == "torus" else (1, -1)
+    return tuple(_reached(problem, found, point, region, bounds[sign], sign) for sign in signs)
 
 
 def _reached(problem: Problem, found: Chain, point: Tracked, region: Region, bound: Expr, sign: int) -> Claim:
