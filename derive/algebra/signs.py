@@ -6,6 +6,7 @@ from collections.abc import Collection
 
 from flint import fmpq_mpoly
 
+from derive.algebra.multivariate import grouped
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar
 
@@ -47,10 +48,9 @@ def signed(value: Scalar, positive: Collection[str]) -> Scalar:
 
 def _replaced(value: Scalar, place: int, by: Scalar) -> Scalar:
     """With the square root at a place replaced, which stands to the first power at most."""
-    root = by.ring.gen(by.ring.names[place])
-    parts = [value.numerator, *([value.denominator] if value.denominator is not None else [])]
-    found = []
-    for part in parts:
-        slope = part.derivative(place)
-        found.append(Scalar(by.ring, part - slope * root) + Scalar(by.ring, slope) * by)
-    return found[0] if len(found) == 1 else found[0] / found[1]
+
+    def replaced(part: fmpq_mpoly) -> Scalar:
+        groups = grouped(part, (place,)).items()
+        return sum((Scalar(value.ring, rest) * by**power for (power,), rest in groups), Scalar.of(0))
+
+    return replaced(value.numerator) / replaced(value.denominator or value.ring.one)

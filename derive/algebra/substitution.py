@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 
 from flint import fmpq_mpoly
 
-from derive.algebra.angles import Form
 from derive.algebra.exact_values import Pair, added, form_trig, multiple
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.multivariate import grouped
@@ -75,19 +74,6 @@ def _product(rest: Scalar, values: Sequence[Scalar], powers: Sequence[int]) -> S
         if power:
             rest = rest * value**power
     return rest
-
-
-def in_single_angles(value: Scalar) -> Scalar:
-    """The same over single angles instead of sums of them, where each of its angles is a sum of those."""
-    home = value.ring
-    atoms = sorted({atom for form in home.angles for atom, _ in form.moving.parts})
-    fixed = (form for form in home.angles if not form.moving.parts)
-    singles = ring((), (*(Form.of({atom: 1}) for atom in atoms), *fixed), home.symbols)
-    for form in home.angles:
-        singles = singles.with_angle(form)
-    if any(Form.of({atom: 1}) not in singles.angles for atom in atoms):
-        return value
-    return value.into(singles.union(home))
 
 
 def rationalised(value: Scalar) -> Scalar:

@@ -6,9 +6,10 @@ import math
 from collections.abc import Callable, Sequence
 from typing import TypeAlias
 
-from derive.algebra.numbers.floats import FUNCTIONS, Point, quotient
+from derive.algebra.numbers.floats import FUNCTIONS, Point, number, quotient
 from derive.errors import NotDerivable
 from derive.expression import (
+    PI,
     Approximate,
     Call,
     Degrees,
@@ -58,36 +59,23 @@ def _add(expr: Expr, places: dict[int, int], program: list[tuple[Operation, tupl
 def _operation(expr: Expr) -> Operation:
     """What makes the value of a node from those of its parts."""
     match expr:
-        case Number(exact):
-            return _constant(float(exact))
-        case Approximate(value):
-            return _constant(value)
-        case Degrees(value):
-            return _constant(math.radians(float(value)))
-        case Symbol("pi"):
-            return _constant(math.pi)
-        case Symbol(name):
+        case Symbol(name) if expr != PI:
             return lambda point, _: point[name]
+        case Number() | Approximate() | Degrees() | Symbol():
+            value = number(expr, {})
+            return lambda point, parts: value
         case Sum():
             return lambda _, parts: math.fsum(parts)
         case Product():
             return lambda _, parts: math.prod(parts)
         case Quotient():
-            return lambda _, parts: quotient(parts[0], parts[1])
+            return lambda _, parts: quotient(*parts)
         case Power():
             return lambda _, parts: FUNCTIONS["pow"](*parts)
         case Call("sqrt"):
-            return lambda _, parts: _root(parts[0])
+            return lambda _, parts: 0.0 if -ROUNDING < parts[0] < 0 else math.sqrt(parts[0])
         case Call(function) if function in FUNCTIONS:
             plain = FUNCTIONS[function]
             return lambda _, parts: float(plain(*parts))
         case _:
             raise NotDerivable(f"no number for {type(expr).__name__}")
-
-
-def _constant(value: float) -> Operation:
-    return lambda point, parts: value
-
-
-def _root(square: float) -> float:
-    return 0.0 if -ROUNDING < square < 0 else math.sqrt(square)

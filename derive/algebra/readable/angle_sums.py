@@ -54,42 +54,27 @@ _THEOREMS = {
 def _products(terms: Terms, alphabet: Alphabet) -> Iterator[tuple[Monomial, Form, Form, dict[str, Monomial]]]:
     """(rest, angle a, angle b, the terms rest * f(a) g(b) by "fg"), where there are two or more."""
     buckets: dict[tuple[Monomial, int, int], dict[str, Monomial]] = defaultdict(dict)
-    partner = _Partners(alphabet)
+    cosine = {atom: alphabet.trig("cos", alphabet.form(atom))[0] for atom in _trig_atoms(terms, alphabet)}
     for monomial in terms:
-        trig = [atom for atom, _ in monomial if alphabet.is_trig(atom)]
+        trig = [atom for atom, _ in monomial if atom in cosine]
         for first, second in combinations(trig, 2):
-            a, b = partner.cosine(first), partner.cosine(second)
+            a, b = cosine[first], cosine[second]
             if a != b:
                 rest = divided(monomial, {first: 1, second: 1})
-                names = partner.letter(first), partner.letter(second)
+                names = alphabet.atoms[first].kind[0], alphabet.atoms[second].kind[0]
                 name, key = ("".join(names), (rest, a, b)) if a < b else (names[1] + names[0], (rest, b, a))
                 buckets[key][name] = monomial
     for (rest, a, b), products in buckets.items():
         if len(products) > 1:
             if "cs" in products:
                 products["cs-"] = products["cs"]
-            yield rest, partner.form(a), partner.form(b), products
+            yield rest, alphabet.form(a), alphabet.form(b), products
 
 
-class _Partners:
-    """Which cosine belongs to a sine."""
-
-    def __init__(self, alphabet: Alphabet) -> None:
-        self.alphabet = alphabet
-        self.known: dict[int, int] = {}
-
-    def cosine(self, atom: int) -> int:
-        if atom not in self.known:
-            self.known[atom] = self.alphabet.trig("cos", self.form(atom))[0]
-        return self.known[atom]
-
-    def letter(self, atom: int) -> str:
-        return self.alphabet.atoms[atom].kind[0]
-
-    def form(self, atom: int) -> Form:
-        what = self.alphabet.atoms[atom].what
-        assert isinstance(what, Form)
-        return what
+def _trig_atoms(terms: Terms, alphabet: Alphabet) -> list[int]:
+    """The sines and cosines, as they are met."""
+    atoms = dict.fromkeys(atom for monomial in terms for atom, _ in monomial)
+    return [atom for atom in atoms if alphabet.is_trig(atom)]
 
 
 def _square_of_sine(terms: Terms, alphabet: Alphabet) -> bool:
@@ -102,9 +87,7 @@ def _square_of_sine(terms: Terms, alphabet: Alphabet) -> bool:
             lower = divided(monomial, {atom: 2})
             if terms.get(lower) == -terms[monomial]:
                 k = terms.pop(lower)
-                form = alphabet.atoms[atom].what
-                assert isinstance(form, Form)
                 del terms[monomial]
-                put(terms, times(lower, ((alphabet.trig("sin", form)[0], 2),)), k)
+                put(terms, times(lower, ((alphabet.trig("sin", alphabet.form(atom))[0], 2),)), k)
                 changed = True
     return changed

@@ -84,6 +84,12 @@ class Alphabet:
     def is_trig(self, atom: int) -> bool:
         return self.atoms[atom].kind in ("cos", "sin")
 
+    def form(self, atom: int) -> Form:
+        """The angle of a sine or cosine."""
+        what = self.atoms[atom].what
+        assert isinstance(what, Form)
+        return what
+
     def lump(self, x: int, y: int, sign: int = 1) -> int:
         """The atom x + sign * y of two letters."""
         self.lumps = True

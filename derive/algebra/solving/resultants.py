@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from flint import fmpq_mpoly
 
+from derive.algebra.roots_and_functions import in_single_angles
 from derive.algebra.scalar import Scalar, common_ring
 from derive.algebra.solving.half_angles import half_angles
-from derive.algebra.substitution import in_single_angles
 
 MOST = 20_000  # terms of the one times those of the other, times their degrees
 

@@ -8,10 +8,11 @@ from dataclasses import dataclass
 
 from derive.algebra.generators import Root
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.roots_and_functions import in_single_angles
 from derive.algebra.solving.factors import TooLong
 from derive.algebra.solving.row_reduction import column_space, null_space
 from derive.algebra.solving.row_reduction import rank as rank_of
-from derive.algebra.substitution import in_single_angles, pinned_matrix, rationalised
+from derive.algebra.substitution import pinned_matrix, rationalised
 from derive.errors import NotDerivable
 from derive.expression import Expr, Matrix, Symbol, free_symbols
 from derive.kinds.problem import Problem
