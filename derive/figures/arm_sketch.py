@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from math import atan2, cos, pi, sin
+from math import atan2, pi
 
-from derive.derivation import Caption, Drawing, Place, Stroke
+from derive.derivation import Caption, Drawing, Stroke
 from derive.expression import Expr, Symbol, is_negative, negate
 from derive.figures import solids
 from derive.figures.arm import (
@@ -20,7 +20,7 @@ from derive.figures.arm import (
     place_of,
 )
 from derive.figures.typical import typical
-from derive.figures.view import Vector, View, along, dot, length, unit
+from derive.figures.view import Vector, View, along, around, between, dot, length, unit
 from derive.mechanics.dh import moves
 from derive.mechanics.robot import Robot, ScrewRow
 
@@ -69,7 +69,7 @@ def _ahead(posed: Posed, joint: Joint, side: int) -> int:
     """1 where the axis of a joint points on along the arm, -1 where back, 0 where it lies across."""
     for part in posed.parts if side > 0 else reversed(posed.parts):
         if length_between(part.start if side > 0 else part.end, joint.at) < SMALL:
-            way = unit([b - a for a, b in zip(part.start, part.end, strict=True)])
+            way = unit(between(part.start, part.end))
             if abs(dot(way, joint.axis)) > 0.5:
                 return 1 if dot(way, joint.axis) > 0 else -1
     return 0
@@ -98,9 +98,7 @@ def _sketch(
     captions = [*_lengths(view, posed, size), *_names(view, joints, size)]
     last = posed.parts[-1] if posed.parts else None
     if last is not None:
-        strokes += solids.tip(
-            view, last.end, unit([b - a for a, b in zip(last.start, last.end, strict=True)]), size
-        )
+        strokes += solids.tip(view, last.end, unit(between(last.start, last.end)), size)
     if view.flat:
         for arc, caption in _angles(view, posed, size):
             strokes += arc
@@ -114,7 +112,7 @@ def _sketch(
 def _links(view: View, parts: Sequence[Part], behind: float = 0.0) -> Iterator[solids.Solid]:
     """Thick lines; `behind` puts them so far back."""
     for part in parts:
-        middle = along(part.start, (0.5, [b - a for a, b in zip(part.start, part.end, strict=True)]))
+        middle = along(part.start, (0.5, between(part.start, part.end)))
         role = "rod" if part.moving else "link"
         line = (view.place(part.start), view.place(part.end))
         yield solids.Solid(view.depth(middle) - 2 * behind, (Stroke(line, role),))
@@ -157,25 +155,19 @@ def _angles(view: View, posed: Posed, size: float) -> Iterator[tuple[list[Stroke
             yield [], Caption(view.place(joint.at), joint.name, (-0.5 * size, 0.5 * size), "joint")
         if joint.slides or after is None:
             continue
-        x, y = view.place(joint.at)
-        zero, now = (
-            view.place(v) for v in (joint.before, [b - a for a, b in zip(joint.at, after.end, strict=True)])
-        )
+        center = view.place(joint.at)
+        zero, now = view.place(joint.before), view.place(between(joint.at, after.end))
         start, end = atan2(zero[1], zero[0]), atan2(now[1], now[0])
         sweep = (end - start + pi) % (2 * pi) - pi
         radius = 1.7 * size
-        arc = [_on(x, y, radius, start + sweep * k / 24) for k in range(25)]
-        dashed = ((x, y), _on(x, y, 2.3 * size, start))
-        middle = _on(x, y, radius, start + sweep / 2)
-        towards = (middle[0] - x, middle[1] - y)
+        arc = [around(center, radius, start + sweep * k / 24) for k in range(25)]
+        dashed = (center, around(center, 2.3 * size, start))
+        middle = around(center, radius, start + sweep / 2)
+        towards = (middle[0] - center[0], middle[1] - center[1])
         yield (
             [Stroke(dashed, "hidden"), Stroke(tuple(arc), "arc")],
             Caption(middle, joint.name, towards, "angle"),
         )
-
-
-def _on(x: float, y: float, radius: float, angle: float) -> Place:
-    return x + radius * cos(angle), y + radius * sin(angle)
 
 
 def _frames(robot: Robot, view: View, posed: Posed, size: float) -> Iterator[tuple[Stroke, Caption]]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from math import pi
 
 from derive.algebra.readable.terms import Style
 from derive.control.diagram import Block, Diagram
@@ -12,6 +13,7 @@ from derive.control.system import System
 from derive.derivation import Caption, Drawing, Place, Stroke
 from derive.expression import ONE, ZERO, Expr, Power, Quotient, Sum, Symbol, multiply, number
 from derive.figures.block_diagram import drawn
+from derive.figures.view import around
 
 S = Symbol("s")
 GAP, ROW = 1.0, 1.6  # between blocks, and between rows
@@ -109,7 +111,8 @@ class Layout:
             if block.shape == "source":
                 continue
             if block.shape == "sum":
-                yield [Stroke(_ring(x, y), "box")], []
+                turns = (2 * pi * k / CIRCLE for k in range(CIRCLE))
+                yield [Stroke(tuple(around((x, y), SUM, turn) for turn in turns), "box")], []
                 continue
             half = self.size[block.name]
             corners = (
@@ -200,13 +203,6 @@ def _polynomial(coefficients: tuple[Expr, ...]) -> Expr:
         if c != ZERO
     ]
     return terms[0] if len(terms) == 1 else Sum(tuple(terms)) if terms else ZERO
-
-
-def _ring(x: float, y: float) -> tuple[Place, ...]:
-    from math import cos, pi, sin
-
-    turns = (2 * pi * k / CIRCLE for k in range(CIRCLE))
-    return tuple((x + SUM * cos(t), y + SUM * sin(t)) for t in turns)
 
 
 def _before(way: tuple[Place, ...]) -> Place:

@@ -14,6 +14,7 @@ from derive.figures.view import View, in_space, length
 from derive.mechanics.frames import ByMatrix, Frames, FrameSource, Observed
 from derive.mechanics.motion import Motion, Move
 from derive.mechanics.oracle import compose
+from derive.mechanics.sequences import in_product_order
 
 
 def of_frames(frames: Frames, where: Mapping[str, Expr]) -> Drawing:
@@ -39,10 +40,7 @@ def of_motion(motion: Motion, where: Mapping[str, Expr]) -> Drawing:
     import numpy
 
     point = completed(typical(motion.moves, (), where, ())[0], where)
-    T = numpy.eye(4)
-    for move in motion.moves:
-        step = compose((move,), point)
-        T = step @ T if move.about == "world" else T @ step
+    T = compose(in_product_order(motion.moves), point)
     view = in_space()
     strokes = []
     start, end = view.place((0.0, 0.0, 0.0)), view.place(_origin(T))
@@ -95,9 +93,7 @@ def _pose(source: FrameSource, point: Mapping[str, float]) -> Any:
     T = numpy.eye(4)
     match source:
         case Motion(made):
-            for move in made:
-                step = compose((move,), point)
-                T = step @ T if move.about == "world" else T @ step
+            return compose(in_product_order(made), point)
         case Observed():
             for k, axis in enumerate((source.x, source.y, source.z)):
                 T[:3, k] = [number(part, point) for part in axis]

@@ -70,6 +70,11 @@ def along(point: Sequence[float], *steps: tuple[float, Sequence[float]]) -> Vect
     return x, y, z
 
 
+def between(start: Sequence[float], end: Sequence[float]) -> Vector:
+    """The vector from one place to another."""
+    return end[0] - start[0], end[1] - start[1], end[2] - start[2]
+
+
 def unit(vector: Sequence[float]) -> Vector:
     """The vector of length 1 in the same direction. Raises ZeroDivisionError for zero."""
     size = dot(vector, vector) ** 0.5
@@ -81,6 +86,11 @@ def across(axis: Vector) -> tuple[Vector, Vector]:
     other = (1.0, 0.0, 0.0) if abs(axis[0]) < 0.8 else (0.0, 1.0, 0.0)
     first = unit(cross(axis, other))
     return first, cross(axis, first)
+
+
+def around(center: Place, radius: float, angle: float) -> Place:
+    """The place on a circle at an angle from the right, counterclockwise."""
+    return center[0] + radius * cos(angle), center[1] + radius * sin(angle)
 
 
 def hull(places: Iterable[Place]) -> tuple[Place, ...]:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 
 from derive.derivation import Curve, Label, Phrase, Plot
+from derive.figures.view import around
 
 CORNERS = 145
 HEIGHT, WORKSPACE, LINKS = Phrase("height"), Phrase("workspace"), Phrase("links")
@@ -52,24 +53,20 @@ def _two_rings(lengths: Sequence[float], offset: float) -> Plot:
 
 def _ring(center: tuple[float, float], near: float, far: float, turns: tuple[float, float]) -> Curve:
     """Outside one way, inside back."""
-    out = [_at(center, far, angle) for angle in _angles(turns)]
-    back = [_at(center, near, angle) for angle in reversed(_angles(turns))]
+    out = [around(center, far, angle) for angle in _angles(turns)]
+    back = [around(center, near, angle) for angle in reversed(_angles(turns))]
     xs, ys = zip(*(out + back), strict=True)
     return xs, ys
 
 
 def _circle(radius: float) -> Curve:
-    xs, ys = zip(*(_at((0.0, 0.0), radius, angle) for angle in _angles((0.0, 2 * math.pi))), strict=True)
+    xs, ys = zip(*(around((0.0, 0.0), radius, angle) for angle in _angles((0.0, 2 * math.pi))), strict=True)
     return xs, ys
 
 
 def _angles(turns: tuple[float, float]) -> list[float]:
     start, end = turns
     return [start + (end - start) * k / (CORNERS - 1) for k in range(CORNERS)]
-
-
-def _at(center: tuple[float, float], radius: float, angle: float) -> tuple[float, float]:
-    return center[0] + radius * math.cos(angle), center[1] + radius * math.sin(angle)
 
 
 def _arm(lengths: Sequence[float]) -> Curve:
