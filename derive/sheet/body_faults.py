@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import combinations
 
-from derive.algebra.normal import Names, normal
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal
 from derive.algebra.signs import sign_of
 from derive.errors import NotDerivable, SheetError
-from derive.expression import Expr, Symbol
 from derive.mechanics.bodies import Moments, PointMass
 from derive.mechanics.dh import moves
-from derive.mechanics.plausible import impossible_inertia
+from derive.mechanics.plausible import impossible_inertia, principal_minors
 from derive.mechanics.poses import composed, position_part, rotation_part
 from derive.mechanics.robot import Link, Robot
 from derive.sheet.source import At
+from derive.sheet.subjects.link import Carried, whole_matrix
 from derive.sheet.subjects.registry import Known
 
 
@@ -26,10 +28,10 @@ def body_faults(robot: Robot, at: At, known: Known) -> Iterator[SheetError]:
             message = f"joint {n} moves the middle between the origins in the frame of link {n}"
             yield at.fault(message, (*route, "com"), "write com: as a point of the link, as [0, 0, -l/2]")
         yield from _about_what(link, at, index)
-        if link.body and _sign(link.body.mass, known) == -1:
+        if link.body and known.sign(link.body.mass) == -1:
             message = f"the mass of link {index + 1} is negative; no body has a negative mass"
             yield at.fault(message, (*route, "mass"), "a mass is positive, or 0 for a link without one")
-        if link.motor and _sign(link.motor.inertia, known) == -1:
+        if link.motor and known.sign(link.motor.inertia) == -1:
             message = f"the inertia of the motor of link {index + 1} is negative; no rotor has that"
             yield at.fault(message, (*route, "motor", "inertia"))
         if link.variable is None and (link.motor or link.friction):
@@ -40,17 +42,39 @@ def body_faults(robot: Robot, at: At, known: Known) -> Iterator[SheetError]:
 
 def body_warnings(links: Sequence[Link], at: At, known: Known) -> Iterator[SheetError]:
     """Inertias that no body has, but which well-known sets of parameters hold."""
-    names: Names = {Symbol(name): value for name, value in known.where.items()}
     for index, link in enumerate(links):
         if link.body is None or not isinstance(link.body.inertia, Moments):
             continue
         try:
-            reason = impossible_inertia(link.body, names, _positive(known))
+            reason = impossible_inertia(link.body, known.values, known.positive)
         except (NotDerivable, ValueError, ZeroDivisionError):
             continue
         if reason:
             message = f"no body has the inertia of link {index + 1}: {reason}"
             yield at.fault(message, ("links", index, "inertia"), "the sheet is built all the same")
+
+
+def matrix_faults(links: Sequence[Carried], at: At, known: Known) -> Iterator[SheetError]:
+    """Matrices that are not symmetric, and those that give a turn about some axis a negative energy."""
+    for index, link in enumerate(links):
+        try:
+            matrix = ScalarMatrix.of(
+                [normal(entry, known.values) for entry in row] for row in whole_matrix(link)
+            )
+        except (NotDerivable, ZeroDivisionError):
+            continue
+        if not matrix.rows:
+            continue
+        uneven = [(i, j) for i, j in combinations(range(3), 2) if matrix[i, j] != matrix[j, i]]
+        for i, j in uneven:
+            places = f"({i + 1}, {j + 1}) and ({j + 1}, {i + 1})"
+            message = f"an inertia matrix is symmetric, but entries {places} differ"
+            hint = "write the product of inertia in both, its sign included"
+            yield at.fault(message, ("links", index, "inertia", j, i), hint)
+        if not uneven and any(sign_of(minor, known.positive) == -1 for minor in principal_minors(matrix)):
+            message = f"the inertia matrix of link {index + 1} is not positive semidefinite"
+            hint = "no body turns with a negative energy; mind the signs of the products of inertia"
+            yield at.fault(message, ("links", index, "inertia"), hint)
 
 
 def _middle_moves(link: Link, robot: Robot) -> bool:
@@ -71,14 +95,3 @@ def _about_what(link: Link, at: At, index: int) -> Iterator[SheetError]:
     elif not isinstance(link.body.inertia, Moments | PointMass):
         message = "the inertia of a shape is about its own center"
         yield at.fault(message, route, "leave about: out, or give the moments as [Ixx, Iyy, Izz]", key=True)
-
-
-def _sign(value: Expr, known: Known) -> int | None:
-    try:
-        return sign_of(normal(value, {Symbol(n): v for n, v in known.where.items()}), _positive(known))
-    except (NotDerivable, ZeroDivisionError):
-        return None
-
-
-def _positive(known: Known) -> frozenset[str]:
-    return frozenset(name for name, said in known.assumptions.items() if said == "positive")

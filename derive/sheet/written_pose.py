@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from itertools import combinations
+
 from derive.algebra.formulas.quantities import rational
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal
+from derive.algebra.scalar import Scalar
 from derive.errors import SheetErrors
 from derive.expression import Expr, Matrix
 from derive.mechanics.frames import ByMatrix
+from derive.mechanics.lines import dot
 from derive.sheet.nearest import Axes, nearest_rotation, typed_places
-from derive.sheet.orthonormal import failed_product
 from derive.sheet.source import At
 from derive.sheet.subjects.registry import Known
 
@@ -41,7 +46,7 @@ def orthonormal(axes: Axes, what: str, whose: str, at: At, known: Known) -> tupl
 
     Raises SheetErrors with the product that fails, where they are no rotation.
     """
-    if product := failed_product(axes, known.where):
+    if product := _failed_product(axes, known):
         nearest, places = nearest_rotation(axes, known.where)
         if nearest:
             return nearest, places
@@ -50,3 +55,21 @@ def orthonormal(axes: Axes, what: str, whose: str, at: At, known: Known) -> tupl
         hint += "; rounded numbers need three digits or more" if typed_places(axes) else ""
         raise SheetErrors([at.fault(message, (), hint)])
     return axes, 0
+
+
+def _failed_product(axes: Axes, known: Known) -> str:
+    """The first product that fails, decided exactly, in words ("x . y is 1/2, not 0"); empty if all is well."""
+    x, y, z = (ScalarMatrix.column([normal(entry, known.values) for entry in axis]) for axis in axes)
+    every = dict(zip("xyz", (x, y, z), strict=True))
+    for a, b in (*((letter, letter) for letter in every), *combinations(every, 2)):
+        product = dot(every[a], every[b])
+        if product != (wanted := int(a == b)):
+            return f"{a} . {b}{_said(product)}, not {wanted}"
+    return "" if x.cross(y) == z else "x cross y is -z, not z"
+
+
+def _said(product: Scalar) -> str:
+    value = product.constant
+    if value is None:
+        return " depends on symbols"
+    return f" = {value}" if value.denominator < 1000 else f" = {float(value):.8g}"

@@ -8,9 +8,7 @@ from typing import Annotated, Any, TypeAlias
 from pydantic import Discriminator, Field, Tag
 
 from derive.algebra.function import Constraint
-from derive.algebra.normal import normal
-from derive.algebra.signs import sign_of
-from derive.errors import NotDerivable, SheetError, SheetErrors
+from derive.errors import SheetError, SheetErrors
 from derive.expression import ZERO, Expr, Symbol, add, free_symbols, multiply, negate, number, squared
 from derive.kinds.fields import (
     Angle,
@@ -33,7 +31,6 @@ HARMLESS = frozenset(
     {"bodies", "kinetic", "potential", "gravity", "forces", "damping", "dissipation", "constraints"}
 )
 MOST = 12  # coordinates, bodies or constraints
-DOTS = ("_ddot", "_dot")
 
 
 class GivenBody(OptionsModel):
@@ -140,17 +137,8 @@ def _body_faults(given: Given, at: At, known: Known) -> Iterator[SheetError]:
             has, lacks = ("angle", "inertia") if body.inertia is None else ("inertia", "angle")
             yield at.fault(f"a body with {has}: needs {lacks}: too", (*route, has), f"add {lacks}:")
         for key, value in (("mass", body.mass), ("inertia", body.inertia)):
-            if value is not None and _is_negative(value, known):
+            if value is not None and known.sign(value) == -1:
                 yield at.fault(f"the {key} is negative; no body has that", (*route, key))
-
-
-def _is_negative(value: Expr, known: Known) -> bool:
-    names: dict[Expr, Expr] = {Symbol(name): each for name, each in known.where.items()}
-    positive = [name for name, what in known.assumptions.items() if what == "positive"]
-    try:
-        return sign_of(normal(value, names), positive) == -1
-    except (NotDerivable, ZeroDivisionError):
-        return False
 
 
 def _key_faults(given: Given, at: At) -> Iterator[SheetError]:

@@ -27,7 +27,6 @@ from derive.expression import (
     ZERO,
     Degrees,
     Expr,
-    Symbol,
     free_symbols,
     multiply,
     number,
@@ -342,6 +341,6 @@ def _wrong_journey(given: GivenJourney, at: At, known: Known) -> Iterator[SheetE
 def _number(expr: Expr, known: Known) -> float | None:
     """The value, None where it depends on symbols."""
     try:
-        return scalar_number(normal(expr, {Symbol(name): value for name, value in known.where.items()}), {})
+        return scalar_number(normal(expr, known.values), {})
     except (KeyError, NotDerivable, ZeroDivisionError, ValueError):
         return None

@@ -8,7 +8,10 @@ from importlib import import_module
 from pathlib import Path
 from types import ModuleType
 
-from derive.expression import Expr
+from derive.algebra.normal import Names, normal
+from derive.algebra.signs import sign_of
+from derive.errors import NotDerivable
+from derive.expression import Expr, Symbol
 
 NOT_SUBJECTS = frozenset({"__init__", "registry", "moves", "link", "screws", "quaternions"})
 
@@ -24,6 +27,23 @@ class Known:
     def names(self) -> frozenset[str]:
         """The declared names."""
         return frozenset(self.where) | frozenset(self.assumptions)
+
+    @property
+    def values(self) -> Names:
+        """What the names of `where` stand for."""
+        return {Symbol(name): value for name, value in self.where.items()}
+
+    @property
+    def positive(self) -> frozenset[str]:
+        """The names that are said to be positive."""
+        return frozenset(name for name, said in self.assumptions.items() if said == "positive")
+
+    def sign(self, value: Expr) -> int | None:
+        """1, 0 or -1; None where it is not known."""
+        try:
+            return sign_of(normal(value, self.values), self.positive)
+        except (NotDerivable, ZeroDivisionError):
+            return None
 
 
 def subjects() -> tuple[str, ...]:

@@ -13,9 +13,8 @@ from derive.errors import SheetError, SheetErrors
 from derive.expression import Expr, Symbol, walk
 from derive.kinds.fields import Acceleration, OptionsModel, Starred
 from derive.mechanics.robot import DHRow, FreeRow, JointType, Link, Robot, Row
-from derive.sheet.body_faults import body_faults, body_warnings
+from derive.sheet.body_faults import body_faults, body_warnings, matrix_faults
 from derive.sheet.coupled import coupling_faults, coupling_warnings, opened
-from derive.sheet.inertia_matrices import matrix_faults
 from derive.sheet.source import At, Route
 from derive.sheet.subjects.link import (
     BODY_KEYS,
