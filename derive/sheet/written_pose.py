@@ -58,7 +58,7 @@ def orthonormal(axes: Axes, what: str, whose: str, at: At, known: Known) -> tupl
 
 
 def _failed_product(axes: Axes, known: Known) -> str:
-    """The first product that fails, decided exactly, in words ("x . y is 1/2, not 0"); empty if all is well."""
+    """The first product that fails, decided exactly: "x . y = 1/2, not 0"; empty if all is well."""
     x, y, z = (ScalarMatrix.column([normal(entry, known.values) for entry in axis]) for axis in axes)
     every = dict(zip("xyz", (x, y, z), strict=True))
     for a, b in (*((letter, letter) for letter in every), *combinations(every, 2)):
