@@ -28,6 +28,7 @@ class Form:
 
     @staticmethod
     def of(parts: Mapping[str, Rational]) -> Form:
+        """The form with these coefficients; zeros are left out."""
         return Form(tuple(sorted((atom, lowest(n)) for atom, n in parts.items() if n)))
 
     def __add__(self, other: Form) -> Form:
@@ -37,6 +38,7 @@ class Form:
         return Form.of(total)
 
     def scaled(self, by: Rational) -> Form:
+        """The form times a number."""
         return Form.of({atom: n * by for atom, n in self.parts})
 
     def of_atom(self, atom: str) -> Fraction:
@@ -44,6 +46,7 @@ class Form:
         return Fraction(dict(self.parts).get(atom, 0))
 
     def without(self, atom: str) -> Form:
+        """The form without one of its atoms."""
         return Form(tuple(part for part in self.parts if part[0] != atom))
 
     @property

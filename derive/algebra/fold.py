@@ -37,35 +37,45 @@ class Domain(Generic[T]):
     domain knows better. What it does not define is refused with NotDerivable."""
 
     def number(self, value: Fraction) -> T:
+        """An exact rational."""
         return self.refuse("number")
 
     def approximate(self, value: float) -> T:
+        """A number known to floating point only."""
         return self.refuse("floating-point number")
 
     def degrees(self, value: Fraction) -> T:
+        """An angle of so many degrees."""
         return self.refuse("angle in degrees")
 
     def symbol(self, name: str) -> T:
+        """A letter, or `pi`."""
         return self.refuse(name)
 
     def sum(self, terms: list[T]) -> T:
+        """What terms add up to, in their order."""
         return reduce(add, terms)
 
     def product(self, factors: list[T]) -> T:
+        """What factors make, in their order."""
         return reduce(mul, factors)
 
     def quotient(self, top: T, bottom: T) -> T:
+        """A fraction."""
         quotient: T = truediv(top, bottom)
         return quotient
 
     def power(self, base: T, exponent: T) -> T:
+        """A power."""
         power: T = pow(base, exponent)
         return power
 
     def call(self, function: str, arguments: list[T]) -> T:
+        """A function by name."""
         return self.refuse(function)
 
     def matrix(self, rows: list[list[T]]) -> T:
+        """Rows of entries."""
         return self.refuse("matrix")
 
     def refuse(self, what: str) -> NoReturn:

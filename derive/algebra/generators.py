@@ -19,7 +19,9 @@ ITSELF = ""  # the function whose value is its argument: a part of an angle such
 class Argument(Protocol):
     """What functions are applied to: scalars, which are built on these names."""
 
-    def letters(self) -> frozenset[str]: ...
+    def letters(self) -> frozenset[str]:
+        """The names it rests on, `pi` apart."""
+        ...
 
 
 A = TypeVar("A", bound=Argument)
@@ -41,6 +43,7 @@ class Opaque(str, Generic[A]):
     def __new__(
         cls, text: str, function: str, arguments: tuple[A, ...], rate: Callable[..., A] | None = None
     ) -> Opaque[A]:
+        """The name `text` of a function of these arguments."""
         self = super().__new__(cls, text)
         self.function, self.arguments, self.rate = function, arguments, rate
         return self

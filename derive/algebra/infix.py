@@ -70,6 +70,7 @@ class Infix:
                 return self.rarer(expr), ATOM
 
     def rarer(self, expr: Expr) -> str:
+        """What stands in no formula that is evaluated."""
         match expr:
             case Matrix(rows):
                 return "Matrix([" + ", ".join(f"[{self.listed(row)}]" for row in rows) + "])"
@@ -81,6 +82,7 @@ class Infix:
                 raise TypeError(f"not an expression: {expr!r}")
 
     def listed(self, parts: tuple[Expr, ...]) -> str:
+        """Parts with commas between them."""
         return ", ".join(map(self.write, parts))
 
     def held(self, expr: Expr, least: int) -> str:
@@ -93,10 +95,12 @@ class Infix:
         return f"{self.module}{name}" if name == PI.name else name
 
     def number(self, number: Number) -> tuple[str, int]:
+        """An exact number, p/q."""
         value = number.value
         return str(value), SUM if value < 0 else ATOM if value.denominator == 1 else PRODUCT
 
     def sum(self, terms: tuple[Expr, ...]) -> str:
+        """Terms with their signs between them."""
         written = self.write(terms[0])
         for term in terms[1:]:
             part = self.held(term, PRODUCT) if isinstance(term, Sum) else self.write(term)

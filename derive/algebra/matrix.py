@@ -28,34 +28,39 @@ class ScalarMatrix:
 
     @staticmethod
     def identity(size: int) -> ScalarMatrix:
+        """The identity matrix (size by size)."""
         return ScalarMatrix.of([[int(i == j) for j in range(size)] for i in range(size)])
 
     @staticmethod
     def zeros(rows: int, columns: int) -> ScalarMatrix:
+        """The zero matrix (rows by columns)."""
         return ScalarMatrix.of([[0] * columns for _ in range(rows)])
 
     @staticmethod
     def column(entries: Iterable[Like]) -> ScalarMatrix:
+        """A column vector (n by 1)."""
         return ScalarMatrix.of([entry] for entry in entries)
 
     @staticmethod
     def beside(parts: Sequence[ScalarMatrix]) -> ScalarMatrix:
-        """Matrices of the same height, side by side."""
+        """Matrices of the same height side by side: (m by n), (m by k) give (m by n + k)."""
         return ScalarMatrix.of(
             [entry for part in parts for entry in part.rows[i]] for i in range(parts[0].shape[0])
         )
 
     @staticmethod
     def stacked(parts: Sequence[ScalarMatrix]) -> ScalarMatrix:
-        """Matrices of the same width, one above the other."""
+        """Matrices of the same width one above the other: (m by n), (k by n) give (m + k by n)."""
         return ScalarMatrix.of(row for part in parts for row in part.rows)
 
     @property
     def shape(self) -> tuple[int, int]:
+        """(rows, columns)."""
         return len(self.rows), len(self.rows[0])
 
     @property
     def ring(self) -> Ring:
+        """The ring of every entry."""
         return self.rows[0][0].ring
 
     @property
@@ -65,15 +70,18 @@ class ScalarMatrix:
 
     @property
     def T(self) -> ScalarMatrix:
+        """The transpose (n by m of an m by n matrix)."""
         return ScalarMatrix(tuple(zip(*self.rows, strict=True)))
 
     def __getitem__(self, place: tuple[int, int]) -> Scalar:
         return self.rows[place[0]][place[1]]
 
     def block(self, rows: slice, columns: slice) -> ScalarMatrix:
+        """The rows and columns of two slices: `T.block(slice(3), slice(3))` is the rotation of a pose T."""
         return ScalarMatrix(tuple(row[columns] for row in self.rows[rows]))
 
     def columns(self, *which: int) -> ScalarMatrix:
+        """The matrix of these columns, counted from 0, in this order."""
         return ScalarMatrix(tuple(tuple(row[j] for j in which) for row in self.rows))
 
     def into(self, home: Ring) -> ScalarMatrix:
@@ -81,7 +89,7 @@ class ScalarMatrix:
         return self if self.ring is home else self.map(lambda entry: entry.into(home))
 
     def map(self, change: Callable[[Scalar], Scalar]) -> ScalarMatrix:
-        """`change` must keep the entries in one ring."""
+        """The matrix of changed entries, of the same shape; `change` must keep them in one ring."""
         return ScalarMatrix(tuple(tuple(map(change, row)) for row in self.rows))
 
     def __add__(self, other: ScalarMatrix) -> ScalarMatrix:
@@ -96,6 +104,7 @@ class ScalarMatrix:
         return self + (-other)
 
     def scaled(self, by: Like) -> ScalarMatrix:
+        """Every entry times a scalar."""
         home = self.ring.union(Scalar.of(by).ring)
         return self.into(home).map(lambda entry: entry * by)
 
@@ -118,13 +127,15 @@ class ScalarMatrix:
         return any(self.entries)
 
     def diff(self, name: str) -> ScalarMatrix:
+        """The partial derivative of every entry. Raises NotDerivable where there is no rule."""
         return ScalarMatrix.of([entry.diff(name) for entry in row] for row in self.rows)
 
     def substitute(self, values: Mapping[str, Scalar]) -> ScalarMatrix:
+        """Every entry with symbols replaced; the names must not stand inside sines, cosines or roots."""
         return ScalarMatrix.of([entry.substitute(values) for entry in row] for row in self.rows)
 
     def cross(self, other: ScalarMatrix) -> ScalarMatrix:
-        """The vector product of two columns of three."""
+        """The vector product of two columns (3 by 1), a column (3 by 1)."""
         home = self.ring.union(other.ring)
         (ax, ay, az), (bx, by, bz) = self.into(home).entries, other.into(home).entries
         return ScalarMatrix(
@@ -132,12 +143,13 @@ class ScalarMatrix:
         )
 
     def minor(self, i: int, j: int) -> ScalarMatrix:
-        """Without row i and column j."""
+        """The matrix without row i and column j, counted from 0; its determinant is the minor."""
         kept = (row for k, row in enumerate(self.rows) if k != i)
         return ScalarMatrix(tuple(row[:j] + row[j + 1 :] for row in kept))
 
     def det(self) -> Scalar:
-        """By minors of growing size: no division, each minor computed once."""
+        """The determinant of a square matrix, by minors of growing size: no division, each minor computed
+        once."""
         n = self.shape[0]
         minors: dict[tuple[int, ...], Scalar] = {(): Scalar(self.ring, self.ring.one)}
         for size in range(1, n + 1):
@@ -146,19 +158,20 @@ class ScalarMatrix:
         return minors[tuple(range(n))]
 
     def adjugate(self) -> ScalarMatrix:
+        """The transposed matrix of cofactors (n by n): A adj(A) = det(A) times the identity."""
         n = self.shape[0]
         if n == 1:
             return ScalarMatrix.identity(1)
         return ScalarMatrix.of([self.minor(j, i).det() * (-1) ** (i + j) for j in range(n)] for i in range(n))
 
     def inverse(self) -> ScalarMatrix:
-        """Adjugate over determinant; ZeroDivisionError where that is identically zero."""
+        """Adjugate over determinant (n by n). Raises ZeroDivisionError where that is identically zero."""
         det = self.det()
         return ScalarMatrix.of([entry / det for entry in row] for row in self.adjugate().rows)
 
 
 def dot(left: Sequence[Scalar], right: Sequence[Scalar]) -> Scalar:
-    """The sum of products of scalars of one ring, reduced once at the end."""
+    """The sum of products of two rows of scalars of one ring, reduced once at the end."""
     home = left[0].ring
     pairs = [(a, b) for a, b in zip(left, right, strict=True) if a.numerator and b.numerator]
     if len(pairs) <= 1:

@@ -57,17 +57,17 @@ Names: TypeAlias = Mapping[Expr, Expr]
 
 
 def normal(expr: Expr, names: Names | None = None) -> Scalar:
-    """The scalar an expression stands for; `names` are replaced by what they stand for.
-
-    Raises NotDerivable where the expression is a matrix or has no exact value.
-    """
+    """The scalar an expression stands for; `names` are replaced by what they stand for. Raises NotDerivable
+    where the expression is a matrix or has no exact value, DivisionByZero and NotReal where it has none at
+    all."""
     if isinstance(expr, Symbol | Number) and expr not in (names or ()):
         return Scalar.symbol(expr.name) if isinstance(expr, Symbol) else Scalar.of(expr.value)
     return scalar_of(walk_over([expr], names or {}).value(expr))
 
 
 def normal_matrix(expr: Expr, names: Names | None = None) -> ScalarMatrix:
-    """The matrix an expression stands for; blocks are joined."""
+    """The matrix an expression stands for, blocks joined; of a scalar the matrix (1 by 1). Raises what
+    `normal` raises."""
     return matrix_of(walk_over([expr], names or {}).value(expr))
 
 
@@ -173,6 +173,7 @@ class Walk:
         return value**power if isinstance(value, fmpq_mpoly) else raised(value, power)
 
     def scalar(self, expr: Expr) -> Scalar:
+        """The scalar of a tree. Raises NotDerivable where it is a matrix."""
         value = self.value(expr)
         if isinstance(value, ScalarMatrix):
             raise NotDerivable("a matrix stands where a scalar is needed")

@@ -59,10 +59,12 @@ class Ring:
 
     @cached_property
     def context(self) -> fmpq_mpoly_ctx:
+        """FLINT's context of these generators, in lexicographic order."""
         return fmpq_mpoly_ctx.get(self.names, Ordering.lex)
 
     @cached_property
     def index(self) -> dict[str, int]:
+        """The place of each generator in the exponents of a term."""
         return {name: i for i, name in enumerate(self.names)}
 
     @cached_property
@@ -82,25 +84,29 @@ class Ring:
 
     @cached_property
     def zero(self) -> fmpq_mpoly:
+        """The polynomial 0."""
         return self.constant(0)
 
     @cached_property
     def one(self) -> fmpq_mpoly:
+        """The polynomial 1."""
         return self.constant(1)
 
     def constant(self, value: Rational) -> fmpq_mpoly:
+        """A number as a polynomial."""
         return self.context.constant(to_flint(value))
 
     def gen(self, name: str) -> fmpq_mpoly:
+        """A generator as a polynomial. Raises KeyError where the ring has none of this name."""
         return self.context.gen(self.index[name])
 
     def pair(self, k: int) -> Pair:
-        """(cosine, sine) of the k-th angle generator."""
+        """(cosine, sine) of the k-th angle of the ring, as polynomials."""
         c, s = self.pair_index(k)
         return self.context.gen(c), self.context.gen(s)
 
     def pair_index(self, k: int) -> tuple[int, int]:
-        """Where that pair stands among the generators."""
+        """The places of that cosine and sine among the generators."""
         return len(self.roots) + len(self.angles) + k, len(self.roots) + k
 
     @cached_property
@@ -116,7 +122,7 @@ class Ring:
         return tuple(found)
 
     def polynomial(self, terms: Iterable[tuple[tuple[tuple[str, int], ...], Rational]]) -> fmpq_mpoly:
-        """The polynomial of terms keyed by generator names."""
+        """The polynomial of terms, each given by its powers of named generators and its coefficient."""
         entries = {}
         for powers, coefficient in terms:
             exponents = [0] * len(self.names)
@@ -126,7 +132,8 @@ class Ring:
         return self.context.from_dict(entries)
 
     def terms(self, polynomial: fmpq_mpoly) -> tuple[tuple[tuple[tuple[str, int], ...], Fraction], ...]:
-        """The opposite: terms keyed by generator names, sorted."""
+        """The terms of a polynomial, each as its powers of named generators and its coefficient, sorted: the
+        opposite of `polynomial`, and the same for equal polynomials of any ring."""
         return tuple(
             sorted(
                 (
@@ -138,7 +145,8 @@ class Ring:
         )
 
     def reduce(self, polynomial: fmpq_mpoly) -> fmpq_mpoly:
-        """The unique representative: no square root and no sine to a power above one."""
+        """The unique representative modulo the relations: no root to the power of its degree or above, and no
+        sine above the first."""
         if not polynomial:
             return polynomial
         degrees = polynomial.degrees()
@@ -166,16 +174,18 @@ class Ring:
         return _trig(self, form)
 
     def with_symbols(self, names: Iterable[str]) -> Ring:
+        """The ring with these symbols too."""
         new = [name for name in dict.fromkeys(names) if name not in self.index]
         return ring(self.roots, self.angles, (*self.symbols, *new)) if new else self
 
     def with_root(self, root: Root) -> Ring:
-        """Outermost first: a later root may have earlier ones in its radicand."""
+        """The ring with a root too. Outermost first: a later root may have earlier ones in its radicand."""
         known = any(root.name == own.name for own in self.roots)
         return self if known else ring((root, *self.roots), self.angles, self.symbols)
 
     def with_angle(self, form: Form) -> Ring:
-        """A ring in which the form's sine and cosine are polynomials."""
+        """A ring in which the form's sine and cosine are polynomials. Raises NotDerivable where these would
+        fill pages."""
         times = multiples(form, self.angles)
         if times is None:
             return ring(self.roots, (*self.angles, form), self.symbols)
@@ -189,7 +199,7 @@ class Ring:
         return ring(self.roots, (*self.angles, *new), self.symbols)
 
     def union(self, other: Ring) -> Ring:
-        """A ring that holds the elements of both."""
+        """A ring that holds the elements of both; the generators of this one come first."""
         if self is other or not other.names:
             return self
         return _union(self, other)

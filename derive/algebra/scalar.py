@@ -42,10 +42,12 @@ class Scalar:
 
     @staticmethod
     def of(value: Like) -> Scalar:
+        """A number as a scalar; a scalar is left as it is."""
         return value if isinstance(value, Scalar) else _constant(value)
 
     @staticmethod
     def symbol(name: str) -> Scalar:
+        """The scalar of a letter, or of a function by its name (`generators.Opaque`)."""
         home = ring(symbols=(name,))
         return Scalar(home, home.gen(name))
 
@@ -155,7 +157,7 @@ class Scalar:
         return frozenset().union(*map(self.ring.letters, self.generators()))
 
     def into(self, home: Ring) -> Scalar:
-        """The same scalar in a larger ring."""
+        """The same scalar in a larger ring. Raises ValueError where that cannot hold it."""
         if self.ring is home:
             return self
         bottom = None if self.denominator is None else carry(self.denominator, self.ring, home)
@@ -164,7 +166,8 @@ class Scalar:
     # -- calculus ---------------------------------------------------------------------------------
 
     def diff(self, name: str) -> Scalar:
-        """The partial derivative by a symbol or an angle. Raises NotDerivable where there is no rule."""
+        """The partial derivative by a symbol or an angle, all other names being constants. Raises
+        NotDerivable where there is no rule."""
         if self.denominator is not None:
             u, v = Scalar(self.ring, self.numerator), Scalar(self.ring, self.denominator)
             return (u.diff(name) * v - u * v.diff(name)) / (v * v)
@@ -174,7 +177,8 @@ class Scalar:
         return fraction(home, *derivative(self.into(home).numerator, home, name))
 
     def substitute(self, values: Mapping[str, Scalar]) -> Scalar:
-        """With symbols replaced. The names must not stand inside sines, cosines or roots."""
+        """The scalar with symbols replaced. The names must not stand inside sines, cosines or roots, which
+        stay as they are (see `substitution`)."""
         names = [name for name in self.ring.symbols if name in values]
         if not names:
             return self

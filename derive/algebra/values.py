@@ -88,6 +88,7 @@ def scalar_of(value: Value) -> Scalar:
 
 
 def matrix_of(value: Value) -> ScalarMatrix:
+    """A matrix as it is, a scalar as one of shape (1, 1)."""
     return value if isinstance(value, ScalarMatrix) else ScalarMatrix.of([[value]])
 
 

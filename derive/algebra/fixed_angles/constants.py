@@ -55,6 +55,7 @@ def ball(number: fmpq_mpoly, home: Ring) -> arb:
 
 
 def holds_zero(value: arb) -> bool:
+    """Whether a ball holds zero, so that the number may be zero."""
     return bool(value.contains(arb(0)))
 
 

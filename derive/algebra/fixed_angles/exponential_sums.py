@@ -71,10 +71,12 @@ class Places:
 
     @property
     def nothing(self) -> Turn:
+        """The turn of a wave that is a number."""
         return (0,) * len(self.parts)
 
     @cached_property
     def waves(self) -> dict[int, Waves]:
+        """The sum of waves of each generator that is one, by its place."""
         found = {}
         for k, form in enumerate(self.home.angles):
             if not form.moving.parts:
@@ -117,6 +119,7 @@ class Places:
                 total.pop(key, None)
 
     def product(self, left: Waves, right: Waves) -> Waves:
+        """The product of two sums of waves. Raises NotDerivable where it is too much work."""
         self.work += len(left) * len(right)
         if self.work > MOST_WAVES:
             raise NotDerivable(TOO_MUCH)
@@ -126,6 +129,7 @@ class Places:
         return found
 
     def is_zero(self, waves: Waves) -> bool:
+        """Whether a sum of waves is zero: each of its sums over a circle is."""
         sums: dict[Turn, dict[int, fmpq]] = defaultdict(dict)
         for (first, *others), k in waves.items():
             sums[tuple(others)][first] = k

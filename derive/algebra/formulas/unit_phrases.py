@@ -21,6 +21,7 @@ class Phrase:
 
     @property
     def text(self) -> str:
+        """The names of the units, with blanks between them."""
         return " ".join(name for name, _ in self.parts)
 
     @property

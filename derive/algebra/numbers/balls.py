@@ -23,7 +23,7 @@ BITS = 600
 FEWEST_BITS, MOST_BITS = 128, 1 << 14  # with which a sign is asked for, at first and at most
 
 
-class Balls(Domain[arb]):
+class _Balls(Domain[arb]):
     """Numbers in ball arithmetic, at the working precision of FLINT, where each symbol has one."""
 
     def __init__(self, point: Mapping[str, arb]) -> None:
@@ -48,7 +48,7 @@ class Balls(Domain[arb]):
 def precise(expr: Expr, point: Mapping[str, arb]) -> arb:
     """The value of a scalar expression, at the working precision of FLINT. Raises KeyError for a symbol
     without one, NotDerivable for what is no scalar."""
-    return fold(expr, Balls(point))
+    return fold(expr, _Balls(point))
 
 
 def slope(function: Callable[[arb], arb], at: arb) -> arb:

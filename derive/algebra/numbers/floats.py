@@ -40,6 +40,7 @@ def _real(name: str, function: Callable[..., float]) -> Callable[..., float]:
 
 
 def quotient(top: float, bottom: float) -> float:
+    """top / bottom. Raises DivisionByZero."""
     if bottom == 0:
         raise DivisionByZero("a division by zero")
     return top / bottom
@@ -63,7 +64,7 @@ FUNCTIONS: dict[str, Callable[..., float]] = {
 }
 
 
-class Floats(Domain[float]):
+class _Floats(Domain[float]):
     """Floating-point numbers, where each symbol has a value."""
 
     __slots__ = ("point",)
@@ -105,7 +106,7 @@ def number(expr: Expr, point: Point) -> float:
     Raises KeyError for a symbol without one, ValueError or ZeroDivisionError where it is not real,
     NotDerivable for what is no scalar.
     """
-    return fold(expr, Floats(point))
+    return fold(expr, _Floats(point))
 
 
 def numbers(value: Expr | Scalar | ScalarMatrix, point: Point) -> Any:

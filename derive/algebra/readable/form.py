@@ -43,12 +43,13 @@ MOST_EXPANDED = 500  # terms in another basis: the cosine of a sum of 12 angles 
 
 
 def readable(scalar: Scalar, style: Style = Style()) -> Expr:
-    """A short expression equal to the scalar."""
+    """A short expression equal to the scalar, in the style of the sheet. Raises NotDerivable where reading it
+    takes more work than an answer may."""
     return Reading(style).scalar(scalar)
 
 
 def readable_matrix(matrix: ScalarMatrix, style: Style = Style()) -> Matrix:
-    """Entry by entry."""
+    """The matrix of short expressions, of the same shape, entry by entry."""
     reading = Reading(style)
     return Matrix(tuple(tuple(map(reading.scalar, row)) for row in matrix.rows))
 
@@ -60,6 +61,7 @@ class Reading:
     style: Style = Style()
 
     def scalar(self, scalar: Scalar) -> Expr:
+        """A short tree of a scalar: a polynomial, or a quotient of two with whole coefficients."""
         if scalar.denominator is None:
             return self._polynomial(scalar.ring, scalar.numerator)
         whole = lcm(*(int(k.q) for k in scalar.numerator.coeffs()))

@@ -69,6 +69,7 @@ class Alphabet:
     lumps: bool = False  # whether there are sums among the atoms
 
     def number(self, atom: Atom) -> int:
+        """The number of an atom; one that is new gets the next."""
         if atom not in self.numbers:
             self.numbers[atom] = len(self.atoms)
             self.atoms.append(atom)
@@ -82,6 +83,7 @@ class Alphabet:
         return self.number(Atom(kind, form.scaled(-1))), 1 if kind == "cos" else -1
 
     def is_trig(self, atom: int) -> bool:
+        """Whether an atom is a cosine or a sine."""
         return self.atoms[atom].kind in ("cos", "sin")
 
     def form(self, atom: int) -> Form:
@@ -100,6 +102,7 @@ class Alphabet:
         return what if isinstance(what, Form) else Form.of({what: 1})
 
     def is_mass(self, atom: int) -> bool:
+        """Whether an atom is a mass or a moment of inertia, or a sum of such."""
         found = self.atoms[atom]
         if found.kind == "sum":
             return all(MASSES.match(name) for name, _ in self._linear(atom).parts)

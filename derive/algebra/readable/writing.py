@@ -36,6 +36,7 @@ class Writing:
     places: dict[Monomial, SortKey] = field(default_factory=dict)
 
     def tree(self, plan: Plan) -> Expr:
+        """The tree of a plan."""
         match plan:
             case Flat(terms):
                 ordered = sorted(terms.items(), key=lambda item: self._term_key(item[0]))

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import reduce
 from itertools import product
+from operator import mul
 from typing import TypeAlias
 
 from derive.algebra.rationals import as_fraction
@@ -37,13 +39,12 @@ def splitting(equations: list[Equation], unknowns: tuple[str, ...]) -> Equation 
 
 
 def whole(equation: Equation) -> Scalar:
-    total = equation[0]
-    for part in equation[1:]:
-        total = total * part
-    return total
+    """The product of its factors."""
+    return reduce(mul, equation)
 
 
 def same(left: Equation, right: Equation) -> bool:
+    """Whether their factors are the same but for numbers, one after the other."""
     return len(left) == len(right) and all(map(proportional, left, right))
 
 

@@ -33,6 +33,7 @@ class Factored:
 
     @property
     def value(self) -> Scalar:
+        """The product, multiplied out."""
         return reduce(mul, (factor**power for factor, power in self.factors), self.constant)
 
 

@@ -52,6 +52,7 @@ class HalfAngles:
 
     @cached_property
     def context(self) -> fmpq_mpoly_ctx:
+        """FLINT's context of the tangents t and of every generator of the ring."""
         return fmpq_mpoly_ctx.get((*(f"t{k}" for k in self.places), *self.home.names), Ordering.lex)
 
     def of(self, polynomial: fmpq_mpoly) -> Halved:

@@ -24,6 +24,7 @@ class Eliminated:
 
     @property
     def rank(self) -> int:
+        """The rank at a general point, which is the number of pivots."""
         return len(self.pivots)
 
 
