@@ -12,11 +12,51 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from dataclasses import replace as replace_fields
 from fractions import Fraction
-from typing import TypeAlias
+from typing import TypeAlias, cast
+
+
+class Tree:
+    """What all nodes can do: they are put together as they are written, `(a + b)/2 - x**2`.
+
+    A sum or a product that goes on, `a + b + c`, is one node; terms that are zero are left out of a sum, and
+    nothing else is touched. Whole numbers may stand beside a tree as they are.
+    """
+
+    __slots__ = ()
+
+    def __add__(self, other: Operand) -> Expr:
+        return add(*terms_of(_tree(self)), _tree(other))
+
+    def __radd__(self, other: int) -> Expr:
+        return add(number(other), _tree(self))
+
+    def __sub__(self, other: Operand) -> Expr:
+        return add(*terms_of(_tree(self)), negate(_tree(other)))
+
+    def __rsub__(self, other: int) -> Expr:
+        return add(number(other), negate(_tree(self)))
+
+    def __mul__(self, other: Operand) -> Expr:
+        return Product((*factors_of(_tree(self)), _tree(other)))
+
+    def __rmul__(self, other: int) -> Expr:
+        return Product((number(other), _tree(self)))
+
+    def __truediv__(self, other: Operand) -> Expr:
+        return Quotient(_tree(self), _tree(other))
+
+    def __rtruediv__(self, other: int) -> Expr:
+        return Quotient(number(other), _tree(self))
+
+    def __pow__(self, other: Operand) -> Expr:
+        return Power(_tree(self), _tree(other))
+
+    def __neg__(self) -> Expr:
+        return negate(_tree(self))
 
 
 @dataclass(frozen=True, slots=True)
-class Number:
+class Number(Tree):
     """An exact rational. `decimal` prints it as a decimal fraction, as its author typed it.
 
     `unit` is the SI unit its author gave it; tables of data print it, and nothing else takes note of it.
@@ -30,14 +70,14 @@ class Number:
 
 
 @dataclass(frozen=True, slots=True)
-class Approximate:
+class Approximate(Tree):
     """A number known only to floating point; printed to the digits the sheet asks for."""
 
     value: float
 
 
 @dataclass(frozen=True, slots=True)
-class Degrees:
+class Degrees(Tree):
     """An angle given in degrees, `value * pi / 180`; `places` are the digits after its point as typed."""
 
     value: Fraction
@@ -45,14 +85,14 @@ class Degrees:
 
 
 @dataclass(frozen=True, slots=True)
-class Symbol:
+class Symbol(Tree):
     """A name as typed or as in the results: `theta1`, `L_c`, `theta1_dot`, `T_1^0`, `c_111`; `pi`."""
 
     name: str
 
 
 @dataclass(frozen=True, slots=True)
-class Indexed:
+class Indexed(Tree):
     """A name with mathematics in its indices: `R_{z, 30 deg}`."""
 
     base: str
@@ -61,21 +101,21 @@ class Indexed:
 
 
 @dataclass(frozen=True, slots=True)
-class Sum:
+class Sum(Tree):
     """Terms added in this order; a term with a negative leading number prints as a difference."""
 
     terms: tuple[Expr, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Product:
+class Product(Tree):
     """Factors in this order, of numbers, matrices or both; a leading -1 prints as a sign."""
 
     factors: tuple[Expr, ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Quotient:
+class Quotient(Tree):
     """A fraction."""
 
     numerator: Expr
@@ -83,7 +123,7 @@ class Quotient:
 
 
 @dataclass(frozen=True, slots=True)
-class Power:
+class Power(Tree):
     """A power; the base may be a square matrix where the exponent is an integer."""
 
     base: Expr
@@ -91,7 +131,7 @@ class Power:
 
 
 @dataclass(frozen=True, slots=True)
-class Call:
+class Call(Tree):
     """A function by name: `cos`, `sin`, `tan`, `sqrt`, `atan2`, `acos`, `asin`, `atan`, `abs`, `sign`,
     `exp`, `log`; of matrices `transpose`, `inverse`, `cross`, `det`."""
 
@@ -100,7 +140,7 @@ class Call:
 
 
 @dataclass(frozen=True, slots=True)
-class Matrix:
+class Matrix(Tree):
     """Rows of entries; a column vector has rows of one. Entries may be blocks."""
 
     rows: tuple[tuple[Expr, ...], ...]
@@ -116,7 +156,7 @@ class Matrix:
 
 
 @dataclass(frozen=True, slots=True)
-class Derivative:
+class Derivative(Tree):
     """A partial derivative, as yet to be taken."""
 
     of: Expr
@@ -137,6 +177,7 @@ Expr: TypeAlias = (
     | Matrix
     | Derivative
 )
+Operand: TypeAlias = Tree | int
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,6 +214,16 @@ def add(*terms: Expr) -> Expr:
 def terms_of(expr: Expr) -> tuple[Expr, ...]:
     """The terms of a sum, or the one that anything else is."""
     return expr.terms if isinstance(expr, Sum) else (expr,)
+
+
+def factors_of(expr: Expr) -> tuple[Expr, ...]:
+    """The factors of a product, or the one that anything else is."""
+    return expr.factors if isinstance(expr, Product) else (expr,)
+
+
+def _tree(part: Operand) -> Expr:
+    """A part of a tree that is being put together: every node is one of the twelve."""
+    return number(part) if isinstance(part, int) else cast("Expr", part)
 
 
 def multiply(*factors: Expr) -> Expr:
