@@ -1,5 +1,5 @@
 """Programs that simulate a block diagram and compare it with its transfer function.
 
-Begin at `model` (what a program needs to know), then `python_control` and `simulink`, one writer for each
-program; `code` writes formulas in their languages.
+Begin at `programs`: what a program needs to know, and one writer for each language. What every program of a
+language has stands in the texts beside it; `code` writes formulas in their languages.
 """

@@ -10,9 +10,7 @@ from derive.algebra.numbers.floats import scalar_number
 from derive.control.laplace import Numeric, is_close, quotient, value
 from derive.control.rational import Rational, written
 from derive.control.response import step_response
-from derive.control.scripts.model import Model
-from derive.control.scripts.python_control import python_control
-from derive.control.scripts.simulink import simulink
+from derive.control.scripts.programs import Model, python_control, simulink
 from derive.control.system import System
 from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
