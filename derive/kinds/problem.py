@@ -127,6 +127,10 @@ class Problem:
         value = self.memo.values.get(expr)
         return normal_matrix(expr) if value is None else value
 
+    def exact(self, value: ScalarMatrix) -> ScalarMatrix:
+        """A matrix with the names of `where` replaced."""
+        return normal_matrix(self.readable_matrix(value), self.names)
+
     def final(self, expr: Expr, names: Names | None = None) -> Expr:
         """A scalar or a matrix with `where` (and `names`) replaced by their values; the same tree
         where nothing is to be replaced."""

@@ -8,7 +8,7 @@ each body, whose accelerations come by differences where joints are coupled. Arr
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, TypeAlias, get_args
 
@@ -287,6 +287,18 @@ def compose(sequence: tuple[Move, ...], point: Any, value: Value = number) -> Ar
     T: Array = np.eye(4)
     for move in sequence:
         T = T @ elementary(move, point, value)
+    return T
+
+
+def made(moves: Iterable[Move], point: Any) -> Array:
+    """T of moves as they are told, one after the other: about the axes of the world from the left, about
+    current ones from the right."""
+    import numpy as np
+
+    T: Array = np.eye(4)
+    for move in moves:
+        step = elementary(move, point)
+        T = step @ T if move.about == "world" else T @ step
     return T
 
 

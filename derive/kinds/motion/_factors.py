@@ -8,12 +8,14 @@ from typing import Literal
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
+from derive.algebra.numbers.floats import number
 from derive.algebra.roots_and_functions import root
 from derive.derivation import Record, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     ONE,
     ZERO,
+    Approximate,
     Expr,
     Indexed,
     Matrix,
@@ -23,13 +25,14 @@ from derive.expression import (
     Symbol,
     column,
     cos,
+    free_symbols,
     multiply,
     sin,
     subtract,
     transpose,
 )
-from derive.kinds.pose._numbers import rounded_matrix
 from derive.kinds.problem import Problem
+from derive.kinds.values_at import completed
 from derive.mechanics.elementary import factor_name, homogeneous, rotation_matrix, skew, translation
 from derive.mechanics.motion import Axis, Move
 from derive.mechanics.poses import pose, rotation_part, unit_vector
@@ -214,3 +217,22 @@ def rodrigues(axis: Symbol, angle: Expr) -> Expr:
 def homogeneous_blocks(R: Expr) -> Matrix:
     """A 4 by 4 matrix of blocks, no translation."""
     return Matrix(((R, ZERO), (NO_ROW, ONE)))
+
+
+def value_of(expr: Expr, problem: Problem) -> float | None:
+    """The number a tree without symbols stands for; None where symbols are left."""
+    known = completed({}, problem.where)
+    return number(expr, known) if free_symbols(expr) <= known.keys() else None
+
+
+def rounded(entry: Expr, problem: Problem) -> Expr:
+    """A number without symbols as a decimal, unless it is 0, 1 or -1; anything else as it is."""
+    value = value_of(entry, problem)
+    if value is None or normal(entry, problem.names).constant in (0, 1, -1):
+        return entry
+    return Approximate(value)
+
+
+def rounded_matrix(matrix: Matrix, problem: Problem) -> Matrix:
+    """Entry by entry."""
+    return Matrix(tuple(tuple(rounded(entry, problem) for entry in row) for row in matrix.rows))

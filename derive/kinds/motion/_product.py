@@ -11,8 +11,7 @@ from derive.algebra.numbers.floats import numbers
 from derive.derivation import Claim, Derivation, PageFacts, Phrase, Result, Step
 from derive.expression import Expr, Matrix, Symbol
 from derive.kinds.checks import agreement, is_rotation, law, links
-from derive.kinds.motion._factors import Factors, Placed, factors_of
-from derive.kinds.pose._numbers import rounded_matrix, value_of
+from derive.kinds.motion._factors import Factors, Placed, factors_of, rounded_matrix, value_of
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
 from derive.mechanics.motion import Move

@@ -2,77 +2,71 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from derive.algebra.numbers.floats import number
-from derive.derivation import Branch, Claim
+from derive.algebra.numbers.floats import Point, number
+from derive.derivation import Branch
 from derive.expression import Expr, free_symbols
-from derive.kinds.checks import agreement
-from derive.kinds.pose._euler_steps import Work
+from derive.kinds.pose._euler_steps import Comparison
+from derive.kinds.work import Work
 from derive.mechanics.euler import SIGNS, Euler
+from derive.mechanics.oracle import made
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-Rotated: TypeAlias = "Callable[[Mapping[str, float]], NDArray[Any]]"
+Route: TypeAlias = "Callable[[Point], NDArray[Any]]"
+FREE = 0.7  # rad, an angle that may be chosen
 
 
-def put_back(euler: Euler, work: Work, solutions: tuple[Branch, ...]) -> Iterator[Claim]:
+def put_back(work: Work, compared: Comparison, solutions: tuple[Branch, ...]) -> Work:
     """The formulas at random rotations, singular ones at singular rotations; then the answer itself."""
-    for sign in SIGNS if work.regular else ():
+    euler = compared.euler
+    for sign in SIGNS if compared.regular else ():
         routes = _again(euler, euler.regular(sign), {})
-        yield agreement("branch-again", euler.names, *routes, sign="+" if sign > 0 else "-")
-    for case in work.singular_cases:
+        work = work.agrees("branch-again", euler.names, *routes, sign="+" if sign > 0 else "-")
+    for case in compared.singular_cases:
         name, value = euler.outer[1], number(case.middle, {})
         routes = _again(euler, euler.singular_angles(case), {name: value})
-        yield agreement("singular-again", euler.names, *routes, angle=name, value=f"{value:.3g}")
-    yield from _answers(euler, work, solutions)
+        work = work.agrees("singular-again", euler.names, *routes, angle=name, value=f"{value:.3g}")
+    return _answers(work, compared, solutions)
 
 
-def composed(euler: Euler, angles: Mapping[str, float]) -> NDArray[Any]:
+def rotation_at(euler: Euler, at: Point) -> NDArray[Any]:
     """R (3 by 3) in NumPy, each rotation made in its turn."""
-    import numpy as np
-
-    from derive.mechanics.oracle import elementary
-
-    R = np.eye(3)
-    for move in euler.moves:
-        made = elementary(move, angles)[:3, :3]
-        R = made @ R if move.about == "world" else R @ made
-    return R
+    return made(euler.moves, at)[:3, :3]
 
 
-def _again(euler: Euler, values: Mapping[str, Expr], fixed: Mapping[str, float]) -> tuple[Rotated, Rotated]:
+def _again(euler: Euler, values: Mapping[str, Expr], fixed: Point) -> tuple[Route, Route]:
     """The rotation of the angles found at a rotation, and the rotation itself."""
 
-    def back(point: Mapping[str, float]) -> NDArray[Any]:
-        R = there(point)
-        known = {f"r_{i + 1}{j + 1}": float(R[i, j]) for i in range(3) for j in range(3)}
-        free = {**known, euler.outer[2]: 0.7}
-        return composed(euler, {name: number(value, free) for name, value in values.items()})
+    def there(at: Point) -> NDArray[Any]:
+        return rotation_at(euler, {**at, **fixed})
 
-    def there(point: Mapping[str, float]) -> NDArray[Any]:
-        return composed(euler, {**point, **fixed})
+    def back(at: Point) -> NDArray[Any]:
+        R = there(at)
+        known = {f"r_{i + 1}{j + 1}": float(R[i, j]) for i in range(3) for j in range(3)}
+        return _of_values(euler, values, {**known, euler.outer[2]: FREE})
 
     return back, there
 
 
-def _answers(euler: Euler, work: Work, solutions: tuple[Branch, ...]) -> Iterator[Claim]:
+def _of_values(euler: Euler, values: Mapping[str, Expr], at: Point) -> NDArray[Any]:
+    return rotation_at(euler, {name: number(value, at) for name, value in values.items()})
+
+
+def _answers(work: Work, compared: Comparison, solutions: tuple[Branch, ...]) -> Work:
     """The solutions of the subject itself, at random values of its symbols where it is regular."""
+    euler, given = compared.euler, compared.given
     for branch in solutions:
         needed = frozenset().union(*map(free_symbols, branch.values.values()))
-        if euler.outer[2] in needed and not (work.numeric or not work.regular):
+        if euler.outer[2] in needed and not (given.numeric or not compared.regular):
             continue
 
-        def back(point: Mapping[str, float], branch: Branch = branch) -> NDArray[Any]:
-            free = {euler.outer[2]: 0.7, **point}
-            return composed(euler, {name: number(value, free) for name, value in branch.values.items()})
+        def back(at: Point, values: Mapping[str, Expr] = branch.values) -> NDArray[Any]:
+            return _of_values(euler, values, {euler.outer[2]: FREE, **at})
 
-        yield agreement(
-            "orientation-again",
-            work.problem.symbols,
-            back,
-            lambda point: work.given.oracle(point)[:3, :3],
-            when=branch.when,
-        )
+        symbols = given.problem.symbols
+        work = work.agrees("orientation-again", symbols, back, given.turns, when=branch.when)
+    return work

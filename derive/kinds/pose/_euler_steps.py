@@ -8,7 +8,6 @@ from dataclasses import replace as replace_fields
 from functools import cached_property
 from typing import Any, TypeAlias
 
-from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numbers.floats import number, numbers
 from derive.algebra.readable.form import readable_matrix
@@ -20,7 +19,6 @@ from derive.expression import (
     Call,
     Degrees,
     Expr,
-    Indexed,
     Matrix,
     Power,
     Product,
@@ -29,7 +27,6 @@ from derive.expression import (
     Symbol,
     add,
     cos,
-    free_symbols,
     multiply,
     negate,
     rebuild,
@@ -37,14 +34,14 @@ from derive.expression import (
     sin,
 )
 from derive.expression import number as exact_number
+from derive.kinds.chains import distinct
 from derive.kinds.checks import law
 from derive.kinds.evaluation import Place
-from derive.kinds.pose._angles import fixed_angle, known_angle, turns_of
 from derive.kinds.pose._given import Given
-from derive.kinds.pose._roots import shortened
+from derive.kinds.pose._numbers import fixed_angle, known_angle, shortened, turns_of
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import point_of
-from derive.mechanics.elementary import factor_name
+from derive.mechanics.elementary import factor_name, rotation_matrix
 from derive.mechanics.euler import SIGNS, Direction, Euler, Sign, Singular
 
 NEARLY_SINGULAR = 1e-9
@@ -82,13 +79,24 @@ class Facts(PageFacts):
     cases: tuple[Case, ...]
 
 
+def factors_of(euler: Euler) -> dict[Expr, Expr]:
+    """R_{z,phi}, ... as they stand in the product, and what they are."""
+    return {
+        factor_name(move, Symbol(str(move.axis)), ("R", "")): rotation_matrix(str(move.axis), move.by)
+        for move in euler.factors
+    }
+
+
 @dataclass(frozen=True)
-class Work:
-    """One comparison of a given rotation with that of three angles."""
+class Comparison:
+    """Of a given rotation with that of three angles, entry by entry."""
 
     euler: Euler
     given: Given
-    problem: Problem
+
+    @property
+    def problem(self) -> Problem:
+        return self.given.problem
 
     @cached_property
     def written(self) -> Matrix:
@@ -96,42 +104,18 @@ class Work:
         return readable_matrix(self.euler.matrix, replace_fields(self.problem.style, order=self.euler.names))
 
     @cached_property
-    def factors(self) -> tuple[Indexed, ...]:
-        return tuple(factor_name(move, Symbol(str(move.axis)), ("R", "")) for move in self.euler.factors)
-
-    @cached_property
-    def R(self) -> ScalarMatrix:
-        """The given rotation, names of `where` replaced."""
-        return self.given.exact(self.problem.readable_matrix(self.given.R))
-
-    @cached_property
-    def entries(self) -> dict[Expr, Expr]:
-        """r_11, r_12, ... of the given rotation."""
-        written = self.problem.readable_matrix(self.R)
-        return {Symbol(f"r_{i + 1}{j + 1}"): written.rows[i][j] for i in range(3) for j in range(3)}
-
-    @property
-    def numeric(self) -> bool:
-        """Whether every entry is a number, so that there is one case and its angles are numbers."""
-        return not any(map(free_symbols, self.entries.values()))
-
-    @cached_property
     def cases(self) -> tuple[Sign, ...]:
         """The singular cases that can occur; (1, -1) where it depends on the symbols."""
-        middle = self.R[self.euler.middle.row, self.euler.middle.col] * self.euler.middle.sign
-        if self._always_singular:
+        middle = self.given.R[self.euler.middle.row, self.euler.middle.col] * self.euler.middle.sign
+        if not self.regular:
             return tuple(sign for sign in SIGNS if middle == sign)
-        return () if middle.constant is not None or self.numeric else SIGNS
-
-    @property
-    def regular(self) -> bool:
-        """Whether the angles are determined somewhere."""
-        return not self._always_singular
+        return () if middle.constant is not None or self.given.numeric else SIGNS
 
     @cached_property
-    def _always_singular(self) -> bool:
+    def regular(self) -> bool:
+        """Whether the angles are determined somewhere."""
         pair = (self.euler.first.sine, self.euler.first.cosine)
-        return all(self.R[entry.row, entry.col] == 0 for entry in pair)
+        return any(self.given.R[entry.row, entry.col] != 0 for entry in pair)
 
     @cached_property
     def singular_cases(self) -> tuple[Singular, ...]:
@@ -139,12 +123,8 @@ class Work:
 
     # -- steps ------------------------------------------------------------------------------------
 
-    def sequence(self) -> Step:
-        """R of the three angles."""
-        chain = (self.given.rotation, Product(self.factors), self.written)
-        return Step("R", chain, "sequence")
-
     def steps(self) -> Iterator[Step]:
+        """The angles where they are determined, then what the singular cases determine."""
         if self.regular:
             for sign in SIGNS:
                 label = "plus" if sign > 0 else "minus"
@@ -176,20 +156,20 @@ class Work:
 
     def _chain(self, name: Expr, value: Expr) -> tuple[Expr, ...]:
         """The formula; for a rotation of numbers also the numbers put in, and the angle."""
-        if not self.numeric:
+        if not self.given.numeric:
             return (name, value)
         filled = self._filled(value)
-        angle = known_angle(filled, self.problem)
-        return (name, value, filled, angle) if angle != filled else (name, value, filled)
+        return distinct((name, value, filled, known_angle(filled, self.problem)))
 
     def _filled(self, value: Expr) -> Expr:
         """A formula with the entries put in, the arguments of functions made short where they are numbers."""
-        filled = replace(value, self.entries)
-        return _short(filled, self.problem) if self.numeric else _tidied(filled)
+        filled = replace(value, self.given.entries)
+        return _short(filled, self.problem) if self.given.numeric else _tidied(filled)
 
     # -- results ----------------------------------------------------------------------------------
 
     def solutions(self) -> tuple[Branch, ...]:
+        """The two regular solutions, then the singular ones."""
         regular = tuple(self._regular(sign) for sign in SIGNS) if self.regular else ()
         return (*regular, *map(self._singular, self.singular_cases))
 
@@ -211,14 +191,14 @@ class Work:
 
     def _value(self, value: Expr) -> Expr:
         filled = self._filled(value)
-        if not self.numeric:
+        if not self.given.numeric:
             return filled
         terms = filled.terms if isinstance(filled, Sum) else (filled,)
         return add(*(known_angle(term, self.problem) for term in terms))
 
     # -- claims and facts -------------------------------------------------------------------------
 
-    def claims(self) -> Iterator[Claim]:
+    def laws(self) -> Iterator[Claim]:
         """The singular matrices, by putting the angle into the matrix of the sequence."""
         middle = Symbol(self.euler.outer[1])
         for case in self.singular_cases:
@@ -228,6 +208,7 @@ class Work:
             yield law("singular-matrix", again == shown, at=there)
 
     def facts(self) -> Facts:
+        """What the words read."""
         euler = self.euler
         function = cos if euler.even else sin
         centre = Symbol(euler.outer[1])
@@ -274,23 +255,23 @@ class Work:
         )
 
 
-def branches_at(place: Place | None, work: Work, solutions: tuple[Branch, ...]) -> dict[str, Any]:
+def branches_at(place: Place | None, compared: Comparison, solutions: tuple[Branch, ...]) -> dict[str, Any]:
     """The solutions in floats at a point, nothing where symbols are left; the case that does not occur there
     is not real. A free angle is chosen zero."""
-    point = point_of(dict(place or ()), work.problem.where)
+    point = point_of(dict(place or ()), compared.problem.where)
     try:
-        R = numbers(work.problem.readable_matrix(work.R), point)
+        R = numbers(compared.problem.readable_matrix(compared.given.R), point)
     except KeyError:
         return {}
-    pair = (work.euler.first.sine, work.euler.first.cosine)
+    pair = (compared.euler.first.sine, compared.euler.first.cosine)
     singular = sum(R[entry.row][entry.col] ** 2 for entry in pair) < NEARLY_SINGULAR**2
-    here = R[work.euler.middle.row][work.euler.middle.col]
-    regular = len(solutions) - len(work.singular_cases)
+    here = R[compared.euler.middle.row][compared.euler.middle.col]
+    regular = len(solutions) - len(compared.singular_cases)
     found: list[dict[str, Any]] = []
     for k, branch in enumerate(solutions):
-        case = work.singular_cases[k - regular] if k >= regular else None
+        case = compared.singular_cases[k - regular] if k >= regular else None
         occurs = singular and here * case.entry > 0 if case else not singular
-        free = {work.euler.outer[2]: 0.0, **point}
+        free = {compared.euler.outer[2]: 0.0, **point}
         values = {name: number(value, free) for name, value in branch.values.items()} if occurs else {}
         found.append({**values, "when": branch.when, **({} if occurs else {"real": False})})
     return {"R": R, "solutions": found}

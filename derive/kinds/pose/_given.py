@@ -1,130 +1,113 @@
-"""The pose a question is about, whatever the subject: of a motion, of one frame in another, of a robot."""
+"""The pose that a question is about, as the folder of its subject says it in a module `_pose.py`; and its
+rotation entry by entry, under the names r_11, r_12, ..."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import reduce
+from functools import cached_property
+from importlib import import_module
+from itertools import product
 from typing import TYPE_CHECKING, Any
 
 from pydantic import Field
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point
+from derive.algebra.readable.operation_count import operations
+from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
-from derive.expression import Matrix, Symbol
+from derive.expression import Expr, Symbol, free_symbols, subtract
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
+from derive.kinds.pose._numbers import over
 from derive.kinds.problem import Problem
-from derive.kinds.values_at import completed
-from derive.mechanics.frames import Frames
-from derive.mechanics.motion import Motion
-from derive.mechanics.poses import pose, rotation_part
-from derive.mechanics.robot import Robot
-from derive.mechanics.sequences import in_product_order
+from derive.mechanics.poses import rotation_part
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+LONGEST_ENTRY = 8  # operations above which an entry is left by its name
+LONGEST_VALUE = 25  # likewise for what is made of the entries
+
 
 class PoseOptions(OptionsModel):
-    """For frames: the frame wanted, `from` (the last one if left out), seen from frame `to`."""
+    """A subject of frames takes `from` and `to`."""
 
-    source: int | None = Field(default=None, alias="from", ge=0)
+    source: int | None = Field(default=None, alias="from", ge=0)  # the last one if left out
     target: int = Field(default=0, alias="to", ge=0)
     evaluate: Evaluation = None
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Given:
     """A pose: its name and that of its rotation, T (4 by 4) with the names of `where` kept, what it rests
-    on, and the same in NumPy by another route."""
+    on, and the same in NumPy (4 by 4) at a point by another route."""
 
+    problem: Problem
     name: Symbol
     rotation: Symbol
     T: ScalarMatrix
     uses: tuple[Derivation, ...]
     oracle: Callable[[Point], NDArray[Any]]
-    where: dict[Any, Any]
+
+    @cached_property
+    def R(self) -> ScalarMatrix:
+        """The rotation (3 by 3), names of `where` replaced."""
+        return self.problem.exact(rotation_part(self.T))
+
+    @cached_property
+    def entries(self) -> dict[Expr, Expr]:
+        """r_11, r_12, ... and what they are."""
+        written = self.problem.readable_matrix(self.R).rows
+        return {Symbol(f"r_{i + 1}{j + 1}"): written[i][j] for i, j in product(range(3), range(3))}
 
     @property
-    def R(self) -> ScalarMatrix:
-        """The rotation (3 by 3), names of `where` kept."""
-        return rotation_part(self.T)
+    def numeric(self) -> bool:
+        """Whether every entry is a number."""
+        return not any(map(free_symbols, self.entries.values()))
 
-    def exact(self, written: Matrix) -> ScalarMatrix:
-        """A matrix with the names of `where` replaced."""
-        return normal_matrix(written, self.where)
+    @property
+    def short(self) -> bool:
+        """Whether entries may be written out where their names stand."""
+        return all(operations(entry) <= LONGEST_ENTRY for entry in self.entries.values())
+
+    def shows(self, value: Expr) -> bool:
+        """Whether what is made of the entries may be written out."""
+        return self.short and operations(value) <= LONGEST_VALUE
+
+    def value(self, name: str) -> Scalar:
+        """The entry of a name, `r_32`."""
+        return self.R[int(name[2]) - 1, int(name[3]) - 1]
+
+    @property
+    def lacking(self) -> tuple[Scalar, Scalar, Scalar]:
+        """What R lacks of symmetry, r_32 - r_23, ...: 2 sin(angle) times the axis."""
+        R = self.R
+        return R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]
+
+    def half_turn(self) -> tuple[ScalarMatrix, tuple[Expr, ...]]:
+        """Of a rotation by half a turn (R + 1)/2, which is k k^T, and k."""
+        outer = (self.R + ScalarMatrix.identity(3)).scaled(Scalar.of(1) / 2)
+        j = next(j for j in range(3) if outer[j, j] != 0)
+        return outer, tuple(over(outer[i, j], outer[j, j], self.problem) for i in range(3))
+
+    def turns(self, point: Point) -> NDArray[Any]:
+        """R (3 by 3) at a point by the other route."""
+        return self.oracle(point)[:3, :3]
 
 
 def given_pose(options: PoseOptions, problem: Problem, rotation_only: bool = True) -> Given:
     """The pose of the problem's subject. Raises NotDerivable where `from` and `to` make no sense."""
-    subject = problem.subject
-    if not isinstance(subject, Frames) and (options.source is not None or options.target):
+    if problem.name != "frames" and (options.source is not None or options.target):
         raise NotDerivable("'from' and 'to' choose among frames; this problem has none")
-    if isinstance(subject, Frames):
-        return _of_frames(subject, options, problem)
-    if isinstance(subject, Motion):
-        return _of_motion(subject, problem, rotation_only)
-    if isinstance(subject, Robot):
-        return _of_robot(subject, problem)
-    raise NotDerivable("this subject has no pose")
+    given: Given = import_module(f"derive.kinds.{problem.name}._pose").given(options, problem, rotation_only)
+    return given
 
 
-def _of_motion(motion: Motion, problem: Problem, rotation_only: bool) -> Given:
-    from derive.mechanics.oracle import compose
-
-    moves = in_product_order(motion.moves)
-    T = reduce(ScalarMatrix.__matmul__, map(pose, moves), ScalarMatrix.identity(4))
-    uses = problem.ask("rotation-matrix" if rotation_only else "transform")
-    return Given(
-        Symbol("T"),
-        Symbol("R"),
-        T,
-        (uses,),
-        lambda point: compose(moves, completed(point, problem.where)),
-        dict(problem.names),
-    )
-
-
-def _of_frames(frames: Frames, options: PoseOptions, problem: Problem) -> Given:
-    import numpy as np
-
-    from derive.kinds.frames._frames import is_given, numeric_pose, pose_name, rotation_name
-    from derive.mechanics.frame_tree import relative, require_closed, way
-
-    require_closed(frames, problem.names)
-    source = len(frames.frames) if options.source is None else options.source
-    path = way(frames, source, options.target)
-
-    def oracle(point: Point) -> NDArray[Any]:
-        at = completed(point, problem.where)
-        return np.linalg.solve(numeric_pose(path.down, at), numeric_pose(path.up, at))
-
-    plain = len(path.up) == 1 and not path.down and is_given(path.up[0])
-    return Given(
-        pose_name(source, options.target),
-        rotation_name(source, options.target),
-        relative(frames, source, options.target),
-        () if plain else (problem.ask("transform", source=source, target=options.target),),
-        oracle,
-        dict(problem.names),
-    )
-
-
-def _of_robot(robot: Robot, problem: Problem) -> Given:
-    from derive.kinds.robot._chain import end_frame
-    from derive.mechanics.chain import chain
-    from derive.mechanics.oracle import Oracle
-
-    oracle, n = Oracle(robot, problem.where), end_frame(robot)
-    return Given(
-        Symbol(f"T_{n}^0"),
-        Symbol(f"R_{n}^0"),
-        chain(robot).T_tool,
-        (problem.ask("forward-kinematics"),),
-        lambda point: oracle.tool(oracle.at(point)),
-        dict(problem.names),
-    )
+def lacking() -> tuple[Expr, Expr, Expr]:
+    """The same in the names of the entries."""
+    pairs = (("r_32", "r_23"), ("r_13", "r_31"), ("r_21", "r_12"))
+    one, two, three = (subtract(Symbol(plus), Symbol(minus)) for plus, minus in pairs)
+    return one, two, three

@@ -1,28 +1,82 @@
-"""Trees in numbers where `where` gives names their values."""
+"""Exact numbers as a person writes them: an angle of known sine and cosine as 30 deg, pi/6 or the atan2 of
+numbers; a square root as 2 where it is 2, else as the root of a short number."""
 
 from __future__ import annotations
 
-from derive.algebra.normal import normal
+import math
+from fractions import Fraction
+
+from derive.algebra.normal import normal, trig_of
 from derive.algebra.numbers.floats import number
-from derive.expression import Approximate, Expr, Matrix, free_symbols
+from derive.algebra.rationals import as_fraction
+from derive.algebra.roots_and_functions import root
+from derive.algebra.scalar import Scalar
+from derive.expression import PI, ZERO, Call, Degrees, Expr, Product, Quotient, atan2, multiply, sqrt
+from derive.expression import number as exact
 from derive.kinds.problem import Problem
-from derive.kinds.values_at import completed
+
+STEP = Fraction(1, 180)  # of pi: whole degrees are recognised
+NEARLY = 1e-9  # rad, so that only a likely angle is compared exactly
 
 
-def value_of(expr: Expr, problem: Problem) -> float | None:
-    """The number a tree without symbols stands for; None where symbols are left."""
-    known = completed({}, problem.where)
-    return number(expr, known) if free_symbols(expr) <= known.keys() else None
+def known_angle(expr: Expr, problem: Problem) -> Expr:
+    """A sum of atan2 of numbers, each written as an angle where it is a whole number of degrees."""
+    match expr:
+        case Call("atan2", (y, x)):
+            return _direction(y, x, problem)
+        case Product((factor, Call("atan2", (y, x)))):
+            return multiply(factor, _direction(y, x, problem))
+    return expr
 
 
-def rounded(entry: Expr, problem: Problem) -> Expr:
-    """A number without symbols as a decimal, unless it is 0, 1 or -1; anything else as it is."""
-    value = value_of(entry, problem)
-    if value is None or normal(entry, problem.names).constant in (0, 1, -1):
-        return entry
-    return Approximate(value)
+def fixed_angle(turns: Fraction, problem: Problem) -> Expr:
+    """`turns * pi`, in degrees where the author writes degrees."""
+    if not turns:
+        return ZERO
+    if problem.style.degrees:
+        return Degrees(180 * turns)
+    return multiply(exact(turns), PI)
 
 
-def rounded_matrix(matrix: Matrix, problem: Problem) -> Matrix:
-    """Entry by entry."""
-    return Matrix(tuple(tuple(rounded(entry, problem) for entry in row) for row in matrix.rows))
+def turns_of(angle: Expr) -> Fraction:
+    """The multiple of pi of a fixed angle."""
+    return Fraction(round(number(angle, {}) / math.pi / STEP)) * STEP
+
+
+def _direction(y: Expr, x: Expr, problem: Problem) -> Expr:
+    angle = math.atan2(number(y, {}), number(x, {}))
+    turns = Fraction(round(angle / math.pi / STEP)) * STEP
+    if abs(angle - math.pi * turns) > NEARLY:
+        return atan2(y, x)
+    c, s = trig_of(Scalar.symbol("pi") * turns)
+    return fixed_angle(turns, problem) if normal(y) * c == normal(x) * s else atan2(y, x)
+
+
+def size(square: Scalar, problem: Problem) -> Expr:
+    """The root of a number: taken where it is a number itself, else as a root of what stands below it."""
+    taken = root(square)
+    return problem.readable(taken) if is_plain(taken) else sqrt(problem.readable(square))
+
+
+def over(part: Scalar, square: Scalar, problem: Problem) -> Expr:
+    """A number divided by the root of another; its own denominator stands before the root."""
+    taken = root(square)
+    if is_plain(taken) or not part:
+        return problem.readable(part / taken)
+    below = math.lcm(*(as_fraction(each).denominator for each in part.numerator.coeffs()))
+    return Quotient(problem.readable(part * below), multiply(exact(below), size(square, problem)))
+
+
+def shortened(expr: Expr, problem: Problem) -> Expr:
+    """A number in its shortest form; a root of roots keeps its sign outside and a short number inside."""
+    match expr:
+        case Product((factor, Call("sqrt", (inside,)))):
+            return multiply(factor, size(normal(inside), problem))
+        case Call("sqrt", (inside,)):
+            return size(normal(inside), problem)
+    return problem.readable(normal(expr))
+
+
+def is_plain(value: Scalar) -> bool:
+    """Whether no root stands for the root of an expression; a size |x| may be left."""
+    return not any(name.startswith("sqrt((") for name in value.generators())

@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Annotated, Any
 
 from pydantic import AfterValidator
 
 from derive.algebra.normal import normal_matrix
-from derive.derivation import Derivation, Result
+from derive.derivation import Derivation
 from derive.errors import NotDerivable
-from derive.expression import Expr
-from derive.kinds.checks import is_rotation, links
+from derive.expression import Product
+from derive.kinds.checks import is_rotation
 from derive.kinds.fields import Name
 from derive.kinds.pose._euler_checks import put_back
+from derive.kinds.pose._euler_steps import Comparison, branches_at, factors_of
 from derive.kinds.pose._euler_steps import Facts as Facts
-from derive.kinds.pose._euler_steps import Work, branches_at
 from derive.kinds.pose._given import PoseOptions, given_pose
 from derive.kinds.problem import Problem
-from derive.mechanics.elementary import rotation_matrix
+from derive.kinds.work import Work
 from derive.mechanics.euler import Convention, Euler
 
 SUBJECTS = ("motion", "frames", "robot")
@@ -51,40 +52,43 @@ class Options(PoseOptions):
 
 
 def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
-    """The angles by comparing entries, first where they are determined, then in the singular cases
-    (Siciliano et al., section 2.4)."""
-    given = given_pose(options, problem)
+    """Three angles (rad) by comparing entries, first where they are determined, then in the singular cases
+    (Siciliano et al., section 2.4).
+
+    Raises NotDerivable where the names of the angles mean something else.
+    """
     euler = Euler(Convention.of(options.convention), _names(options, problem))
-    work = Work(euler, given, problem)
-    E = work.written
-    name = given.rotation
-    steps = (work.sequence(), *work.steps())
-    factors: dict[Expr, Expr] = {
-        factor: rotation_matrix(str(move.axis), move.by)
-        for move, factor in zip(euler.factors, work.factors, strict=True)
-    }
-    solutions = work.solutions()
-    results: dict[str, Result] = {"R": E, "solutions": solutions}
-    claims = (
-        *links(steps[:1], {**factors, name: E}),
-        *work.claims(),
-        *is_rotation(normal_matrix(E)),
-        *put_back(euler, work, solutions),
-    )
-    evaluated = branches_at(options.evaluate, work, solutions) if options.evaluate is not None else {}
-    definitions: dict[Expr, Expr] = {**factors, name: E}
-    return Derivation(
-        "euler-angles", steps, results, claims, definitions, evaluated, given.uses, facts=work.facts()
+    compared = Comparison(euler, given_pose(options, problem))
+    E, rotation, factors = compared.written, compared.given.rotation, factors_of(euler)
+    work = Work(problem, factors, uses=compared.given.uses)
+    work = work.line(rotation, Product(tuple(factors)), value=E, rule="sequence", label="R").linked()
+    work = replace(work, steps=(*work.steps, *compared.steps()))  # the names of angles stand for no one value
+    work = work.claim(*compared.laws(), *is_rotation(normal_matrix(E)))
+    solutions = compared.solutions()
+    return put_back(work, compared, solutions).answer(
+        "euler-angles",
+        {"R": E, "solutions": solutions},
+        compared.facts(),
+        evaluated=branches_at(options.evaluate, compared, solutions) if options.evaluate is not None else {},
     )
 
 
 def _names(options: Options, problem: Problem) -> tuple[str, str, str]:
     """Names that stand for nothing else. Raises NotDerivable where the author's own ones do."""
-    taken = problem.taken
     if options.angles is None:
-        return next((names for names in DEFAULTS if not taken & set(names)), DEFAULTS[-1])
-    if len(set(options.angles)) < 3:
-        raise NotDerivable("the three angles need three different names")
-    if used := taken & set(options.angles):
+        return usual_angles(problem)
+    if used := problem.taken & set(three(options.angles)):
         raise NotDerivable(f"{min(used)} has a meaning in this problem: name the angles otherwise")
     return options.angles
+
+
+def usual_angles(problem: Problem) -> tuple[str, str, str]:
+    """The first of the usual names that stand for nothing else."""
+    return next((names for names in DEFAULTS if not problem.taken & set(names)), DEFAULTS[-1])
+
+
+def three(names: tuple[str, str, str]) -> tuple[str, str, str]:
+    """The names of an author. Raises NotDerivable where two of them are the same."""
+    if len(set(names)) < 3:
+        raise NotDerivable("the three angles need three different names")
+    return names

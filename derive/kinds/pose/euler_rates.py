@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, Field
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
-from derive.algebra.numbers.floats import matrix_numbers
-from derive.algebra.scalar import Scalar
-from derive.derivation import Branch, Claim, Derivation, PageFacts, Phrase, Result, Step
-from derive.errors import NotDerivable
+from derive.algebra.numbers.floats import Point
+from derive.derivation import Branch, Derivation, PageFacts, Phrase, Result, Step
 from derive.expression import (
     ZERO,
     Call,
     Expr,
-    Indexed,
     Matrix,
     Product,
     Relation,
@@ -26,15 +22,18 @@ from derive.expression import (
     free_symbols,
     multiply,
     number,
+    symbols,
+    transpose,
 )
-from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import Name, OptionsModel
-from derive.kinds.pose.euler_angles import DEFAULTS, known_convention
+from derive.kinds.pose._euler_checks import rotation_at
+from derive.kinds.pose._euler_steps import factors_of
+from derive.kinds.pose.euler_angles import known_convention, three, usual_angles
 from derive.kinds.problem import Problem
-from derive.mechanics.elementary import factor_name, rotation_matrix
+from derive.kinds.work import Work
 from derive.mechanics.euler import SIGNS, Convention, Euler
-from derive.mechanics.euler_rates import rate_matrix
 from derive.mechanics.motion import Motion
+from derive.mechanics.oracle import slope, vee
 from derive.mechanics.poses import UNIT, skew
 
 SUBJECTS = ("motion", "frames", "robot")
@@ -54,8 +53,8 @@ problems:
   find: euler-rates
   convention: ZYZ
 """
-T, OMEGA = Symbol("T"), Symbol("omega")
-STEP = 1e-6  # of differences
+T, OMEGA = symbols("T omega")
+AXES = symbols("omega_x omega_y omega_z")
 DIFFERENCES = 1e-6
 
 
@@ -76,19 +75,67 @@ class Facts(PageFacts):
 
 
 def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
-    """Each column of T is the axis about which its angle turns (Siciliano et al., section 3.6)."""
-    euler = Euler(Convention.of(options.convention), _names(options, problem))
-    found = _Rates(euler, options.frame, problem)
-    steps = found.steps()
-    definitions = found.definitions()
-    claims = (*links(steps, {**problem.names, **definitions}), *found.laws(), found.second_route())
+    """T (3 by 3), each column of which is the axis about which its angle turns, and the rates T^-1 omega
+    (Siciliano et al., section 3.6)."""
+    euler, body = Euler(Convention.of(options.convention), _names(options, problem)), options.frame == "body"
+    axes = tuple(Symbol(f"t_{name}") for name in euler.names)
+    work = Work(problem, factors_of(euler))
+    for axis, name in zip(axes, euler.names, strict=True):
+        work = work.line(axis, _axis(euler, name, body), rule="axis")
+    work = work.line(T, Matrix((axes,)), rule="rate-matrix")
+    det, inverse = Call("det", (T,)), Call("inverse", (T,))
+    rates = column(Symbol(f"{name}_dot") for name in euler.names)
+    filled = Product((work[T], rates))
+    work = work.step(Step("omega", (OMEGA, Product((T, rates)), filled), "law"))
+    work = work.line(det, rule="determinant", label="det")
+    work = work.line(rates, Product((inverse, column(AXES))), rule="law", label="rates")
+    middle, singular = euler.outer[1], [euler.singular(sign).middle for sign in SIGNS]
+    where = Phrase("singular-where", {"zero": Relation(det, "=", ZERO)})
     results: dict[str, Result] = {
-        "T": found.written,
-        "det": problem.readable(found.det),
-        "rates": problem.readable_matrix(found.solved),
-        "singular": found.singular(),
+        "T": work[T],
+        "det": work.steps[-2].result,
+        "rates": work.steps[-1].result,
+        "singular": tuple(Branch({middle: value}, (where,)) for value in singular),
     }
-    return Derivation("euler-rates", steps, results, claims, definitions, facts=found.facts())
+    facts = Facts(
+        body=body,
+        axes=tuple(axis.name for axis in axes),
+        zeros=tuple((Symbol(middle), value) for value in singular),
+        outer=(Symbol(euler.outer[0]), Symbol(euler.outer[2])),
+        short_names=euler.names,
+    )
+    return _proved(work, euler, body, singular).answer("euler-rates", results, facts)
+
+
+def _axis(euler: Euler, name: str, body: bool) -> Expr:
+    """That of one rotation, carried by those before it in the product; in the body turned back by those
+    after it."""
+    place, factors = euler.outer.index(name), tuple(factors_of(euler))
+    unit = column(map(number, UNIT[str(euler.factors[place].axis)]))
+    return multiply(*(map(transpose, factors[:place:-1]) if body else factors[:place]), unit)
+
+
+def _proved(work: Work, euler: Euler, body: bool, singular: list[Expr]) -> Work:
+    """S(t_i) = dR/dangle R^T for each angle, T T^-1 = 1, det zero where it is said to be; and omega by
+    differences of rotations composed in numbers."""
+    T_now, R, turning, middle = work.value_matrix(T), euler.matrix, True, Symbol(euler.outer[1])
+    for k, name in enumerate(euler.names):
+        turning &= (R.T @ R.diff(name) if body else R.diff(name) @ R.T) == skew(T_now.columns(k))
+    work = work.law("angular-velocities", turning)
+    work = work.law("inverse", T_now @ T_now.inverse() == ScalarMatrix.identity(3))
+    det = work.problem.readable(T_now.det())
+    work = work.law("singular", all(normal(det, {middle: value}) == 0 for value in singular))
+
+    def differences(at: Point) -> Any:
+        import numpy as np
+
+        R, columns = rotation_at(euler, at), []
+        for name in euler.names:
+            rate = slope(lambda moved: rotation_at(euler, moved), at, {name: 1})
+            columns.append(vee(R.T @ rate if body else rate @ R.T))
+        return np.array(columns).T
+
+    return work.agrees("differences", euler.names, T_now, differences, DIFFERENCES)
 
 
 def _names(options: Options, problem: Problem) -> tuple[str, str, str]:
@@ -97,12 +144,8 @@ def _names(options: Options, problem: Problem) -> tuple[str, str, str]:
     Raises NotDerivable where two of them are called alike.
     """
     if options.angles is not None:
-        if len(set(options.angles)) < 3:
-            raise NotDerivable("the three angles need three different names")
-        return options.angles
-    taken = problem.taken
-    own = _of_motion(problem.subject, Convention.of(options.convention))
-    return own or next((names for names in DEFAULTS if not taken & set(names)), DEFAULTS[-1])
+        return three(options.angles)
+    return _of_motion(problem.subject, Convention.of(options.convention)) or usual_angles(problem)
 
 
 def _of_motion(subject: Any, convention: Convention) -> tuple[str, str, str] | None:
@@ -116,118 +159,3 @@ def _of_motion(subject: Any, convention: Convention) -> tuple[str, str, str] | N
     if axes != convention.axes or about != {convention.about} or len(set(names)) < 3:
         return None
     return names[0], names[1], names[2]
-
-
-class _Rates:
-    """T of a convention, and its inverse."""
-
-    def __init__(self, euler: Euler, seen_from: Literal["base", "body"], problem: Problem) -> None:
-        self.euler, self.seen_from, self.problem = euler, seen_from, problem
-        self.matrix = rate_matrix(euler, seen_from)
-        self.written = problem.readable_matrix(self.matrix)
-        self.det = self.matrix.det()
-        self.omega = ScalarMatrix.column([Scalar.symbol(f"omega_{axis}") for axis in "xyz"])
-        self.inverse = self.matrix.inverse()
-        self.solved = self.inverse @ self.omega
-
-    @property
-    def factors(self) -> tuple[Indexed, ...]:
-        moves = self.euler.factors
-        return tuple(factor_name(move, Symbol(str(move.axis)), ("R", "")) for move in moves)
-
-    @property
-    def rates(self) -> Matrix:
-        return column(Symbol(f"{name}_dot") for name in self.euler.names)
-
-    def steps(self) -> tuple[Step, ...]:
-        """The axes, T, its determinant, and the rates by its inverse."""
-        axes = tuple(self._axis(name) for name in self.euler.names)
-        block = Matrix((tuple(Symbol(f"t_{name}") for name in self.euler.names),))
-        filled = Product((self.written, self.rates))
-        read = self.problem.readable_matrix
-        omega = column(Symbol(f"omega_{axis}") for axis in "xyz")
-        return (
-            *axes,
-            Step("T", (T, block, self.written), "rate-matrix"),
-            Step("omega", (OMEGA, Product((T, self.rates)), filled), "law"),
-            Step("det", (Call("det", (T,)), self.problem.readable(self.det)), "determinant"),
-            Step("rates", (self.rates, Product((Call("inverse", (T,)), omega)), read(self.solved)), "law"),
-        )
-
-    def _axis(self, name: str) -> Step:
-        """The axis of one rotation, carried by those before it in the product."""
-        place = self.euler.outer.index(name)
-        unit = column(map(number, UNIT[str(self.euler.factors[place].axis)]))
-        if self.seen_from == "base":
-            before: tuple[Expr, ...] = self.factors[:place]
-        else:
-            before = tuple(Call("transpose", (factor,)) for factor in self.factors[:place:-1])
-        k = self.euler.names.index(name)
-        value = self.problem.readable_matrix(self.matrix.columns(k))
-        chain = (Symbol(f"t_{name}"), multiply(*before, unit), *((value,) if before else ()))
-        return Step(f"t_{name}", chain, "axis")
-
-    def definitions(self) -> dict[Expr, Expr]:
-        moves = zip(self.euler.factors, self.factors, strict=True)
-        found: dict[Expr, Expr] = {factor: rotation_matrix(str(move.axis), move.by) for move, factor in moves}
-        found |= {Symbol(f"t_{name}"): self._axis(name).result for name in self.euler.names}
-        return {**found, T: self.written}
-
-    def singular(self) -> tuple[Branch, ...]:
-        """Where the middle angle makes det vanish."""
-        middle = self.euler.outer[1]
-        cases = [self.euler.singular(sign) for sign in SIGNS]
-        singular = Phrase("singular-where", {"zero": Relation(Call("det", (T,)), "=", ZERO)})
-        return tuple(Branch({middle: case.middle}, (singular,)) for case in cases)
-
-    def laws(self) -> tuple[Claim, ...]:
-        """S(t_i) = dR/dangle R^T for each angle, T T^-1 = 1, and det zero where it is said to be."""
-        R, holds = self.euler.matrix, True
-        for k, name in enumerate(self.euler.names):
-            rate = R.diff(name) @ R.T if self.seen_from == "base" else R.T @ R.diff(name)
-            holds &= rate == skew(self.matrix.columns(k))
-        middle = self.euler.outer[1]
-        zeros = all(self._det_at(middle, case.values[middle]) == 0 for case in self.singular())
-        return (
-            law("angular-velocities", holds),
-            law("inverse", self.matrix @ self.inverse == ScalarMatrix.identity(3)),
-            law("singular", zeros),
-        )
-
-    def _det_at(self, middle: str, value: Expr) -> Scalar:
-        return normal(self.problem.readable(self.det), {Symbol(middle): value})
-
-    def second_route(self) -> Claim:
-        """omega by differences of rotations composed in numbers."""
-        from derive.kinds.pose._euler_checks import composed
-
-        def differences(point: Mapping[str, float]) -> Any:
-            import numpy as np
-
-            R, columns = composed(self.euler, point), []
-            for name in self.euler.names:
-                ahead, behind = (
-                    composed(self.euler, {**point, name: point[name] + h}) for h in (STEP, -STEP)
-                )
-                rate = (ahead - behind) / (2 * STEP)
-                S = rate @ R.T if self.seen_from == "base" else R.T @ rate
-                columns.append([S[2, 1], S[0, 2], S[1, 0]])
-            return np.array(columns).T
-
-        return agreement(
-            "differences",
-            self.euler.names,
-            lambda point: matrix_numbers(self.matrix, point),
-            differences,
-            DIFFERENCES,
-        )
-
-    def facts(self) -> Facts:
-        middle = self.euler.outer[1]
-        return Facts(
-            body=self.seen_from == "body",
-            axes=tuple(f"t_{name}" for name in self.euler.names),
-            zeros=tuple((Symbol(middle), case.values[middle]) for case in self.singular()),
-            outer=(Symbol(self.euler.outer[0]), Symbol(self.euler.outer[2])),
-            short_names=self.euler.names,
-        )

@@ -11,7 +11,7 @@ from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, free_symbols, negate, sqrt, squared
 from derive.expression import add as total
 from derive.expression import atan2 as direction
-from derive.kinds.pose._angles import known_angle
+from derive.kinds.pose._numbers import known_angle
 from derive.kinds.problem import Memo, Problem
 from derive.kinds.robot._rows.dh_found import found_rows
 from derive.mechanics.motion import Move

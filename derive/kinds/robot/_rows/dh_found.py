@@ -9,7 +9,7 @@ from derive.algebra.scalar import Scalar
 from derive.derivation import Record
 from derive.errors import NotDerivable
 from derive.expression import Degrees, Expr, Sum, Symbol, add, atan2, cross, negate
-from derive.kinds.pose._angles import fixed_angle, known_angle
+from derive.kinds.pose._numbers import fixed_angle, known_angle
 from derive.kinds.problem import Problem
 from derive.kinds.robot._rows.dh_rows import Rows
 from derive.kinds.work import Work
