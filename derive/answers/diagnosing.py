@@ -27,6 +27,7 @@ from derive.expression import (
     children,
     negate,
     rebuild,
+    terms_of,
     walk,
 )
 from derive.expression import replace as replaced
@@ -236,13 +237,9 @@ def _renamed(published: Expr, names: frozenset[str]) -> Iterator[Expr]:
     angles = sorted({node for node in walk(published) if isinstance(node, Call)}, key=repr)
     arguments = {angle for call in angles if call.function in SWAPPED for angle in call.arguments}
     choices = [*arguments, *(Symbol(name) for name in sorted(names) if name[-1:].isdigit())]
-    choices += [Sum((*_parts(a), Symbol(b))) for a in arguments for b in sorted(names) if b[-1:].isdigit()]
+    choices += [Sum((*terms_of(a), Symbol(b))) for a in arguments for b in sorted(names) if b[-1:].isdigit()]
     for choice in sorted(choices, key=repr):
         yield from _each(published, partial(_other_angle, angle=choice))
-
-
-def _parts(angle: Expr) -> tuple[Expr, ...]:
-    return angle.terms if isinstance(angle, Sum) else (angle,)
 
 
 def _other_angle(node: Expr, angle: Expr) -> Iterator[Expr]:

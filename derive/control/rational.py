@@ -31,6 +31,7 @@ from derive.expression import (
     Sum,
     Symbol,
     add,
+    factors_of,
     free_symbols,
     is_negative,
     multiply,
@@ -180,7 +181,7 @@ def written(coefficients: Sequence[Scalar], style: Style = PLAIN) -> Expr:
     common = shared(coefficients)
     if common.constant is None:
         inner = written([coefficient / common for coefficient in coefficients], style)
-        return multiply(*_factors(readable(common, style)), inner)
+        return multiply(*factors_of(readable(common, style)), inner)
     degree = len(coefficients) - 1
     terms = [
         _term(readable(coefficient, style), degree - place)
@@ -202,14 +203,10 @@ def shared(coefficients: Sequence[Scalar]) -> Scalar:
     return Scalar.of(1) if common.is_constant() else Scalar(home, common)
 
 
-def _factors(expr: Expr) -> tuple[Expr, ...]:
-    return expr.factors if isinstance(expr, Product) else (expr,)
-
-
 def _term(coefficient: Expr, power: int) -> Expr:
     if power == 0:
         return coefficient
-    return multiply(*_factors(coefficient), S if power == 1 else Power(S, number(power)))
+    return multiply(*factors_of(coefficient), S if power == 1 else Power(S, number(power)))
 
 
 def _floats(coefficients: Polynomial) -> list[float]:

@@ -26,6 +26,7 @@ from derive.expression import (
     multiply,
     negate,
     number,
+    terms_of,
     walk,
 )
 
@@ -118,7 +119,9 @@ def total(ratios: Iterable[Ratio], decimals: bool = False) -> Ratio:
     common = reduce(_shared, (top.top for top in tops))
     common = tuple((base, power) for base, power in common if base != S)
     rests = [Ratio(top.scale, _taken(top.top, common)) for top in tops]
-    terms = sorted((term for rest in rests for term in _terms(rest.expr(decimals))), key=lambda t: -degree(t))
+    terms = sorted(
+        (term for rest in rests for term in terms_of(rest.expr(decimals))), key=lambda t: -degree(t)
+    )
     sign = -1 if all(map(is_negative, terms)) else 1
     inner = Sum(tuple(negate(term) for term in terms) if sign < 0 else _positive_first(terms))
     if normal(inner) == 0:
@@ -133,10 +136,6 @@ def _has_s_below(expr: Expr) -> bool:
         or (isinstance(node, Power) and is_negative(node.exponent) and S.name in free_symbols(node.base))
         for node in walk(expr)
     )
-
-
-def _terms(expr: Expr) -> tuple[Expr, ...]:
-    return expr.terms if isinstance(expr, Sum) else (expr,)
 
 
 def degree(expr: Expr) -> int:

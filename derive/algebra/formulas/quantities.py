@@ -27,6 +27,7 @@ from derive.expression import (
     Sum,
     is_negative,
     negate,
+    terms_of,
     walk,
 )
 
@@ -56,7 +57,7 @@ def summed(left: Quantity, right: Quantity, at: int) -> Quantity:
         raise FormulaError(message, at, "check the units on both sides of this sign")
     known = [dimension for dimension in (left.dimension, right.dimension) if dimension not in (None, PLAIN)]
     unclear = None if None in (left.dimension, right.dimension) else PLAIN
-    expr = Sum(_terms(left.expr) + _terms(right.expr))
+    expr = Sum(terms_of(left.expr) + terms_of(right.expr))
     return _joined(expr, known[0] if known else unclear, left, right, left.terms + right.terms, at)
 
 
@@ -185,10 +186,6 @@ def _joined(
             "the formula is too large multiplied out", at, "give a part of it a name under 'where'"
         )
     return Quantity(expr, dimension, left.numeric and right.numeric, terms, depth)
-
-
-def _terms(expr: Expr) -> tuple[Expr, ...]:
-    return expr.terms if isinstance(expr, Sum) else (expr,)
 
 
 def _factors(expr: Expr) -> tuple[Expr, ...]:

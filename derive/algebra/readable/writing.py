@@ -17,11 +17,13 @@ from derive.expression import (
     Power,
     Product,
     Sum,
+    factors_of,
     is_negative,
     multiply,
     negate,
     number,
     sqrt,
+    terms_of,
     walk,
 )
 
@@ -40,10 +42,12 @@ class Writing:
         match plan:
             case Flat(terms):
                 ordered = sorted(terms.items(), key=lambda item: self._term_key(item[0]))
-                return _sum([term for monomial, k in ordered for term in _terms(self._monomial(monomial, k))])
+                return _sum(
+                    [term for monomial, k in ordered for term in terms_of(self._monomial(monomial, k))]
+                )
             case Split(parts):
                 keyed = sorted(parts, key=lambda part: min(map(self._term_key, part[0])))
-                return _sum([term for _, inner in keyed for term in _terms(self.tree(inner))])
+                return _sum([term for _, inner in keyed for term in terms_of(self.tree(inner))])
             case Taken(coefficient, monomial, sums):
                 return self._product(coefficient, monomial, sums)
 
@@ -62,7 +66,7 @@ class Writing:
             trig = ()
         front = tuple(part for part in monomial if part not in trig)
         parts = (self._monomial(front, coefficient), *factors, self._monomial(trig, 1))
-        return multiply(*(factor for part in parts for factor in _factors(part)))
+        return multiply(*(factor for part in parts for factor in factors_of(part)))
 
     def _holds_function(self, plan: Plan) -> bool:
         """Whether there is a sine or a root somewhere inside."""
@@ -119,7 +123,7 @@ def _sum(terms: list[Expr]) -> Expr:
 
 
 def _all_negative(expr: Expr) -> bool:
-    return all(map(is_negative, _terms(expr)))
+    return all(map(is_negative, terms_of(expr)))
 
 
 def opposite(expr: Expr) -> Expr:
@@ -131,11 +135,3 @@ def opposite(expr: Expr) -> Expr:
             if isinstance(factor, Sum) and any(map(is_negative, factor.terms)):
                 return multiply(*expr.factors[:place], opposite(factor), *expr.factors[place + 1 :])
     return negate(expr)
-
-
-def _terms(expr: Expr) -> tuple[Expr, ...]:
-    return expr.terms if isinstance(expr, Sum) else (expr,)
-
-
-def _factors(expr: Expr) -> tuple[Expr, ...]:
-    return expr.factors if isinstance(expr, Product) else (expr,)

@@ -15,6 +15,7 @@ from derive.expression import (
     Symbol,
     add,
     column,
+    factors_of,
     multiply,
 )
 from derive.kinds.problem import Problem
@@ -112,7 +113,7 @@ def observed_axes(source: Observed, number: int, parent: int) -> tuple[tuple[Exp
 def combination(axis: tuple[Expr, ...], parent: int) -> Expr:
     """A sum of multiples of the parent's axes."""
     axes = [Symbol(f"{letter}_{parent}") for letter in "xyz"]
-    return add(*(multiply(*_factors(part), unit) for part, unit in zip(axis, axes, strict=True)))
+    return add(*(multiply(*factors_of(part), unit) for part, unit in zip(axis, axes, strict=True)))
 
 
 def read_axes(T: Matrix, number: int, reference: int) -> tuple[tuple[Expr, Expr], ...]:
@@ -168,7 +169,3 @@ def _factor(move: Any) -> Indexed:
 
 def _plain(entry: Expr) -> bool:
     return isinstance(entry, Number)
-
-
-def _factors(expr: Expr) -> tuple[Expr, ...]:
-    return expr.factors if isinstance(expr, Product) else (expr,)

@@ -20,6 +20,7 @@ from derive.expression import (
     Sum,
     Symbol,
     add,
+    factors_of,
     is_negative,
     multiply,
     negate,
@@ -52,7 +53,7 @@ def _power(name: str, power: int) -> Expr:
 
 def _times(value: Expr, factors: Sequence[Expr]) -> Expr:
     """Numbers gathered in front, then letters and sums, the rates, and sines and cosines last."""
-    parts = _factors(value)
+    parts = factors_of(value)
     numbers = [part for part in parts if isinstance(part, Number)]
     whole = prod((part.value for part in numbers), start=Fraction(1))
     decimal = any(part.decimal for part in numbers)
@@ -64,10 +65,6 @@ def _times(value: Expr, factors: Sequence[Expr]) -> Expr:
 def _is_trig(expr: Expr) -> bool:
     inner = expr.base if isinstance(expr, Power) else expr
     return isinstance(inner, Call) and inner.function in ("cos", "sin")
-
-
-def _factors(expr: Expr) -> tuple[Expr, ...]:
-    return expr.factors if isinstance(expr, Product) else (expr,)
 
 
 def written_fraction(value: Scalar, problem: Problem) -> Expr:

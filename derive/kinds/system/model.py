@@ -17,10 +17,10 @@ from derive.errors import NotDerivable
 from derive.expression import (
     ONE,
     Expr,
-    Product,
     Quotient,
     Symbol,
     add,
+    factors_of,
     free_symbols,
     is_negative,
     multiply,
@@ -149,7 +149,7 @@ def _steps(answer: Answer) -> Iterator[Step]:
     for wired in answer.wired:
         each = wired.realised
         branches = [
-            multiply(*_factors(written(branch.num, style)), Symbol(start))
+            multiply(*factors_of(written(branch.num, style)), Symbol(start))
             for branch, start in zip(each.branches, wired.starts, strict=True)
         ]
         below = written(each.den, style)
@@ -165,10 +165,6 @@ def _steps(answer: Answer) -> Iterator[Step]:
 def _head(wired: Wired) -> str:
     """The block in front of the integrators; where there is none, what enters them."""
     return wired.stages[-1] if len(wired.stages) > wired.realised.integrators else wired.starts[0]
-
-
-def _factors(expr: Expr) -> tuple[Expr, ...]:
-    return expr.factors if isinstance(expr, Product) else (expr,)
 
 
 def _definitions(answer: Answer) -> dict[Expr, Expr]:

@@ -20,6 +20,7 @@ from derive.expression import (
     column,
     multiply,
     negate,
+    terms_of,
     transpose,
 )
 from derive.kinds.checks import agreement, law, links
@@ -84,19 +85,15 @@ def _rigid(M: Matrix, v: Matrix, g: Matrix, accelerations: list[Expr]) -> Matrix
     """The right-hand side without friction (n by 1)."""
     return Matrix(
         tuple(
-            (add(*map(multiply, row, accelerations), *_terms(v.rows[k][0]), *_terms(g.rows[k][0])),)
+            (add(*map(multiply, row, accelerations), *terms_of(v.rows[k][0]), *terms_of(g.rows[k][0])),)
             for k, row in enumerate(M.rows)
         )
     )
 
 
-def _terms(expr: Expr) -> tuple[Expr, ...]:
-    return expr.terms if isinstance(expr, Sum) else (expr,)
-
-
 def _sum(left: Matrix, right: Matrix) -> Matrix:
     pairs = zip(left.rows, right.rows, strict=True)
-    return Matrix(tuple((add(*_terms(a), *_terms(b)),) for (a,), (b,) in pairs))
+    return Matrix(tuple((add(*terms_of(a), *terms_of(b)),) for (a,), (b,) in pairs))
 
 
 def _torques(tau: Matrix, friction: Matrix | None) -> tuple[Step, ...]:

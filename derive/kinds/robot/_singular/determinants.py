@@ -15,9 +15,9 @@ from derive.expression import (
     Expr,
     Number,
     Power,
-    Product,
     Sum,
     add,
+    factors_of,
     is_negative,
     multiply,
     negate,
@@ -71,7 +71,7 @@ def product_tree(problem: Problem, det: Factored) -> Expr:
     constant = problem.readable(det.constant)
     if is_negative(constant):
         constant, sign = negate(constant), -sign
-    tree = multiply(*_factors(constant), *(f for each in front for f in _factors(each)), *sums)
+    tree = multiply(*factors_of(constant), *(f for each in front for f in factors_of(each)), *sums)
     return negate(tree) if sign < 0 else tree
 
 
@@ -94,16 +94,12 @@ def opposite(tree: Expr) -> Expr:
     return Sum((terms[first], *terms[:first], *terms[first + 1 :]))
 
 
-def _factors(tree: Expr) -> tuple[Expr, ...]:
-    return tree.factors if isinstance(tree, Product) else (tree,)
-
-
 def gram_determinant(problem: Problem, found: Sequence[Scalar], trees: Iterable[Expr]) -> Expr:
     """det(J J^T) or det(J^T J), whichever is smaller: the squares of the minors of full size (Cauchy and
     Binet; `trees` as they are written), or their sum multiplied out where it is shorter."""
     counted = Counter(map(_square, trees))
     squares = add(
-        *(square if n == 1 else multiply(number(n), *_factors(square)) for square, n in counted.items())
+        *(square if n == 1 else multiply(number(n), *factors_of(square)) for square, n in counted.items())
     )
     if sum(len(value.numerator) for value in found) > MOST_EXPANDED:
         return squares
@@ -113,7 +109,7 @@ def gram_determinant(problem: Problem, found: Sequence[Scalar], trees: Iterable[
 
 def _square(tree: Expr) -> Expr:
     """The square of a product, the sign dropped."""
-    factors = [f for f in _factors(tree) if f != MINUS_ONE]
+    factors = [f for f in factors_of(tree) if f != MINUS_ONE]
     return multiply(*(_squared(f) for f in factors))
 
 
