@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated, ClassVar, Literal
+from functools import partial
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import AfterValidator, Field
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
+from derive.algebra.numbers.floats import Point
 from derive.derivation import Derivation, PageFacts
 from derive.expression import ZERO, Expr, Indexed, Matrix, Product, Symbol, free_symbols, symbols, transpose
 from derive.kinds.evaluation import Evaluation
@@ -21,9 +23,10 @@ from derive.kinds.robot._velocity.task import RowName
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.jacobian import halves
+from derive.mechanics.oracle import Oracle
 from derive.mechanics.poses import rotation_part, skew
 from derive.mechanics.robot import Robot
-from derive.mechanics.task import rows_of
+from derive.mechanics.task import ROWS, rows_of
 
 RESULTS = {"J": "6 by n, linear rows first; only the `rows` asked for, in their order"}
 EXAMPLE = """\
@@ -96,7 +99,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.agrees(
         "differences",
         problem.symbols.union(*map(free_symbols, point.offset)),
-        value,
+        work[J],
         lambda at: oracle.jacobian(at, point.frame, point.offset),
         DIFFERENCES,
     )
@@ -120,8 +123,26 @@ def _restated(options: Options, problem: Problem) -> Derivation:
     if options.rows:
         head, value = Indexed("J", tuple(map(Symbol, options.rows))), rows_of(value, options.rows)
         work = work.line(head, value=value, rule="rows", label="rows")
-    work, facts = work.closed(head), Facts(restated=True)
-    return work.answer("jacobian", {"J": work.steps[-1].result}, facts, matrices=frozenset({"J"}))
+    work = work.closed(head)
+    result = {"J": work.steps[-1].result}
+    work = work.agrees(
+        "differences",
+        problem.symbols.union(*map(free_symbols, point.offset)),
+        result["J"],
+        partial(_by_differences, oracle_of(problem), point, options),
+        DIFFERENCES,
+    )
+    return work.answer("jacobian", result, Facts(restated=True), matrices=frozenset(result))
+
+
+def _by_differences(oracle: Oracle, point: Tracked, options: Options, at: Point) -> Any:
+    """J in numbers, in the frame and with the rows asked for."""
+    J_now: Any = oracle.jacobian(at, point.frame, point.offset)
+    if options.frame == "tool":
+        carried = point.frame <= len(oracle.robot.links)
+        R = (oracle.poses(at)[point.frame] if carried else oracle.tool(at))[:3, :3]
+        J_now = [*(R.T @ J_now[:3]), *(R.T @ J_now[3:])]
+    return [J_now[ROWS.index(row)] for row in options.rows or ROWS]
 
 
 def _rotation(found: Chain, point: Tracked) -> Symbol:

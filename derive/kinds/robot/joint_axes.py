@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
-from derive.algebra.numbers.floats import Point
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.numbers.floats import Point, numbers
 from derive.derivation import Derivation
+from derive.expression import Expr
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import axis_lines, chain_of, oracle_of, pose_name
@@ -44,12 +47,22 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = axis_lines(frames, found)
     if found.coupling:
         work = motion_lines(work, found.coupling)
-    for i in range(1, last):
-        route = partial(_pose, oracle_of(problem), i)
-        work = work.agrees("poses-composed", problem.symbols, found.T[i], route, frame=i)
     axes = work.steps[len(frames.steps) :]
-    return work.answer("joint-axes", {s.name: problem.final(s.result) for s in axes if s.rule != "law"})
+    results = {s.name: problem.final(s.result) for s in axes if s.rule != "law"}
+    columns = {name: value for name, value in results.items() if name[0] in "zo"}
+    for i in range(1, last):
+        told = columns if i == 1 else {}  # all of them once, as they are printed
+        ours = partial(_told, found.T[i], told)
+        route = partial(_composed, oracle_of(problem), i, tuple(told))
+        work = work.agrees("poses-composed", problem.symbols, ours, route, frame=i)
+    return work.answer("joint-axes", results)
 
 
-def _pose(oracle: Oracle, i: int, at: Point) -> Any:
-    return oracle.poses(at)[i]
+def _told(T: ScalarMatrix, columns: Mapping[str, Expr], at: Point) -> list[Any]:
+    return [numbers(T, at), *(numbers(column, at) for column in columns.values())]
+
+
+def _composed(oracle: Oracle, i: int, columns: tuple[str, ...], at: Point) -> list[Any]:
+    """The pose of frame i, and z_k and o_k of others: their third and fourth columns."""
+    poses = oracle.poses(at)
+    return [poses[i], *(poses[int(name[2:])][:3, 2 if name[0] == "z" else 3] for name in columns)]
