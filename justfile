@@ -1,11 +1,14 @@
 # What can be done with this repository.
 
+_list:
+    @just --list
+
 # Install for work on it
 install:
     python3 -m pip install -e '.[test]'
 
 # Everything CI checks
-check: lint types layers test
+check: lint types imports test
 
 lint:
     ruff check . && ruff format --check .
@@ -16,7 +19,7 @@ format:
 types:
     mypy
 
-layers:
+imports:
     lint-imports
 
 test:
@@ -26,9 +29,13 @@ test:
 lowest *tests:
     .ci/lowest {{tests}}
 
-# Rebuild the golden pages after a change that is meant
-golden:
-    pytest tests/test_golden.py --update-golden
+# Begin a new kind of question, and end it once it is filled in: just new-kind robot pseudo-inverse
+new-kind subject kind:
+    python3 -m scaffold {{subject}} {{kind}}
+
+# Rebuild the golden pages after a change that is meant; of some sheets: just golden -k week3
+golden *options:
+    pytest tests/test_golden.py --update-golden {{options}}
 
 # Every sheet in every format
 sheets:

@@ -7,7 +7,7 @@ end.
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
-from derive.algebra.numbers.floats import matrix_numbers, numbers, scalar_number
+from derive.algebra.numbers.floats import Point, matrix_numbers, numbers, scalar_number
 from derive.algebra.scalar import Scalar
 from derive.derivation import Branch, Claim, Derivation, PageFacts, Plot, Record, Step, Table
 from derive.errors import NotDerivable
@@ -31,6 +31,7 @@ from derive.expression import (
     multiply,
     negate,
     number,
+    replace,
     sin,
     sqrt,
     squared,
@@ -42,7 +43,7 @@ from derive.kinds.checks import agreement, close, is_rotation, law, links, rando
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import NoOptions, OptionsModel, Quantity
 from derive.kinds.problem import Problem
-from derive.kinds.work import Work
+from derive.kinds.work import Work, as_matrix
 from derive.names import free, named
 
 __all__ = [
@@ -62,6 +63,7 @@ __all__ = [
     "OptionsModel",
     "PageFacts",
     "Plot",
+    "Point",
     "Power",
     "Problem",
     "Product",
@@ -77,6 +79,7 @@ __all__ = [
     "Work",
     "add",
     "agreement",
+    "as_matrix",
     "close",
     "column",
     "cos",
@@ -94,6 +97,7 @@ __all__ = [
     "number",
     "numbers",
     "random_points",
+    "replace",
     "scalar_number",
     "sin",
     "sqrt",
