@@ -23,7 +23,8 @@ TRIED = 10**4
 
 @lru_cache(maxsize=256)
 def square_root(value: Fraction) -> Scalar:
-    """The root of a number that is not negative; one generator for each prime below it."""
+    """The root of a number, with one generator for each prime below it. Raises NotReal where the number is
+    negative."""
     if value < 0:
         raise NotReal(f"the square root of {value} is not real")
     if value == 0:
@@ -36,12 +37,12 @@ def square_root(value: Fraction) -> Scalar:
 
 
 def added(a: Pair, b: Pair) -> Pair:
-    """Of the sum of two angles, by the addition theorem."""
+    """The pair of the sum of two angles, by the addition theorem."""
     return a[0] * b[0] - a[1] * b[1], a[1] * b[0] + a[0] * b[1]
 
 
 def multiple(pair: Pair, n: int) -> Pair:
-    """Of n times the angle."""
+    """The pair of n times the angle."""
     base = pair if n >= 0 else (pair[0], -pair[1])
     return reduce(added, [base] * abs(n), (Scalar.of(1), Scalar.of(0)))
 
@@ -68,9 +69,8 @@ def with_offset(form: Form) -> Form:
 def fixed_trig(turns: Fraction) -> Pair:
     """(cosine, sine) of `turns * pi`: with square roots for multiples of 15 degrees.
 
-    Any other fixed angle becomes a generator pair of its own, of which its ring knows c^2 + s^2 = 1
-    only; what else holds between fixed angles, and between them and roots, `fixed_angles.zero_test` knows and
-    `==` asks there.
+    Any other fixed angle becomes a generator pair of its own, of which its ring knows c^2 + s^2 = 1 only;
+    what else holds between fixed angles and roots, `fixed_angles.zero_recognition` knows.
     """
     return _fifteenths(int(12 * turns) % 24) if _simple(turns) else trig(Form.of({PI: turns}))
 

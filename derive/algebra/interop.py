@@ -28,10 +28,8 @@ FUNCTIONS = ("cos", "sin", "tan", "acos", "asin", "atan", "atan2", "exp", "log",
 
 
 def to_sympy(value: Expr | Scalar) -> Any:
-    """A tree or a normal form as a SymPy expression (a matrix as an ImmutableMatrix); names are real symbols.
-
-    Raises NotDerivable for what has no value of its own, such as an indexed name.
-    """
+    """A tree or a normal form as a SymPy expression (a matrix as an ImmutableMatrix of its shape), its names
+    real symbols. Raises NotDerivable for what has no value of its own, such as an indexed name."""
     if isinstance(value, Scalar):
         value = readable(value, Style())
     return fold(value, _SymPy())

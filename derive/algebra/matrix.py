@@ -19,7 +19,7 @@ class ScalarMatrix:
 
     @staticmethod
     def of(rows: Iterable[Iterable[Like]]) -> ScalarMatrix:
-        """From entries of any rings; they are brought into one."""
+        """The matrix of rows of entries of any rings, brought into one."""
         scalars = [[Scalar.of(entry) for entry in row] for row in rows]
         home = common_ring(entry for row in scalars for entry in row)
         if all(entry.ring is home for row in scalars for entry in row):
@@ -65,7 +65,7 @@ class ScalarMatrix:
 
     @property
     def entries(self) -> tuple[Scalar, ...]:
-        """Every entry, row by row."""
+        """Every entry, row by row: rows times columns of them."""
         return tuple(entry for row in self.rows for entry in row)
 
     @property
@@ -148,8 +148,8 @@ class ScalarMatrix:
         return ScalarMatrix(tuple(row[:j] + row[j + 1 :] for row in kept))
 
     def det(self) -> Scalar:
-        """The determinant of a square matrix, by minors of growing size: no division, each minor computed
-        once."""
+        """The determinant of a square matrix by Laplace expansion over growing minors: no division, each
+        minor once."""
         n = self.shape[0]
         minors: dict[tuple[int, ...], Scalar] = {(): Scalar(self.ring, self.ring.one)}
         for size in range(1, n + 1):

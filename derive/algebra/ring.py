@@ -291,7 +291,7 @@ def images(source: Ring, target: Ring) -> tuple[fmpq_mpoly, ...] | None:
 
 
 def carry(polynomial: fmpq_mpoly, source: Ring, target: Ring) -> fmpq_mpoly:
-    """The same element in a larger ring."""
+    """The same element in a larger ring. Raises ValueError where that cannot hold it."""
     if source is target:
         return polynomial
     if not polynomial:

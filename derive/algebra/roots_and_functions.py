@@ -33,8 +33,8 @@ AT = {"exp": (0, 1), "log": (1, 0), "atan": (0, 0), "asin": (0, 0), "acos": (1, 
 
 
 def root(of: Scalar) -> Scalar:
-    """The square root. Squares come out as absolute values, 1 - cos^2 as that of a sine; sqrt(p/q) is
-    sqrt(p q)/|q|."""
+    """The square root, which is not negative: squares come out as absolute values, 1 - cos^2 as that of a
+    sine, and sqrt(p/q) is sqrt(p q)/|q|. Raises NotReal for a negative number."""
     if of.constant is not None:
         return square_root(of.constant)
     if of.denominator is not None:
@@ -51,7 +51,7 @@ def root(of: Scalar) -> Scalar:
 
 
 def absolute(of: Scalar) -> Scalar:
-    """|of|, each factor's as the root of its square; numbers come out, and sums of squares are their own."""
+    """|of|, each factor's as the root of its square. Numbers come out; a sum of squares is its own."""
     if of.denominator is not None:
         return absolute(Scalar(of.ring, of.numerator)) / absolute(Scalar(of.ring, of.denominator))
     sign = _sign(of)
@@ -73,7 +73,8 @@ def _irreducible(of: Scalar) -> Scalar:
 
 
 def opaque(function: str, arguments: tuple[Scalar, ...]) -> Scalar:
-    """A function the normal form knows nothing about: equal where its arguments are."""
+    """A function that the normal form keeps as a generator, equal where its arguments are; exp(0) and its
+    like have their values."""
     if function in AT and arguments[0].constant == AT[function][0]:
         return Scalar.of(AT[function][1])
     return Scalar.symbol(_named(function, arguments))
@@ -132,7 +133,8 @@ def _root_of_rest(inside: Scalar) -> Scalar:
 
 
 def generator(function: str, arguments: tuple[Scalar, ...], inside: Scalar, degree: int = 2) -> Scalar:
-    """A new outermost root, whose power of this degree is what is inside."""
+    """The root of this degree of `inside`, as a new generator outside all others, named after the
+    function."""
     name = _named(function, arguments)
     home = inside.ring.with_root(Root(name, inside.ring.terms(inside.numerator), degree))
     return Scalar(home, home.gen(name))

@@ -194,7 +194,7 @@ def _constant(value: int | Fraction) -> Scalar:
 
 
 def trig(form: Form) -> tuple[Scalar, Scalar]:
-    """(cosine, sine) of a form, each a polynomial of its own ring."""
+    """(cosine, sine) of a form, polynomials of a ring that is made for it."""
     home = ring().with_angle(form)
     pair = home.trig(form)
     if pair is None:
@@ -204,10 +204,10 @@ def trig(form: Form) -> tuple[Scalar, Scalar]:
 
 def angle_of(form: Form) -> Scalar:
     """The angle that a form stands for."""
-    return sum((atom_of(atom) * n for atom, n in form.parts), Scalar.of(0))
+    return sum((_atom_of(atom) * n for atom, n in form.parts), Scalar.of(0))
 
 
-def atom_of(atom: str) -> Scalar:
+def _atom_of(atom: str) -> Scalar:
     """What an atom of a form stands for."""
     if isinstance(atom, Opaque):
         return Scalar.of(atom.arguments[0])
@@ -223,7 +223,7 @@ def fraction(home: Ring, top: fmpq_mpoly, bottom: fmpq_mpoly | None) -> Scalar:
 
 
 def common_ring(scalars: Iterable[Scalar]) -> Ring:
-    """The smallest ring built from those of the scalars, in their order."""
+    """The smallest ring that holds all the scalars, its generators in their order."""
     rings = dict.fromkeys(scalar.ring for scalar in scalars)
     return reduce(Ring.union, rings, ring())
 

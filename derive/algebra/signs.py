@@ -12,7 +12,8 @@ from derive.algebra.scalar import Scalar
 
 
 def sign_of(value: Scalar, positive: Collection[str] = ()) -> int | None:
-    """1, -1 or 0; None where it is not known. `positive` are symbols known to be positive."""
+    """1, -1 or 0 where all terms have one known sign; else None. `positive` are the symbols known to be
+    positive."""
     if not value:
         return 0
     top = _sign(value.numerator, value.ring, positive)
@@ -35,7 +36,7 @@ def _sign(polynomial: fmpq_mpoly, home: Ring, positive: Collection[str]) -> int 
 
 
 def signed(value: Scalar, positive: Collection[str]) -> Scalar:
-    """With |x| replaced by x where x is known to be positive."""
+    """The same value with |x| replaced by x or -x where the sign of x is known."""
     home = value.ring
     for place, root in enumerate(home.roots):
         if root.name.startswith("abs("):

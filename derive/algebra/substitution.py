@@ -29,7 +29,7 @@ def pinned(value: Scalar, name: str, at: Pair | Scalar) -> Scalar:
 
 
 def pinned_matrix(matrix: ScalarMatrix, name: str, at: Pair | Scalar) -> ScalarMatrix:
-    """Entry by entry."""
+    """The matrix with every entry so. Raises what `pinned` raises."""
     return ScalarMatrix.of([pinned(entry, name, at) for entry in row] for row in matrix.rows)
 
 

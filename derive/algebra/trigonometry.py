@@ -64,23 +64,16 @@ def _whole(part: Scalar) -> Opaque[Scalar]:
     return Opaque(canonical(part), ITSELF, (part,))
 
 
-def of_direction(y: Scalar, x: Scalar) -> Pair:
-    """(cosine, sine) of atan2(y, x)."""
+def _of_direction(y: Scalar, x: Scalar) -> Pair:
+    """(cosine, sine) of atan2(y, x): x and y over their length. Raises DivisionByZero where both vanish."""
     length = root(x * x + y * y)
     return x / length, y / length
 
 
-def of_cosine(c: Scalar) -> Pair:
-    """(cosine, sine) of acos(c)."""
-    return c, root(1 - c * c)
-
-
-def of_sine(s: Scalar) -> Pair:
-    """(cosine, sine) of asin(s)."""
-    return root(1 - s * s), s
-
-
+# (cosine, sine) of inverse functions, from their arguments.
 RESOLVED: Mapping[str, Callable[..., Pair]] = {
-    "atan2": of_direction, "atan": lambda slope: of_direction(slope, Scalar.of(1)), "acos": of_cosine,
-    "asin": of_sine,
-}  # fmt: skip
+    "atan2": _of_direction,
+    "atan": lambda slope: _of_direction(slope, Scalar.of(1)),
+    "acos": lambda c: (c, root(1 - c * c)),
+    "asin": lambda s: (root(1 - s * s), s),
+}

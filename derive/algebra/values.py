@@ -45,7 +45,8 @@ def times(left: Value, right: Value) -> Value:
 
 
 def raised(base: Value, power: int) -> Value:
-    """An integer power of a scalar or a square matrix."""
+    """An integer power of a scalar or a square matrix. Raises ZeroDivisionError for a negative one of what
+    has no inverse."""
     if isinstance(base, Scalar):
         return base**power
     if power < 0:

@@ -49,7 +49,7 @@ def number_places(home: Ring) -> frozenset[int]:
 
 
 def ball(number: fmpq_mpoly, home: Ring) -> arb:
-    """The value of a polynomial in generators that are numbers."""
+    """The value of a polynomial in generators that are numbers, with 192 bits."""
     with ctx.workprec(BITS):
         return ball_at(number, _values(home).__getitem__)
 

@@ -31,7 +31,8 @@ class Doubt(NamedTuple):
 
 
 def doubtful_angle(text: str, tree: Expr) -> Doubt | None:
-    """A bare number where an angle belongs: beyond a whole turn, or beside a simple multiple of pi."""
+    """What is doubtful about a bare number where an angle belongs: beyond a whole turn, or beside a simple
+    multiple of pi; None where nothing is."""
     value = rational(tree)
     if value is None or any(token.text == "rad" for token in tokens(text)):
         return None
@@ -53,7 +54,7 @@ def _rounded_from(value: Fraction) -> int:
 
 
 def words_like_units(text: str) -> list[Doubt]:
-    """Lower-case words directly behind a number which are no units: `3 furlong`, `30 cms`."""
+    """A doubt for each lower-case word directly behind a number which is no unit: `3 furlong`, `30 cms`."""
     found = tokens(text)
     return [
         _unit_like(word)

@@ -62,7 +62,7 @@ def summed(left: Quantity, right: Quantity, at: int) -> Quantity:
 
 
 def multiplied(left: Quantity, right: Quantity, at: int) -> Quantity:
-    """left * right, a product of products written as one."""
+    """left * right, a product of products written as one. Raises FormulaError where it is too large."""
     first = left.expr.factors if isinstance(left.expr, Product) else (left.expr,)
     dimension = _combined(left.dimension, right.dimension, 1)
     return _joined(
@@ -105,7 +105,8 @@ def negated(quantity: Quantity) -> Quantity:
 
 
 def called(function: str, arguments: tuple[Quantity, ...], at: int) -> Quantity:
-    """function(arguments). Raises FormulaError where an argument has an impossible dimension."""
+    """function(arguments). Raises FormulaError where an argument has an impossible dimension or no value is
+    real."""
     if function in TRIGONOMETRIC and not agree(arguments[0].dimension or PLAIN, ANGLE):
         raise FormulaError(
             f"{function} of {spoken(arguments[0].dimension or PLAIN)}", at, "an angle is wanted"

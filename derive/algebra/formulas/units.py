@@ -91,7 +91,7 @@ LETTERS = frozenset(name for name in UNITS if len(name) == 1)
 
 
 def compound(parts: Iterable[tuple[str, int]]) -> Unit:
-    """The unit made of named units raised to powers, as `[("m", 1), ("s", -2)]`."""
+    """The unit made of named units raised to powers, as `[("m", 1), ("s", -2)]`. Raises KeyError."""
     dimension, size, degrees = PLAIN, Fraction(1), 0
     for name, exponent in parts:
         unit = UNITS[name]

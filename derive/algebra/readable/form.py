@@ -104,7 +104,7 @@ class Reading:
         yield terms_of(scalar, alphabet)
         if len(polynomial) > MOST_REBASED or not _related(scalar):
             return
-        for angles in other_bases(home.angles):
+        for angles in _other_bases(home.angles):
             if _expanded(scalar, angles) <= MOST_EXPANDED:
                 yield terms_of(scalar.into(ring(home.roots, angles, home.symbols)), alphabet)
 
@@ -133,15 +133,15 @@ def _related(scalar: Scalar) -> bool:
 
 
 @lru_cache(maxsize=256)
-def other_bases(angles: tuple[Form, ...]) -> tuple[tuple[Form, ...], ...]:
+def _other_bases(angles: tuple[Form, ...]) -> tuple[tuple[Form, ...], ...]:
     """Single angles; and for sums that begin with the same angle, the sums without it. Each angle keeps what
     is fixed in it."""
     fixed = tuple(form for form in angles if not form.moving.parts)
     moving = tuple(form for form in angles if form.moving.parts)
-    return tuple((*basis, *fixed) for basis in _other_moving_bases(moving))
+    return tuple((*basis, *fixed) for basis in _moving_bases(moving))
 
 
-def _other_moving_bases(angles: tuple[Form, ...]) -> tuple[tuple[Form, ...], ...]:
+def _moving_bases(angles: tuple[Form, ...]) -> tuple[tuple[Form, ...], ...]:
     atoms = sorted({atom for form in angles for atom, _ in form.moving.parts})
     if len(atoms) != len(angles):
         return ()

@@ -187,7 +187,8 @@ class Alphabet:
 
 
 def terms_of(scalar: Scalar, alphabet: Alphabet) -> Terms:
-    """The numerator's terms."""
+    """The terms of a scalar's numerator over the atoms of an alphabet. Raises NotDerivable where reading them
+    takes more work than an answer may."""
     spend(A_TERM_READ * len(scalar.numerator))
     home = scalar.ring
     used = [i for i, degree in enumerate(scalar.numerator.degrees()) if degree > 0]

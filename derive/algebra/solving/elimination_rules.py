@@ -57,7 +57,7 @@ def proportional(left: Scalar, right: Scalar) -> bool:
 
 
 def by_given(first: Scalar | None, equations: list[Equation], unknowns: tuple[str, ...]) -> Moved | None:
-    """The equation of the case itself, where it gives an unknown; before anything else is split."""
+    """The equation of the case itself, where it gives an unknown; it comes before anything else is split."""
     if first is None:
         return None
     for place, equation in enumerate(equations):
@@ -72,7 +72,7 @@ def by_given(first: Scalar | None, equations: list[Equation], unknowns: tuple[st
 
 
 def by_squares(equations: list[Scalar]) -> Moved | None:
-    """x^2 + y^2 = 0."""
+    """An equation x^2 + y^2 = 0 as x = 0 and y = 0."""
     for equation in equations:
         if len(equation.numerator) > 1 and sign_of(equation) is not None:
             rest = [each for each in equations if each is not equation]

@@ -61,7 +61,7 @@ def factored(scalar: Scalar, names: Iterable[str]) -> Factored:
     if not scalar or not depends(scalar, names):
         return Factored(scalar, ())
     halves = half_angles(home, names)
-    _, found = halves.factors(halves.of(scalar.numerator))
+    found = halves.factors(halves.of(scalar.numerator))
     moving = [(primitive(Scalar(home, part)), power) for part, power in _whole(halves, found)]
     factors = tuple((part, power) for part, power in moving if depends(part, names))
     product = reduce(mul, (part**power for part, power in factors), Scalar.of(1))
@@ -72,13 +72,14 @@ def factored(scalar: Scalar, names: Iterable[str]) -> Factored:
 
 
 def common_factor(scalars: Sequence[Scalar], names: Iterable[str]) -> tuple[Scalar, list[Scalar]]:
-    """(factor, quotients): the greatest polynomial that divides them all; none of them a fraction."""
+    """(factor, quotients): the greatest polynomial that divides all the scalars, none of which may be a
+    fraction."""
     home = common_ring(scalars)
     spend(A_HALF_ANGLE * sum(effort(scalar.into(home), names) for scalar in scalars))
     halves = half_angles(home, names)
     several = [halves.of(scalar.into(home).numerator) for scalar in scalars]
     shared = halves.common([each for each in several if each.part != 0])
-    _, found = halves.factors(shared)
+    found = halves.factors(shared)
     number = Halved(halves.context.constant(1), tuple(0 for _ in halves.places))
     even = reduce(mul, (part**power for part, power in _pairs(halves, found)), number)
     rest = [each // even if each.part != 0 else each for each in several]
@@ -87,7 +88,7 @@ def common_factor(scalars: Sequence[Scalar], names: Iterable[str]) -> tuple[Scal
 
 
 def primitive_column(column: ScalarMatrix, names: Iterable[str]) -> ScalarMatrix:
-    """The same direction without fractions and without a common factor. Raises TooLong."""
+    """A column (n by 1) of the same direction, without fractions and common factors. Raises TooLong."""
     column = ScalarMatrix.of(column.rows)
     below = [entry.denominator for entry in column.entries if entry.denominator is not None]
     multiple = reduce(_least_multiple, below, column.ring.one)
@@ -103,7 +104,7 @@ def primitive_column(column: ScalarMatrix, names: Iterable[str]) -> ScalarMatrix
 
 
 def primitive(scalar: Scalar) -> Scalar:
-    """Without its numerical content."""
+    """The scalar over the greatest number that leaves whole coefficients."""
     numbers = scalar.numerator.coeffs()
     content = numbers[0] if len(numbers) == 1 else to_flint(measure(map(as_fraction, numbers)))
     return Scalar(scalar.ring, scalar.numerator / content)

@@ -13,8 +13,9 @@ BASIS_LIMITS = (40, 120, 600)  # polynomials, terms, bits
 
 
 def groebner(equations: Sequence[Scalar], unknowns: tuple[str, ...]) -> list[Scalar] | None:
-    """The reduced basis for the lexicographic order of the unknowns, parameters last; None where it is
-    out of reach or says nothing new."""
+    """The reduced Groebner basis (Cox, Little and O'Shea, Ideals, Varieties, and Algorithms, chapter 2) for
+    the lexicographic order of the unknowns, parameters last; None where it is out of reach or says nothing
+    new."""
     homes = [each.ring for each in equations]
     if any(home.roots or home.angles for home in homes):
         return None

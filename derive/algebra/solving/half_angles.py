@@ -56,7 +56,7 @@ class HalfAngles:
         return fmpq_mpoly_ctx.get((*(f"t{k}" for k in self.places), *self.home.names), Ordering.lex)
 
     def of(self, polynomial: fmpq_mpoly) -> Halved:
-        """A polynomial of the ring, homogeneous in each pair."""
+        """A polynomial of the ring made homogeneous of even degree in each pair."""
         places = [place for k in self.places for place in self.home.pair_index(k)]
         found = [
             (list(zip(powers[::2], powers[1::2], strict=True)), rest)  # of cosine and sine of each angle
@@ -84,43 +84,29 @@ class HalfAngles:
             total = total + term
         return self.home.reduce(total)
 
-    def tangent(self, k: int) -> Halved:
-        """u of the k-th angle."""
-        return Halved(self.context.gen(k), self._unit(k))
-
-    def cotangent(self, k: int) -> Halved:
-        """v of the k-th angle: 1, of degree one."""
-        return Halved(self.context.constant(1), self._unit(k))
-
     def common(self, several: Sequence[Halved]) -> Halved:
         """The greatest common factor, the powers of v included."""
         part = reduce(lambda a, b: a.gcd(b), (each.part for each in several))
-        spare = [min(each.degrees[k] - self._degree(each, k) for each in several) for k in self._counted]
-        return Halved(part, tuple(self._along(part, k) + spare[k] for k in self._counted))
+        spare = map(min, zip(*(_powers_of_v(each) for each in several), strict=True))
+        return Halved(part, tuple(int(n) + more for n, more in zip(part.degrees(), spare, strict=False)))
 
-    def factors(self, halved: Halved) -> tuple[object, list[tuple[Halved, int]]]:
-        """(number, irreducible factors with their powers); u^2 + v^2 = 1 is left out."""
-        number, found = factored(halved.part)
-        factors = []
-        for part, power in found:
-            if any(part == self._one(k) for k in self._counted):
-                continue
-            factors.append((Halved(part, tuple(self._along(part, k) for k in self._counted)), int(power)))
-        for k in self._counted:
-            spare = halved.degrees[k] - self._degree(halved, k)
+    def factors(self, halved: Halved) -> list[tuple[Halved, int]]:
+        """The irreducible factors with their powers, but for numbers; u^2 + v^2 = 1 is left out."""
+        ones = [self.context.gen(k) ** 2 + 1 for k in self._counted]
+        factors = [
+            (Halved(part, tuple(map(int, part.degrees()[: len(ones)]))), power)
+            for part, power in factored(halved.part)[1]
+            if part not in ones
+        ]
+        for k, spare in enumerate(_powers_of_v(halved)):
             if spare:
-                factors.append((self.cotangent(k), spare))
-        return number, factors
+                v = Halved(self.context.constant(1), tuple(int(i == k) for i in self._counted))
+                factors.append((v, spare))
+        return factors
 
     @property
     def _counted(self) -> range:
         return range(len(self.places))
-
-    def _one(self, k: int) -> fmpq_mpoly:
-        return self.context.gen(k) ** 2 + 1
-
-    def _unit(self, k: int) -> tuple[int, ...]:
-        return tuple(int(i == k) for i in self._counted)
 
     def _power(self, k: int, cosines: int, sines: int, degree: int) -> fmpq_mpoly:
         """c^cosines s^sines of an angle, made of this degree by powers of 1 = u^2 + v^2."""
@@ -128,18 +114,17 @@ class HalfAngles:
         return (1 - t**2) ** int(cosines) * (2 * t) ** int(sines) * (1 + t**2) ** ones
 
     @staticmethod
-    def _along(part: fmpq_mpoly, k: int) -> int:
-        return int(part.degrees()[k])
-
-    def _degree(self, halved: Halved, k: int) -> int:
-        return self._along(halved.part, k)
-
-    @staticmethod
     def _whole(c: fmpq_mpoly, s: fmpq_mpoly, power: int, degree: int) -> fmpq_mpoly:
         """u^power v^(degree - power), the degree even."""
         odd = power % 2
         squares_of_u, squares_of_v = (power - odd) // 2, (degree - power - odd) // 2
         return ((1 - c) / 2) ** squares_of_u * ((1 + c) / 2) ** squares_of_v * (s / 2) ** odd
+
+
+def _powers_of_v(halved: Halved) -> list[int]:
+    """By how much each degree is more than that of the part in t."""
+    degrees = halved.part.degrees()
+    return [degree - int(degrees[k]) for k, degree in enumerate(halved.degrees)]
 
 
 def half_angles(home: Ring, names: Iterable[str]) -> HalfAngles:

@@ -73,7 +73,8 @@ class Case:
 
 
 def solve(equations: Iterable[Scalar], unknowns: Sequence[str], positive: Collection[str] = ()) -> Case:
-    """Every real solution. Raises NotDerivable where it is out of reach."""
+    """Every real solution of equations that are to vanish, case by case; `positive` are names known to be
+    positive. Raises NotDerivable where they are out of reach."""
     return _Solver(tuple(positive)).case(None, _State(tuple(equations), tuple(unknowns)))
 
 

@@ -16,17 +16,18 @@ from derive.errors import NotDerivable
 
 
 def holds(value: Scalar, names: Collection[str]) -> bool:
-    """Whether any of the names occurs."""
+    """Whether a generator with one of the names occurs."""
     return any(name in names for name in value.generators())
 
 
 def numerator(value: Scalar) -> Scalar:
-    """What vanishes where the value does."""
+    """The polynomial above the line: what vanishes where the value does."""
     return Scalar(value.ring, value.numerator)
 
 
 def coefficients(polynomial: Scalar, name: str) -> list[Scalar]:
-    """Those of the powers of one symbol, the constant term first; no trailing zeros."""
+    """What stands before each power of one symbol, the constant term first and the last one not zero; of zero
+    [0]."""
     home = polynomial.ring
     place = home.index.get(name)
     if place is None:
@@ -50,7 +51,7 @@ def factors(polynomial: Scalar, names: Collection[str]) -> list[Scalar]:
 
 
 def degree(polynomial: Scalar, names: Collection[str]) -> int:
-    """The total degree in the names."""
+    """The total degree in the names; 0 for zero."""
     places = [i for i, name in enumerate(polynomial.ring.names) if name in names]
     powers = polynomial.numerator.to_dict()
     return max((sum(int(exponents[i]) for i in places) for exponents in powers), default=0)
@@ -117,7 +118,8 @@ def odd_part(value: Scalar, positive: Collection[str] = ()) -> Scalar:
 
 
 def ball(value: Scalar, at: Mapping[str, arb]) -> arb:
-    """The value in ball arithmetic: an interval that certainly holds it. Raises KeyError."""
+    """The value in ball arithmetic, an interval that certainly holds it. Raises KeyError where a symbol has
+    none."""
     home, used = value.ring, set(value.generators())
     known: dict[str, arb] = {name: at[name] for name in home.symbols if name in used}
     for root in reversed(home.roots):
@@ -129,5 +131,5 @@ def ball(value: Scalar, at: Mapping[str, arb]) -> arb:
 
 
 def rational(value: Scalar) -> Fraction | None:
-    """A number without symbols and roots; None for anything else."""
+    """The value of a number without symbols and roots; None for anything else."""
     return value.constant if value else Fraction(0)

@@ -38,7 +38,8 @@ class RealRoot:
 
 
 def real_roots(polynomial: Sequence[Scalar | arb], positive: Collection[str] = ()) -> list[RealRoot]:
-    """Of coefficients, the constant term first. Raises NotDerivable for what neither way reaches."""
+    """The real roots of a polynomial, given by its coefficients with the constant term first. Raises
+    NotDerivable where neither square roots nor enclosing reaches them."""
     if any(isinstance(k, arb) for k in polynomial):
         return _of_balls([ball(k, {}) if isinstance(k, Scalar) else k for k in polynomial])
     exact = [k for k in polynomial if isinstance(k, Scalar)]

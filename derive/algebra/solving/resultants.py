@@ -12,8 +12,9 @@ MOST = 20_000  # terms of the one times those of the other, times their degrees
 
 
 def resultant(one: Scalar, two: Scalar, name: str) -> Scalar | None:
-    """What vanishes wherever both do for some value of the name: their resultant, in the tangent of half an
-    angle. None where it would be out of all proportion."""
+    """The resultant of two polynomials by one variable (Cox, Little and O'Shea, Ideals, Varieties, and
+    Algorithms, chapter 3), for an angle in the tangent of its half: it vanishes wherever both do for some
+    value of the name. None where it would be out of all proportion."""
     one, two = in_single_angles(one), in_single_angles(two)
     home = common_ring((one, two))
     p, q = one.into(home).numerator, two.into(home).numerator

@@ -29,7 +29,8 @@ class Eliminated:
 
 
 def eliminated(matrix: ScalarMatrix) -> Eliminated:
-    """By the shortest pivot of each column. Raises TooLong."""
+    """The reduced row echelon form, by the shortest pivot of each column. Raises TooLong where an entry
+    outgrows what anyone reads."""
     rows = [list(row) for row in matrix.rows]
     pivots: list[int] = []
     for column in range(matrix.shape[1]):
@@ -52,12 +53,13 @@ def eliminated(matrix: ScalarMatrix) -> Eliminated:
 
 
 def rank(matrix: ScalarMatrix) -> int:
-    """At a general point."""
+    """The rank at a general point. Raises TooLong."""
     return eliminated(matrix).rank
 
 
 def null_space(matrix: ScalarMatrix, names: Iterable[str]) -> tuple[ScalarMatrix, ...]:
-    """A basis of the columns x with matrix @ x = 0, without fractions; `names` are the joint variables."""
+    """A basis of the columns x (n by 1) with matrix @ x = 0, without fractions; `names` are the joint
+    variables. Raises TooLong."""
     found = eliminated(matrix)
     names = tuple(names)
     free = [j for j in range(matrix.shape[1]) if j not in found.pivots]
@@ -65,7 +67,7 @@ def null_space(matrix: ScalarMatrix, names: Iterable[str]) -> tuple[ScalarMatrix
 
 
 def column_space(matrix: ScalarMatrix, names: Iterable[str]) -> tuple[ScalarMatrix, ...]:
-    """A basis of the range, without common factors: the columns of the pivots."""
+    """A basis of the range: the columns (m by 1) of the pivots, without common factors. Raises TooLong."""
     names = tuple(names)
     return tuple(primitive_column(matrix.columns(j), names) for j in eliminated(matrix).pivots)
 

@@ -10,9 +10,9 @@ from derive.algebra.scalar import Scalar
 
 
 def unit(vector: ScalarMatrix) -> ScalarMatrix:
-    """The unit vector along one that is not zero (a column). Factors that all its entries share are left
-    out, and a length sqrt(sin^2) is taken as the sine: where such a factor is negative, the result points
-    the other way."""
+    """The unit vector along a column (3 by 1) that is not zero. Factors that all its entries share are left
+    out, and a length sqrt(sin^2) is taken as the sine: where such a factor is negative, the result points the
+    other way."""
     parts = _without_common_factor(_without_denominators(vector))
     length = _length((parts.T @ parts)[0, 0])
     square = length * length
