@@ -64,6 +64,24 @@ def christoffel(D: ScalarMatrix, variables: Sequence[str]) -> Christoffel:
     return found
 
 
+def coriolis_matrix(symbols: Christoffel, rate: ScalarMatrix) -> ScalarMatrix:
+    """C (n by n), c_kj = sum of c_ijk qdot_i, for rates qdot (n by 1) (Spong et al., eq. 6.42)."""
+    n = range(1, len(rate.entries) + 1)
+    return ScalarMatrix.of(
+        [sum((symbols[i, j, k] * rate[i - 1, 0] for i in n), Scalar.of(0)) for j in n] for k in n
+    )
+
+
+def velocity_terms(symbols: Christoffel, rate: ScalarMatrix) -> ScalarMatrix:
+    """The sums c_ijk qdot_i qdot_j of each equation of motion (n by 1) (Spong et al., eq. 6.39)."""
+    q = rate.entries
+    totals = [Scalar.of(0) for _ in q]
+    for (i, j, k), symbol in symbols.items():
+        if symbol:
+            totals[k - 1] = totals[k - 1] + symbol * q[i - 1] * q[j - 1]
+    return ScalarMatrix.column(totals)
+
+
 def _derivative(D: ScalarMatrix, name: str) -> list[list[Scalar]]:
     """Of every entry of a symmetric matrix, once for each pair."""
     n = D.shape[0]

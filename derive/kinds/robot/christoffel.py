@@ -44,8 +44,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     shown = () if big else _shown(symbols, len(robot.variables))
     for ijk in shown:
         work = _line(work, arm, ijk, symbols[ijk])
-    found = {ijk: work[_name(ijk)] for ijk in shown}
-    found |= {ijk: arm.final(symbols[ijk]) for ijk in {*map(_ordered, symbols)} - found.keys()}
+    ordered = [ijk for ijk in symbols if ijk == _ordered(ijk)]
+    found = {ijk: work[_name(ijk)] if ijk in shown else arm.final(symbols[ijk]) for ijk in ordered}
     work = work.knowing({_name(ijk): found[_ordered(ijk)] for ijk in symbols})
     work = work.law("symmetric", all(value == symbols[j, i, k] for (i, j, k), value in symbols.items()))
     work = work.law("skew-symmetric", _skew(D, symbols, robot.variables))

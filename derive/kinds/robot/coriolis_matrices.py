@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from itertools import combinations, combinations_with_replacement, product
 
+from derive.algebra.normal import normal_matrix
 from derive.derivation import Derivation, PageFacts, Record
 from derive.expression import (
     ZERO,
@@ -28,6 +29,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.example import planar_arm
 from derive.kinds.work import Work
+from derive.mechanics.dynamics import Christoffel, christoffel, rate_column, velocity_terms
 from derive.mechanics.robot import Robot
 from derive.names import require_free
 
@@ -63,7 +65,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """v = C [qdot^2] + B [qdot qdot] (Khatib, Introduction to Robotics, dynamics; Craig, eq. 6.63)."""
     require_free(problem.symbols, "C", "B", "v")
     arm, n = Arm(problem), len(robot.variables)
-    symbols = arm.christoffel
+    symbols = christoffel(normal_matrix(arm.inertia.definitions[Symbol("D")]), arm.variables)
     values = {(i, j, k): symbols[j, k, i] for i, j, k in sorted((i, j, k) for j, k, i in symbols if j <= k)}
     work = Work(problem).resting_on(arm.inertia)
     work = work.linked() if arm.long else _entries(work, arm)  # in names alone there is nothing to compare
@@ -75,7 +77,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     b = {ijk: work[_b(*ijk)] if ijk in shown else arm.final(value) for ijk, value in values.items()}
     for (i, j, k), value in b.items():
         work = work.knowing({_b(i, j, k): value, _b(i, k, j): value})
-    work = _matrices(work, arm)
+    work = _matrices(work, arm, symbols)
     results = {name.name: work.matrix(name) for name in ((C, B) if n > 1 else (C,))}
     made = subtract(_whole(arm, results["C"], results.get("B")), work[V])
     work = arm.agrees(work.law("makes-v", not work.value_matrix(made)), "v", work[V])
@@ -101,27 +103,43 @@ def _entries(work: Work, arm: Arm) -> Work:
     return work
 
 
-def _matrices(work: Work, arm: Arm) -> Work:
+def _matrices(work: Work, arm: Arm, symbols: Christoffel) -> Work:
     """C, B and v in names and written out; of a long arm the lines stay in names, and what they stand for is
     put together as it comes."""
-    n, rates = len(arm.rates), arm.rates
-    formulas: dict[Symbol, Expr] = {C: _centrifugal(n, _b)}
-    if n > 1:
-        formulas[B] = _coriolis(n, _b)
-    formulas[V] = _whole(arm, C, B if n > 1 else None)
-    for name, formula in formulas.items():
-        work = work.line(name, formula, value=formula if arm.long else None, rule="matrix")
-    if not arm.long:
-        return work
-    squares, mixed = (make(n, lambda *ijk: work[_b(*ijk)]) for make in (_centrifugal, _coriolis))
-    sums = column(
+    n = len(arm.rates)
+
+    def b(*ijk: int) -> Expr:
+        return work[_b(*ijk)]
+
+    def doubled(i: int, j: int, k: int) -> Expr:
+        return multiply(TWO, b(i, j, k)) if arm.long else arm.final(2 * symbols[j, k, i])
+
+    values = {C: _centrifugal(n, b), B: _coriolis(n, doubled)}
+    if arm.long:
+        values[V] = _sums(arm, values[C], values[B])
+    else:
+        terms = velocity_terms(symbols, rate_column(arm.variables))
+        values[V] = column(map(arm.final, terms.entries))
+    formulas: dict[Symbol, Expr] = {
+        C: _centrifugal(n, _b),
+        B: _coriolis(n, lambda *ijk: multiply(TWO, _b(*ijk))),
+        V: _whole(arm, C, B if n > 1 else None),
+    }
+    for name in (C, B, V) if n > 1 else (C, V):
+        shown = formulas[name] if arm.long else values[name]
+        work = work.line(name, formulas[name], value=shown, rule="matrix").knowing({name: values[name]})
+    return work
+
+
+def _sums(arm: Arm, C: Matrix, B: Matrix) -> Matrix:
+    """v as it comes."""
+    return column(
         add(
-            *(multiply(each, rate, rate) for each, rate in zip(alone, rates, strict=True)),
-            *(multiply(each, *pair) for each, pair in zip(both, combinations(rates, 2), strict=True)),
+            *(multiply(each, rate, rate) for each, rate in zip(alone, arm.rates, strict=True)),
+            *(multiply(each, *pair) for each, pair in zip(both, combinations(arm.rates, 2), strict=True)),
         )
-        for alone, both in zip(squares.rows, mixed.rows, strict=True)
+        for alone, both in zip(C.rows, B.rows, strict=True)
     )
-    return work.knowing({C: squares, **({B: mixed} if n > 1 else {}), V: sums})
 
 
 def _centrifugal(n: int, b: Callable[[int, int, int], Expr]) -> Matrix:
@@ -129,10 +147,10 @@ def _centrifugal(n: int, b: Callable[[int, int, int], Expr]) -> Matrix:
     return Matrix(tuple(tuple(b(i, j, j) for j in range(1, n + 1)) for i in range(1, n + 1)))
 
 
-def _coriolis(n: int, b: Callable[[int, int, int], Expr]) -> Matrix:
-    """The 2 b_ijk with j < k (n by n(n-1)/2), in the order 12, 13, ..., 23, ..."""
+def _coriolis(n: int, doubled: Callable[[int, int, int], Expr]) -> Matrix:
+    """The 2 b_ijk with j < k (n by n(n-1)/2), in the order 12, 13, ..., 23, ..., as `doubled` writes them."""
     pairs = [*combinations(range(1, n + 1), 2)]
-    return Matrix(tuple(tuple(multiply(TWO, b(i, j, k)) for j, k in pairs) for i in range(1, n + 1)))
+    return Matrix(tuple(tuple(doubled(i, j, k) for j, k in pairs) for i in range(1, n + 1)))
 
 
 def _whole(arm: Arm, C: Expr, B: Expr | None) -> Expr:

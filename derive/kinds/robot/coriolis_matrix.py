@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from derive.derivation import Derivation, PageFacts, Step
-from derive.expression import ZERO, Expr, Matrix, Product, Symbol, add, column, multiply, subtract
+from derive.expression import ZERO, Expr, Matrix, Symbol, add, column, multiply
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.example import planar_arm
 from derive.kinds.work import Work
+from derive.mechanics.dynamics import coriolis_matrix, rate_column, velocity_terms
 from derive.mechanics.robot import Robot
 from derive.names import require_free
 
@@ -31,14 +32,15 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """c_kj = sum of c_ijk qdot_i (Spong et al., eq. 6.42; Siciliano et al., eq. 7.45)."""
     require_free(problem.symbols, "C")
     arm = Arm(problem)
+    symbols, rate = arm.christoffel, rate_column(arm.variables)
+    value = coriolis_matrix(symbols, rate)
     work = Work(problem).resting_on(arm.inertia, problem.ask("christoffel"))
-    named = _sums(arm, lambda symbol: symbol if work[symbol] != ZERO else ZERO)
     if arm.long:
         work = work.knowing({C: _sums(arm, lambda symbol: work[symbol])})
     else:
-        work = work.step(Step("C", (C, named, work.readable(work.value(named))), "coriolis"))
-    made = subtract(Product((named, column(arm.rates))), _terms(arm))
-    work = work.law("makes-the-terms", not work.value_matrix(made))
+        named = _sums(arm, lambda symbol: symbol if work[symbol] != ZERO else ZERO)
+        work = work.step(Step("C", (C, named, arm.final(value)), "coriolis"))
+    work = work.law("makes-the-terms", value @ rate == velocity_terms(symbols, rate))
     product = column(add(*map(multiply, row, arm.rates)) for row in work.matrix(C).rows)
     work = arm.agrees(work, "C qdot", product)
     return work.answer("coriolis-matrix", {"C": work[C]}, Facts(big=arm.long), matrices=frozenset({"C"}))
@@ -53,12 +55,3 @@ def _sums(arm: Arm, symbol: Callable[[Symbol], Expr]) -> Matrix:
         for j in n
     }
     return Matrix(tuple(tuple(add(*terms[k, j]) for j in n) for k in n))
-
-
-def _terms(arm: Arm) -> Matrix:
-    """The terms of the equations of motion that hold rates, sum of c_ijk qdot_i qdot_j (n by 1)."""
-    rates = [*enumerate(arm.rates, 1)]
-    return column(
-        add(*(multiply(entry_symbol("c", i, j, k), p, q) for i, p in rates for j, q in rates))
-        for k, _ in rates
-    )

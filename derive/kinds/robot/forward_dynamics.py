@@ -2,22 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numbers import floats as numeric
+from derive.algebra.numbers.floats import Point, numbers
+from derive.algebra.readable.form import readable, readable_matrix
 from derive.algebra.readable.operation_count import operations
-from derive.derivation import Claim, Derivation, PageFacts, Step, named_results
-from derive.expression import Expr, Quotient, Symbol, add, column, multiply, subtract
-from derive.kinds.checks import agreement, law, links
+from derive.derivation import Derivation, PageFacts, Step
+from derive.errors import NotDerivable
+from derive.expression import (
+    Call,
+    Expr,
+    Matrix,
+    Quotient,
+    Symbol,
+    add,
+    children,
+    column,
+    multiply,
+    replace,
+    subtract,
+)
 from derive.kinds.fields import NoOptions as Options
+from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import oracle_of
-from derive.kinds.robot._dynamics.inverse_inertia import DET, Turned, turned
-from derive.kinds.robot._dynamics.rates import rated
-from derive.kinds.robot._dynamics.terms import terms_of
-from derive.mechanics.oracle import Oracle
+from derive.kinds.robot._chain import matrix_of
+from derive.kinds.robot._dynamics.arm import Arm
+from derive.kinds.robot._dynamics.example import POINT, planar_arm
+from derive.kinds.robot._dynamics.terms import Term, equation, equations
+from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 
 RESULTS = {
@@ -27,17 +41,12 @@ RESULTS = {
     "qddot": "the accelerations (n) for the joint forces tau_1, tau_2, ...; rates are written theta1_dot",
 }
 NEEDS = ("bodies",)
-EXAMPLE = """\
-title: The accelerations of a planar arm
-problems:
-- robot:
-    gravity: [0, -g, 0]
-    links:
-    - {theta: theta1*, d: 0, a: a1, alpha: 0, mass: m1, com: [0, 0, 0], inertia: point}
-    - {theta: theta2*, d: 0, a: a2, alpha: 0, mass: m2, com: [0, 0, 0], inertia: point}
-  find: forward-dynamics
-"""
+EXAMPLE = planar_arm("The accelerations of a planar arm", "forward-dynamics", POINT)
 LONGEST = 60  # operations of an acceleration that is still written out
+MOST_JOINTS = 3
+MOST_REDUCED = 2  # joints; with more, fractions are not multiplied out
+D = Symbol("D")
+DET = Call("det", (D,))
 
 
 class Facts(PageFacts):
@@ -46,89 +55,65 @@ class Facts(PageFacts):
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
-    """qddot = D^-1 (tau - h), by the adjugate and the determinant (Craig, eq. 6.115)."""
-    motion = problem.ask("dynamics")
-    inverse = turned(problem, motion, "the accelerations are")
-    rest = rest_steps(problem)
-    h = column(step.result for step in rest)
-    solved = tuple(_acceleration(inverse, rest, k, name) for k, name in enumerate(robot.variables))
-    results: dict[str, Expr] = {
-        "det": inverse.step.result,
-        "D_inv": inverse.inverse,
-        "h": h,
-        "qddot": column(result for _, result in solved),
+    """qddot = D^-1 (tau - h), by the adjugate and the determinant (Craig, eq. 6.115).
+
+    Raises NotDerivable for an arm with more than three joints, and where D has no inverse.
+    """
+    arm, n = Arm(problem), len(robot.variables)
+    if n > MOST_JOINTS:
+        raise NotDerivable(
+            f"the accelerations are worked out for arms of at most {MOST_JOINTS} joints; this one has {n}"
+        )
+    motion, indices = problem.ask("dynamics"), range(1, n + 1)
+    inertia = matrix_of(motion, "D")
+    names = Matrix(tuple(tuple(entry_symbol("d", *sorted((i, j))) for j in indices) for i in indices))
+    work = Work(problem).resting_on(motion).knowing({D: inertia})
+    work = work.knowing(dict(zip(children(names), children(inertia), strict=True)))
+    value = work.value_matrix(D)
+    if not value.det():
+        raise NotDerivable("D is singular: some joint moves without moving a mass, give the links inertia")
+    by_names = normal_matrix(names)
+    det, adjugate = readable(by_names.det()), readable_matrix(by_names.adjugate())
+    rest = [equation(f"h_{k}", _rest(terms), "rest") for k, terms in enumerate(equations(problem), 1)]
+    work, long = work.step(*rest), n > MOST_REDUCED or arm.long
+
+    def written(expr: Expr) -> Expr:
+        """In full as a person would write it; of a long arm with values where the names stand."""
+        return replace(expr, work.definitions) if long else work.readable(work.value(expr))
+
+    forces = [subtract(Symbol(f"tau_{k}"), Symbol(f"h_{k}")) for k in indices]
+    tops = [add(*map(multiply, row, forces)) for row in adjugate.rows]
+    over = Matrix(tuple(tuple(Quotient(entry, det) for entry in row) for row in adjugate.rows))
+    results = {
+        "det": written(det),
+        "D_inv": written(over),
+        "h": column(step.result for step in rest),
+        "qddot": column(written(Quotient(top, det)) for top in tops),
     }
-    steps = (*rest, inverse.step, *(step for step, _ in solved))
-    definitions: dict[Expr, Expr] = {**motion.definitions, **named_results(rest), Symbol("D"): inverse.D}
-    known = {**problem.names, **definitions, **inverse.values}
-    claims = (
-        *links((*rest, inverse.step) if inverse.long else steps, known),
-        *_laws(inverse, results),
-        *_second_routes(problem, results),
+    work = work.line(DET, det, value=results["det"], label="det", rule="determinant")
+    work = work.linked() if long else work  # of long fractions the law says as much
+    for name, top, result in zip(arm.accelerations, tops, children(results["qddot"]), strict=True):
+        shown = (result,) if operations(result) <= LONGEST else ()
+        work = work.showing(Step(name.name, (name, Quotient(top, DET), *shown), "acceleration"))
+    adjoint = work.value_matrix(adjugate)
+    work = work.law("adjugate", value @ adjoint == ScalarMatrix.identity(n).scaled(value.det()))
+    work = work.agrees(
+        "joint-forces",
+        arm.moving | {f"tau_{k}" for k in indices},
+        lambda at: arm.rubbing.torques({**at, **_moved(arm, results["qddot"], at)}),
+        lambda at: [at[f"tau_{k}"] for k in indices],
     )
-    return Derivation(
-        "forward-dynamics",
-        steps,
-        results,
-        claims,
-        definitions,
-        uses=(motion,),
-        facts=Facts(long=inverse.long, one=len(robot.variables) == 1),
-        matrices=frozenset({"D_inv"}),
+    return work.answer(
+        "forward-dynamics", results, Facts(long=long, one=n == 1), matrices=frozenset({"D_inv"})
     )
 
 
-def rest_steps(problem: Problem) -> tuple[Step, ...]:
-    """h_k, what is left of tau_k without accelerations: in the names of its terms, and written out."""
-    parts = (problem.ask(kind) for kind in ("inertia-matrix", "christoffel", "gravity"))
-    steps = []
-    for k, terms in enumerate(terms_of(problem, *parts), 1):
-        left = [term for term in terms if term.sort != "acceleration"]
-        named, written = add(*(term.named for term in left)), add(*(term.written for term in left))
-        chain = (Symbol(f"h_{k}"), named, written) if written != named else (Symbol(f"h_{k}"), named)
-        steps.append(Step(f"h_{k}", chain, "rest"))
-    return tuple(steps)
+def _rest(terms: Iterable[Term]) -> Iterable[Term]:
+    """h_k, what is left of tau_k without accelerations."""
+    return (term for term in terms if term.sort != "acceleration")
 
 
-def _acceleration(inverse: Turned, rest: tuple[Step, ...], k: int, variable: str) -> tuple[Step, Expr]:
-    """qddot_k in names, and what it is in full; the step ends with that where it is short."""
-    name = Symbol(f"{variable}_ddot")
-    forces = [subtract(Symbol(f"tau_{j}"), Symbol(step.name)) for j, step in enumerate(rest, 1)]
-    top = add(
-        *(multiply(weight, force) for weight, force in zip(inverse.adjugate.rows[k], forces, strict=True))
-    )
-    named = Quotient(top, DET)
-    values: dict[Expr, Expr] = {Symbol(step.name): step.result for step in rest}
-    result = inverse.solved(Quotient(top, inverse.det), values)
-    short = operations(result) <= LONGEST
-    return Step(name.name, (name, named, result) if short else (name, named), "acceleration"), result
-
-
-def _laws(inverse: Turned, results: Mapping[str, Expr]) -> tuple[Claim, ...]:
-    """D D^-1 = 1; of a long arm D adj D = det D."""
-    D = normal_matrix(inverse.D, inverse.problem.names)
-    adjugate = normal_matrix(inverse.adjugate, {**inverse.problem.names, **inverse.values})
-    one = ScalarMatrix.identity(D.shape[0])
-    return (law("adjugate", D @ adjugate == one.scaled(D.det())),)
-
-
-def _second_routes(problem: Problem, results: Mapping[str, Expr]) -> tuple[Claim, ...]:
-    """The accelerations put back into Newton's and Euler's equations give the joint forces."""
-    arm: Oracle = oracle_of(problem)
-    names = problem.subject.variables
-    forces = [f"tau_{k}" for k in range(1, len(names) + 1)]
-
-    def back(at: Mapping[str, float]) -> list[float]:
-        whole = arm.at(at)
-        found = numeric.numbers(results["qddot"], whole)
-        moved = {f"{name}_ddot": value for name, value in zip(names, found, strict=True)}
-        return [float(tau) for tau in arm.torques({**at, **moved})]
-
-    return (
-        agreement(
-            "joint-forces",
-            rated(problem) | set(forces),
-            back,
-            lambda at: [at[name] for name in forces],
-        ),
-    )
+def _moved(arm: Arm, qddot: Expr, at: Point) -> dict[str, float]:
+    """The accelerations in numbers."""
+    found = zip(arm.accelerations, numbers(qddot, at), strict=True)
+    return {name.name: value for name, value in found}

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable
 
-from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numbers import floats as numeric
 from derive.algebra.readable.operation_count import operations
-from derive.derivation import Claim, Derivation, Step, named_results
+from derive.derivation import Derivation
 from derive.expression import (
     ZERO,
     Expr,
-    Matrix,
     Product,
     Sum,
     Symbol,
@@ -20,109 +17,63 @@ from derive.expression import (
     column,
     multiply,
     negate,
+    symbols,
     terms_of,
     transpose,
 )
-from derive.kinds.checks import agreement, law, links
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import chain_of, matrix_of, moment_names
-from derive.kinds.robot._dynamics.bodies import weighted
-from derive.kinds.robot._dynamics.drives import friction_column
-from derive.kinds.robot._dynamics.rates import is_long, oracle, rated, rises
-from derive.kinds.robot.dynamics import Facts
+from derive.kinds.robot._chain import chain_of, matrix_of
+from derive.kinds.robot._dynamics.arm import Arm
+from derive.kinds.robot._dynamics.bodies import Weighted, weighted
+from derive.kinds.robot._dynamics.drives import friction_terms
+from derive.kinds.robot.dynamics import LONGEST, Facts
+from derive.kinds.work import Work
 from derive.mechanics.robot import gravity_of
 from derive.names import require_free
 
-LONGEST = 45  # operations; a longer equation stays in the names of its terms
-MASS, WEIGHT, FRICTION, ACCELERATION = Symbol("M"), Symbol("G"), Symbol("F"), Symbol("q_ddot")
+M, V, G, F, ACCELERATION, TAU, G_0 = symbols("M v G F q_ddot tau g_0")
 
 
 def khatib_dynamics(problem: Problem) -> Derivation:
     """tau = M qddot + v + G, with G from the Jacobians of the centers of mass."""
     require_free(problem.symbols, "M", "G", "F", "q_ddot")
-    inertia, speed = problem.ask("inertia-matrix"), problem.ask("coriolis-matrices")
-    weight = problem.ask("gravity")
-    M, v, g = matrix_of(inertia, "D"), matrix_of(speed, "v"), matrix_of(weight, "g")
-    friction = friction_column(problem.subject)
-    rigid = _rigid(M, v, g, rises(problem.subject.variables))
-    tau = rigid if friction is None else _sum(rigid, friction)
-    big = is_long(problem)
-    steps = (*_weights(problem, g, big), *_torques(tau, friction))
-    definitions: dict[Expr, Expr] = {**inertia.definitions, **speed.definitions, **named_results(steps)}
-    definitions |= {MASS: M, WEIGHT: g, Symbol("v"): v, Symbol("tau"): tau}
-    definitions[ACCELERATION] = column(rises(problem.subject.variables))
-    if friction:
-        definitions[FRICTION] = friction
-    claims = (
-        *links(() if big else steps, {**problem.names, **definitions, **moment_names(inertia)}),
-        *_laws(problem, g),
-        _second_route(problem, rigid),
+    arm, speed, robot = Arm(problem), problem.ask("coriolis-matrices"), problem.subject
+    g, friction = matrix_of(problem.ask("gravity"), "g"), friction_terms(robot)
+    work = Work(problem).resting_on(arm.inertia, speed)
+    work = work.knowing({M: matrix_of(arm.inertia, "D"), ACCELERATION: column(arm.accelerations)})
+    rubs = any(friction)
+    if rubs:
+        work = work.knowing({F: column(add(*terms) for terms in friction)})
+    tau = column(
+        add(*map(multiply, row, arm.accelerations), *terms_of(v), *terms_of(weight), *rubbing)
+        for row, (v,), (weight,), rubbing in zip(
+            work.matrix(M).rows, work.matrix(V).rows, g.rows, friction, strict=True
+        )
     )
+    work = work.linked() if arm.long else work  # lines in names: nothing to compare
+    bodies = weighted(problem, chain_of(problem))
+    heavy = [body for body in bodies if body.body.mass != ZERO]
+    work = work.line(G_0, value=column(gravity_of(robot)), rule="given")
+    weights = _weights(heavy) if heavy else ZERO
+    work = work.line(G, weights, value=weights if arm.long else g, rule="weights").knowing({G: g})
+    whole = Sum((Product((M, ACCELERATION)), V, G, *([F] if rubs else [])))
+    work = work.line(TAU, whole, value=whole, rule="equations").knowing({TAU: tau})
+    for k, (entry,) in enumerate(tau.rows, 1):
+        if operations(entry) <= LONGEST:
+            work = work.line(f"tau_{k}", value=entry, rule="equation")
+    made = normal_matrix(_weights(bodies), {**problem.names, **work.definitions})
+    work = work.law("gradient", made == normal_matrix(g))
+    work = work.agrees("motion-of-each-body", arm.moving, tau, arm.rubbing.torques)
     parts = {name: value for name, value in speed.results.items() if name in ("C", "B", "v")}
-    return Derivation(
+    return work.answer(
         "dynamics",
-        steps,
-        {"M": M, **parts, "G": g, "tau": tau},
-        claims,
-        definitions,
-        uses=(inertia, speed),
-        facts=Facts(big=big, notation="khatib", friction=friction is not None),
+        {"M": work[M], **parts, "G": g, "tau": tau},
+        Facts(big=arm.long, friction=rubs, notation="khatib"),
         matrices=frozenset({"M", "C", "B"}),
     )
 
 
-def _weights(problem: Problem, g: Matrix, big: bool) -> tuple[Step, ...]:
+def _weights(bodies: Iterable[Weighted]) -> Expr:
     """G = -(J_v1^T m_1 g_0 + J_v2^T m_2 g_0 + ...)."""
-    name = Symbol("g_0")
-    given = Step("g_0", (name, column(gravity_of(problem.subject))), "given")
-    heavy = [body for body in weighted(problem, chain_of(problem)) if body.body.mass != ZERO]
-    terms = [Product((transpose(Symbol(f"J_v{body.i}")), Product((body.body.mass, name)))) for body in heavy]
-    chain = (WEIGHT, negate(Sum(tuple(terms))) if terms else ZERO)
-    return given, Step("G", chain if big else (*chain, g), "weights")
-
-
-def _rigid(M: Matrix, v: Matrix, g: Matrix, accelerations: list[Expr]) -> Matrix:
-    """The right-hand side without friction (n by 1)."""
-    return Matrix(
-        tuple(
-            (add(*map(multiply, row, accelerations), *terms_of(v.rows[k][0]), *terms_of(g.rows[k][0])),)
-            for k, row in enumerate(M.rows)
-        )
-    )
-
-
-def _sum(left: Matrix, right: Matrix) -> Matrix:
-    pairs = zip(left.rows, right.rows, strict=True)
-    return Matrix(tuple((add(*terms_of(a), *terms_of(b)),) for (a,), (b,) in pairs))
-
-
-def _torques(tau: Matrix, friction: Matrix | None) -> tuple[Step, ...]:
-    """tau in names, and tau_1, ... written out where they are short."""
-    parts: list[Expr] = [Product((MASS, ACCELERATION)), Symbol("v"), WEIGHT]
-    whole = Sum(tuple(parts if friction is None else [*parts, FRICTION]))
-    equations = [
-        Step(f"tau_{k}", (Symbol(f"tau_{k}"), entry), "equation")
-        for k, (entry,) in enumerate(tau.rows, 1)
-        if operations(entry) <= LONGEST
-    ]
-    return Step("tau", (Symbol("tau"), whole), "equations"), *equations
-
-
-def _laws(problem: Problem, g: Matrix) -> tuple[Claim, ...]:
-    """G from the Jacobians, though the potential energy gave its readable form."""
-    gravity = normal_matrix(column(gravity_of(problem.subject)))
-    total = ScalarMatrix.zeros(len(g.rows), 1)
-    for body in weighted(problem, chain_of(problem)):
-        total = total - (body.motion.J_v.T @ gravity).scaled(body.motion.mass)
-    made = problem.final(problem.readable_matrix(total))
-    same = normal_matrix(made) == normal_matrix(g)
-    return (law("gradient", same),)
-
-
-def _second_route(problem: Problem, rigid: Matrix) -> Claim:
-    torques, arm = normal_matrix(rigid), oracle(problem)
-
-    def ours(at: Mapping[str, float]) -> list[list[float]]:
-        return numeric.matrix_numbers(torques, arm.at(at))
-
-    return agreement("motion-of-each-body", rated(problem), ours, arm.torques)
+    terms = (Product((transpose(Symbol(f"J_v{each.i}")), Product((each.body.mass, G_0)))) for each in bodies)
+    return negate(Sum(tuple(terms)))

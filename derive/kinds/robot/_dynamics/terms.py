@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
-from math import prod
+from math import inf, prod
 from typing import Literal
 
-from derive.derivation import Derivation
-from derive.expression import ZERO, Expr, Number, Product, Symbol, multiply, number, squared
+from derive.algebra.readable.operation_count import operations
+from derive.derivation import Derivation, Step
+from derive.expression import ZERO, Expr, Number, Product, Symbol, add, multiply, number, squared
+from derive.kinds.chains import distinct
 from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of, scalar_of
+from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.drives import friction_terms
 
 Sort = Literal["acceleration", "velocity", "gravity", "friction"]
@@ -26,46 +30,49 @@ class Term:
     sort: Sort
 
 
-def terms_of(
-    problem: Problem, inertia: Derivation, speed: Derivation, weight: Derivation
-) -> tuple[tuple[Term, ...], ...]:
-    """For each joint the terms that do not vanish, accelerations first."""
-    names = problem.subject.variables
-    friction = friction_terms(problem.subject)
+def equations(problem: Problem) -> tuple[tuple[Term, ...], ...]:
+    """For each joint the terms that do not vanish, accelerations first (Spong et al., eq. 6.39)."""
+    arm, friction = Arm(problem), friction_terms(problem.subject)
+    speed, weight = problem.ask("christoffel"), problem.ask("gravity")
     return tuple(
         (
-            *_accelerations(inertia, names, k),
-            *_velocities(speed, names, k),
+            *_accelerations(arm, k),
+            *_velocities(speed, arm, k),
             *_gravity(weight, k),
             *(Term(term, problem.final(term), "friction") for term in friction[k - 1]),
         )
-        for k in range(1, len(names) + 1)
+        for k in range(1, len(arm.variables) + 1)
     )
 
 
-def _accelerations(inertia: Derivation, names: tuple[str, ...], k: int) -> list[Term]:
-    row = matrix_of(inertia, "D").rows[k - 1]
+def equation(name: str, terms: Iterable[Term], rule: str, longest: float = inf) -> Step:
+    """`name` in the names of its terms, and written out where that takes at most so many operations."""
+    terms = tuple(terms)
+    named, written = add(*(term.named for term in terms)), add(*(term.written for term in terms))
+    chain = (Symbol(name), named, written if operations(written) <= longest else named)
+    return Step(name, distinct(chain), rule)
+
+
+def _accelerations(arm: Arm, k: int) -> list[Term]:
+    row = matrix_of(arm.inertia, "D").rows[k - 1]
+    named = ((entry_symbol("d", min(j, k), max(j, k)), entry) for j, entry in enumerate(row, 1))
     return [
-        Term(
-            _product(entry_symbol("d", min(j, k), max(j, k)), rise),
-            _product(row[j - 1], rise),
-            "acceleration",
-        )
-        for j, rise in enumerate(((Symbol(f"{name}_ddot"),) for name in names), 1)
-        if row[j - 1] != ZERO
+        Term(_product(name, (rise,)), _product(entry, (rise,)), "acceleration")
+        for (name, entry), rise in zip(named, arm.accelerations, strict=True)
+        if entry != ZERO
     ]
 
 
-def _velocities(speed: Derivation, names: tuple[str, ...], k: int) -> list[Term]:
+def _velocities(speed: Derivation, arm: Arm, k: int) -> list[Term]:
     """c_iik qdot_i^2, and 2 c_ijk qdot_i qdot_j for two equal symbols."""
-    rate, found = [Symbol(f"{name}_dot") for name in names], []
-    for i in range(len(rate)):
-        for j in range(i, len(rate)):
-            name = entry_symbol("c", i + 1, j + 1, k).name
-            factors = (squared(rate[i]),) if i == j else (number(2), rate[i], rate[j])
-            value = scalar_of(speed, name)
+    found = []
+    for i, p in enumerate(arm.rates, 1):
+        for j, q in enumerate(arm.rates[i - 1 :], i):
+            name = entry_symbol("c", i, j, k)
+            factors = (squared(p),) if i == j else (number(2), p, q)
+            value = scalar_of(speed, name.name)
             if value != ZERO:
-                found.append(Term(_product(Symbol(name), factors), _product(value, factors), "velocity"))
+                found.append(Term(_product(name, factors), _product(value, factors), "velocity"))
     return found
 
 
