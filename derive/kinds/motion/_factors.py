@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Literal
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import number
 from derive.algebra.roots_and_functions import root
-from derive.derivation import Record, Step
+from derive.algebra.scalar import Scalar
+from derive.derivation import Record
 from derive.errors import NotDerivable
 from derive.expression import (
     ONE,
@@ -28,15 +29,17 @@ from derive.expression import (
     free_symbols,
     multiply,
     sin,
+    squared,
     subtract,
     transpose,
 )
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
+from derive.kinds.work import Work
 from derive.mechanics.elementary import factor_name, homogeneous, rotation_matrix, skew, translation
 from derive.mechanics.motion import Axis, Move
-from derive.mechanics.poses import pose, rotation_part, unit_vector
-from derive.mechanics.sequences import placings
+from derive.mechanics.poses import composed, pose, rotation_part, unit_vector
+from derive.mechanics.sequences import in_product_order, placings
 from derive.names import free
 
 IDENTITY = Symbol("I")
@@ -58,12 +61,12 @@ class Factor:
 
 @dataclass(frozen=True, slots=True)
 class Factors:
-    """The factors of a motion in the order in which it is made; `size` is 3 for rotations, else 4."""
+    """The factors of a motion in the order in which it is made; `size` is 3 for rotations, else 4. On the
+    board stand the lines that introduce them."""
 
     size: Literal[3, 4]
     factors: tuple[Factor, ...]
-    steps: tuple[Step, ...]
-    definitions: dict[Expr, Expr] = field(default_factory=dict)
+    work: Work
 
     @property
     def moves(self) -> tuple[Move, ...]:
@@ -74,16 +77,9 @@ class Factors:
         names = tuple(self.factors[i].name for i in indices)
         return Product(names) if len(names) > 1 else names[0]
 
-    def product(self, indices: Sequence[int]) -> ScalarMatrix:
-        """The matrix of that product."""
-        total = ScalarMatrix.identity(self.size)
-        for i in indices:
-            total = total @ self.factors[i].value
-        return total
-
     def told(self, rule: str) -> tuple[str, ...]:
         """The names of the steps of this rule."""
-        return tuple(step.name for step in self.steps if step.rule == rule)
+        return tuple(step.name for step in self.work.steps if step.rule == rule)
 
     def placed(self) -> tuple[Placed, ...]:
         """How each factor is multiplied on, and the product so far."""
@@ -108,26 +104,25 @@ class Placed(Record):
 def factors_of(
     moves: Sequence[Move], problem: Problem, size: Literal[3, 4], rounded: bool = False
 ) -> Factors:
-    """The factors of moves with the steps that introduce them; `rounded` writes irrational numbers of
+    """The factors of moves and the lines that introduce them; `rounded` writes irrational numbers of
     written axes as decimals. Raises NotDerivable for an axis of zero length."""
     axes = _axis_symbols(moves, problem)
     factors = []
     for i, move in enumerate(moves, 1):
-        value = _value(move, problem, size)
-        factors.append(
-            Factor(i, move, factor_name(move, axes[move.axis], LETTERS[size]), axes[move.axis], value)
-        )
-    writer = _Writer(problem, size, rounded)
-    steps = [writer.axis(axis, name) for axis, name in axes.items() if not isinstance(axis, str)]
-    done: set[Expr] = set()
+        axis = axes[move.axis]
+        name = factor_name(move, axis, LETTERS[size])
+        factors.append(Factor(i, move, name, axis, _value(move, size)))
+    work = Work(problem).knowing({NO_ROW: Matrix(((ZERO, ZERO, ZERO),))})
+    for written, axis in axes.items():
+        if not isinstance(written, str):
+            work = _axis_line(work, axis, written, rounded)
     for factor in factors:
-        if factor.name not in done:
-            steps.extend(writer.steps(factor))
-        done.add(factor.name)
-    return Factors(size, tuple(factors), tuple(steps), writer.definitions(factors, axes))
+        if factor.name not in work.known:
+            work = _factor_line(work, factor, size, rounded)
+    return Factors(size, tuple(factors), work)
 
 
-def _value(move: Move, problem: Problem, size: int) -> ScalarMatrix:
+def _value(move: Move, size: int) -> ScalarMatrix:
     try:
         T = pose(move)
     except ZeroDivisionError as error:
@@ -145,61 +140,47 @@ def _axis_symbols(moves: Sequence[Move], problem: Problem) -> dict[Axis, Symbol]
     return found
 
 
-@dataclass(frozen=True, slots=True)
-class _Writer:
-    problem: Problem
-    size: int
-    rounded: bool
+def _axis_line(work: Work, name: Symbol, axis: tuple[Expr, Expr, Expr], rounded: bool) -> Work:
+    """The unit vector along a written axis; and what the names of Rodrigues' formula stand for."""
+    problem, S = work.problem, Indexed("S", (name,))
+    unit = problem.readable_matrix(ScalarMatrix.column(unit_vector(axis)))
+    length = root(sum((normal(squared(part)) for part in axis), Scalar.of(0)))
+    middle = () if length == 1 else (Product((Quotient(ONE, problem.readable(length)), column(axis))),)
+    shown = rounded_matrix(unit, problem) if rounded else unit
+    (x,), (y,), (z,) = unit.rows
+    one = problem.readable_matrix(ScalarMatrix.identity(3))
+    work = work.line(name, *middle, value=shown, rule="unit-vector")
+    return work.knowing({name: unit, S: skew((x, y, z)), IDENTITY: one})
 
-    def axis(self, axis: tuple[Expr, Expr, Expr], name: Symbol) -> Step:
-        """The unit vector along a written axis."""
-        unit = self._vector(axis)
-        parts = [normal(part) for part in axis]
-        length = root(parts[0] * parts[0] + parts[1] * parts[1] + parts[2] * parts[2])
-        middle = (
-            () if length == 1 else (Product((Quotient(ONE, self.problem.readable(length)), column(axis))),)
-        )
-        return Step(name.name, (name, *middle, self._rounded(unit)), "unit-vector")
 
-    def steps(self, factor: Factor) -> list[Step]:
-        name = f"{'R' if self.size == 3 else 'A'}_{factor.index}"
-        if isinstance(factor.move.axis, str):
-            return [Step(name, (factor.name, self._elementary(factor)), "elementary")]
-        written = self._rounded(self.problem.readable_matrix(factor.value))
-        if factor.move.kind == "translate":
-            return [Step(name, (factor.name, written), "elementary")]
-        formula = rodrigues(factor.axis, factor.move.by)
-        middle = (formula,) if self.size == 3 else (homogeneous_blocks(formula),)
-        return [Step(name, (factor.name, *middle, written), "rodrigues")]
+def _factor_line(work: Work, factor: Factor, size: int, rounded: bool) -> Work:
+    """The matrix of a factor: as books have it about a coordinate axis, else by Rodrigues' formula."""
+    move, label, problem = factor.move, f"{'R' if size == 3 else 'A'}_{factor.index}", work.problem
+    formulas: tuple[Expr, ...] = ()
+    if isinstance(move.axis, str):
+        matrix = shown = _elementary(move.axis, move, size)
+    else:
+        matrix = problem.readable_matrix(factor.value)
+        shown = rounded_matrix(matrix, problem) if rounded else matrix
+        if move.kind == "rotate":
+            R = rodrigues(factor.axis, move.by)
+            formulas = (R if size == 3 else homogeneous_blocks(R),)
+    rule = "rodrigues" if formulas else "elementary"
+    work = work.line(factor.name, *formulas, value=shown, rule=rule, label=label)
+    return work.knowing({factor.name: matrix})
 
-    def definitions(self, factors: Sequence[Factor], axes: dict[Axis, Symbol]) -> dict[Expr, Expr]:
-        found: dict[Expr, Expr] = {NO_ROW: Matrix(((ZERO, ZERO, ZERO),))}
-        for axis, name in axes.items():
-            if not isinstance(axis, str):
-                vector = self._vector(axis)
-                found[name] = vector
-                found[Indexed("S", (name,))] = skew((vector.rows[0][0], vector.rows[1][0], vector.rows[2][0]))
-                found[IDENTITY] = self.problem.readable_matrix(ScalarMatrix.identity(3))
-        for factor in factors:
-            found[factor.name] = (
-                self._elementary(factor)
-                if isinstance(factor.move.axis, str)
-                else self.problem.readable_matrix(factor.value)
-            )
-        return found
 
-    def _elementary(self, factor: Factor) -> Matrix:
-        axis = str(factor.move.axis)
-        if factor.move.kind == "translate":
-            return translation(axis, factor.move.by)
-        R = rotation_matrix(axis, factor.move.by)
-        return R if self.size == 3 else homogeneous(R)
+def _elementary(axis: str, move: Move, size: int) -> Matrix:
+    if move.kind == "translate":
+        return translation(axis, move.by)
+    R = rotation_matrix(axis, move.by)
+    return R if size == 3 else homogeneous(R)
 
-    def _vector(self, axis: tuple[Expr, Expr, Expr]) -> Matrix:
-        return self.problem.readable_matrix(ScalarMatrix.column(unit_vector(axis)))
 
-    def _rounded(self, matrix: Matrix) -> Expr:
-        return rounded_matrix(matrix, self.problem) if self.rounded else matrix
+def product_of(moves: Sequence[Move], size: int) -> ScalarMatrix:
+    """R (3 by 3) or T (4 by 4) of moves about world and current axes."""
+    T = composed(in_product_order(moves))
+    return T if size == 4 else rotation_part(T)
 
 
 def rodrigues(axis: Symbol, angle: Expr) -> Expr:

@@ -6,16 +6,17 @@ from collections.abc import Sequence
 from typing import Any, Literal
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import numbers
-from derive.derivation import Claim, Derivation, PageFacts, Phrase, Result, Step
+from derive.derivation import Claim, Derivation, PageFacts, Phrase, Result
 from derive.expression import Expr, Matrix, Symbol
-from derive.kinds.checks import agreement, is_rotation, law, links
-from derive.kinds.motion._factors import Factors, Placed, factors_of, rounded_matrix, value_of
+from derive.kinds.checks import is_rotation, law
+from derive.kinds.motion._factors import Factors, Placed, factors_of, product_of, rounded_matrix, value_of
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
+from derive.kinds.work import Work
 from derive.mechanics.motion import Move
-from derive.mechanics.poses import homogeneous, position_part, rotation_part
+from derive.mechanics.oracle import made
+from derive.mechanics.poses import inverse_pose, rotation_part
 from derive.mechanics.sequences import mode, order
 
 
@@ -36,32 +37,21 @@ def composed(
     name = Symbol("R" if size == 3 else "T")
     numeric = evaluate and all(value_of(move.by, problem) is not None for move in moves)
     factors = factors_of(moves, problem, size, numeric)
-    value = factors.product(order(moves))
-    written = problem.readable_matrix(value)
+    value = product_of(moves, size)
+    written, formula = problem.readable_matrix(value), (factors.named(order(moves)),) if moves else ()
+    shown = rounded_matrix(written, problem) if numeric else written
+    work = factors.work.line(name, *formula, value=shown, rule="product")
     exact = problem.final(written)
-    product = _step(name, factors, written, exact, problem, numeric)
-    steps = (*factors.steps, product)
-    definitions: dict[Expr, Expr] = {**factors.definitions, name: written}
-    claims = (
-        *links(steps, {**problem.names, **definitions}),
-        *_laws(value, problem, name.name),
-        second_route(name.name, moves, exact, problem),
-    )
+    work = work.knowing({name: written}) if numeric else work.closed(name)
+    work = motion_made(work.claim(*_laws(problem.exact(value), name.name)), name.name, moves, exact)
     results: dict[str, Result] = {name.name: exact, **_factor_results(factors, problem)}
-    facts = _facts(factors, numeric, name)
-    return Derivation(
-        kind, steps, results, claims, definitions, _evaluated(results, problem, numeric), facts=facts
-    )
-
-
-def _step(
-    name: Symbol, factors: Factors, written: Matrix, exact: Expr, problem: Problem, numeric: bool
-) -> Step:
-    named = (factors.named(order(factors.moves)),) if factors.factors else ()
-    if numeric:
-        return Step(name.name, (name, *named, rounded_matrix(written, problem)), "product")
-    last = () if exact == written else (exact,)
-    return Step(name.name, (name, *named, written, *last), "product")
+    facts, point = _facts(factors, numeric, name), completed({}, problem.where)
+    evaluated: dict[str, Any] = {}
+    if numeric:  # the page shows them so already
+        evaluated = {
+            each: numbers(result, point) for each, result in results.items() if isinstance(result, Matrix)
+        }
+    return work.answer(kind, results, facts, evaluated=evaluated)
 
 
 def _facts(factors: Factors, numeric: bool, name: Symbol) -> Facts:
@@ -85,39 +75,16 @@ def _factor_results(factors: Factors, problem: Problem) -> dict[str, Result]:
     }
 
 
-def _evaluated(results: dict[str, Result], problem: Problem, numeric: bool) -> dict[str, Any]:
-    """The results in floats, where the page shows them so already."""
-    if not numeric:
-        return {}
-    point = completed({}, problem.where)
-    return {name: numbers(result, point) for name, result in results.items() if isinstance(result, Matrix)}
-
-
-def _laws(value: ScalarMatrix, problem: Problem, name: str) -> tuple[Claim, ...]:
-    R = normal_matrix(problem.readable_matrix(value), problem.names)
-    if value.shape == (3, 3):
+def _laws(R: ScalarMatrix, name: str) -> tuple[Claim, ...]:
+    """A rotation is one; a transform undone is the identity."""
+    if R.shape == (3, 3):
         return is_rotation(R, name)
-    inverse = homogeneous(rotation_part(R).T, (-(rotation_part(R).T @ position_part(R))).entries)
-    return (*is_rotation(rotation_part(R)), law("inverse-of", inverse @ R == ScalarMatrix.identity(4)))
+    inverse = inverse_pose(R) @ R == ScalarMatrix.identity(4)
+    return (*is_rotation(rotation_part(R)), law("inverse-of", inverse))
 
 
-def second_route(name: str | Phrase, moves: Sequence[Move], exact: Expr, problem: Problem) -> Claim:
-    """The motion made in numbers, every move as it is told, on the axes themselves."""
-    from derive.mechanics.oracle import elementary
-
-    def other(point: dict[str, float]) -> Any:
-        import numpy as np
-
-        at, T = completed(point, problem.where), np.eye(4)
-        for move in moves:
-            made = elementary(move, at)
-            T = made @ T if move.about == "world" else T @ made
-        return T[:3, :3] if isinstance(exact, Matrix) and exact.shape == (3, 3) else T
-
-    return agreement(
-        "motion-made",
-        problem.symbols,
-        lambda point: numbers(exact, completed(point, problem.where)),
-        lambda point: other(dict(point)),
-        name=name,
-    )
+def motion_made(work: Work, name: str | Phrase, moves: Sequence[Move], exact: Expr) -> Work:
+    """With the second route: the motion made in numbers, every move as it is told, on the axes themselves."""
+    size = exact.shape[0] if isinstance(exact, Matrix) else 4
+    symbols = work.problem.symbols
+    return work.agrees("motion-made", symbols, exact, lambda at: made(moves, at)[:size, :size], name=name)

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 from derive.algebra.infix import text
-from derive.algebra.matrix import ScalarMatrix
-from derive.derivation import Claim, Derivation, PageFacts, Phrase, Record, Step
+from derive.derivation import Derivation, PageFacts, Phrase, Record, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol
-from derive.kinds.checks import law, links
 from derive.kinds.fields import NoOptions as Options
-from derive.kinds.motion._factors import Factors, factors_of
-from derive.kinds.motion._product import second_route
+from derive.kinds.motion._factors import Factors, factors_of, product_of
+from derive.kinds.motion._product import motion_made
 from derive.kinds.problem import Problem
 from derive.mechanics.motion import Axis, Motion, Move
 from derive.mechanics.sequences import Alternative, equivalents, order
@@ -59,42 +58,22 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
     turning = all(move.kind == "rotate" for move in motion.moves)
     factors = factors_of(motion.moves, problem, 3 if turning else 4)
     name = Symbol("R" if turning else "T")
-    value = factors.product(order(motion.moves))
+    value, product = product_of(motion.moves, factors.size), factors.named(order(motion.moves))
     written = problem.readable_matrix(value)
-    steps = (
-        *factors.steps[: _introduced(factors)],
-        Step(name.name, (name, factors.named(order(motion.moves)))),
-    )
-    definitions: dict[Expr, Expr] = {**factors.definitions, name: written}
-    found = tuple(equivalents(motion.moves))
-    claims = (
-        *links(steps, {**problem.names, **definitions}),
-        *_claims(found, value, factors, problem.final(written), problem),
-    )
+    axes = tuple(step for step in factors.work.steps if step.rule == "unit-vector")
+    work = replace(factors.work, steps=(*axes, Step(name.name, (name, product)))).knowing({name: written})
+    work, found, exact = work.linked(), tuple(equivalents(motion.moves)), problem.final(written)
+    for number, alternative in enumerate(found, 1):
+        same = product_of(alternative.moves, factors.size) == value
+        work = work.law("same-matrix", same, number=number)
+        work = motion_made(work, Phrase("sequence", {"number": number}), alternative.moves, exact)
     facts = Facts(
         product=name,
         vectors=factors.told("unit-vector"),
         sequences=tuple(_told(alternative, factors) for alternative in found),
     )
     results: dict[str, Any] = {"sequences": tuple(_typed(each.moves) for each in found)}
-    return Derivation("equivalent-sequences", steps, results, claims, definitions, facts=facts)
-
-
-def _introduced(factors: Factors) -> int:
-    """How many steps only say what the written axes are."""
-    return sum(step.rule == "unit-vector" for step in factors.steps)
-
-
-def _claims(
-    found: tuple[Alternative, ...], value: ScalarMatrix, factors: Factors, exact: Expr, problem: Problem
-) -> list[Claim]:
-    claims = []
-    for number, alternative in enumerate(found, 1):
-        again = factors_of(alternative.moves, problem, factors.size)
-        product = again.product(order(alternative.moves))
-        claims.append(law("same-matrix", product == value, number=number))
-        claims.append(second_route(Phrase("sequence", {"number": number}), alternative.moves, exact, problem))
-    return claims
+    return work.answer("equivalent-sequences", results, facts)
 
 
 def _told(alternative: Alternative, factors: Factors) -> SequenceTold:
