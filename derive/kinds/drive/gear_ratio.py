@@ -132,7 +132,7 @@ def _second_route(drive: Drive, problem: Problem, results: Mapping[str, Expr]) -
     trees = [problem.final(drive.rotor), problem.final(drive.load), torque]
     trees.append(number(0) if drive.load_torque is None else problem.final(drive.load_torque))
     symbols = sorted(frozenset().union(*map(free_symbols, trees)))
-    drawn = random_points(symbols, DRAWS) if symbols else iter([{}])
+    drawn = random_points(symbols, DRAWS)
     with_values = ((point, [at(tree, point) for tree in trees]) for point in drawn)
     real = ((point, values) for point, values in with_values if values[0] > 0 < values[1] and values[2])
     points = list(islice(real, 3))

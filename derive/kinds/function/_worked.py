@@ -227,7 +227,7 @@ def _search(function: Function, task: Task, problem: Problem, found: Sequence[Po
     if len(unknowns) > LARGEST_SEARCH or any(p.solution.free for p in found):
         return
     parameters = problem.symbols - set(task.variables)
-    known = completed(next(iter(random_points(sorted(parameters), 1))), problem.where)
+    known = completed(next(iter(random_points(parameters, 1))), problem.where)
     tree = _lagrange(function, tuple(map(Symbol, task.multipliers)), Symbol("f"))
 
     ours = [_numbers(p, task, known) for p in found]  # at a singular point any multiplier may do

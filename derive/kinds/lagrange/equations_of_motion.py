@@ -7,9 +7,8 @@ from collections.abc import Iterator, Mapping
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, PageFacts, Record, Result, Step
-from derive.errors import NotReal
 from derive.expression import ZERO, Derivative, Expr, Symbol, column
-from derive.kinds.checks import SECOND_ROUTE, close, law, random_points
+from derive.kinds.checks import law
 from derive.kinds.fields import OptionsModel
 from derive.kinds.lagrange._energies import energy_steps
 from derive.kinds.lagrange._equations import difference, written_fraction, written_side
@@ -17,7 +16,6 @@ from derive.kinds.lagrange._model import Model
 from derive.kinds.lagrange._oracle import Differences
 from derive.kinds.lagrange._solved import Solved, satisfies, solved
 from derive.kinds.problem import Problem
-from derive.kinds.values_at import completed
 from derive.kinds.work import Work
 from derive.mechanics.lagrangian import (
     TIME,
@@ -99,7 +97,14 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
         *_solution_steps(model, solution),
     )
     work = Work(problem, _definitions(steps), steps=steps).claim(*_laws(model, solution))
-    work = work.claim(_second_route(model, lefts))
+    moving = {*system.coordinates, *system.rates, *system.accelerations, TIME}
+    work = work.agrees(
+        "along-a-motion",
+        problem.symbols | moving,
+        lambda at: [numeric.number(left, at) for left in lefts],
+        Differences(system, problem.where).left_sides,
+        points=POINTS,
+    )
     results = _results(model, lefts, rights, solution)
     return work.answer("equations-of-motion", results, _facts(model, lefts, rights))
 
@@ -235,24 +240,3 @@ def _laws(model: Model, found: Solved | None) -> Iterator[Claim]:
     yield law("power", balance)
     if found is not None:
         yield law("solved-for", satisfies(model, found))
-
-
-def _second_route(model: Model, lefts: list[Expr]) -> Claim:
-    """The left sides against differences along a motion."""
-    system, problem = model.system, model.problem
-    moving = {*system.coordinates, *system.rates, *system.accelerations, TIME}
-    differences = Differences(system, problem.where)
-    holds, tried = True, 0
-    for at in random_points(sorted(problem.symbols | moving), 3 * POINTS):
-        try:
-            ours = [numeric.number(left, completed(at, problem.where)) for left in lefts]
-            holds &= close(ours, differences.left_sides(at), 1e-9)
-        except ValueError:  # no real value here
-            continue
-        tried += 1
-        if tried == POINTS:
-            break
-    claim = "along-a-motion"
-    if not tried:
-        raise NotReal("no values of the symbols were found for which this is real, so nothing was verified")
-    return Claim(claim, SECOND_ROUTE, holds)

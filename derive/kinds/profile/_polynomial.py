@@ -137,7 +137,7 @@ def _solves(
     starts = (journey.start, journey.start_velocity, journey.start_acceleration)[:order]
     stops = (journey.end, journey.end_velocity, journey.end_acceleration)[:order]
     wanted = [problem.final(each) for each in (*starts, *stops, profile.time or ONE)]
-    for point in random_points(sorted(problem.symbols), 3) if problem.symbols else iter([{}]):
+    for point in random_points(problem.symbols, 3):
         *right, T = (value_of(tree, point) for tree in wanted)
         rows = [
             [perm(k, rate) * moment ** (k - rate) if k >= rate else 0.0 for k in range(2 * order)]

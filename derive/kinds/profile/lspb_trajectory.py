@@ -130,7 +130,7 @@ def _covers(results: Mapping[str, Expr], journey: Journey, problem: Problem) -> 
     trees = [results[name] for name in ("t_b", "v", "a", "t_f")]
     trees += [problem.final(each) for each in (journey.start, journey.end)]
     names = sorted(frozenset().union(*map(free_symbols, trees)))
-    for point in random_points(names, 5) if names else iter([{}]):
+    for point in random_points(names, 5):
         try:
             t_b, v, a, t_f, start, end = (value_of(tree, point) for tree in trees)
         except ValueError:

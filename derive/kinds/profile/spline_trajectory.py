@@ -250,7 +250,7 @@ def _passes(knots: Knots, spans: Sequence[Span]) -> Iterator[Claim]:
 
 def _agrees(knots: Knots, spans: Sequence[Span], problem: Problem) -> bool:
     """Against one linear system for all coefficients, in floats."""
-    for point in random_points(sorted(problem.symbols), 2) if problem.symbols else iter([{}]):
+    for point in random_points(problem.symbols, 2):
 
         def at(tree: Expr, now: dict[str, float] = point) -> float:
             return value_of(problem.final(tree), now)

@@ -84,7 +84,7 @@ def _solved(
 
 def _sampled(voltage: PulseWidth, problem: Problem, results: dict[str, Expr]) -> bool:
     """In floats: switched sample by sample, with a part of a sample at the edge."""
-    for point in random_points(sorted(problem.symbols), 2) if problem.symbols else iter([{}]):
+    for point in random_points(problem.symbols, 2):
         high, low = (at(problem.final(level), point) for level in (voltage.high, voltage.low))
         duty, mean = at(results["duty"], point), at(results["mean"], point)
         shares = [min(1.0, max(0.0, duty * SAMPLES - k)) for k in range(SAMPLES)]

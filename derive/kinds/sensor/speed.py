@@ -101,7 +101,7 @@ def _so_far(encoder: Encoder, options: Options, problem: Problem, results: dict[
     trees = [problem.final(e) for e in (options.counts, options.period, encoder.gear or ONE)]
     trees += [turn, results["omega"], results["quantum"]]
     symbols = sorted(frozenset().union(*map(free_symbols, trees)))
-    for point in random_points(symbols, 3) if symbols else iter([{}]):
+    for point in random_points(symbols, 3):
         n, T, gear, counts, omega, quantum = (at(tree, point) for tree in trees)
         if not close(
             [omega * T * gear * counts, omega + quantum], [tau * n, tau * (n + 1) / (counts * gear * T)]

@@ -168,7 +168,7 @@ class _Writing:
 def _puts_back(problem: Problem, target: Target, branch: Branch) -> bool:
     """Whether a branch at reachable points, put back through the poses in numbers, gives these points."""
     holds = True
-    for each in random_points(sorted(problem.symbols), POINTS):
+    for each in random_points(problem.symbols, POINTS):
         at = dict(target.oracle.at(each))
         point = {**at, **target.goal.numbers(target.oracle.tool(at))}
         holds &= target.reached(point, {name: value_of(tree, point) for name, tree in branch.values.items()})

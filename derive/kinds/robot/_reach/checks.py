@@ -56,7 +56,7 @@ def _reached(problem: Problem, found: Chain, point: Tracked, region: Region, bou
     ]
     names = [found.joint(i).variable for i in turning]
     holds = True
-    for at in random_points(sorted(problem.symbols), 2):
+    for at in random_points(problem.symbols, 2):
         known = dict(oracle_of(problem).at(at))
         axis = np.array(numeric.matrix_numbers(found.axis(turning[0]), known)).ravel()
 

@@ -47,7 +47,7 @@ class Seeing:
     def places(self, zeros: tuple[Zero, ...]) -> list[dict[str, float]]:
         """Points of the set, of all symbols."""
         found = []
-        for at in random_points(sorted(self.problem.symbols), TRIES):
+        for at in random_points(self.problem.symbols, TRIES):
             if (here := self.put(at, zeros)) is not None:
                 found.append(here)
             if len(found) == POINTS:
@@ -87,7 +87,7 @@ class Seeing:
     @property
     def somewhere(self) -> dict[str, float]:
         """A configuration at random."""
-        (at,) = random_points(sorted(self.problem.symbols), 1)
+        (at,) = random_points(self.problem.symbols, 1)
         return dict(oracle_of(self.problem).at(at))
 
     def _at(self, here: dict[str, float], zeros: tuple[Zero, ...]) -> Iterator[Look]:

@@ -101,7 +101,7 @@ def _angles(problem: Problem, euler: Euler, frame: int, known: Point) -> dict[st
 def _refuse_singular(problem: Problem, euler: Euler, frame: int) -> None:
     """Raises NotDerivable where the angles fail in every configuration, as ZYZ does for arms in a plane."""
     det = rate_matrix(euler).det()
-    for at in random_points(sorted(problem.symbols), 2):
+    for at in random_points(problem.symbols, 2):
         known = oracle_of(problem).at(at)
         if abs(numeric.scalar_number(det, _angles(problem, euler, frame, known))) > SMALL:
             return
