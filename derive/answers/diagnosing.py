@@ -21,11 +21,11 @@ from derive.expression import (
     Number,
     Power,
     Product,
-    Quotient,
     Sum,
     Symbol,
     children,
     negate,
+    number,
     rebuild,
     terms_of,
     walk,
@@ -37,7 +37,7 @@ MOST_NODES = 60_000  # of all repairs together
 POINTS = 3
 SWAPPED = {"sin": "cos", "cos": "sin"}
 FACTORS = (2, 3, 4)
-TWO = Number(Fraction(2))
+TWO = number(2)
 _STEM = re.compile(r"([A-Za-z]+?)_?(\d+|[a-z]?)((?:_d?dot)?)")
 
 SIGN = "sign"
@@ -119,8 +119,8 @@ def _repairs(published: Expr, derived: Expr, names: frozenset[str]) -> Iterator[
         yield from _each_named(published, f"factor {n} in one term", partial(_one_scaled, factor=factor))
     yield from ((INDEX, tree) for tree in _renamed(published, names))
     yield from _each_named(published, EXTRA, _shortened)
-    terms = derived.terms if isinstance(derived, Sum) else ()
-    yield from ((MISSING, Sum((published, term))) for term in terms)
+    if isinstance(derived, Sum):
+        yield from ((MISSING, published + term) for term in derived.terms)
 
 
 def _each_named(tree: Expr, name: str, change: Callable[[Expr], Iterator[Expr]]) -> Iterator[Repair]:
@@ -130,10 +130,10 @@ def _each_named(tree: Expr, name: str, change: Callable[[Expr], Iterator[Expr]])
 def _scaled(published: Expr) -> Iterator[Repair]:
     """A factor that should not be there is named as it stands in the answer."""
     for n in FACTORS:
-        yield f"factor {n}", Quotient(published, Number(Fraction(n)))
-        yield f"factor 1/{n}", Product((Number(Fraction(n)), published))
-    yield "factor -2", Quotient(published, Number(Fraction(-2)))
-    yield "factor -1/2", Product((Number(Fraction(-2)), published))
+        yield f"factor {n}", published / n
+        yield f"factor 1/{n}", n * published
+    yield "factor -2", published / -2
+    yield "factor -1/2", -2 * published
 
 
 def _each(tree: Expr, change: Callable[[Expr], Iterator[Expr]]) -> Iterator[Expr]:
@@ -182,7 +182,7 @@ def _swapped(node: Expr) -> Iterator[Expr]:
 
 def _squared(node: Expr) -> Iterator[Expr]:
     if isinstance(node, Symbol | Call | Sum) and node != PI:
-        yield Power(node, TWO)
+        yield node**2
 
 
 def _unsquared(node: Expr) -> Iterator[Expr]:
@@ -204,8 +204,8 @@ def _other_way_round(node: Expr) -> Iterator[Expr]:
 def _in_degrees(published: Expr) -> Iterator[Expr]:
     """Degrees read as radians, in a sine or as the answer itself; and the other way round."""
     yield _degrees_in_trig(published)
-    yield Product((published, Quotient(PI, Number(Fraction(180)))))
-    yield Product((published, Quotient(Number(Fraction(180)), PI)))
+    yield published * (PI / 180)
+    yield published * (180 / PI)
 
 
 def _degrees_in_trig(tree: Expr) -> Expr:
@@ -237,7 +237,7 @@ def _renamed(published: Expr, names: frozenset[str]) -> Iterator[Expr]:
     angles = sorted({node for node in walk(published) if isinstance(node, Call)}, key=repr)
     arguments = {angle for call in angles if call.function in SWAPPED for angle in call.arguments}
     choices = [*arguments, *(Symbol(name) for name in sorted(names) if name[-1:].isdigit())]
-    choices += [Sum((*terms_of(a), Symbol(b))) for a in arguments for b in sorted(names) if b[-1:].isdigit()]
+    choices += [a + Symbol(b) for a in arguments for b in sorted(names) if b[-1:].isdigit()]
     for choice in sorted(choices, key=repr):
         yield from _each(published, partial(_other_angle, angle=choice))
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal, TypeAlias, get_args
 
 from derive.control.ratios import Ratio, total
-from derive.expression import Expr, Product, Quotient, Symbol, add, multiply
+from derive.expression import Expr, Quotient, Symbol, add, factors_of, multiply
 
 S = Symbol("s")
 Family: TypeAlias = Literal["P", "PI", "PD", "PID"]
@@ -56,6 +56,6 @@ def _term(letter: str, gain: Expr) -> Expr:
         case "I":
             return Quotient(gain, S)
         case "D":
-            return multiply(*(gain.factors if isinstance(gain, Product) else (gain,)), S)
+            return multiply(*factors_of(gain), S)
         case _:
             return gain

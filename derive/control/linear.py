@@ -21,6 +21,7 @@ from derive.expression import (
     Sum,
     Symbol,
     add,
+    factors_of,
     free_symbols,
     multiply,
     negate,
@@ -77,9 +78,7 @@ def term(coefficient: Ratio, signal: Expr, decimals: bool = False) -> Expr:
     if coefficient.bottom and not coefficient.top:
         top, bottom = coefficient.parts(decimals)
         return Quotient(multiply(top, signal), bottom)
-    written = coefficient.expr(decimals)
-    factors = written.factors if isinstance(written, Product) else (written,)
-    return multiply(*factors, signal)
+    return multiply(*factors_of(coefficient.expr(decimals)), signal)
 
 
 def tree(form: Form, decimals: bool = False) -> Expr:

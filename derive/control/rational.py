@@ -36,6 +36,7 @@ from derive.expression import (
     is_negative,
     multiply,
     number,
+    terms_of,
 )
 
 S = Symbol("s")
@@ -188,7 +189,7 @@ def written(coefficients: Sequence[Scalar], style: Style = PLAIN) -> Expr:
         for place, coefficient in enumerate(coefficients)
         if coefficient
     ]
-    flat = [part for term in terms for part in (term.terms if isinstance(term, Sum) else (term,))]
+    flat = [part for term in terms for part in terms_of(term)]
     return add(*flat) if flat else ZERO
 
 

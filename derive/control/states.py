@@ -13,7 +13,17 @@ from derive.algebra.scalar import Scalar
 from derive.control.rational import Rational
 from derive.control.realisation import Realised, realisations
 from derive.control.system import System
-from derive.expression import MINUS_ONE, Expr, Product, Quotient, Symbol, add, is_negative, multiply, negate
+from derive.expression import (
+    MINUS_ONE,
+    Expr,
+    Quotient,
+    Symbol,
+    add,
+    factors_of,
+    is_negative,
+    multiply,
+    negate,
+)
 
 MOST = 10  # states that are looked at
 ORDERS = ("", "_dot", "_ddot")
@@ -181,7 +191,7 @@ def written(form: Form, style: Style) -> Expr:
 def _term(coefficient: Expr, signal: Symbol) -> Expr:
     if coefficient == MINUS_ONE:
         return negate(signal)
-    return multiply(*(coefficient.factors if isinstance(coefficient, Product) else (coefficient,)), signal)
+    return multiply(*factors_of(coefficient), signal)
 
 
 def symbols_of(space: StateSpace) -> Iterator[Symbol]:

@@ -11,7 +11,7 @@ from derive.control.diagram import Block, Diagram
 from derive.control.rational import Rational
 from derive.control.system import System
 from derive.derivation import Caption, Drawing, Place, Stroke
-from derive.expression import ONE, ZERO, Expr, Power, Quotient, Sum, Symbol, multiply, number
+from derive.expression import ONE, Expr, Quotient, Symbol, add, multiply
 from derive.figures.block_diagram import drawn
 from derive.figures.view import around
 
@@ -196,13 +196,8 @@ def _label(block: Block) -> Expr:
 
 
 def _polynomial(coefficients: tuple[Expr, ...]) -> Expr:
-    degree = len(coefficients) - 1
-    terms = [
-        multiply(c, ONE if k == 0 else S if k == 1 else Power(S, number(k)))
-        for k, c in zip(range(degree, -1, -1), coefficients, strict=True)
-        if c != ZERO
-    ]
-    return terms[0] if len(terms) == 1 else Sum(tuple(terms)) if terms else ZERO
+    powers = (ONE, S, *(S**k for k in range(2, len(coefficients))))
+    return add(*(multiply(c, powers[k]) for k, c in reversed(list(enumerate(reversed(coefficients))))))
 
 
 def _before(way: tuple[Place, ...]) -> Place:

@@ -10,7 +10,7 @@ from derive.algebra.formulas.likely_mistakes import doubtful_angle
 from derive.algebra.formulas.tokens import tokens
 from derive.algebra.formulas.units import ANY
 from derive.errors import FormulaError, SheetError
-from derive.expression import Call, Expr, Number, Product, Sum, Symbol, walk
+from derive.expression import Call, Expr, Number, Product, Symbol, terms_of, walk
 from derive.kinds.problem import expressions, parts
 from derive.mechanics.lagrangian import MovingBody
 from derive.mechanics.motion import Move
@@ -65,7 +65,7 @@ def _turned(part: Any) -> tuple[Expr | None, ...]:
 
 def _names(tree: Expr | None) -> Iterator[str]:
     """The names that are themselves terms of an angle, or multiples of one: no speed times the time."""
-    for term in tree.terms if isinstance(tree, Sum) else (tree,):
+    for term in terms_of(tree) if tree else ():
         match term:
             case Symbol(name) | Product((Number(), Symbol(name))):
                 yield name
