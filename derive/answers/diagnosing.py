@@ -27,7 +27,6 @@ from derive.expression import (
     negate,
     number,
     rebuild,
-    terms_of,
     walk,
 )
 from derive.expression import replace as replaced
