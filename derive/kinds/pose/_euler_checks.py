@@ -1,14 +1,17 @@
-"""Every branch of the angles put back, in numbers, into rotations composed by another route."""
+"""Three angles in numbers: the branches at a point, and every one of them put back into rotations composed by
+another route."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from derive.algebra.numbers.floats import Point, number
+from derive.algebra.numbers.floats import Point, number, numbers
 from derive.derivation import Branch
 from derive.expression import Expr, free_symbols
+from derive.kinds.evaluation import Place
 from derive.kinds.pose._euler_steps import Comparison
+from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
 from derive.mechanics.euler import SIGNS, Euler
 from derive.mechanics.oracle import made
@@ -17,6 +20,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 Route: TypeAlias = "Callable[[Point], NDArray[Any]]"
+NEARLY_SINGULAR = 1e-9
 FREE = 0.7  # rad, an angle that may be chosen
 
 
@@ -70,3 +74,25 @@ def _answers(work: Work, compared: Comparison, solutions: tuple[Branch, ...]) ->
         symbols = given.problem.symbols
         work = work.agrees("orientation-again", symbols, back, given.turns, when=branch.when)
     return work
+
+
+def branches_at(place: Place | None, compared: Comparison, solutions: tuple[Branch, ...]) -> dict[str, Any]:
+    """The solutions in floats at a point, nothing where symbols are left; the case that does not occur there
+    is not real. A free angle is chosen zero."""
+    point = point_of(dict(place or ()), compared.problem.where)
+    try:
+        R = numbers(compared.problem.readable_matrix(compared.given.R), point)
+    except KeyError:
+        return {}
+    pair = (compared.euler.first.sine, compared.euler.first.cosine)
+    singular = sum(R[entry.row][entry.col] ** 2 for entry in pair) < NEARLY_SINGULAR**2
+    here = R[compared.euler.middle.row][compared.euler.middle.col]
+    regular = len(solutions) - len(compared.singular_cases)
+    found: list[dict[str, Any]] = []
+    for k, branch in enumerate(solutions):
+        case = compared.singular_cases[k - regular] if k >= regular else None
+        occurs = singular and here * case.entry > 0 if case else not singular
+        free = {compared.euler.outer[2]: 0.0, **point}
+        values = {name: number(value, free) for name, value in branch.values.items()} if occurs else {}
+        found.append({**values, "when": branch.when, **({} if occurs else {"real": False})})
+    return {"R": R, "solutions": found}

@@ -6,10 +6,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import replace as replace_fields
 from functools import cached_property
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 from derive.algebra.normal import normal, normal_matrix
-from derive.algebra.numbers.floats import number, numbers
 from derive.algebra.readable.form import readable_matrix
 from derive.algebra.scalar import Scalar
 from derive.derivation import Branch, Claim, PageFacts, Phrase, Record, Step
@@ -36,15 +35,12 @@ from derive.expression import (
 from derive.expression import number as exact_number
 from derive.kinds.chains import distinct
 from derive.kinds.checks import law
-from derive.kinds.evaluation import Place
 from derive.kinds.pose._given import Given
 from derive.kinds.pose._numbers import fixed_angle, known_angle, shortened, turns_of
 from derive.kinds.problem import Problem
-from derive.kinds.values_at import point_of
 from derive.mechanics.elementary import factor_name, rotation_matrix
 from derive.mechanics.euler import SIGNS, Direction, Euler, Sign, Singular
 
-NEARLY_SINGULAR = 1e-9
 Equation: TypeAlias = tuple[Expr, Expr]
 
 
@@ -253,28 +249,6 @@ class Comparison:
                 (cosine.name, _signed(cosine.sign, cos(left))),
             ),
         )
-
-
-def branches_at(place: Place | None, compared: Comparison, solutions: tuple[Branch, ...]) -> dict[str, Any]:
-    """The solutions in floats at a point, nothing where symbols are left; the case that does not occur there
-    is not real. A free angle is chosen zero."""
-    point = point_of(dict(place or ()), compared.problem.where)
-    try:
-        R = numbers(compared.problem.readable_matrix(compared.given.R), point)
-    except KeyError:
-        return {}
-    pair = (compared.euler.first.sine, compared.euler.first.cosine)
-    singular = sum(R[entry.row][entry.col] ** 2 for entry in pair) < NEARLY_SINGULAR**2
-    here = R[compared.euler.middle.row][compared.euler.middle.col]
-    regular = len(solutions) - len(compared.singular_cases)
-    found: list[dict[str, Any]] = []
-    for k, branch in enumerate(solutions):
-        case = compared.singular_cases[k - regular] if k >= regular else None
-        occurs = singular and here * case.entry > 0 if case else not singular
-        free = {compared.euler.outer[2]: 0.0, **point}
-        values = {name: number(value, free) for name, value in branch.values.items()} if occurs else {}
-        found.append({**values, "when": branch.when, **({} if occurs else {"real": False})})
-    return {"R": R, "solutions": found}
 
 
 def _relations(direction: Direction, angle: Symbol, g: Expr) -> tuple[Equation, Equation]:

@@ -13,8 +13,8 @@ from derive.errors import NotDerivable
 from derive.expression import Product
 from derive.kinds.checks import is_rotation
 from derive.kinds.fields import Name
-from derive.kinds.pose._euler_checks import put_back
-from derive.kinds.pose._euler_steps import Comparison, branches_at, factors_of
+from derive.kinds.pose._euler_checks import branches_at, put_back
+from derive.kinds.pose._euler_steps import Comparison, factors_of
 from derive.kinds.pose._euler_steps import Facts as Facts
 from derive.kinds.pose._given import PoseOptions, given_pose
 from derive.kinds.problem import Problem
@@ -39,6 +39,7 @@ DEFAULTS = (("phi", "theta", "psi"), ("alpha", "beta", "gamma"), ("phi_e", "thet
 
 
 def known_convention(text: str) -> str:
+    """The letters of a sequence of axes. Raises ValueError for any others."""
     Convention.of(text)
     return text
 

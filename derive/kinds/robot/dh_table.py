@@ -8,6 +8,7 @@ from derive.derivation import Derivation, PageFacts, Result, Step, Table
 from derive.expression import ZERO
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
+from derive.kinds.robot._example import two_links
 from derive.kinds.robot._rows.dh_found import FrameTold, found_rows, frame_lines, frames_told
 from derive.kinds.robot._rows.dh_rows import Rows
 from derive.kinds.work import Work
@@ -20,17 +21,9 @@ RESULTS = {
     "T_base": "frame 0 in the base (4 by 4), where rows were found or restated and it is not the same",
     "T_tool": "the end-effector in frame n (4 by 4), where it is not the same",
 }
-EXAMPLE = """\
-title: Link parameters
-problems:
-- robot:
-    links:
-    - {theta: theta1*, d: 0, a: a1, alpha: 0}
-    - {theta: theta2*, d: 0, a: a2, alpha: 0}
-  questions:
-  - {find: dh-table}
-  - {find: dh-table, convention: modified}
-"""
+EXAMPLE = two_links(
+    "Link parameters", "questions:", "- {find: dh-table}", "- {find: dh-table, convention: modified}"
+)
 Mode: TypeAlias = Literal["given", "found", "restated"]
 
 

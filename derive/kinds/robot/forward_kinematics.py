@@ -14,6 +14,7 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL, chain_of, end_frame, oracle_of, pose_name
 from derive.kinds.robot._columns import product_lines
+from derive.kinds.robot._example import two_links
 from derive.kinds.robot._rows.exponentials import NAMED, Exponentials, ScrewsTold
 from derive.kinds.work import Work
 from derive.mechanics.dh import CONVENTIONS
@@ -24,15 +25,7 @@ RESULTS = {
     "T_1^0, T_2^1, ...": "each frame in the one before (4 by 4)",
     "T_n^0": "the last frame in the base (4 by 4), the tool included where there is one",
 }
-EXAMPLE = """\
-title: A planar arm
-problems:
-- robot:
-    links:
-    - {theta: theta1*, d: 0, a: a1, alpha: 0}
-    - {theta: theta2*, d: 0, a: a2, alpha: 0}
-  find: forward-kinematics
-"""
+EXAMPLE = two_links("A planar arm", "find: forward-kinematics")
 A_1, T_BASE = symbols("A_1 T_base")
 
 

@@ -15,6 +15,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import axis_lines, chain_of, oracle_of, pose_name
 from derive.kinds.robot._columns import pose_lines
 from derive.kinds.robot._couplings import motion_lines
+from derive.kinds.robot._example import two_links
 from derive.kinds.work import Work
 from derive.mechanics.oracle import Oracle
 from derive.mechanics.robot import Robot
@@ -26,15 +27,7 @@ RESULTS = {
     "p_1, p_2, ...": "a point on such an axis (3 by 1)",
     "phi, Gamma": "of coupled joints: what the rows move by (m by 1), and its partial derivatives (m by n)",
 }
-EXAMPLE = """\
-title: The axes of a planar arm
-problems:
-- robot:
-    links:
-    - {theta: theta1*, d: 0, a: a1, alpha: 0}
-    - {theta: theta2*, d: 0, a: a2, alpha: 0}
-  find: joint-axes
-"""
+EXAMPLE = two_links("The axes of a planar arm", "find: joint-axes")
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:

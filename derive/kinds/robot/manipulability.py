@@ -28,6 +28,7 @@ from derive.kinds.evaluation import Evaluation, Place
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import scalar_of
+from derive.kinds.robot._example import two_links
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._singular.determinants import (
     as_product,
@@ -51,16 +52,12 @@ RESULTS = {
     "force_axes": "at a point: the semi-axes of the force ellipsoid, along the same directions",
     "force_directions": "at a point: their directions",
 }
-EXAMPLE = """\
-title: Manipulability
-problems:
-- robot:
-    links:
-    - {theta: theta1*, d: 0, a: l1, alpha: 0}
-    - {theta: theta2*, d: 0, a: l2, alpha: 0}
-  find: manipulability
-  evaluate: {theta1: 30 deg, theta2: 60 deg, l1: 1, l2: 1}
-"""
+EXAMPLE = two_links(
+    "Manipulability",
+    "find: manipulability",
+    "evaluate: {theta1: 30 deg, theta2: 60 deg, l1: 1, l2: 1}",
+    a="l",
+)
 DIFFERENCES = 1e-6
 SIX = 6
 SHORT = 12  # terms of all minors, whose squares may add up to something short

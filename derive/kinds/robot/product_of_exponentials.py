@@ -10,6 +10,7 @@ from derive.kinds.checks import is_rotation
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, end_frame, oracle_of
+from derive.kinds.robot._example import two_links
 from derive.kinds.robot._rows.exponentials import NAMED, Exponentials, ScrewsTold
 from derive.kinds.work import Work
 from derive.mechanics.poses import rotation_part
@@ -22,15 +23,7 @@ RESULTS = {
     "E_1, E_2, ...": "the motion e^{[S_i] q_i} that each joint gives to all that follows (4 by 4)",
     "T_n^0": "the pose of the end-effector (4 by 4)",
 }
-EXAMPLE = """\
-title: A planar arm by its screws
-problems:
-- robot:
-    links:
-    - {theta: theta1*, d: 0, a: a1, alpha: 0}
-    - {theta: theta2*, d: 0, a: a2, alpha: 0}
-  find: product-of-exponentials
-"""
+EXAMPLE = two_links("A planar arm by its screws", "find: product-of-exponentials")
 ENDS = ("compose", "entry")  # what is left to say where the screws themselves are given
 
 

@@ -1,0 +1,1 @@
+"""Workspaces: `regions` finds their borders, `checks` searches for points beyond them."""

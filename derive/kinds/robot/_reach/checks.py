@@ -4,39 +4,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
-from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers import floats as numeric
 from derive.derivation import Claim
-from derive.expression import ZERO, Expr
+from derive.expression import Expr
 from derive.kinds.checks import SECOND_ROUTE, random_points
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._point import Tracked
+from derive.kinds.robot._reach.regions import Region
 from derive.mechanics.chain import Chain
 from derive.mechanics.reach import moving_joints
 
 SMALL = 1e-6
 NEAR = 1e-2  # a search creeps where links of 2, 2 and 4 are folded
 SWEEPS = 40  # of a search joint by joint
-
-
-@dataclass(frozen=True, slots=True)
-class Region:
-    """`kind` is "planar" or "swung"; `lengths` of the links, as trees; r_min and r_max with the chains that
-    lead to them, and the distances they count: from `center` (3 by 1)."""
-
-    kind: str
-    lengths: tuple[Expr, ...]
-    smallest: tuple[Expr, ...]
-    largest: tuple[Expr, ...]
-    center: ScalarMatrix
-    offset: Expr = ZERO
-    side: Expr = ZERO
-    slides: bool = False
 
 
 def second_route(
