@@ -1,7 +1,8 @@
-"""The examples of the language page build."""
+"""The examples of the language page build; the page on inverse kinematics shows what the code does."""
 
 from __future__ import annotations
 
+import doctest
 import re
 from pathlib import Path
 
@@ -23,3 +24,31 @@ def test_example_builds(text: str, tmp_path: Path) -> None:
     (document,) = derive_all([load_sheet(path)], True, lambda _: None)
     assert render(document, "md")
     assert render(document, "tex")
+
+
+INVERSE = (ROOT / "docs" / "inverse-kinematics.md").read_text(encoding="utf-8")
+ROOMS = [
+    *(ROOT / "derive" / "mechanics" / "inverse").glob("*.py"),
+    *(ROOT / "derive" / "kinds" / "robot" / "_inverse").glob("*.py"),
+    *(ROOT / "derive" / "mechanics").glob("[bi]*.py"),
+    *(ROOT / "templates" / "words" / "robot").glob("*inverse*"),
+]
+
+
+def test_the_session_on_inverse_kinematics(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    blocks = re.findall(r"^```python\n(.*?)^```$", INVERSE, re.MULTILINE | re.DOTALL)
+    session = doctest.DocTestParser().get_doctest("".join(blocks), {}, "inverse-kinematics.md", None, 0)
+    told: list[str] = []
+    result = doctest.DocTestRunner().run(session, out=told.append)
+    assert result.attempted > 40 and not result.failed, "".join(told)
+
+
+@pytest.mark.parametrize("name", sorted({*re.findall(r"`([\w./]+)`", INVERSE)}))
+def test_the_names_on_inverse_kinematics(name: str) -> None:
+    """Files and folders that are named exist, and so does each class, function and field."""
+    if "/" in name or name.endswith((".py", ".j2")):
+        assert [*ROOT.glob(name), *ROOT.glob(f"**/{name}")]
+        return
+    texts = [path.read_text(encoding="utf-8") for path in ROOMS]
+    assert any(re.search(rf"\b{name.rpartition('.')[2]}\b", text) for text in texts)

@@ -59,7 +59,7 @@ class Solving:
         and signs that are decided so are known from now on."""
         progress, unknown = self.progress, self.found.unknown
         for choice in shown or choices:
-            self.add("option", head, choice.value)
+            self.add("choice", head, choice.value)
         left = progress.left_of(unknown) if isinstance(unknown, Form) else ()
         facts = SolvedFacts(
             method=method,
@@ -71,7 +71,7 @@ class Solving:
             squares=self._by("squares"),
             aside=self._by("aside"),
             solved=self._by("solved"),
-            choices=self._by("option"),
+            choices=self._by("choice"),
             left=left,
         )
         number, steps = len(progress.solved), (*self.steps, *left)
