@@ -28,15 +28,15 @@ from derive.kinds.evaluation import Evaluation, Place
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import scalar_of
-from derive.kinds.robot._example import two_links
-from derive.kinds.robot._point import PointOn
-from derive.kinds.robot._singular.determinants import (
+from derive.kinds.robot._determinants import (
     as_product,
     determinant,
     gram_determinant,
     natural,
     product_tree,
 )
+from derive.kinds.robot._example import two_links
+from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._singular.work import seen_from_middle
 from derive.kinds.robot._velocity.ellipsoids import PointTold, at_point, decided
 from derive.kinds.robot._velocity.task import RowName, Task, task_of

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from derive.algebra.generators import Root
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.readable.writing import opposite
 from derive.algebra.roots_and_functions import in_single_angles
 from derive.algebra.solving.factors import TooLong
 from derive.algebra.solving.row_reduction import column_space, null_space
@@ -16,7 +17,7 @@ from derive.algebra.substitution import pinned_matrix, rationalised
 from derive.errors import NotDerivable
 from derive.expression import Expr, Matrix, Symbol, free_symbols
 from derive.kinds.problem import Problem
-from derive.kinds.robot._singular.determinants import mostly_negative, opposite
+from derive.kinds.robot._determinants import mostly_negative
 from derive.kinds.robot._singular.geometry import Look, Seeing
 from derive.kinds.robot._singular.values import decided, signed, values_of
 from derive.mechanics.strata import Stratum

@@ -24,7 +24,7 @@ from derive.expression import (
 )
 from derive.kinds.checks import law
 from derive.kinds.problem import Problem
-from derive.kinds.robot._singular.determinants import determinant, gram_determinant, natural, product_tree
+from derive.kinds.robot._determinants import determinant, gram_determinant, natural, product_tree
 from derive.kinds.robot._singular.geometry import Seeing
 from derive.kinds.robot._singular.sets import Block
 from derive.kinds.robot._velocity.task import Task

@@ -30,7 +30,7 @@ from derive.expression import (
 )
 from derive.expression import replace as replaced
 from derive.kinds.problem import Problem
-from derive.kinds.robot._singular.determinants import as_product, determinant, natural
+from derive.kinds.robot._determinants import as_product, determinant, natural
 from derive.kinds.robot._velocity.task import Task
 from derive.kinds.work import Work
 from derive.mechanics.minors import minors

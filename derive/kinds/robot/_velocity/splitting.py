@@ -22,7 +22,7 @@ from derive.expression import (
     transpose,
 )
 from derive.expression import replace as replaced
-from derive.kinds.robot._singular.determinants import as_product, determinant
+from derive.kinds.robot._determinants import as_product, determinant
 from derive.kinds.robot._velocity.solving import quotient
 from derive.kinds.robot._velocity.task import Task
 from derive.kinds.work import Work

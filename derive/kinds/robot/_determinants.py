@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 
 from derive.algebra.rationals import as_fraction
 from derive.algebra.readable.operation_count import operations
+from derive.algebra.readable.writing import opposite
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.factors import Factored, factored
 from derive.expression import (
@@ -84,14 +85,6 @@ def _place(pair: tuple[Scalar, int]) -> tuple[int, bool]:
 def mostly_negative(tree: Expr) -> bool:
     terms = tree.terms if isinstance(tree, Sum) else (tree,)
     return sum(map(is_negative, terms)) * 2 > len(terms)
-
-
-def opposite(tree: Expr) -> Expr:
-    if not isinstance(tree, Sum):
-        return negate(tree)
-    terms = tuple(map(negate, tree.terms))
-    first = next((k for k, term in enumerate(terms) if not is_negative(term)), 0)
-    return Sum((terms[first], *terms[:first], *terms[first + 1 :]))
 
 
 def gram_determinant(problem: Problem, found: Sequence[Scalar], trees: Iterable[Expr]) -> Expr:
