@@ -33,11 +33,13 @@ from derive.expression import (
     Sum,
     Symbol,
     add,
+    factors_of,
     is_negative,
     multiply,
     negate,
     number,
     sqrt,
+    terms_of,
 )
 
 Write: TypeAlias = Callable[[Scalar], Expr]
@@ -178,7 +180,7 @@ def _as_sum(name: str, held: list[str], tree: Expr) -> tuple[Zero, ...]:
 
 def _single(tree: Expr) -> tuple[Expr | None, str]:
     """The angle and the function of k sin(...) or k cos(...)."""
-    factors = tree.factors if isinstance(tree, Product) else (tree,)
+    factors = factors_of(tree)
     calls = [f for f in factors if isinstance(f, Call) and f.function in ("cos", "sin")]
     others = [f for f in factors if isinstance(f, Sum)]
     if len(calls) != 1 or others:
@@ -196,12 +198,12 @@ def _without(angle: Expr, name: Symbol) -> Expr | None:
 
 def _plus(value: Expr, expr: Expr) -> Expr:
     """Their sum, what has no minus sign first."""
-    terms = expr.terms if isinstance(expr, Sum) else (expr,)
+    terms = terms_of(expr)
     return add(value, *terms) if is_negative(terms[0]) else add(*terms, value)
 
 
 def _opposite(expr: Expr) -> Expr:
-    return add(*map(negate, expr.terms)) if isinstance(expr, Sum) else negate(expr)
+    return add(*map(negate, terms_of(expr)))
 
 
 def _with_constant(name: str, a: Scalar, b: Scalar, d: Scalar, write: Write) -> tuple[Zero, ...] | None:
@@ -257,8 +259,7 @@ def _over(top: Expr, bottom: Expr) -> Expr:
     """The quotient, one sign in front."""
     if is_negative(bottom):
         top, bottom = _opposite(top), negate(bottom)
-    terms = top.terms if isinstance(top, Sum) else (top,)
-    if all(map(is_negative, terms)):
+    if all(map(is_negative, terms_of(top))):
         return Product((MINUS_ONE, Quotient(_opposite(top), bottom)))
     return Quotient(top, bottom)
 

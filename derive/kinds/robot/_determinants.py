@@ -24,6 +24,7 @@ from derive.expression import (
     negate,
     number,
     squared,
+    terms_of,
 )
 from derive.kinds.problem import Problem
 
@@ -83,7 +84,7 @@ def _place(pair: tuple[Scalar, int]) -> tuple[int, bool]:
 
 
 def mostly_negative(tree: Expr) -> bool:
-    terms = tree.terms if isinstance(tree, Sum) else (tree,)
+    terms = terms_of(tree)
     return sum(map(is_negative, terms)) * 2 > len(terms)
 
 

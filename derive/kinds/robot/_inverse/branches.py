@@ -21,10 +21,11 @@ from derive.expression import (
     is_negative,
     rebuild,
     replace,
+    terms_of,
     walk,
 )  # fmt: skip
 from derive.kinds.problem import Problem
-from derive.kinds.robot._inverse.signs import opposite, ordered, terms_of
+from derive.kinds.robot._inverse.signs import opposite, ordered
 from derive.kinds.robot._inverse.subproblem import Definition, Item, Taken, branches_of, shares, weighted
 from derive.mechanics.inverse.known import determined
 

@@ -27,6 +27,7 @@ from derive.expression import (
     sqrt,
     squared,
     subtract,
+    terms_of,
 )
 from derive.kinds.robot._inverse.facts import Method
 from derive.kinds.robot._inverse.one_equation import SIGNS, of_sign, solve
@@ -37,7 +38,6 @@ from derive.kinds.robot._inverse.signs import (
     ordered,
     over,
     square,
-    terms_of,
     times,
     total,
 )

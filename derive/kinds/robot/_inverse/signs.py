@@ -8,7 +8,6 @@ from fractions import Fraction
 from derive.expression import (
     MINUS_ONE,
     ONE,
-    ZERO,
     Expr,
     Number,
     Product,
@@ -20,6 +19,7 @@ from derive.expression import (
     multiply,
     negate,
     squared,
+    terms_of,
     walk,
 )
 
@@ -31,20 +31,14 @@ def leaves(tree: Expr) -> int:
     return sum(1 for node in walk(tree) if not children(node) and node != MINUS_ONE)
 
 
-def terms_of(tree: Expr) -> tuple[Expr, ...]:
-    """The terms of a sum; anything else by itself, zero not at all."""
-    found = tree.terms if isinstance(tree, Sum) else (tree,)
-    return tuple(term for term in found if term != ZERO)
-
-
 def begins_negative(tree: Expr) -> bool:
     """Whether it is written with a minus in front, of a sum the first term."""
-    return any(map(is_negative, terms_of(tree)[:1]))
+    return is_negative(terms_of(tree)[0])
 
 
 def all_negative(tree: Expr) -> bool:
     """Whether it is written with a minus in front, of a sum every term."""
-    return all(map(is_negative, tree.terms)) if isinstance(tree, Sum) else is_negative(tree)
+    return all(map(is_negative, terms_of(tree)))
 
 
 def opposite(tree: Expr) -> Expr:
