@@ -107,7 +107,7 @@ class Branch:
     """
 
     values: Mapping[str, Expr]
-    when: tuple[Condition, ...] | str
+    when: tuple[Condition, ...]
     short: Mapping[str, Expr] = field(default_factory=dict)
     true_at: bool = True
     facts: Mapping[str, Any] = field(default_factory=dict)

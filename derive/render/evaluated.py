@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Set
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, get_args
@@ -24,7 +24,6 @@ from derive.expression import (
 )
 from derive.expression import Power as Raised
 from derive.render.angles import in_degrees, in_radians
-from derive.render.conditions import condition
 from derive.render.latex import Printer
 from derive.render.layout import Chain, lay_out
 from derive.render.notation import Notation
@@ -58,12 +57,11 @@ def evaluated_words(
         for name, value in values.items()
         if (chain := telling.chain(_called(facts.page_names.get(name, name)), value, name))
     ]
-    names = {*at, *(name for each in _branches(derivation.results.get("solutions")) for name in each.values)}
     context = {
         "point": [_given(name, value, telling.printer) for name, value in at.items()],
         "display": skin.display(lay_out(tuple(chains))) if chains else "",
         "branches": [
-            telling.branch(_unknowns(branch, derivation), names)
+            telling.branch(_unknowns(branch, derivation))
             for branch in values.get("solutions", ())
             if branch.get("real", True) or not facts.met
         ],
@@ -84,17 +82,10 @@ def _given(name: str, value: Expr, printer: Printer) -> str:
 
 def _unknowns(branch: Mapping[str, Any], derivation: Derivation) -> dict[str, Any]:
     """A solution without the names of the working, which the page has above."""
-    working = {
-        name
-        for each in _branches(derivation.results.get("solutions"))
-        for name in each.short.keys() - each.values.keys()
-    }
+    found = derivation.results.get("solutions")
+    solutions = [part for part in found if isinstance(part, Branch)] if isinstance(found, tuple) else []
+    working = {name for each in solutions for name in each.short.keys() - each.values.keys()}
     return {name: value for name, value in branch.items() if name not in working}
-
-
-def _branches(result: object) -> tuple[Branch, ...]:
-    parts = result if isinstance(result, tuple) else ()
-    return tuple(part for part in parts if isinstance(part, Branch))
 
 
 def _style(style: Style, at: Mapping[str, Expr]) -> Style:
@@ -124,16 +115,12 @@ class _Telling:
         angle = in_degrees(value, digits) if degrees else in_radians(value, self.printer)
         return *chain_links((called,), self.printer), angle
 
-    def branch(self, branch: Mapping[str, Any], names: Set[str]) -> dict[str, Any]:
+    def branch(self, branch: Mapping[str, Any]) -> dict[str, Any]:
         """One solution: its equations as inline mathematics, and when it is the one."""
         values = {name: value for name, value in branch.items() if name not in ABOUT}
         chains = [self.chain(Symbol(name), value, name) for name, value in values.items()]
         equations = [f"${each[0].latex} {each[1].relation} {each[1].latex}$" for each in chains if each]
-        said, known = branch.get("when", ()), names | values.keys()
-        if isinstance(said, str):
-            when = condition(said, known, self.printer, self.skin.plain, self.style)
-        else:
-            when = self.speech.when(said)
+        when = self.speech.when(branch.get("when", ()))
         return {"when": when, "real": branch.get("real", True), "equations": equations}
 
 

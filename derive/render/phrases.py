@@ -21,7 +21,7 @@ from derive.algebra.readable.terms import Style
 from derive.derivation import Claim, Condition, Figure, Panels, Phrase, Plot, Result, Said
 from derive.expression import PI, Degrees, Expr, Quotient, Relation, walk
 from derive.render.latex import Printer
-from derive.render.skin import environment, words_file
+from derive.render.skin import english, environment, words_file
 
 PHRASES = "phrases"  # the block of a words template that holds them
 LATEX_SIGNS = {"<=": r"\leq", ">=": r"\geq", "!=": r"\neq"}
@@ -69,14 +69,12 @@ class Speech:
             case str() | int():
                 return self.plain(str(said))
             case tuple():
-                return f" {self._line('and')} ".join(self.say(part, notation) for part in said)
+                return f" {english('conjunction')} ".join(self.say(part, notation) for part in said)
             case _:
                 return self.formula.format(self.tree(said, notation))
 
-    def when(self, conditions: Iterable[Condition] | str) -> str:
+    def when(self, conditions: Iterable[Condition]) -> str:
         """Conditions that all hold: `elbow up, theta2 > 0`."""
-        if isinstance(conditions, str):
-            return conditions
         return ", ".join(map(self.say, conditions))
 
     def results(self, results: Mapping[str, Result]) -> dict[str, Result]:
@@ -111,8 +109,6 @@ class Speech:
 
     def claim(self, claim: Claim) -> str:
         """What was verified."""
-        if " " in claim.key:
-            return claim.key
         return self.say(Phrase(claim.key, claim.about))
 
     def _phrase(self, phrase: Phrase) -> Iterable[str]:

@@ -65,10 +65,17 @@ def _mathematics(context: Context, value: Any, trig: str | None = None) -> str:
 
 
 @pass_context
-def _listed(context: Context, values: Iterable[Any], conjunction: str = "and") -> str:
+def _listed(context: Context, values: Iterable[Any], conjunction: str = "") -> str:
     """`{{ names | listed }}`: inline mathematics of each, as `a, b and c`."""
     written = [_mathematics(context, value) for value in values]
-    return f" {conjunction} ".join(filter(None, (", ".join(written[:-1]), *written[-1:])))
+    return f" {conjunction or english('conjunction')} ".join(
+        filter(None, (", ".join(written[:-1]), *written[-1:]))
+    )
+
+
+def english(name: str) -> str:
+    """One of the fixed words of a sheet."""
+    return str(getattr(environment().get_template("words/_english.j2").module, name))
 
 
 def _fence(text: str) -> str:
@@ -113,8 +120,7 @@ class Skin:
 
     def above(self, number: int) -> str:
         """The sentence of an answer that an earlier question needed already."""
-        english: Any = environment().get_template("words/_english.j2").module
-        return f"{english.above} {number}."
+        return f"{english('above')} {number}."
 
     def _macro(self, name: str, *arguments: Any) -> str:
         module = environment().get_template(f"{self.name}/skin.j2").module

@@ -17,7 +17,6 @@ from jinja2 import Template
 
 from derive.derivation import Cell, Condition, Derivation, Phrase, Step, Table
 from derive.expression import Expr, Number, Relation
-from derive.render.conditions import RELATION, condition
 from derive.render.entries import with_named_entries
 from derive.render.latex import Printer, is_approximate
 from derive.render.layout import Chain, Display, Link, lay_out
@@ -184,8 +183,7 @@ class Telling:
 
     def _cell(self, entry: Cell) -> str:
         if isinstance(entry, str):
-            found = RELATION.search(entry)  # "stable if k - m > 0"
-            return condition(entry, (), self._printer(None), self.skin.plain) if found else entry
+            return entry
         if isinstance(entry, Phrase | Relation | tuple):
             return self.say(entry)
         unit = entry.unit if isinstance(entry, Number) and entry.value else ""

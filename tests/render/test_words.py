@@ -18,8 +18,9 @@ TOLD = Derivation("told", (Step("A", (A, B, number(3))), Step("x", (Symbol("x"),
 def tell(monkeypatch: pytest.MonkeyPatch, source: str, asked: bool = True) -> str:
     loader = environment().loader
     assert loader is not None
-    source_of_skin = loader.get_source(environment(), "markdown/skin.j2")[0]
-    templates = {"words/any/told.j2": source, "markdown/skin.j2": source_of_skin}
+    kept = ("markdown/skin.j2", "words/_english.j2")
+    templates = {name: loader.get_source(environment(), name)[0] for name in kept}
+    templates["words/any/told.j2"] = source
     monkeypatch.setattr(environment(), "loader", DictLoader(templates))
     return words(TOLD, "any", MARKDOWN, Notation(), asked)
 

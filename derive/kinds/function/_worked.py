@@ -36,7 +36,6 @@ LOCAL = {
 }  # fmt: skip
 CONDITIONAL = {"maximum": "local-maximum-if", "minimum": "local-minimum-if"}
 GLOBAL = {"maximum": "global-maximum", "minimum": "global-minimum", "both": "global-extremes"}
-COUNTS = ("", "one", "two", "three", "four", "five", "six", *map(str, range(7, 21)))
 LARGEST_SEARCH = 5  # unknowns with which Newton's method is cheap
 
 
@@ -46,7 +45,7 @@ class Facts(PageFacts):
     multipliers: tuple[Symbol, ...]
     partials: tuple[tuple[Expr, ...], ...]  # each with the zero that it is equal to
     determinants: tuple[tuple[Expr, ...], ...]  # likewise
-    count_word: str  # how many variables
+    variables: int
     cases: tuple[CaseTold, ...]
     nonzero: tuple[Expr, ...]  # taken not to vanish
     count: int  # of the points
@@ -86,7 +85,7 @@ def worked(kind: str, function: Function, problem: Problem) -> Derivation:
     work = work.claim(*_search(function, task, problem, found))
     solutions = tuple(_branch(p, when, name, task, problem) for p, when in zip(found, said, strict=True))
     facts = Facts(
-        goal=goal, name=name, multipliers=tuple(multipliers), count_word=COUNTS[len(function.variables)],
+        goal=goal, name=name, multipliers=tuple(multipliers), variables=len(function.variables),
         partials=tuple((*step.chain, ZERO) for step in steps if step.rule == "stationary"),
         determinants=tuple((*step.chain, ZERO) for step in steps if step.rule == "dependent"),
         cases=told(case, problem, function.variables), nonzero=divided_by(case, problem), count=len(found),

@@ -44,7 +44,7 @@ from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.goal import Goal, of_coordinates
 from derive.mechanics.inverse.two_link import TwoLink
 
-ELBOWS = {"down": 1, "up": -1}  # the sign of theta_2
+ELBOWS = {"elbow-down": 1, "elbow-up": -1}  # the sign of theta_2
 POINTS = 5
 
 
@@ -57,7 +57,7 @@ def derive(
     writing = _Writing(problem, arm, x, y)
     steps = writing.steps()
     conditions: list[tuple[Condition, ...]] = [
-        (Phrase(f"elbow-{elbow}"), of_sign(writing.theta_2, sign)) for elbow, sign in ELBOWS.items()
+        (Phrase(elbow), of_sign(writing.theta_2, sign)) for elbow, sign in ELBOWS.items()
     ]
     branches = [
         Branch(writing.values(sign), when) for sign, when in zip(ELBOWS.values(), conditions, strict=True)
@@ -119,7 +119,7 @@ class _Writing:
         triangle = Step("triangle", (inside, Quotient(sides, length)), "law-of-cosines")
         solved = Step("c_2", (cosine, self.cosine()), "law-of-cosines")
         elbows = [
-            Step(f"elbow_{elbow}", (self.theta_2, atan2(self.sine(sign, cosine), cosine)), "branch")
+            Step(elbow.replace("-", "_"), (self.theta_2, atan2(self.sine(sign, cosine), cosine)), "branch")
             for elbow, sign in ELBOWS.items()
         ]
         shoulder = self.shoulder(cosine, sin(self.theta_2))
