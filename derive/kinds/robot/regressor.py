@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Mapping, Sequence
+from functools import partial
 
 from derive.algebra.infix import text
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numbers import floats as numeric
+from derive.algebra.numbers.floats import Point, number_rows, numbers
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, PageFacts, Phrase, Step, Table
+from derive.derivation import Derivation, PageFacts, Phrase, Step, Table
 from derive.expression import (
     Approximate,
     Expr,
     Indexed,
     Matrix,
-    Product,
     Symbol,
     add,
     children,
@@ -24,11 +25,11 @@ from derive.expression import (
     replace,
     walk,
 )
-from derive.kinds.checks import agreement, law, links
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import matrix_of, moment_names, oracle_of
-from derive.kinds.robot._dynamics.rates import is_long, rated
+from derive.kinds.robot._chain import matrix_of
+from derive.kinds.robot._dynamics.arm import Arm
+from derive.kinds.robot._dynamics.example import planar_arm
 from derive.kinds.robot._dynamics.regressor import (
     Base,
     Standard,
@@ -36,6 +37,7 @@ from derive.kinds.robot._dynamics.regressor import (
     dependent,
     standard_parameters,
 )
+from derive.kinds.work import Work, as_matrix
 from derive.mechanics.robot import Robot
 
 RESULTS = {
@@ -47,16 +49,13 @@ RESULTS = {
     "groups": "what each of the smallest set gathers, as ZZ_1 + a1^2*M_2 (b)",
 }
 NEEDS = ("bodies",)
-EXAMPLE = """\
-title: The regressor of a planar arm
-problems:
-- robot:
-    gravity: [0, -g, 0]
-    links:
-    - {theta: theta1*, d: 0, a: l1, alpha: 0, mass: m1, com: [l_c1 - l1, 0, 0], inertia: [0, 0, I1]}
-    - {theta: theta2*, d: 0, a: l2, alpha: 0, mass: m2, com: [l_c2 - l2, 0, 0], inertia: [0, 0, I2]}
-  find: regressor
-"""
+EXAMPLE = planar_arm(
+    "The regressor of a planar arm",
+    "regressor",
+    "mass: m#, com: [l_c# - l#, 0, 0], inertia: [0, 0, I#]",
+    length="l#",
+)
+PRODUCTS = (("Y", "parameters"), ("Y_b", "base_parameters"))
 LONGEST_COLUMN = 30  # operations of a column of Y that is still shown
 MOST_LISTED = 20  # parameters
 LONGEST_NUMBER = 10**6  # denominator of a number that is still written in full
@@ -71,56 +70,58 @@ class Facts(PageFacts):
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
-    """tau = Y(q, qdot, qddot) Theta (Spong et al., section 6.5.3; Khalil and Dombre, section 9.4)."""
-    inertia = problem.ask("inertia-matrix")
-    named, big = moment_names(inertia), is_long(problem)
-    parameters = standard_parameters(problem)
+    """tau = Y(q, qdot, qddot) Theta (Spong et al., section 6.5.3; Khalil and Dombre, section 9.4).
+
+    Raises NotDerivable where a body or the friction of a joint changes with a joint variable.
+    """
+    arm, parameters = Arm(problem), standard_parameters(problem)
     made_of = dependent(problem, parameters)
     base = base_parameters(parameters, made_of)
-    values: dict[Expr, Expr] = {part.name: _final(problem, part.value, named) for part in parameters}
-    theta: dict[Expr, Expr] = {each.name: _final(problem, each.value, named) for each in base}
-    gathered = tuple(_gathered(problem, each, theta[each.name]) for each in base)
-    lost = tuple(_lost(problem, parameters, j, weights) for j, weights in made_of.items())
-    columns = {each.name: problem.readable_matrix(each.column) for each in base}
-    shown = () if big else _columns(columns)
+    values: dict[Expr, Expr] = {part.name: arm.final(part.value) for part in parameters}
+    theta: dict[Expr, Expr] = {each.name: arm.final(each.value) for each in base}
+    gathered = [_gathered(problem, each, theta[each.name]) for each in base]
+    lost = [_lost(problem, parameters, j, weights) for j, weights in made_of.items()]
+    columns = [problem.readable_matrix(each.column) for each in base]
+    all_columns = [problem.readable_matrix(part.column) for part in parameters]
+    work = Work(problem, aside=arm.moments).knowing({**values, **theta})
+    work = work.knowing({_y(part.name): y for part, y in zip(parameters, all_columns, strict=True)})
+    work = work.showing(*lost, *gathered).linked(but=[step.name for step in lost] if arm.long else ())
     results: dict[str, Expr] = {
-        "Y": _beside([problem.readable_matrix(part.column) for part in parameters]),
-        "parameters": column(values.values()),
-        "Y_b": _beside(list(columns.values())),
-        "base_parameters": column(theta.values()),
-    }
-    results = {name: problem.final(value) for name, value in results.items()}
-    results |= {
+        "Y": problem.final(_beside(all_columns)),
+        "parameters": problem.final(column(values.values())),
+        "Y_b": problem.final(_beside(columns)),
+        "base_parameters": problem.final(column(theta.values())),
         "names": column(map(_plain, values)),
         "groups": column(_plain(step.chain[1]) for step in gathered),
     }
-    definitions = {**values, **theta}
-    definitions |= {_y(part.name): problem.readable_matrix(part.column) for part in parameters}
-    claims = (
-        *links(gathered if big else (*lost, *gathered), {**problem.names, **definitions, **named}),
-        *(() if big else _laws(problem, results)),
-        *_second_routes(problem, results),
+    if not arm.long:
+        work = _linear(work.showing(*_columns(columns)), results)
+    for Y, name in PRODUCTS:
+        ours = partial(_product, as_matrix(results[Y], Y), results[name])
+        work = work.agrees("motion-of-each-body", arm.moving, ours, arm.rubbing.torques, Y=Y, theta=name)
+    facts = Facts(
+        table=_table(values),
+        all=len(parameters),
+        smallest=len(base),
+        rotors=any(part.name.base == "IA" for part in parameters),
+        friction=any(part.name.base in ("FV", "FS") for part in parameters),
+        numbers=("Y", "parameters", "Y_b", "base_parameters"),
     )
-    return Derivation(
-        "regressor",
-        (*lost, *gathered, *shown),
-        results,
-        claims,
-        definitions,
-        facts=Facts(
-            table=_table(values),
-            all=len(parameters),
-            smallest=len(base),
-            rotors=any(part.name.base == "IA" for part in parameters),
-            friction=any(part.name.base in ("FV", "FS") for part in parameters),
-            numbers=("Y", "parameters", "Y_b", "base_parameters"),
-        ),
-        matrices=frozenset({"Y", "Y_b"}),
-    )
+    return work.answer("regressor", results, facts, matrices=frozenset({"Y", "Y_b"}))
 
 
-def _final(problem: Problem, value: Scalar, named: Mapping[Expr, Expr]) -> Expr:
-    return problem.final(problem.readable(value), named)
+def _linear(work: Work, results: Mapping[str, Expr]) -> Work:
+    """Both products are tau."""
+    tau = normal_matrix(matrix_of(work.problem.ask("dynamics"), "tau"))
+    for Y, theta in PRODUCTS:
+        work = work.law("linear", normal_matrix(results[Y] * results[theta]) == tau, Y=Y, theta=theta)
+    return work
+
+
+def _product(Y: Matrix, theta: Expr, at: Point) -> list[float]:
+    """Y theta in numbers (n)."""
+    values = numbers(theta, at)
+    return [sum(map(operator.mul, row, values)) for row in number_rows(Y, at)]
 
 
 def _y(name: Indexed) -> Indexed:
@@ -152,12 +153,11 @@ def _lost(problem: Problem, parameters: Sequence[Standard], j: int, weights: Map
     return Step(f"y_{j + 1}_dependent", (name, add(*terms)), "dependent")
 
 
-def _columns(columns: Mapping[Symbol, Matrix]) -> tuple[Step, ...]:
+def _columns(columns: Sequence[Matrix]) -> tuple[Step, ...]:
     """The columns of Y_b, none where one of them is long."""
-    if any(sum(map(operations, children(value))) > LONGEST_COLUMN for value in columns.values()):
+    if any(sum(map(operations, children(each))) > LONGEST_COLUMN for each in columns):
         return ()
-    named = ((Symbol(f"y_{k}"), value) for k, value in enumerate(columns.values(), 1))
-    return tuple(Step(name.name, (name, value), "column") for name, value in named)
+    return tuple(Step(f"y_{k}", (Symbol(f"y_{k}"), each), "column") for k, each in enumerate(columns, 1))
 
 
 def _beside(columns: Sequence[Matrix]) -> Matrix:
@@ -166,35 +166,6 @@ def _beside(columns: Sequence[Matrix]) -> Matrix:
 
 def _table(values: Mapping[Expr, Expr]) -> Table | None:
     """Every parameter and its value, where they are not too many."""
-    return (
-        Table((Phrase("parameter"), Phrase("value")), tuple(values.items()))
-        if len(values) <= MOST_LISTED
-        else None
-    )
-
-
-def _laws(problem: Problem, results: Mapping[str, Expr]) -> tuple[Claim, ...]:
-    """Both products are tau."""
-    tau = normal_matrix(matrix_of(problem.ask("dynamics"), "tau"))
-    pairs = (("Y", "parameters"), ("Y_b", "base_parameters"))
-    return tuple(
-        law("linear", normal_matrix(Product((results[Y], results[theta]))) == tau, Y=Y, theta=theta)
-        for Y, theta in pairs
-    )
-
-
-def _second_routes(problem: Problem, results: Mapping[str, Expr]) -> tuple[Claim, ...]:
-    """Both products against Newton and Euler."""
-    arm = oracle_of(problem)
-
-    def product(Y: str, theta: str) -> Claim:
-        def ours(at: Mapping[str, float]) -> list[float]:
-            import numpy as np
-
-            whole = arm.at(at)
-            found = np.array(numeric.numbers(results[Y], whole)) @ numeric.numbers(results[theta], whole)
-            return [float(entry) for entry in found]
-
-        return agreement("motion-of-each-body", rated(problem), ours, arm.torques, Y=Y, theta=theta)
-
-    return product("Y", "parameters"), product("Y_b", "base_parameters")
+    if len(values) > MOST_LISTED:
+        return None
+    return Table((Phrase("parameter"), Phrase("value")), tuple(values.items()))
