@@ -7,11 +7,16 @@ statement, and whoever reads it has to understand or to refuse it.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from derive.algebra.formulas.tokens import Token
 from derive.answers.latex.scripts import Tokens, group, group_text
 from derive.errors import FormulaError
+
+Found: TypeAlias = tuple[Tokens, int]  # tokens, and the place after those they stand for
+Rule: TypeAlias = Callable[[Tokens, int], Found | None]
 
 DISPLAYS = frozenset(
     {"equation", "align", "aligned", "alignat", "flalign", "gather", "gathered", "multline", "split", "math"}
@@ -37,69 +42,65 @@ class Statement:
 
 
 def statements(found: Tokens) -> tuple[Statement, ...]:
-    """The statements of an answer, the answer itself first. Raises FormulaError."""
-    plain = _with_equals(_without_boxes(_without_displays(found[:-1])))
-    pieces = [_without_membership(piece) for piece in _pieces(_without_stray_gaps(plain))]
+    """The statements of an answer (an end token last), the answer itself first. Raises FormulaError."""
+    for rule in (_display, _box, _equal):
+        found = _rewritten(found, rule)
+    pieces = [_without_membership(piece) for piece in _pieces(_without_stray_gaps(found))]
     kept = [piece for k, piece in enumerate(pieces) if piece and not (k and _is_number(piece))]
     if not kept:
         raise FormulaError("the answer ends too early", found[-1].offset)
     return tuple(_statement(piece) for piece in kept)
 
 
-# -- environments and boxes -------------------------------------------------------------------------
+# -- environments, boxes and signs of equality ------------------------------------------------------
 
 
-def _without_displays(found: Tokens) -> Tokens:
-    """Without \\begin{align} and the like; a matrix keeps its own."""
+def _rewritten(found: Tokens, rule: Rule) -> Tokens:
+    """With what a rule puts in the place of the tokens where it applies."""
     kept: list[Token] = []
     at = 0
-    while at < len(found):
-        token = found[at]
-        name = ""
-        if token.kind == "command" and token.text in ("begin", "end") and at + 1 < len(found):
-            name = group_text((*found, _end(found)), at + 1).rstrip("*")
-        if name not in DISPLAYS:
-            kept.append(token)
-            at += 1
-            continue
-        _, at = group((*found, _end(found)), at + 1)
-        if name in WITH_ARGUMENT and token.text == "begin":
-            _, at = group((*found, _end(found)), at)
-    return tuple(kept)
+    while found[at].kind != "end":
+        new, at = rule(found, at) or ((found[at],), at + 1)
+        kept.extend(new)
+    return (*kept, found[at])
 
 
-def _without_boxes(found: Tokens) -> Tokens:
-    r"""With what stands in \boxed{} in its place."""
-    kept: list[Token] = []
-    at = 0
-    while at < len(found):
-        if found[at].kind == "command" and found[at].text in BOXES and at + 1 < len(found):
-            inner, at = group((*found, _end(found)), at + 1)
-            kept.extend(_without_boxes(inner))
-        else:
-            kept.append(found[at])
-            at += 1
-    return tuple(kept)
+def _display(found: Tokens, at: int) -> Found | None:
+    r"""Nothing for \begin{align} and the like; a matrix keeps its own."""
+    name = group_text(found, at + 1).rstrip("*") if _is_command(found, at, ("begin", "end")) else ""
+    if name not in DISPLAYS:
+        return None
+    _, end = group(found, at + 1)
+    if name in WITH_ARGUMENT and found[at].text == "begin":
+        _, end = group(found, end)
+    return (), end
 
 
-def _with_equals(found: Tokens) -> Tokens:
-    r"""With = for :=, \equiv and what is stacked on a sign of equality."""
-    kept: list[Token] = []
-    at = 0
-    while at < len(found):
-        token, after = found[at], at + 1
-        if token.kind == "command" and token.text in STACKED and after < len(found):
-            _, middle = group((*found, _end(found)), after)
-            inner, end = group((*found, _end(found)), middle)
-            if [t.text for t in inner] == ["="]:
-                token, after = inner[0], end
-        elif token.text == ":" and after < len(found) and found[after].text == "=":
-            token, after = found[after], after + 1
-        elif token.kind == "command" and token.text in EQUALS:
-            token = Token("sign", "=", token.offset, token.end)
-        kept.append(token)
-        at = after
-    return tuple(kept)
+def _box(found: Tokens, at: int) -> Found | None:
+    r"""What stands in \boxed{}, boxes in it opened too."""
+    if not _is_command(found, at, BOXES):
+        return None
+    inner, end = group(found, at + 1)
+    return _rewritten((*inner, _end(inner)), _box)[:-1], end
+
+
+def _equal(found: Tokens, at: int) -> Found | None:
+    r"""The sign = for :=, \equiv and what is stacked on a sign of equality."""
+    token = found[at]
+    if _is_command(found, at, STACKED):
+        _, middle = group(found, at + 1)
+        inner, end = group(found, middle)
+        return (inner, end) if [each.text for each in inner] == ["="] else None
+    if token.text == ":" and found[at + 1].text == "=":
+        return found[at + 1 : at + 2], at + 2
+    if token.kind == "command" and token.text in EQUALS:
+        return (Token("sign", "=", token.offset, token.end),), at + 1
+    return None
+
+
+def _is_command(found: Tokens, at: int, names: Collection[str]) -> bool:
+    """Whether a command stands there, and something behind it."""
+    return found[at].kind == "command" and found[at].text in names and found[at + 1].kind != "end"
 
 
 # -- from one statement to the next -------------------------------------------------------------------
@@ -111,8 +112,8 @@ def _without_stray_gaps(found: Tokens) -> Tokens:
     for k, (token, depth) in enumerate(_depths(found)):
         if token.kind == "gap":
             before = kept[-1] if kept else None
-            after = next((t for t in found[k + 1 :] if t.kind != "gap"), None)
-            if depth or before is None or after is None or before.kind == "gap":
+            after = next(t for t in found[k + 1 :] if t.kind != "gap")
+            if depth or before is None or after.kind == "end" or before.kind == "gap":
                 continue
             if before.text in SIGNS or after.text in SIGNS:
                 continue
@@ -124,14 +125,14 @@ def _pieces(found: Tokens) -> list[Tokens]:
     r"""Cut at commas, wide spaces, words such as where, and at lines that begin anew."""
     pieces: list[list[Token]] = [[]]
     after = 0
-    for k, (token, depth) in enumerate(_depths(found)):
+    for k, (token, depth) in enumerate(_depths(found[:-1])):
         if k < after:
             continue
         after = k + 1
         if depth:
             pieces[-1].append(token)
         elif _joins(found, k):
-            after = group((*found, _end(found)), k + 1)[1]
+            after = group(found, k + 1)[1]
             pieces.append([])
         elif _cuts(token) or (token.kind == "row" and not _goes_on(found[k + 1 :])):
             pieces.append([])
@@ -144,9 +145,7 @@ def _pieces(found: Tokens) -> list[Tokens]:
 
 def _joins(found: Tokens, at: int) -> bool:
     r"""Whether words such as \text{where} begin here."""
-    if found[at].kind != "command" or found[at].text not in TEXTS or at + 1 == len(found):
-        return False
-    return group_text((*found, _end(found)), at + 1).strip(",:. ").lower() in JOINING
+    return _is_command(found, at, TEXTS) and group_text(found, at + 1).strip(",:. ").lower() in JOINING
 
 
 def _cuts(token: Token) -> bool:
@@ -165,10 +164,9 @@ def _goes_on(rest: Tokens) -> bool:
 def _lines_up(found: Tokens, at: int) -> bool:
     """Whether a & lines up equations: beside a sign, or at the beginning of a line."""
     before = found[at - 1] if at else None
-    after = found[at + 1] if at + 1 < len(found) else None
     if before is None or before.kind == "row":
         return True
-    return any(token is not None and token.text in ("=", "+", "-") for token in (before, after))
+    return any(token.text in ("=", "+", "-") for token in (before, found[at + 1]))
 
 
 def _is_number(piece: Tokens) -> bool:
