@@ -18,7 +18,7 @@ from derive.sheet.honoured import ignored
 from derive.sheet.model import Notation, Problem, Question, Sheet
 from derive.sheet.questions import inline_question, questions
 from derive.sheet.reader import read
-from derive.sheet.source import At
+from derive.sheet.source import At, Faults
 from derive.sheet.subject import read_subject, subject_name, subject_place
 from derive.sheet.subjects import registry
 from derive.sheet.subjects.registry import Known
@@ -36,15 +36,12 @@ def sheet_of(at: At) -> Sheet:
     """The sheet in a source already read. Raises SheetErrors."""
     if not isinstance(at.value(), dict):
         hint = "start it with title: ..., then problems:"
-        raise SheetErrors([at.fault("a sheet is written as keys and values", (), hint)])
-    faults: list[SheetError] = []
-    given, known = None, Known()
-    try:
+        raise at.error("a sheet is written as keys and values", (), hint)
+    faults = Faults()
+    given, known = None, Known(assumptions=dict.fromkeys(_declared(at.value()), ""))
+    with faults.gathered():
         given = checked(GivenSheet, at, at.value(), _declared(at.value()))
-        known = _known(at, given, known)
-    except SheetErrors as errors:
-        faults.extend(errors.errors)
-        known = Known(assumptions=dict.fromkeys(_declared(at.value()), ""))
+        known = _known(at, given, Known())
     problems = _problems(at, known, faults)
     faults += unfilled(at.source, faults)
     if faults or given is None:
@@ -70,47 +67,40 @@ def _warnings(at: At, problems: list[Problem]) -> tuple[SheetError, ...]:
     return tuple(sorted(_distinct([*at.source.doubts, *strange, *unused(at, problems)]), key=position))
 
 
-def _problems(at: At, known: Known, faults: list[SheetError]) -> list[Problem]:
+def _problems(at: At, known: Known, faults: Faults) -> list[Problem]:
     """Every problem that can be understood; what cannot is added to the faults."""
     entries = at.value(("problems",))
     found = []
     for index, entry in enumerate(entries if isinstance(entries, list) else ()):
-        try:
+        with faults.gathered():
             found.append(_problem(at / "problems" / index, entry, index + 1, known))
-        except SheetErrors as errors:
-            faults.extend(errors.errors)
     return found
 
 
 def _problem(at: At, data: Any, number: int, outer: Known) -> Problem:
     if not isinstance(data, dict):
-        raise SheetErrors([at.fault("a problem is written as keys and values", (), "write - title: ...")])
-    faults: list[SheetError] = []
+        raise at.error("a problem is written as keys and values", (), "write - title: ...")
+    faults = Faults()
     given, known = None, outer
     names = outer.names | _declared(data)
-    try:
+    with faults.gathered():
         given = checked(GivenProblem, at, {key: data[key] for key in data if key in PROBLEM_KEYS}, names)
         known = _known(at, given, outer)
-    except SheetErrors as errors:
-        faults.extend(errors.errors)
     subject: Any = None
     asked: tuple[Question, ...] = ()
-    try:
+    name = ""
+    with faults.gathered():
         name = subject_name(at, data)
-    except SheetErrors as errors:
-        raise SheetErrors([*faults, *errors.errors]) from errors
-    try:
+    if not name:
+        faults.settle()
+    with faults.gathered():
         asked = _asked(at, data, name, known)
-    except SheetErrors as errors:
-        faults.extend(errors.errors)
-    try:
+    with faults.gathered():
         place = subject_place(at, name)
         typed = read_subject(place, name, known)
         faults.extend(ignored(asked, name, typed, place))
         subject = registry.load(name).build(typed, place, known)
         faults.extend(_unmet(asked, name, subject, place))
-    except SheetErrors as errors:
-        faults.extend(errors.errors)
     if faults or given is None:
         raise SheetErrors(faults)
     strange = (*_strange(name, subject, place, known), *_doubts(at, data, subject))
@@ -131,13 +121,11 @@ def _asked(at: At, data: dict[str, Any], name: str, known: Known) -> tuple[Quest
             raise SheetErrors([_nothing_asked(at, rest)])
         return (inline_question(at, rest, name, known),)
     strange = [key for key in rest if key != "questions"]
-    faults = [*(_unknown(at, key) for key in strange[:MOST]), *untold(len(strange) - MOST, at)]
-    try:
+    faults = Faults([*(_unknown(at, key) for key in strange[:MOST]), *untold(len(strange) - MOST, at)])
+    found: tuple[Question, ...] = ()
+    with faults.gathered():
         found = questions(at, data, name, known)
-    except SheetErrors as errors:
-        raise SheetErrors([*faults, *errors.errors]) from errors
-    if faults:
-        raise SheetErrors(faults)
+    faults.settle()
     return found
 
 
@@ -188,18 +176,16 @@ def _doubts(at: At, data: dict[str, Any], subject: Any) -> Iterator[SheetError]:
 def _known(at: At, given: GivenSheet | GivenProblem, outer: Known) -> Known:
     where = {**outer.where, **given.where}
     if name := cycle(where):
-        raise SheetErrors([at.fault(f"the value of {name} leads back to itself", ("where", name))])
+        raise at.error(f"the value of {name} leads back to itself", ("where", name))
     if name := nested(where):
         hint = "give a name on the way to it no value"
         message = f"with the values of its names put in, {name} is nested too deeply"
-        raise SheetErrors([at.fault(message, ("where", name), hint)])
+        raise at.error(message, ("where", name), hint)
     assumptions: Mapping[str, str] = {**outer.assumptions, **given.symbols}
     for name, assumed in sorted(contradictions(where, assumptions)):
         key = "where" if name in given.where else "symbols"
         hint = "change its value, or what is said of it under symbols:"
-        raise SheetErrors(
-            [at.fault(f"{name} is {assumed} by symbols, and its value is not", (key, name), hint)]
-        )
+        raise at.error(f"{name} is {assumed} by symbols, and its value is not", (key, name), hint)
     return Known(where, assumptions)
 
 
@@ -212,16 +198,16 @@ def _declared(data: Any) -> frozenset[str]:
 def _figure(at: At, typed: str, subject: str) -> bool | Path:
     if typed == "true" and subject not in DRAWN:
         hint = f"{', '.join(sorted(DRAWN))} can be drawn; else give the path of a picture beside the sheet"
-        raise SheetErrors([at.fault(f"there is no drawing of a {subject}", ("figure",), hint)])
+        raise at.error(f"there is no drawing of a {subject}", ("figure",), hint)
     if typed in ("true", "false"):
         return typed == "true"
     folder = at.source.path.parent
     path = folder / typed
     if not path.resolve().is_relative_to(folder.resolve()):
-        raise SheetErrors([at.fault("the picture lies outside the folder of the sheet", ("figure",))])
+        raise at.error("the picture lies outside the folder of the sheet", ("figure",))
     if not path.is_file():
         hint = "its path is relative to the sheet"
-        raise SheetErrors([at.fault(f"there is no picture {typed}", ("figure",), hint)])
+        raise at.error(f"there is no picture {typed}", ("figure",), hint)
     return path
 
 

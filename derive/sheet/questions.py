@@ -15,7 +15,7 @@ from derive.sheet.faults import MOST, did_you_mean
 from derive.sheet.given import ASKED_KEYS, QUESTION_KEYS, GivenAsked, GivenQuestion
 from derive.sheet.honoured import idle_options
 from derive.sheet.model import Question
-from derive.sheet.source import At
+from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known
 from derive.sheet.where import cycle
 
@@ -26,18 +26,13 @@ def questions(at: At, data: dict[str, Any], subject: str, known: Known) -> tuple
     """The questions under `questions:`. Raises SheetErrors."""
     entries = data["questions"]
     if not isinstance(entries, list) or not entries:
-        raise SheetErrors(
-            [at.fault("a list of questions is wanted here", ("questions",), "write - find: ...")]
-        )
-    faults: list[SheetError] = []
+        raise at.error("a list of questions is wanted here", ("questions",), "write - find: ...")
+    faults = Faults()
     found = []
     for index, entry in enumerate(entries):
-        try:
+        with faults.gathered():
             found.append(_question(at / "questions" / index, entry, index + 1, subject, known))
-        except SheetErrors as errors:
-            faults.extend(errors.errors)
-    if faults:
-        raise SheetErrors(faults)
+    faults.settle()
     return tuple(found)
 
 
@@ -48,7 +43,7 @@ def inline_question(at: At, data: dict[str, Any], subject: str, known: Known) ->
 
 def _question(at: At, data: Any, number: int, subject: str, known: Known) -> Question:
     if not isinstance(data, dict):
-        raise SheetErrors([at.fault("a question is written as keys and values", (), "write - find: ...")])
+        raise at.error("a question is written as keys and values", (), "write - find: ...")
     return _read(at, data, number, subject, known, QUESTION_KEYS, GivenQuestion)
 
 
@@ -63,21 +58,19 @@ def _read(
 ) -> Question:
     _require_one_kind(at, data.get("find"), subject)
     common = {key: value for key, value in data.items() if key in keys}
-    faults: list[SheetError] = []
+    faults = Faults()
     given, kind, options = None, None, None
     try:
         given = checked(model, at, common)  # a point is made of numbers: no symbol is a name there
     except SheetErrors as errors:
         faults.extend(_without_find_misspelt(errors, data, at))
-    try:
+    with faults.gathered():
         kind = _kind(at, data, subject)
         rest = {key: value for key, value in data.items() if key not in keys}
         if kind and given and "evaluate" in kind.Options.model_fields:
             rest["evaluate"] = given.evaluate  # some kinds need the point itself: poles, a step response
         options = checked(kind.Options, at, rest, known.names, keys) if kind else None
         faults.extend(idle_options(options, at))
-    except SheetErrors as errors:
-        faults.extend(errors.errors)
     for name, value in given.evaluate.items() if given and isinstance(given.evaluate, dict) else ():
         if name in known.where and not _same(value, known.where[name]):
             hint = "give it its value in one of the two places"
@@ -104,7 +97,7 @@ def _require_one_kind(at: At, typed: Any, subject: str) -> None:
     several = [part.strip() for part in parts if isinstance(part, str)]
     if len(several) > 1 and all(part in registry.kinds_of(subject) for part in several):
         hint = f"write questions: [{', '.join(f'{{find: {part}}}' for part in several)}]"
-        raise SheetErrors([at.fault("one question asks for one kind", ("find",), hint)])
+        raise at.error("one question asks for one kind", ("find",), hint)
 
 
 def _same(left: Expr, right: Expr) -> bool:

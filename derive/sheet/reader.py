@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from derive.errors import Place, SheetError, SheetErrors
 from derive.sheet.characters import QUOTES, taken_by_quotes, unprintable
-from derive.sheet.source import Route, Source, Spot
+from derive.sheet.source import Faults, Route, Source, Spot
 from derive.sheet.yaml_faults import explain
 
 if TYPE_CHECKING:
@@ -84,7 +84,7 @@ class _Reading:
         self.text = text
         self.lines = lines
         self.spots: dict[Route, Spot] = {}
-        self.faults: list[SheetError] = []
+        self.faults = Faults()
         self.count = 0
 
     def value(self, node: Node, route: Route, key: tuple[int, int] | None = None) -> Any:

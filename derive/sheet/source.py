@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeAlias
 
-from derive.errors import Place, SheetError
+from derive.errors import Place, SheetError, SheetErrors
 
 Route: TypeAlias = tuple[str | int, ...]  # keys and indices from the top of a file
 
@@ -47,6 +48,23 @@ class Source:
         return Place(str(self.path), line + 1, column + 1, text)
 
 
+class Faults(list[SheetError]):
+    """The faults met so far: reading goes on, so that all of them are told at once."""
+
+    @contextmanager
+    def gathered(self) -> Iterator[None]:
+        """Adds those that are raised within."""
+        try:
+            yield
+        except SheetErrors as errors:
+            self.extend(errors.errors)
+
+    def settle(self) -> None:
+        """Raises SheetErrors where there are any."""
+        if self:
+            raise SheetErrors(self)
+
+
 @dataclass(frozen=True, slots=True)
 class At:
     """A value in a file; faults are reported by their way from here."""
@@ -74,6 +92,10 @@ class At:
     def fault(self, message: str, route: Route = (), hint: str = "", key: bool = False) -> SheetError:
         """A fault of the value there, or of its key."""
         return SheetError(message, self.key(route) if key else self.place(route), hint)
+
+    def error(self, message: str, route: Route = (), hint: str = "", key: bool = False) -> SheetErrors:
+        """One fault that ends the reading of what it stands in."""
+        return SheetErrors([self.fault(message, route, hint, key)])
 
     def value(self, route: Route = ()) -> Any:
         """The data there, None where there is none."""

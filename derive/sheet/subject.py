@@ -6,11 +6,10 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from derive.errors import SheetErrors
 from derive.sheet.checked import checked
 from derive.sheet.faults import MOST, did_you_mean
 from derive.sheet.reader import read
-from derive.sheet.source import At
+from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known, load, subjects
 from derive.sheet.unfilled import unfilled
 
@@ -22,14 +21,12 @@ def subject_name(at: At, data: dict[str, Any]) -> str:
         return found[0]
     if found:
         hint = "make it two problems"
-        raise SheetErrors(
-            [at.fault(f"a problem has one subject, not {' and '.join(found)}", (found[1],), hint, True)]
-        )
+        raise at.error(f"a problem has one subject, not {' and '.join(found)}", (found[1],), hint, True)
     hint = "add one of " + ", ".join(subjects())
     for key in islice(data, MOST):
         if (close := did_you_mean(key, subjects())).startswith("did"):
-            raise SheetErrors([at.fault(f"unknown key '{key}'", (key,), close, key=True)])
-    raise SheetErrors([at.fault("this problem has no subject", (), hint)])
+            raise at.error(f"unknown key '{key}'", (key,), close, key=True)
+    raise at.error("this problem has no subject", (), hint)
 
 
 def subject_place(at: At, name: str) -> At:
@@ -38,8 +35,7 @@ def subject_place(at: At, name: str) -> At:
     if not isinstance(typed, str) or not typed.endswith((".yaml", ".yml")):
         return at / name
     source = read(_beside(at, name, typed))
-    if faults := unfilled(source):
-        raise SheetErrors(faults)
+    Faults(unfilled(source)).settle()
     return At(source, (name,)) if isinstance(source.data, dict) and name in source.data else At(source)
 
 
@@ -59,7 +55,7 @@ def _beside(at: At, name: str, typed: str) -> Path:
     path = folder / typed
     if not path.resolve().is_relative_to(folder.resolve()):
         hint = f"move it to the folder of the sheet: {name}s/{Path(typed).name}"
-        raise SheetErrors([at.fault("the file lies outside the folder of the sheet", (name,), hint)])
+        raise at.error("the file lies outside the folder of the sheet", (name,), hint)
     if not path.is_file():
         near = (
             sorted(str(file.relative_to(folder)) for file in path.parent.glob("*.y*ml"))
@@ -67,5 +63,5 @@ def _beside(at: At, name: str, typed: str) -> Path:
             else []
         )
         hint = did_you_mean(typed, near, "there are") or "its path is relative to the sheet"
-        raise SheetErrors([at.fault(f"there is no file {typed}", (name,), hint)])
+        raise at.error(f"there is no file {typed}", (name,), hint)
     return path

@@ -8,7 +8,6 @@ from derive.algebra.formulas.quantities import rational
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
-from derive.errors import SheetErrors
 from derive.expression import Expr, Matrix
 from derive.mechanics.frames import ByMatrix
 from derive.mechanics.lines import dot
@@ -23,10 +22,10 @@ def by_matrix(matrix: list[list[Expr]], whose: str, at: At, known: Known) -> ByM
     """A transform (4 rows) or a rotation (3) written out. Raises SheetErrors where it is neither."""
     size = len(matrix)
     if size not in (3, 4):
-        raise SheetErrors([at.fault(f"a matrix of {size} rows", (), SIZES)])
+        raise at.error(f"a matrix of {size} rows", (), SIZES)
     for index, row in enumerate(matrix):
         if len(row) != size:
-            raise SheetErrors([at.fault(f"a row of {len(row)} in a matrix of {size} rows", (index,), SIZES)])
+            raise at.error(f"a row of {len(row)} in a matrix of {size} rows", (index,), SIZES)
     rows = tuple(tuple(row) for row in matrix)
     _require_last_row(rows, at)
     columns = [(rows[0][j], rows[1][j], rows[2][j]) for j in range(3)]
@@ -38,7 +37,7 @@ def by_matrix(matrix: list[list[Expr]], whose: str, at: At, known: Known) -> ByM
 def _require_last_row(rows: tuple[tuple[Expr, ...], ...], at: At) -> None:
     if len(rows) == 4 and [rational(entry) for entry in rows[3]] != [0, 0, 0, 1]:
         message = "the last row of a homogeneous transform is 0, 0, 0, 1"
-        raise SheetErrors([at.fault(message, (3,), "write [0, 0, 0, 1]")])
+        raise at.error(message, (3,), "write [0, 0, 0, 1]")
 
 
 def orthonormal(axes: Axes, what: str, whose: str, at: At, known: Known) -> tuple[Axes, int]:
@@ -53,7 +52,7 @@ def orthonormal(axes: Axes, what: str, whose: str, at: At, known: Known) -> tupl
         message = f"the {what} of {whose} are not right-handed and orthonormal: {product}"
         hint = "check the signs and that every axis has length 1"
         hint += "; rounded numbers need three digits or more" if typed_places(axes) else ""
-        raise SheetErrors([at.fault(message, (), hint)])
+        raise at.error(message, (), hint)
     return axes, 0
 
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from derive.algebra.formulas.quantities import rational
-from derive.errors import SheetError, SheetErrors
+from derive.errors import SheetError
 from derive.kinds.fields import Formula, InertiaMoment, OptionsModel, Torque
 from derive.mechanics.sensing import Drive
-from derive.sheet.source import At
+from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known
 
 HARMLESS = frozenset({"gear", "torque", "load_torque"})
@@ -26,13 +26,11 @@ def build(given: Given, at: At, known: Known) -> Drive:
     """The drive. Raises SheetErrors for an inertia, a gear or a motor torque that is not positive."""
     sizes = ("rotor", "load", "gear", "torque")
     values = {name: getattr(given, name) for name in sizes if getattr(given, name) is not None}
-    faults = [
+    Faults(
         at.fault(f"{name} must be positive", (name,))
         for name, value in values.items()
         if (size := rational(value)) is not None and size <= 0
-    ]
-    if faults:
-        raise SheetErrors(faults)
+    ).settle()
     return Drive(given.rotor, given.load, given.gear, given.torque, given.load_torque)
 
 

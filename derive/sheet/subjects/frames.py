@@ -6,12 +6,11 @@ from typing import Annotated, Any, TypeAlias
 
 from pydantic import Discriminator, Field, Tag
 
-from derive.errors import SheetError, SheetErrors
 from derive.expression import ZERO
 from derive.kinds.fields import Formula, OptionsModel, Point, Quantity
 from derive.mechanics.frames import Frame, Frames, FrameSource, Observed
 from derive.mechanics.motion import Motion
-from derive.sheet.source import At
+from derive.sheet.source import At, Faults
 from derive.sheet.subjects.moves import MoveField, move
 from derive.sheet.subjects.registry import Known
 from derive.sheet.weights import WeightsError, weights
@@ -62,22 +61,19 @@ Given: TypeAlias = Annotated[list[FrameField], Field(min_length=1, max_length=50
 
 def build(given: Given, at: At, known: Known) -> Frames:
     """The frames of a problem. Raises SheetErrors: axes that are no right-handed orthonormal frame."""
-    faults: list[SheetError] = []
+    faults = Faults()
     frames: list[Frame] = []
     again: list[Frame] = []
     count = 0
     for index, entry in enumerate(given):
         second = entry.frame is not None and entry.frame <= count
         count += not second
-        try:
+        with faults.gathered():
             if second:
                 again.append(_second(entry, count, at / index, known))
             else:
                 frames.append(_frame(entry, count, at / index, known))
-        except SheetErrors as errors:
-            faults.extend(errors.errors)
-    if faults:
-        raise SheetErrors(faults)
+    faults.settle()
     return Frames(tuple(frames), tuple(again))
 
 
@@ -86,7 +82,7 @@ def _second(given: FrameField, count: int, at: At, known: Known) -> Frame:
     number, parent = given.frame or 0, given.parent
     if parent is None or parent == number or parent > count:
         hint = f"say with in: which frame it is seen from, another one of 0 to {count}"
-        raise SheetErrors([at.fault(f"frame {number} is given again", ("frame",), hint)])
+        raise at.error(f"frame {number} is given again", ("frame",), hint)
     return Frame(number, parent, _source(given, number, parent, at, known))
 
 
@@ -94,10 +90,10 @@ def _frame(given: FrameField, number: int, at: At, known: Known) -> Frame:
     parent = number - 1 if given.parent is None else given.parent
     if given.frame is not None and given.frame != number:
         hint = f"frames are numbered in their order; this one is frame {number}"
-        raise SheetErrors([at.fault(f"frame {given.frame} is given before frame {number}", ("frame",), hint)])
+        raise at.error(f"frame {given.frame} is given before frame {number}", ("frame",), hint)
     if parent >= number:
         hint = f"frame {number} can be given in a frame from 0 to {number - 1}"
-        raise SheetErrors([at.fault(f"frame {number} cannot be given in frame {parent}", ("in",), hint)])
+        raise at.error(f"frame {number} cannot be given in frame {parent}", ("in",), hint)
     return Frame(number, parent, _source(given, number, parent, at, known))
 
 
@@ -111,14 +107,13 @@ def _source(given: FrameField, number: int, parent: int, at: At, known: Known) -
 
 def _observed(given: ObservedFrame, number: int, parent: int, at: At, known: Known) -> Observed:
     axes = tuple(f"{letter}{parent}" for letter in "xyz")
-    faults, read = [], []
+    faults, read = Faults(), []
     for name, expr in (("x", given.x), ("y", given.y), ("z", given.z)):
         try:
             read.append(weights(expr, axes))
         except WeightsError as error:
             hint = f"frame {number} is given in frame {parent}: write it with {', '.join(axes)}"
             faults.append(at.fault(f"{name}: {error}", (name,), hint + ", or say which frame with 'in:'"))
-    if faults:
-        raise SheetErrors(faults)
+    faults.settle()
     turned, places = orthonormal(read, "axes", f"frame {number}", at, known)
     return Observed(turned[0], turned[1], turned[2], given.origin, places)

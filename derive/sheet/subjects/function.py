@@ -7,11 +7,11 @@ from typing import Annotated, Any, TypeAlias
 from pydantic import Discriminator, Field, Tag
 
 from derive.algebra.function import Constraint, Function
-from derive.errors import SheetError, SheetErrors
+from derive.errors import SheetError
 from derive.expression import free_symbols
 from derive.kinds.fields import EquationField, Formula, Name, OptionsModel
 from derive.sheet.faults import did_you_mean
-from derive.sheet.source import At
+from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known
 
 SHARED = frozenset({"subject_to"})  # a gradient may be asked beside the extremes
@@ -44,9 +44,7 @@ def build(given: Given, at: At, known: Known) -> Function:
     values, equations = _listed(given.value), _listed(given.subject_to)
     constraints = tuple(Constraint(each.left, each.right) for each in equations)
     function = Function(tuple(given.variables), tuple(values), constraints, vector)
-    faults = [*_variable_faults(function, at, known), *_constraint_faults(function, at, known)]
-    if faults:
-        raise SheetErrors(faults)
+    Faults([*_variable_faults(function, at, known), *_constraint_faults(function, at, known)]).settle()
     return function
 
 

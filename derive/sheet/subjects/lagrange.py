@@ -8,7 +8,7 @@ from typing import Annotated, Any, TypeAlias
 from pydantic import Discriminator, Field, Tag
 
 from derive.algebra.function import Constraint
-from derive.errors import SheetError, SheetErrors
+from derive.errors import SheetError
 from derive.expression import ZERO, Expr, Symbol, add, free_symbols, multiply, negate, number, squared
 from derive.kinds.fields import (
     Angle,
@@ -23,7 +23,7 @@ from derive.kinds.fields import (
 )
 from derive.mechanics.lagrangian import LagrangianSystem, MovingBody
 from derive.sheet.faults import did_you_mean
-from derive.sheet.source import At
+from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known
 
 # What has no part in an equilibrium has none in its answer either.
@@ -70,10 +70,9 @@ class Given(OptionsModel):
 
 def build(given: Given, at: At, known: Known) -> LagrangianSystem:
     """The system of a problem. Raises SheetErrors."""
-    faults = [*_coordinate_faults(given, at, known), *_body_faults(given, at, known), *_key_faults(given, at)]
-    faults += _rate_faults(given, at)
-    if faults:
-        raise SheetErrors(faults)
+    faults = Faults(_coordinate_faults(given, at, known))
+    faults += [*_body_faults(given, at, known), *_key_faults(given, at), *_rate_faults(given, at)]
+    faults.settle()
     equations = given.constraints if isinstance(given.constraints, list) else [given.constraints]
     return LagrangianSystem(
         tuple(given.coordinates),

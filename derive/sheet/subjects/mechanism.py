@@ -7,7 +7,7 @@ from typing import Annotated, Literal, TypeAlias
 
 from pydantic import Field
 
-from derive.errors import SheetError, SheetErrors
+from derive.errors import SheetError
 from derive.kinds.fields import OptionsModel
 from derive.mechanics.mobility import (
     FREEDOMS,
@@ -20,7 +20,7 @@ from derive.mechanics.mobility import (
     idle_legs,
     leg_joints,
 )
-from derive.sheet.source import At
+from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known
 
 HARMLESS = frozenset({"bodies", "joints", "legs", "rods"})
@@ -68,15 +68,12 @@ class Given(OptionsModel):
 
 def build(given: Given, at: At, known: Known) -> Mechanism:
     """The mechanism. Raises SheetErrors: joints of no sort, or that its space does not have; loose bodies."""
-    faults = [*(_leg_faults(given, at) if given.legs else _joint_faults(given, at))]
-    if faults:
-        raise SheetErrors(faults)
+    Faults(_leg_faults(given, at) if given.legs else _joint_faults(given, at)).settle()
     if given.legs:
         return _parallel(given.space, given.legs)
     joints = tuple(_joints(each, given.space) for each in given.joints or ())
     found = Mechanism(given.space, given.bodies or 0, joints, given.rods)
-    if faults := [*_impossible(found, at)]:
-        raise SheetErrors(faults)
+    Faults(_impossible(found, at)).settle()
     return found
 
 

@@ -6,11 +6,10 @@ from typing import Annotated, TypeAlias
 
 from pydantic import Field
 
-from derive.errors import SheetError, SheetErrors
 from derive.expression import Expr
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.mechanics.fitting import PointPairs
-from derive.sheet.source import At
+from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known
 
 Coordinates: TypeAlias = Annotated[list[Quantity], Field(max_length=10)]
@@ -26,7 +25,7 @@ class Given(OptionsModel):
 
 def build(given: Given, at: At, known: Known) -> PointPairs:
     """The pairs of a problem. Raises SheetErrors: unequal counts, or not two or three coordinates each."""
-    faults: list[SheetError] = []
+    faults = Faults()
     if len(given.source) != len(given.target):
         message = f"{len(given.source)} points in from:, but {len(given.target)} in to:"
         faults.append(at.fault(message, ("to",), "give each point its partner, in the same order"))
@@ -42,8 +41,7 @@ def build(given: Given, at: At, known: Known) -> PointPairs:
     if not faults and len(given.source) < size:
         hint = f"give at least {size} points"
         faults.append(at.fault(f"{len(given.source)} points do not fix a frame", ("from",), hint))
-    if faults:
-        raise SheetErrors(faults)
+    faults.settle()
     return PointPairs(_frozen(given.source), _frozen(given.target))
 
 

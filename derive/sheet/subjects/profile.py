@@ -21,7 +21,7 @@ from derive.algebra.formulas.units import ANGLE, LENGTH, Dimension, power, times
 from derive.algebra.formulas.units import TIME as SECONDS
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import scalar_number
-from derive.errors import FormulaError, NotDerivable, SheetError, SheetErrors
+from derive.errors import FormulaError, NotDerivable, SheetError
 from derive.expression import (
     PI,
     ZERO,
@@ -37,7 +37,7 @@ from derive.expression import (
 from derive.kinds.fields import TREES, OptionsModel, Time, declared, text_of
 from derive.mechanics.profile import NO_UNITS, Axis, Journey, Profile, Sort, Units, Via
 from derive.sheet.faults import NO_FORM
-from derive.sheet.source import At, Route
+from derive.sheet.source import At, Faults, Route
 from derive.sheet.subjects.registry import Known
 
 # Limits are told to be kept or not by every kind; how fast the middle part is belongs to one.
@@ -168,9 +168,7 @@ Given: TypeAlias = Annotated[
 
 def build(given: Given, at: At, known: Known) -> Profile:
     """The profile. Raises SheetErrors: limits that are not positive, lengths beside angles, no way to go."""
-    faults = [*_faults(given, at, known)]
-    if faults:
-        raise SheetErrors(faults)
+    Faults(_faults(given, at, known)).settle()
     if _mixes_degrees(given):
         given = _in_radians(given)
     sort: Sort = next((each.sort for _, each in _measured(given) if each.sort), "")

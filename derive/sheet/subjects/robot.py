@@ -9,13 +9,13 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from derive.errors import SheetError, SheetErrors
+from derive.errors import SheetError
 from derive.expression import Expr, Symbol, walk
 from derive.kinds.fields import Acceleration, OptionsModel, Starred
 from derive.mechanics.robot import DHRow, FreeRow, JointType, Link, Robot, Row
 from derive.sheet.body_faults import body_faults, body_warnings, matrix_faults
 from derive.sheet.coupled import coupling_faults, coupling_warnings, opened
-from derive.sheet.source import At, Route
+from derive.sheet.source import At, Faults, Route
 from derive.sheet.subjects.link import (
     BODY_KEYS,
     DHLink,
@@ -54,7 +54,7 @@ class Given(OptionsModel):
 def build(given: Given, at: At, known: Known) -> Robot:
     """The robot. Raises SheetErrors: joints without a star, variables used twice, half a body, a
     negative mass."""
-    faults = [*_star_faults(given, at, known), *_repeated(given, at), *_half_bodies(given, at)]
+    faults = Faults([*_star_faults(given, at, known), *_repeated(given, at), *_half_bodies(given, at)])
     links = tuple(_link(row) for row in given.links)
     base, tool = (tuple(move(entry) for entry in moves) for moves in (given.base, given.tool))
     robot = opened(Robot(given.name, given.convention, links, base, tool, given.gravity), known.where)
@@ -63,8 +63,7 @@ def build(given: Given, at: At, known: Known) -> Robot:
     if not faults and given.home is not None:
         robot = replace(robot, home=home_pose(given.home, at / "home", known))
         faults += coupling_faults(robot, at)
-    if faults:
-        raise SheetErrors(faults)
+    faults.settle()
     return robot
 
 

@@ -10,12 +10,12 @@ from pydantic import Discriminator, PlainValidator, Tag, ValidationInfo, WithJso
 from derive.algebra.formulas.grammar import parse
 from derive.algebra.formulas.quantities import rational
 from derive.algebra.formulas.units import PLAIN
-from derive.errors import SheetError, SheetErrors
+from derive.errors import SheetError
 from derive.expression import ONE, ZERO, Expr, Quotient, number
 from derive.kinds.fields import TREES, Formula, OptionsModel, Quantity, declared, text_of
 from derive.mechanics.sensing import Absolute, Encoder, Incremental, PulseWidth
 from derive.sheet.faults import NO_FORM
-from derive.sheet.source import At
+from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known
 
 HARMLESS = frozenset({"edges", "gear", "low", "duty", "mean", "frequency"})
@@ -88,9 +88,7 @@ Given: TypeAlias = Annotated[
 
 def build(given: Given, at: At, known: Known) -> Encoder | PulseWidth:
     """The encoder or the voltage. Raises SheetErrors: sizes that no disc has, a duty beyond 0 and 1."""
-    faults = [*(_pwm_faults(given, at) if isinstance(given, GivenPwm) else _disc_faults(given, at))]
-    if faults:
-        raise SheetErrors(faults)
+    Faults(_pwm_faults(given, at) if isinstance(given, GivenPwm) else _disc_faults(given, at)).settle()
     if isinstance(given, GivenPwm):
         return PulseWidth(given.pwm, given.low, given.duty, given.mean, given.frequency)
     if isinstance(given, GivenIncremental):

@@ -11,11 +11,11 @@ from derive.algebra.infix import text
 from derive.control.delays import delay_of, found_in, replaced
 from derive.control.system import Equation, System
 from derive.control.transcendental import Function, transcendental
-from derive.errors import FormulaError, SheetError, SheetErrors
+from derive.errors import FormulaError, SheetError
 from derive.expression import Call, Matrix, Symbol, free_symbols, walk
 from derive.kinds.fields import EquationField, Name, OptionsModel
 from derive.sheet.faults import did_you_mean, formula_fault
-from derive.sheet.source import At
+from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known
 
 # A disturbance is zero where it is not asked about; fractions for delays stand in the equations already.
@@ -45,11 +45,10 @@ def build(given: Given, at: At, known: Known) -> System:
     sides = [side for equation in given.equations for side in (equation.left, equation.right)]
     delays = found_in(Matrix((tuple(sides),)), given.delay.pade) if given.delay else ()
     equations = tuple(Equation(replaced(e.left, delays), replaced(e.right, delays)) for e in given.equations)
-    faults = [*_signal_faults(given, at), *_function_faults(equations, given, at)]
+    faults = Faults([*_signal_faults(given, at), *_function_faults(equations, given, at)])
     if given.delay and not delays:
         faults.append(at.fault("no equation holds a delay", ("delay",), "write one as exp(-T*s)"))
-    if faults:
-        raise SheetErrors(faults)
+    faults.settle()
     disturbance = Symbol(given.disturbance) if given.disturbance else None
     return System(equations, Symbol(given.input), Symbol(given.output), disturbance, delays=delays)
 
