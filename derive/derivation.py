@@ -48,6 +48,9 @@ class Step:
     `chain` holds expressions each equal to the next, the answer of the step last. `rule` is the
     law that justifies it, by name. `facts` is the record of what the words read of it (an index, a name),
     `steps` are the smaller moves inside this one.
+
+    How much of it fits on a page, the page decides: links that are `spare` are left out where they are long,
+    and entries of a matrix at the end, by row and column from 0, get the names in `entries`.
     """
 
     name: str
@@ -55,6 +58,8 @@ class Step:
     rule: str = ""
     facts: Any = field(default_factory=Record)  # a Record, or for now a plain mapping
     steps: tuple[Step, ...] = ()
+    spare: tuple[Expr, ...] = ()
+    entries: Mapping[tuple[int, int], Symbol] = field(default_factory=dict)
 
     @property
     def result(self) -> Expr:

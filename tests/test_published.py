@@ -68,13 +68,16 @@ def where(sheet: str, entry: dict[str, Any]) -> dict[Expr, Expr]:
 
 
 def ours(sheet: str, entry: dict[str, Any]) -> Expr:
-    """The derived expression of an entry: a result, or a link of a step (the last one, or `link`)."""
+    """The derived expression of an entry: a result, a link of a step (the last one, or `link`), or what a
+    name of the page stands for."""
     found, name = answer(sheet, entry), entry["name"]
     if name in found.results and "link" not in entry:
         result = found.results[name]
         assert not isinstance(result, tuple | float | str)
         return result
     steps = [step for used in rests_on(found) for step in used.all_steps() if step.name == name]
+    if not steps:
+        return next(d.definitions[Symbol(name)] for d in rests_on(found) if Symbol(name) in d.definitions)
     return steps[0].chain[entry.get("link", -1)]
 
 

@@ -40,12 +40,14 @@ class Asked:
 
     @cached_property
     def derived(self) -> Mapping[str, Any]:
-        """Results by name; then steps of the page; then what is known in numbers only."""
+        """Results by name; then steps of the page and entries named there; then what is known in numbers."""
         found: dict[str, Any] = {}
         for name, value in self.derivation.evaluated.items():
             if (tree := _numeric(value)) is not None:
                 found[name] = tree
         for each in reversed(list(_rests_on(self.derivation))):
+            entries = {name for step in each.all_steps() for name in step.entries.values()}
+            found.update({name.name: each.definitions[name] for name in entries})
             found.update({step.name: step.result for step in each.all_steps() if step.chain})
         return {**found, **self.derivation.results}
 

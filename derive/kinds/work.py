@@ -169,17 +169,22 @@ class Work:
         facts: Record | None = None,
         steps: tuple[Step, ...] = (),
         label: str = "",
+        spare: tuple[Expr, ...] = (),
+        entries: Mapping[tuple[int, int], Symbol] | None = None,
     ) -> Work:
         """A line more, `name = formula = formula = value`: the value of the first formula, or one that was
         computed in another way, which the chain is then checked against. The words know the step by its
         `label`, or else by the name. What has the value may be no name but a formula, as det(J), which no
-        other need follow; it needs a label."""
+        other need follow; it needs a label. `spare` and `entries` are those of the step."""
         head = self.symbol(name) if isinstance(name, str) else name
         found = self.value(formulas[0] if formulas else head) if value is None else value
         exact: dict[Expr, Value] = {head: found} if isinstance(found, Scalar | ScalarMatrix) else {}
         written = self.readable(found) if isinstance(found, Scalar | ScalarMatrix) else found
         named: dict[Expr, Expr] = {head: written} if isinstance(head, Symbol) else {}
-        step = Step(label or text(head), distinct((head, *formulas, written)), rule, facts or Record(), steps)
+        step = Step(
+            label or text(head), distinct((head, *formulas, written)), rule, facts or Record(), steps, spare,
+            entries or {},
+        )  # fmt: skip
         return replace(
             self,
             steps=(*self.steps, step),

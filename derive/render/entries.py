@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from derive.expression import Expr, Indexed, Matrix, Symbol
+from collections.abc import Mapping
+
+from derive.expression import MINUS_ONE, ONE, ZERO, Expr, Indexed, Matrix, Symbol
 from derive.kinds.naming import entry_symbol
 from derive.render.latex import Printer
 from derive.render.layout import LINE
@@ -11,39 +13,59 @@ from derive.render.width import width
 NAMED_BEYOND = LINE / 0.8  # em; what is a little too wide is better scaled
 LONG = 8.0  # em from which an entry gets a name
 ROWS = ("vx", "vy", "vz", "wx", "wy", "wz")  # of a Jacobian
+PLAIN = (ZERO, ONE, MINUS_ONE)
 
 Chain = tuple[Expr, ...]
+Names = Mapping[tuple[int, int], Symbol]  # of entries, by row and column from 0
 
 
-def with_named_entries(chain: Chain, printer: Printer) -> tuple[Chain, tuple[Chain, ...]]:
+def with_named_entries(
+    chain: Chain, printer: Printer, widest: float = NAMED_BEYOND, given: Names | None = None
+) -> tuple[Chain, tuple[Chain, ...]]:
     """The chain, and for each entry that had to be named the chain that says what it is.
 
-    Only a chain from a name to a matrix changes: D = [d_11 ...], d_11 = ...; some rows of a Jacobian keep the
-    numbers that they have in the whole one.
+    Only a chain from a name to a matrix wider than `widest` (em) changes: D = [d_11 ...], d_11 = ... Of
+    entries with `given` names those of one letter are named together, so that a reader need not look which
+    is short: the first letter, and others with an entry wider than half a line.
     """
     name, matrix = chain[0], chain[-1]
-    if not isinstance(matrix, Matrix) or len(chain) < 2 or not (numbers := _numbers(name, matrix)):
+    if not isinstance(matrix, Matrix) or len(chain) < 2 or width(printer.write(matrix)) <= widest:
         return chain, ()
-    if width(printer.write(matrix)) <= NAMED_BEYOND:
-        return chain, ()
+    names = _of_letters(matrix, printer, given) if given else _of_entries(name, matrix, printer)
+    listed = {symbol: matrix.rows[i][j] for (i, j), symbol in sorted(names.items())}
+    rows = enumerate(matrix.rows)
+    shown = Matrix(tuple(tuple(names.get((i, j), e) for j, e in enumerate(row)) for i, row in rows))
+    return (*chain[:-1], shown), tuple(listed.items())
+
+
+def _letter(name: Symbol) -> str:
+    return name.name.partition("_")[0]
+
+
+def _of_letters(matrix: Matrix, printer: Printer, given: Names) -> Names:
+    """The names that are used of those given; an entry that is plain needs none."""
+    entries = {place: matrix.rows[place[0]][place[1]] for place in given}
+    long = (place for place, entry in entries.items() if width(printer.write(entry)) > LINE / 2)
+    letters = {_letter(next(iter(given.values()))), *(_letter(given[place]) for place in long)}
+    return {
+        place: name
+        for place, name in given.items()
+        if _letter(name) in letters and entries[place] not in PLAIN
+    }
+
+
+def _of_entries(name: Expr, matrix: Matrix, printer: Printer) -> Names:
+    """The long entries, equal ones alike; some rows of a Jacobian keep the numbers that they have in the
+    whole one."""
     stem, _, index = _base(name).partition("^")[0].partition("_")
-    letter = f"{stem[0].lower()}_{index}" if index else stem[0].lower()
-    named: list[Chain] = []
-
-    def entry(row: int, column: int, value: Expr) -> Expr:
-        if width(printer.write(value)) < LONG:
-            return value
-        known = next((symbol for symbol, listed in named if listed == value), None)
-        if known is None:
-            known = entry_symbol(letter, row, column)
-            named.append((known, value))
-        return known
-
-    rows = tuple(
-        tuple(entry(i, j, value) for j, value in enumerate(row, 1))
-        for i, row in zip(numbers, matrix.rows, strict=True)
-    )
-    return (*chain[:-1], Matrix(rows)), tuple(named)
+    letter = f"{stem[:1].lower()}_{index}" if index else stem[:1].lower()
+    names: dict[tuple[int, int], Symbol] = {}
+    known: dict[Expr, Symbol] = {}
+    for i, (number, row) in enumerate(zip(_numbers(name, matrix), matrix.rows, strict=False)):
+        for j, value in enumerate(row):
+            if width(printer.write(value)) >= LONG:
+                names[i, j] = known.setdefault(value, entry_symbol(letter, number, j + 1))
+    return names
 
 
 def _base(name: Expr) -> str:

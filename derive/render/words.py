@@ -17,9 +17,9 @@ from jinja2 import Template
 
 from derive.derivation import Cell, Condition, Derivation, Phrase, Step, Table
 from derive.expression import Expr, Number, Relation
-from derive.render.entries import with_named_entries
+from derive.render.entries import NAMED_BEYOND, Names, with_named_entries
 from derive.render.latex import Printer, is_approximate
-from derive.render.layout import Chain, Display, Link, lay_out
+from derive.render.layout import LINE, Chain, Display, Link, fits, lay_out
 from derive.render.names import name_latex
 from derive.render.notation import Notation
 from derive.render.phrases import PHRASES, on_page
@@ -27,6 +27,7 @@ from derive.render.skin import Skin, environment, words_file
 
 QUESTION = "question"  # the block of a words template that asks for its derivation
 Mathematics = Expr | Step | str | int | tuple[Expr, ...]
+Trig = Literal["short", "long"] | None
 LANGUAGES = {".m": "matlab", ".py": "python"}
 
 
@@ -93,17 +94,23 @@ class Telling:
             "show": self.show, "inline": self.inline, "tell": self.tell, "table": self.table,
             "plot": self.plot, "em": self.skin.em, "strong": self.skin.strong, "items": self.skin.items,
             "listing": self.listing, "path": self.path, "math": self.math, "formula": self.formula,
-            "say": self.say,
+            "say": self.say, "cut": self.cut,
         }  # fmt: skip
 
-    def show(
-        self, *names: str | Step | tuple[Expr, ...], trig: Literal["short", "long"] | None = None
-    ) -> str:
-        """A displayed equation of one or several steps (or bare chains), side by side where they fit."""
-        printer = self._printer(trig)
-        parts = [with_named_entries(self._chain(name), printer) for name in names]
-        displays = [tuple(chain for chain, _ in parts), *(entries for _, entries in parts if entries)]
-        return "".join(self._display(chains, printer) for chains in displays)
+    def show(self, *names: str | Step | tuple[Expr, ...], trig: Trig = None, entries: str = "") -> str:
+        """A displayed equation of one or several steps (or bare chains), side by side where they fit.
+
+        Long entries of a matrix too wide for the page are named, and listed after it; `entries` are words to
+        stand before the list, and then no matrix is wider than a line.
+        """
+        printer, widest = self._printer(trig), LINE if entries else NAMED_BEYOND
+        parts = [
+            with_named_entries(self._chain(name, printer), printer, widest, self._entries(name))
+            for name in names
+        ]
+        shown = self._display(tuple(chain for chain, _ in parts), printer)
+        listed = [self._display(chains, printer) for _, chains in parts if chains]
+        return "".join((shown, f"\n{entries}\n" if entries and listed else "", *listed))
 
     def _display(self, chains: tuple[tuple[Expr, ...], ...], printer: Printer) -> str:
         return self.skin.display(lay_out(tuple(chain_links(chain, printer) for chain in chains)))
@@ -112,16 +119,16 @@ class Telling:
         """A general law, displayed as the words write it in LaTeX; what is derived goes through `show`."""
         return self.skin.display(Display(lines))
 
-    def inline(self, name: str | Step, trig: Literal["short", "long"] | None = None) -> str:
+    def inline(self, name: str | Step, trig: Trig = None) -> str:
         """The chain of a step in a line of text."""
-        return self.math(self._chain(name), trig)
+        return self.math(self._chain(name, self._printer(trig)), trig)
 
     def tell(self, *names: str | Step) -> str:
         """Marks steps as told in prose; prints nothing."""
         self.told.update(name.name if isinstance(name, Step) else self.d.step(name).name for name in names)
         return ""
 
-    def math(self, value: Mathematics, trig: Literal["short", "long"] | None = None) -> str:
+    def math(self, value: Mathematics, trig: Trig = None) -> str:
         """Inline mathematics of an expression, a name, or a chain (a tuple) joined by equal signs."""
         return f"${self._latex(value, self._printer(trig))}$"
 
@@ -156,14 +163,28 @@ class Telling:
             if step.name not in self.told and (step.chain or not step.steps)
         ]
 
-    def _chain(self, name: str | Step | tuple[Expr, ...]) -> tuple[Expr, ...]:
+    def _step(self, name: str | Step) -> Step:
+        return self.d.step(name) if isinstance(name, str) else name
+
+    def _entries(self, name: str | Step | tuple[Expr, ...]) -> Names:
+        return {} if isinstance(name, tuple) else self._step(name).entries
+
+    def _chain(self, name: str | Step | tuple[Expr, ...], printer: Printer) -> tuple[Expr, ...]:
+        """The chain of a step, without the spare links that are too long for a page."""
         if isinstance(name, tuple):
             return name
-        step = self.d.step(name) if isinstance(name, str) else name
+        step = self._step(name)
         self.told.add(step.name)
-        return step.chain
+        if not step.spare:
+            return step.chain
+        return tuple(link for link in step.chain if link not in step.spare or fits(printer.write(link)))
 
-    def _printer(self, trig: Literal["short", "long"] | None) -> Printer:
+    def cut(self, name: str | Step) -> bool:
+        """Whether a link of this step is too long for a page and left out."""
+        step, printer = self._step(name), self._printer(None)
+        return not all(fits(printer.write(link)) for link in step.spare)
+
+    def _printer(self, trig: Trig) -> Printer:
         return Printer(replace(self.notation, trig=trig) if trig else self.notation)
 
     def _latex(self, value: Mathematics, printer: Printer) -> str:

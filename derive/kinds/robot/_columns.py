@@ -8,7 +8,7 @@ from dataclasses import replace
 from derive.algebra.matrix import ScalarMatrix
 from derive.derivation import Step
 from derive.expression import ZERO, Expr, Matrix, Product, Sum, Symbol, add, cross, subtract
-from derive.kinds.naming import fits, with_named_entries
+from derive.kinds.naming import fits, pose_entries
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL, axis_names, end_frame, pose_name
 from derive.kinds.robot._couplings import drive_names, gamma_of, phi_of
@@ -113,10 +113,10 @@ def pose_lines(work: Work, found: Chain, last: int) -> Work:
 
 
 def product_lines(work: Work, name: Symbol, factors: tuple[Expr, ...], T: ScalarMatrix) -> Work:
-    """A pose T (4 by 4) as the product of these factors, long blocks of it by names that are listed below;
-    no line for a single one."""
-    written = work.problem.readable_matrix(T)
+    """A pose T (4 by 4) as the product of these factors; no line for a single one."""
     if len(factors) > 1:
-        matrix, entries = with_named_entries(written)
-        work = work.step(Step(name.name, (name, Product(factors), matrix), "compose"), *entries)
-    return work.knowing({name: written})
+        entries = pose_entries(work.problem.taken)
+        work = work.line(name, Product(factors), value=T, rule="compose", entries=entries)
+        rows = work.matrix(name).rows
+        return work.knowing({symbol: rows[i][j] for (i, j), symbol in entries.items()})
+    return work.knowing({name: work.problem.readable_matrix(T)})
