@@ -14,5 +14,6 @@ polynomials). Between them, from the ground up: `fixed_angles` (is a number zero
     readable   a normal form -> a short tree
     numbers    trees and normal forms as floats and balls
     solving    factors, roots, ranks, systems of polynomial equations
-    fold       one walk of a tree for every kind of value; `infix` prints one; `interop` is the door to SymPy
+    fold       one walk of a tree for every domain of values, as `evaluation` is of normal forms;
+               `infix` prints a tree, `interop` is the door to SymPy
 """

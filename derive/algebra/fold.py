@@ -70,6 +70,19 @@ class Domain(Generic[T]):
         power: T = pow(base, exponent)
         return power
 
+    def raised(self, base: T, times: int) -> T:
+        """A power with a whole exponent."""
+        power: T = pow(base, times)
+        return power
+
+    def root(self, value: T, degree: int) -> T:
+        """The root of this degree."""
+        return self.power(value, self.number(Fraction(1, degree)))
+
+    def knows(self, name: str) -> bool:
+        """Whether a function that normal forms keep, `exp(x)`, has its value here under its name."""
+        return False
+
     def call(self, function: str, arguments: list[T]) -> T:
         """A function by name."""
         return self.refuse(function)

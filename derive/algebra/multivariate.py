@@ -1,5 +1,5 @@
 """Polynomials in several generators, as FLINT holds them: their factors, their terms by the powers of some
-generators, their values.
+generators.
 
 Factors come in one order, whatever the release: python-flint 0.8 gives them in another than 0.9, and pages
 list cases and solutions as the factors come.
@@ -7,10 +7,10 @@ list cases and solutions as the factors come.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from typing import Any
 
-from flint import arb, fmpq, fmpq_mpoly
+from flint import fmpq, fmpq_mpoly
 
 
 def factored(polynomial: fmpq_mpoly) -> tuple[fmpq, list[tuple[fmpq_mpoly, int]]]:
@@ -36,19 +36,6 @@ def grouped(polynomial: fmpq_mpoly, places: Iterable[int]) -> dict[tuple[int, ..
         groups.setdefault(powers, {})[tuple(rest)] = coefficient
     context = polynomial.context()
     return {powers: context.from_dict(terms) for powers, terms in groups.items()}
-
-
-def ball_at(polynomial: fmpq_mpoly, value: Callable[[int], arb]) -> arb:
-    """The value in ball arithmetic, at the working precision, where the generator at each place has this
-    value; only those that occur are asked for."""
-    total = arb(0)
-    for exponents, coefficient in polynomial.terms():
-        term = arb(coefficient)
-        for place, power in enumerate(exponents):
-            if power:
-                term = term * value(place) ** int(power)
-        total = total + term
-    return total
 
 
 def _in_order(number: fmpq, found: list[tuple[fmpq_mpoly, Any]]) -> tuple[fmpq, list[tuple[fmpq_mpoly, int]]]:

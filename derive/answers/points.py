@@ -11,8 +11,8 @@ from itertools import repeat
 
 from flint import arb, ctx, fmpq
 
+from derive.algebra.ball_arithmetic import precise
 from derive.algebra.infix import text
-from derive.algebra.numbers.balls import precise
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Symbol, children, free_symbols, walk
 

@@ -15,7 +15,7 @@ from typing import Any
 
 from flint import acb, acb_poly, arb, ctx, fmpq
 
-from derive.algebra.numbers.balls import BITS, MOST_BITS, number_ball
+from derive.algebra.numbers.balls import FEWEST_BITS, MOST_BITS, number_ball
 from derive.algebra.scalar import Scalar
 from derive.control.exact import Coefficients, field, square_free, symmetric
 from derive.errors import NotDerivable
@@ -82,7 +82,7 @@ class _Part:
     even: bool
 
     def roots(self, bits: int) -> Iterator[Root]:
-        precision = max(BITS, 2 * bits)
+        precision = max(FEWEST_BITS, 2 * bits)
         while precision <= MOST_BITS:
             with ctx.workprec(precision):
                 balls = _balls(self.coefficients)
@@ -114,7 +114,7 @@ def _parts(values: Coefficients) -> Iterator[_Part]:
     if zeros:
         yield _Part((fmpq(1), fmpq(0)), zeros, False)
     values = values[: len(values) - zeros]
-    with ctx.workprec(BITS):
+    with ctx.workprec(FEWEST_BITS):
         balls = _balls(values) if len(values) > 1 else []
     simple = square_free(values) if balls is None else [(values, 1)][: len(balls)]
     for polynomial, power in simple:
@@ -128,7 +128,7 @@ def _parts(values: Coefficients) -> Iterator[_Part]:
 
 def are_coprime(left: Coefficients, right: Coefficients) -> bool:
     """Whether balls show that two polynomials in numbers share no root."""
-    with ctx.workprec(BITS):
+    with ctx.workprec(FEWEST_BITS):
         balls = _balls(right) if len(right) > 1 else []
         if balls is None:
             return False

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, get_args
 
 from flint import arb
 
-from derive.algebra.numbers.balls import precise
+from derive.algebra.ball_arithmetic import precise
 from derive.algebra.numbers.floats import Point, number
 from derive.expression import Expr, Symbol, free_symbols
 from derive.mechanics.bodies import Body, moments

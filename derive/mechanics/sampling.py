@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 from flint import fmpq_mpoly
 
 from derive.algebra.generators import Opaque
-from derive.algebra.numbers.floats import atom_number, symbol_number
+from derive.algebra.numbers.floats import atom_number
 from derive.algebra.rationals import as_fraction
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar
@@ -109,7 +109,7 @@ def _generator(home: Ring, place: int, at: Point) -> complex:
         k = (place - roots) % angles
         angle = sum(float(n) * _atom(atom, at) for atom, n in home.angles[k].parts)
         return cmath.sin(angle) if place < roots + angles else cmath.cos(angle)
-    return complex(symbol_number(name, _Real(at))) if isinstance(name, Opaque) else at[name]
+    return complex(atom_number(name, _Real(at))) if isinstance(name, Opaque) else at[name]
 
 
 def _atom(atom: str, at: Point) -> complex:

@@ -7,9 +7,10 @@ import math
 import pytest
 from flint import arb, ctx
 
+from derive.algebra.ball_arithmetic import BITS, precise, slope
 from derive.algebra.formulas.grammar import parse
 from derive.algebra.normal import normal
-from derive.algebra.numbers.balls import BITS, number_sign, precise, slope
+from derive.algebra.numbers.balls import number_sign
 from tests.trees import value
 
 

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 from flint import arb, ctx
 
-from derive.algebra.numbers.balls import BITS, precise
+from derive.algebra.ball_arithmetic import BITS, precise
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Power, children, free_symbols
 

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
 from typing import Any, TypeAlias
 
 from flint import fmpq, fmpq_mpoly
 
+from derive.algebra.evaluation import Evaluation
 from derive.algebra.fold import Domain, fold
-from derive.algebra.generators import ITSELF, Opaque
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar
 from derive.errors import DivisionByZero, NotReal, TooLarge
 from derive.expression import Expr, Matrix
@@ -84,6 +85,9 @@ class _Floats(Domain[float]):
     def symbol(self, name: str) -> float:
         return math.pi if name == "pi" else self.point[name]
 
+    def knows(self, name: str) -> bool:
+        return name in self.point
+
     def sum(self, terms: list[float]) -> float:
         return math.fsum(terms)
 
@@ -128,59 +132,36 @@ def number_rows(expr: Matrix, point: Point) -> list[list[float]]:
     return [[number(entry, point) for entry in row] for row in expr.rows]
 
 
+class _Exact(Evaluation[float]):
+    """Floats of normal forms: the generators are rounded, and a polynomial in exactly these floats is rounded
+    once; FLINT is several times faster at that than Python at the terms."""
+
+    def polynomial(self, polynomial: fmpq_mpoly, home: Ring) -> float:
+        at = self.generators(home, polynomial.degrees())
+        value = polynomial(*(fmpq(*each.as_integer_ratio()) for each in at))
+        return int(value.p) / int(value.q)
+
+    def generators(self, home: Ring, degrees: Iterable[int]) -> list[float]:
+        return [self.generator(home, place) if n > 0 else 0.0 for place, n in enumerate(degrees)]
+
+
 def scalar_number(value: Scalar, point: Point) -> float:
     """The value of a normal form where each symbol has a value. Raises KeyError for one without."""
-    gens = generator_numbers(value, point)
-    top = _polynomial(value.numerator, gens)
-    return top if value.denominator is None else top / _polynomial(value.denominator, gens)
+    return _Exact(_Floats(point)).quotient(value)
 
 
 def matrix_numbers(value: ScalarMatrix, point: Point) -> list[list[float]]:
-    """Rows of floats."""
+    """The rows of a matrix as floats. Raises KeyError for a symbol without a value."""
     return [[scalar_number(entry, point) for entry in row] for row in value.rows]
 
 
 def generator_numbers(value: Scalar, point: Point) -> list[float]:
     """The value of each generator of a scalar's ring that occurs in it (0 for the others)."""
-    home, used = value.ring, set(value.generators())
-    table: dict[str, float] = {}
-    for name in home.symbols:
-        if name in used:
-            table[name] = math.pi if name == "pi" else symbol_number(name, point)
-    for form in home.angles:
-        c, s = f"cos({form})", f"sin({form})"
-        if c in used or s in used:
-            angle = sum(float(n) * atom_number(atom, point) for atom, n in form.parts)
-            table[c], table[s] = math.cos(angle), math.sin(angle)
-    for root in reversed(home.roots):
-        if root.name in used:
-            square = Scalar(home, home.polynomial(root.radicand))
-            table[root.name] = FUNCTIONS["pow"](scalar_number(square, point), 1 / root.degree)
-    return [table.get(name, 0.0) for name in home.names]
-
-
-def symbol_number(name: str, point: Point) -> float:
-    """A letter; or a function that the normal form keeps as it is, `exp(x)`. Raises KeyError."""
-    if not isinstance(name, Opaque) or name in point:
-        return point[name]
-    values = [scalar_number(argument, point) for argument in name.arguments]
-    return values[0] if name.function == ITSELF else float(FUNCTIONS[name.function](*values))
+    used = set(value.generators())
+    return _Exact(_Floats(point)).generators(value.ring, [name in used for name in value.ring.names])
 
 
 def atom_number(atom: str, point: Point) -> float:
-    """pi, one radian, an angle, or a product of powers of symbols."""
-    if isinstance(atom, Opaque):
-        return symbol_number(atom, point)
-    value = {"pi": math.pi, "1": 1.0}.get(atom)
-    if value is not None:
-        return value
-    factors = (factor.partition("^") for factor in atom.split("*"))
-    values = ((math.pi if name == "pi" else point[name], power) for name, _, power in factors)
-    return math.prod(value ** int(power or 1) for value, power in values)
-
-
-def _polynomial(polynomial: fmpq_mpoly, gens: list[float]) -> float:
-    """The exact value where the generators are exactly these floats, rounded once; FLINT is several times
-    faster at that than Python at the terms."""
-    value = polynomial(*(fmpq(*gen.as_integer_ratio()) for gen in gens))
-    return int(value.p) / int(value.q)
+    """The value of a letter, of a function that the normal form keeps as it is, `exp(x)`, or of an atom of an
+    angle. Raises KeyError."""
+    return _Exact(_Floats(point)).atom(atom)

@@ -7,7 +7,9 @@ from fractions import Fraction
 
 from flint import arb
 
-from derive.algebra.multivariate import ball_at, factored, grouped
+from derive.algebra.ball_arithmetic import balls
+from derive.algebra.evaluation import Evaluation
+from derive.algebra.multivariate import factored, grouped
 from derive.algebra.numbers.balls import number_sign
 from derive.algebra.rationals import as_fraction
 from derive.algebra.scalar import Scalar
@@ -120,14 +122,7 @@ def odd_part(value: Scalar, positive: Collection[str] = ()) -> Scalar:
 def ball(value: Scalar, at: Mapping[str, arb]) -> arb:
     """The value in ball arithmetic, an interval that certainly holds it. Raises KeyError where a symbol has
     none."""
-    home, used = value.ring, set(value.generators())
-    known: dict[str, arb] = {name: at[name] for name in home.symbols if name in used}
-    for root in reversed(home.roots):
-        if root.name in used:
-            known[root.name] = ball(Scalar(home, home.polynomial(root.radicand)), at).root(root.degree)
-    points = [known.get(name, arb(0)) for name in home.names]
-    top = ball_at(value.numerator, points.__getitem__)
-    return top if value.denominator is None else top / ball_at(value.denominator, points.__getitem__)
+    return Evaluation(balls(at)).quotient(value)
 
 
 def rational(value: Scalar) -> Fraction | None:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from flint import arb, ctx
 
-from derive.algebra.numbers.balls import BITS, precise, slope
+from derive.algebra.ball_arithmetic import BITS, precise, slope
 from derive.errors import NotReal
 from derive.expression import ZERO, Expr, free_symbols
 from derive.mechanics.lagrangian import TIME, LagrangianSystem
