@@ -37,7 +37,7 @@ class Placed:
 
     @property
     def turned(self) -> Array:
-        """The inertia in the axes of the base."""
+        """The inertia (3 by 3) in the axes of the base."""
         return self.R @ self.inertia @ self.R.T
 
 

@@ -27,7 +27,7 @@ def rotation_matrix(axis: str, angle: Expr) -> Matrix:
 
 
 def skew(k: Vector) -> Matrix:
-    """The matrix that takes v to k x v."""
+    """S(k) (3 by 3), which takes v to k x v (Spong et al., section 4.2)."""
     x, y, z = k
     return Matrix(((ZERO, negate(z), y), (z, ZERO, negate(x)), (negate(y), x, ZERO)))
 

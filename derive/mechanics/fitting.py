@@ -99,7 +99,7 @@ def centroid(points: Sequence[ScalarMatrix]) -> ScalarMatrix:
 
 
 def covariance(source: Sequence[ScalarMatrix], target: Sequence[ScalarMatrix]) -> ScalarMatrix:
-    """H = sum a_i b_i^T of points about their centroids."""
+    """H = sum a_i b_i^T (3 by 3, in the plane 2 by 2) of points about their centroids."""
     total = source[0] @ target[0].T
     for a, b in zip(source[1:], target[1:], strict=True):
         total = total + a @ b.T
@@ -107,7 +107,8 @@ def covariance(source: Sequence[ScalarMatrix], target: Sequence[ScalarMatrix]) -
 
 
 def exact_rotation(source: Sequence[ScalarMatrix], target: Sequence[ScalarMatrix]) -> ScalarMatrix | None:
-    """The rotation that brings every centred point exactly to its partner; None where there is none."""
+    """R (3 by 3, in the plane 2 by 2) that brings every centred point exactly to its partner; None where
+    there is none."""
     basis = _basis(source)
     if basis is None:
         return None

@@ -77,7 +77,7 @@ def way(frames: Frames, source: int, target: int) -> Way:
 
 
 def along(path: tuple[Frame, ...], names: Names | None = None) -> ScalarMatrix:
-    """The product of local poses; the identity for no frames."""
+    """T (4 by 4), the product of local poses; the identity for no frames."""
     return reduce(ScalarMatrix.__matmul__, (local(frame, names) for frame in path), ScalarMatrix.identity(4))
 
 

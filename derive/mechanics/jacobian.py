@@ -63,8 +63,10 @@ def drift(chain: Chain, R: ScalarMatrix, p: ScalarMatrix) -> ScalarMatrix | None
 
 
 def column(chain: Chain, point: ScalarMatrix, i: int, last: int) -> ScalarMatrix:
-    """z x (p - o) over z for a revolute joint, h z more above where it has the pitch h; z over 0 for a
-    prismatic one; 0 beyond `last`."""
+    """The column (6 by 1) of the joint of row i, z x (p - o) over z for a revolute joint, h z more above
+    where it has the pitch h; z over 0 for a prismatic one; 0 beyond `last`.
+
+    Raises ValueError for a fixed row."""
     if i > last:
         return ScalarMatrix.zeros(6, 1)
     z = chain.axis(i)

@@ -81,7 +81,7 @@ def rate(value: Scalar, system: LagrangianSystem) -> Scalar:
 
 
 def velocity(position: ScalarMatrix, system: LagrangianSystem) -> ScalarMatrix:
-    """The rate of a position."""
+    """The rate of a position, a column as long as it."""
     return ScalarMatrix.column(rate(entry, system) for entry in position.entries)
 
 
@@ -115,7 +115,7 @@ def inertial_side(lagrangian: Scalar, system: LagrangianSystem) -> tuple[Scalar,
 
 
 def mass_matrix(sides: Sequence[Scalar], system: LagrangianSystem) -> ScalarMatrix:
-    """What multiplies the accelerations."""
+    """M (n by n): what multiplies the accelerations in the equations."""
     return ScalarMatrix.of([side.diff(name) for name in system.accelerations] for side in sides)
 
 

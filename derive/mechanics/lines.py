@@ -63,5 +63,5 @@ def on(point: ScalarMatrix, line: Line) -> bool:
 
 
 def foot(point: ScalarMatrix, line: Line) -> ScalarMatrix:
-    """The point of a line nearest to a point."""
+    """The point (3 by 1) of a line nearest to a point."""
     return line.point + line.direction.scaled(dot(point - line.point, line.direction))

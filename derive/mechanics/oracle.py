@@ -64,11 +64,11 @@ class Oracle:
         return found
 
     def tool(self, point: Point) -> Array:
-        """T of the end-effector."""
+        """T (4 by 4) of the end-effector."""
         return self.poses(point)[-1] @ self.home(point) @ self._compose(self.robot.tool, point)
 
     def home(self, point: Point) -> Array:
-        """T of the end-effector of a chain of screws while its joints are at zero."""
+        """T (4 by 4) of the end-effector of a chain of screws while its joints are at zero."""
         import numpy as np
 
         match self.robot.home:
@@ -281,7 +281,7 @@ def exponential(X: Array) -> Array:
 
 
 def compose(sequence: tuple[Move, ...], point: Any, value: Value = number) -> Array:
-    """T of moves about current axes."""
+    """T (4 by 4) of moves about current axes."""
     import numpy as np
 
     T: Array = np.eye(4)
@@ -303,7 +303,7 @@ def made(moves: Iterable[Move], point: Any) -> Array:
 
 
 def elementary(move: Move, point: Any, value: Value = number) -> Array:
-    """T of one move: Rodrigues' formula, or a shift."""
+    """T (4 by 4) of one move: Rodrigues' formula, or a shift."""
     import numpy as np
 
     k, by = _direction(move, point, value), value(move.by, point)

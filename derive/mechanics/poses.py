@@ -66,7 +66,7 @@ def position_part(T: ScalarMatrix) -> ScalarMatrix:
 
 
 def inverse_pose(T: ScalarMatrix) -> ScalarMatrix:
-    """R^T and -R^T p: the inverse without a division."""
+    """T^-1 (4 by 4) of R^T and -R^T p, without a division (Spong et al., section 2.7)."""
     R_T = rotation_part(T).T
     return homogeneous(R_T, (-(R_T @ position_part(T))).entries)
 
@@ -80,7 +80,7 @@ def pose(move: Move, names: Names | None = None) -> ScalarMatrix:
 
 
 def composed(moves: Iterable[Move], names: Names | None = None) -> ScalarMatrix:
-    """T of moves about current axes: each multiplies from the right."""
+    """T (4 by 4) of moves about current axes: each multiplies from the right."""
     poses = [pose(move, names) for move in moves if move.by != ZERO]
     return reduce(ScalarMatrix.__matmul__, poses) if poses else ScalarMatrix.identity(4)
 

@@ -81,7 +81,8 @@ class Names:
         raise letters.unknown(name.plain + name.accent, name.offset)
 
     def moving(self, value: Expr) -> Expr:
-        r"""What a name stands for, an argument (t) after it left out: \theta_1(t) is \theta_1."""
+        r"""What a name stands for, an argument (t) after it left out: \theta_1(t) is \theta_1. Raises
+        FormulaError where t is a name of the problem."""
         if self.cursor.ahead(3) == ("(", "t", ")"):
             if self.letters.find("t"):
                 hint = "leave (t) out, or write a sign between the factors"

@@ -38,7 +38,8 @@ class Scripted:
 
 
 def group(found: Sequence[Token], at: int) -> tuple[Tokens, int]:
-    """The tokens of a group in braces (or one token) without its braces, and the place after it."""
+    """The tokens of a group in braces (or one token) without its braces, and the place after it. Raises
+    FormulaError for braces that are never closed."""
     if found[at].text != "{":
         return (found[at],), min(at + 1, len(found) - 1)
     depth, end = 0, at
