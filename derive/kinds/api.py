@@ -9,7 +9,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numbers.floats import Point, matrix_numbers, numbers, scalar_number
 from derive.algebra.scalar import Scalar
-from derive.derivation import Branch, Claim, Derivation, PageFacts, Plot, Record, Step, Table
+from derive.derivation import Branch, Claim, Derivation, PageFacts, Phrase, Plot, Record, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import (
     ONE,
@@ -22,6 +22,7 @@ from derive.expression import (
     Power,
     Product,
     Quotient,
+    Relation,
     Sum,
     Symbol,
     add,
@@ -62,6 +63,7 @@ __all__ = [
     "Number",
     "OptionsModel",
     "PageFacts",
+    "Phrase",
     "Plot",
     "Point",
     "Power",
@@ -70,6 +72,7 @@ __all__ = [
     "Quantity",
     "Quotient",
     "Record",
+    "Relation",
     "Scalar",
     "ScalarMatrix",
     "Step",

@@ -27,13 +27,8 @@ PHRASES = "phrases"  # the block of a words template that holds them
 LATEX_SIGNS = {"<=": r"\leq", ">=": r"\geq", "!=": r"\neq"}
 
 
-class MissingPhrase(Exception):
-    """A derivation says something that its words have no line for."""
-
-    def __init__(self, key: str) -> None:
-        super().__init__(
-            f"no words for '{key}': write a line '{key}: ...' in the block {PHRASES} of the kind"
-        )
+class PhraseError(Exception):
+    """Words of a kind are missing, or are not written as they have to be."""
 
 
 def in_text(tree: Expr, notation: str = "") -> str:
@@ -60,7 +55,7 @@ class Speech:
     signs: Mapping[str, str] = field(default_factory=dict)
 
     def say(self, said: Said, notation: str = "") -> str:
-        """A phrase or a relation as it stands in a text. Raises MissingPhrase."""
+        """A phrase or a relation as it stands in a text. Raises PhraseError."""
         match said:
             case Phrase():
                 return "".join(self._phrase(said))
@@ -89,13 +84,9 @@ class Speech:
 
     def figure(self, figure: Figure) -> Figure:
         """The figure with the words of its labels."""
-        match figure:
-            case Panels():
-                plots = tuple(self._plot(plot) for plot in figure.plots)
-                return replace(figure, plots=plots)
-            case Plot():
-                return self._plot(figure)
-        return figure
+        if isinstance(figure, Panels):
+            return replace(figure, plots=tuple(map(self._plot, figure.plots)))
+        return self._plot(figure) if isinstance(figure, Plot) else figure
 
     def _plot(self, plot: Plot) -> Plot:
         return replace(
@@ -114,14 +105,16 @@ class Speech:
     def _phrase(self, phrase: Phrase) -> Iterable[str]:
         for words, name, notation, _ in Formatter().parse(self._line(phrase.key)):
             yield self.plain(words)
-            if name is not None:
-                yield self.say(phrase.about[name], notation or "")
+            if name is None:
+                continue
+            if name not in phrase.about:
+                raise PhraseError(f"nothing fills the field {{{name}}} of the words for '{phrase.key}'")
+            yield self.say(phrase.about[name], notation or "")
 
     def _line(self, key: str) -> str:
-        try:
-            return self.lines[key]
-        except KeyError:
-            raise MissingPhrase(key) from None
+        if key not in self.lines:
+            raise PhraseError(f"no words for '{key}': write '{key}: ...' in the block {PHRASES} of the kind")
+        return self.lines[key]
 
     def _relation(self, relation: Relation, notation: str) -> str:
         left = relation.left
@@ -163,7 +156,10 @@ def _lines_in(name: str) -> dict[str, str]:
         return {}
     block = template.blocks.get(PHRASES)
     written = "".join(block(template.new_context({}))) if block else ""
-    return dict(line.split(": ", 1) for line in written.splitlines() if line)
+    found = [line.partition(": ") for line in written.splitlines() if line]
+    if wrong := [key for key, _, words in found if not words]:
+        raise PhraseError(f"{name}: a line of the block {PHRASES} is 'key: words', not '{wrong[0]}'")
+    return {key: words for key, _, words in found}
 
 
 def _in_style(tree: Expr, style: Style) -> Expr:

@@ -22,7 +22,7 @@ from derive.render.latex import Printer, is_approximate
 from derive.render.layout import LINE, Chain, Display, Link, fits, lay_out
 from derive.render.names import name_latex
 from derive.render.notation import Notation
-from derive.render.phrases import PHRASES, on_page
+from derive.render.phrases import PHRASES, Speech, on_page
 from derive.render.skin import Skin, environment, words_file
 
 QUESTION = "question"  # the block of a words template that asks for its derivation
@@ -48,7 +48,10 @@ def words(
     Raises ForgottenStep; where the derivation was not asked for, its words may leave steps out.
     """
     notation = replace(notation, short_names=frozenset(derivation.shared.short_names))
-    telling = Telling(derivation, folder, skin, notation, plots or {}, files or {})
+    speech = on_page(folder, derivation.kind, Printer(notation), skin.plain)
+    telling = Telling(derivation, speech, skin, notation, plots or {}, files or {})
+    for claim in derivation.claims:  # said in the JSON only, but their words must not be missing unnoticed
+        telling.speech.claim(claim)
     template = words_of(folder, derivation.kind)
     context = template.new_context({**telling.scope(), "asked": asked})
     for block in (QUESTION, PHRASES):  # asked on the page already, see render/questions.py; said one by one
@@ -80,7 +83,7 @@ class Telling:
     """One derivation being told in one format; remembers which steps were."""
 
     d: Derivation
-    folder: str
+    speech: Speech
     skin: Skin
     notation: Notation
     plots: Mapping[str, str]
@@ -134,8 +137,7 @@ class Telling:
 
     def say(self, said: Condition | tuple[Condition, ...]) -> str:
         """A phrase, a relation, or several that all hold, in a line of text."""
-        speech = on_page(self.folder, self.d.kind, self._printer(None), self.skin.plain)
-        return speech.when(said if isinstance(said, tuple) else (said,))
+        return self.speech.when(said if isinstance(said, tuple) else (said,))
 
     def table(self, table: Table) -> str:
         """A table; its mathematics is set inline, a number with the unit its author gave it."""

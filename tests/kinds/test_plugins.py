@@ -34,11 +34,12 @@ def derive(motion, options, problem):
     return Derivation("first-entry", steps, {"trace": tree}, links(steps, {}))
 '''
 WORDS = (
-    "{% block question %}What is the first entry?{% endblock %}\nIts first entry is\n{{ show('trace') }}\n"
+    "{% block question %}What is the first entry?{% endblock %}\n"
+    "{% block phrases %}\nitself: it is itself\n{% endblock %}\nIts first entry is\n{{ show('trace') }}\n"
 )
 LINKS = "links(steps, {})"
 PROVED = {
-    "a law": '(law("it is itself", tree == tree),)',
+    "a law": '(law("itself", tree == tree),)',
     "what it rests on": "(), uses=(R,)",
 }
 

@@ -8,7 +8,7 @@ from derive.derivation import Condition, Phrase
 from derive.expression import Degrees, Relation, Symbol, number
 from derive.render.latex import Printer
 from derive.render.notation import Notation
-from derive.render.phrases import MissingPhrase, on_page, spoken
+from derive.render.phrases import PhraseError, on_page, spoken
 from derive.render.plain_text import markdown_text
 from derive.render.skin import environment
 
@@ -68,5 +68,14 @@ def test_conditions_are_typeset_on_the_page_and_plain_in_the_json(
 
 
 def test_a_phrase_without_words_is_an_error_that_says_where_they_go() -> None:
-    with pytest.raises(MissingPhrase, match="no words for 'elbow-down': write a line"):
+    with pytest.raises(PhraseError, match="no words for 'elbow-down': write"):
         spoken("any", "kind").say(Phrase("elbow-down"))
+
+
+def test_words_that_are_not_written_as_they_have_to_be(monkeypatch: pytest.MonkeyPatch) -> None:
+    with pytest.raises(PhraseError, match=r"nothing fills the field \{at\} of the words for 'free'"):
+        spoken("any", "kind").say(Phrase("free"))
+    wrong = DictLoader({"words/any/kind.j2": "{% block phrases %}\nelbow-up elbow up\n{% endblock %}"})
+    monkeypatch.setattr(environment(), "loader", wrong)
+    with pytest.raises(PhraseError, match="is 'key: words', not 'elbow-up elbow up'"):
+        spoken("any", "kind")
