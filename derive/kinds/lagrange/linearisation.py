@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice
+from typing import Any
 
 from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.numbers.floats import matrix_numbers
+from derive.algebra.numbers.floats import number, numbers
 from derive.algebra.solving.polynomials import known_sign
 from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable, NotReal
@@ -98,7 +99,7 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     steps = (*_matrix_steps(model, linear), *_state_steps(model, linear))
     results = {step.name: problem.final(step.result) for step in steps}
     work = Work(problem, uses=(equations(problem),)).step(*steps)
-    work = work.law("symmetric", linear.M == linear.M.T).claim(_second_route(model, linear, at))
+    work = work.law("symmetric", linear.M == linear.M.T).claim(_second_route(model, linear, at, results))
     return work.answer("linearisation", results, _facts(model, options, linear, at))
 
 
@@ -210,14 +211,17 @@ def _stability(model: Model, linear: Linear) -> str:
     return "unstable" if -1 in diagonal or signs[-1] == -1 else ""
 
 
-def _second_route(model: Model, linear: Linear, at: Mapping[Expr, Expr]) -> Claim:
-    """A small motion about the state, by differences of the Lagrangian, against the linear equations."""
+def _second_route(model: Model, linear: Linear, at: Mapping[Expr, Expr], told: Mapping[str, Expr]) -> Claim:
+    """A small motion about the state, by differences of the Lagrangian, against the linear equations as they
+    are told."""
     system, problem = model.system, model.problem
     differences = Differences(system, problem.where)
     moving = (*system.coordinates, *system.rates, *system.accelerations, *linear.inputs)
     letters = frozenset().union(*map(free_symbols, at.values()))
     names = sorted(problem.symbols | letters | {TIME, *moving})
-    found = (_agree(model, linear, at, differences, point) for point in random_points(names, TRIED))
+    found = (
+        _agree(model, linear.inputs, at, told, differences, point) for point in random_points(names, TRIED)
+    )
     real = list(islice((holds for holds in found if holds is not None), 2))
     if not real:
         raise NotDerivable("this state is not real wherever it was tried, so nothing could be checked", "at")
@@ -225,41 +229,49 @@ def _second_route(model: Model, linear: Linear, at: Mapping[Expr, Expr]) -> Clai
 
 
 def _agree(
-    model: Model, linear: Linear, at: Mapping[Expr, Expr], differences: Differences, point: dict[str, float]
+    model: Model,
+    inputs: tuple[str, ...],
+    at: Mapping[Expr, Expr],
+    told: Mapping[str, Expr],
+    differences: Differences,
+    point: dict[str, float],
 ) -> bool | None:
     """Whether they agree about the state of rest of one point; None where that is not real."""
-    from derive.algebra.numbers.floats import number as value_of
-
     system = model.system
     known = completed(point, model.problem.where)
     rest = {**known}
     try:
-        rest |= {name.name: value_of(tree, known) for name, tree in at.items() if isinstance(name, Symbol)}
+        rest |= {name.name: number(tree, known) for name, tree in at.items() if isinstance(name, Symbol)}
     except NotReal:
         return None
-    moving = (*system.coordinates, *system.rates, *system.accelerations, *linear.inputs)
+    moving = (*system.coordinates, *system.rates, *system.accelerations, *inputs)
 
     def leftover(sign: int) -> list[float]:
         return differences.left_over({**rest, **{n: rest[n] + sign * SMALL * point[n] for n in moving}})
 
     slope = [(a - b) / (2 * SMALL) for a, b in zip(leftover(1), leftover(-1), strict=True)]
-    return close(slope, _linear_side(model, linear, rest, point), LEFT_OVER)
+    second = [
+        ("M_0", system.accelerations, 1), ("C_0", system.rates, 1), ("K_0", system.coordinates, 1),
+        ("F_0", inputs, -1),
+    ]  # fmt: skip
+    first = [("A", (*system.coordinates, *system.rates), 1), ("B", inputs, 1)]
+    matrices = {name: numbers(tree, rest) for name, tree in told.items()}
+    changes = _total(matrices, first, point)
+    n = len(system.coordinates)
+    driven = {**point, **dict(zip(system.accelerations, changes[n:], strict=True))}
+    return (
+        close(slope, _total(matrices, second, point), LEFT_OVER)
+        and close(changes[:n], [point[rate] for rate in system.rates])
+        and close(_total(matrices, second, driven), [0.0] * n, LEFT_OVER)
+    )
 
 
-def _linear_side(
-    model: Model, linear: Linear, rest: Mapping[str, float], point: Mapping[str, float]
-) -> list[float]:
-    """M x'' + C x' + K x - F u for the displacement of a point."""
-    system = model.system
-    parts = [
-        (linear.M, system.accelerations, 1),
-        (linear.C, system.rates, 1),
-        (linear.K, system.coordinates, 1),
-    ]
-    if linear.F is not None:
-        parts.append((linear.F, linear.inputs, -1))
-    total = [0.0] * len(system.coordinates)
-    for matrix, names, sign in parts:
-        for k, row in enumerate(matrix_numbers(matrix, rest)):
-            total[k] += sign * sum(entry * point[name] for entry, name in zip(row, names, strict=True))
-    return total
+def _total(
+    matrices: Mapping[str, Any], parts: Sequence[tuple[str, Sequence[str], int]], point: Mapping[str, float]
+) -> Any:
+    """M x'' + C x' + K x - F u, or A z + B u, for the displacement of a point."""
+    import numpy as np
+
+    known = [part for part in parts if part[0] in matrices]
+    shaped = ((np.reshape(matrices[part], (-1, len(names))), names, sign) for part, names, sign in known)
+    return sum(sign * matrix @ [point[name] for name in names] for matrix, names, sign in shaped)

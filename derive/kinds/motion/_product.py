@@ -43,8 +43,10 @@ def composed(
     work = factors.work.line(name, *formula, value=shown, rule="product")
     exact = problem.final(written)
     work = work.knowing({name: written}) if numeric else work.closed(name)
-    work = motion_made(work.claim(*_laws(problem.exact(value), name.name)), name.name, moves, exact)
-    results: dict[str, Result] = {name.name: exact, **_factor_results(factors, problem)}
+    parts = _factor_results(factors, problem)
+    work = work.claim(*_laws(problem.exact(value), name.name))
+    work = motion_made(work, name.name, moves, exact, *parts.values())
+    results: dict[str, Result] = {name.name: exact, **parts}
     facts, point = _facts(factors, numeric, name), completed({}, problem.where)
     evaluated: dict[str, Any] = {}
     if numeric:  # the page shows them so already
@@ -66,7 +68,7 @@ def _facts(factors: Factors, numeric: bool, name: Symbol) -> Facts:
     )
 
 
-def _factor_results(factors: Factors, problem: Problem) -> dict[str, Result]:
+def _factor_results(factors: Factors, problem: Problem) -> dict[str, Expr]:
     """R_1, R_2, ... or A_1, A_2, ..., exact, in the order of the motion."""
     letter = "R" if factors.size == 3 else "A"
     return {
@@ -83,8 +85,15 @@ def _laws(R: ScalarMatrix, name: str) -> tuple[Claim, ...]:
     return (*is_rotation(rotation_part(R)), law("inverse-of", inverse))
 
 
-def motion_made(work: Work, name: str | Phrase, moves: Sequence[Move], exact: Expr) -> Work:
-    """With the second route: the motion made in numbers, every move as it is told, on the axes themselves."""
+def motion_made(work: Work, name: str | Phrase, moves: Sequence[Move], exact: Expr, *factors: Expr) -> Work:
+    """With the second route: the motion made in numbers, every move as told, on the axes themselves; and
+    each move by itself against its factor, where they are given."""
     size = exact.shape[0] if isinstance(exact, Matrix) else 4
-    symbols = work.problem.symbols
-    return work.agrees("motion-made", symbols, exact, lambda at: made(moves, at)[:size, :size], name=name)
+    told = (moves, *((move,) for move in moves[: len(factors)]))
+    return work.agrees(
+        "motion-made",
+        work.problem.symbols,
+        lambda at: [numbers(each, at) for each in (exact, *factors)],
+        lambda at: [made(each, at)[:size, :size] for each in told],
+        name=name,
+    )

@@ -7,6 +7,7 @@ from functools import partial
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point, number
 from derive.derivation import Derivation, PageFacts, Step
 from derive.errors import NotDerivable
@@ -30,7 +31,7 @@ from derive.kinds.work import Work
 from derive.mechanics.lagrangian import TIME
 from derive.mechanics.motion import Motion, Move
 from derive.mechanics.oracle import compose, slope
-from derive.mechanics.poses import composed, position_part, rotation_part
+from derive.mechanics.poses import composed, position_part, rotation_part, skew
 from derive.mechanics.sequences import in_product_order
 from derive.names import free
 
@@ -80,17 +81,18 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
     work = Work(problem, uses=(problem.ask("transform" if shifting else "rotation-matrix"),))
     work = work.knowing({R: problem.readable_matrix(rotation), P: problem.readable_matrix(position)})
     work = _rate(work, turning).line(S, Product((R_DOT, transpose(R))), rule="skew")
-    skew, omega = work.value_matrix(S), Symbol(free(problem.taken, "omega", "w", "omega_R"))
-    spin = ScalarMatrix.column((skew[2, 1], skew[0, 2], skew[1, 0]))
+    turn, omega = work.value_matrix(S), Symbol(free(problem.taken, "omega", "w", "omega_R"))
+    spin = ScalarMatrix.column((turn[2, 1], turn[0, 2], turn[1, 0]))
     work = work.line(omega, value=spin, rule="read-off", label="omega")
     results = {"omega": work.final(omega), "S": work.final(S)}
     if shifting:
         work = work.line(V, _by_chain_rule(P, shifting), rule="chain-rule")
         results["v"] = work.final(V)
     names = problem.symbols.union(f"{name}_dot" for name in varying if name != TIME)
-    work = work.law("skew-symmetric", not skew + skew.T)
+    S_told, omega_told = normal_matrix(results["S"]), normal_matrix(results["omega"])
+    work = work.law("skew-symmetric", S_told == skew(omega_told))
     route = partial(_differences, problem, moves, varying)
-    work = work.agrees("differences", names, skew, route, DIFFERENCES)
+    work = work.agrees("differences", names, turn, route, DIFFERENCES)
     return work.answer("velocity", results, Facts(rates=tuple(map(Symbol, turning)), shifted=bool(shifting)))
 
 

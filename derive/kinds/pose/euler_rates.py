@@ -6,8 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, Field
 
-from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import normal
+from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Branch, Derivation, PageFacts, Phrase, Result, Step
 from derive.expression import (
@@ -122,7 +121,8 @@ def _proved(work: Work, euler: Euler, body: bool, singular: list[Expr]) -> Work:
     for k, name in enumerate(euler.names):
         turning &= (R.T @ R.diff(name) if body else R.diff(name) @ R.T) == skew(T_now.columns(k))
     work = work.law("angular-velocities", turning)
-    work = work.law("inverse", T_now @ T_now.inverse() == ScalarMatrix.identity(3))
+    rates = normal_matrix(work.steps[-1].result)
+    work = work.law("inverse", T_now @ rates == normal_matrix(column(AXES)))
     det = work.problem.readable(T_now.det())
     work = work.law("singular", all(normal(det, {middle: value}) == 0 for value in singular))
 

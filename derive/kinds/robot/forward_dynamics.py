@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import normal_matrix
+from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numbers.floats import Point, numbers
 from derive.algebra.readable.form import readable, readable_matrix
 from derive.algebra.readable.operation_count import operations
@@ -95,8 +95,11 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     for name, top, result in zip(arm.accelerations, tops, children(results["qddot"]), strict=True):
         shown = (result,) if operations(result) <= LONGEST else ()
         work = work.showing(Step(name.name, (name, Quotient(top, DET), *shown), "acceleration"))
-    adjoint = work.value_matrix(adjugate)
-    work = work.law("adjugate", value @ adjoint == ScalarMatrix.identity(n).scaled(value.det()))
+    one = ScalarMatrix.identity(n)
+    inverse = value @ work.value_matrix(adjugate) == one.scaled(value.det())
+    if not long:
+        inverse &= value @ normal_matrix(results["D_inv"]) == one and normal(results["det"]) == value.det()
+    work = work.law("adjugate", inverse)
     work = work.agrees(
         "joint-forces",
         arm.moving | {f"tau_{k}" for k in indices},
