@@ -1,12 +1,14 @@
-"""Delays e^(-T s), and the fractions that stand for them.
+"""Delays e^(-T s), the fractions that stand for them, and other functions of s.
 
 Baker and Graves-Morris, Pade Approximants, section 1.2.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import factorial
+from typing import TypeAlias
 
 from derive.algebra.normal import normal
 from derive.algebra.readable.form import readable
@@ -25,6 +27,8 @@ from derive.expression import (
     rebuild,
     walk,
 )
+
+Function: TypeAlias = Call | Power
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +91,23 @@ def replaced(expr: Expr, delays: tuple[Delay, ...]) -> Expr:
         return known[part] if part in known else rebuild(part, put)
 
     return put(expr)
+
+
+# -- whatever is no ratio of polynomials --------------------------------------------------------------
+
+
+def transcendental(expr: Expr) -> Iterator[Function]:
+    """Functions of s, and its powers that are not whole, the outer ones first."""
+    for node in walk(expr):
+        if isinstance(node, Call | Power) and _is_transcendental(node):
+            yield node
+
+
+def _is_transcendental(node: Function) -> bool:
+    if isinstance(node, Call):
+        return any(S.name in free_symbols(argument) for argument in node.arguments)
+    whole = isinstance(node.exponent, Number) and node.exponent.value.denominator == 1
+    return S.name in free_symbols(node.exponent) or (not whole and S.name in free_symbols(node.base))
 
 
 def _style(expr: Expr) -> Style:

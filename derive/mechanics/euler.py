@@ -19,7 +19,7 @@ from derive.algebra.normal import trig_of
 from derive.algebra.scalar import Scalar
 from derive.expression import Expr, Number, Symbol, add, atan2, multiply, negate, number, sqrt, squared
 from derive.mechanics.motion import Move
-from derive.mechanics.poses import rotation
+from derive.mechanics.poses import UNIT, rotation
 
 Sign: TypeAlias = Literal[1, -1]
 SIGNS: tuple[Sign, Sign] = (1, -1)
@@ -203,6 +203,19 @@ class Euler:
         g = self._middle_pair[1 if self.even else 0]
         c, s = trig_of(Scalar.symbol(self.outer[place]))
         return Direction(_find(self.matrix, g * s), _find(self.matrix, g * c))
+
+
+def rate_matrix(euler: Euler, seen_from: Literal["base", "body"] = "base") -> ScalarMatrix:
+    """T (3 by 3) of omega = T times the rates of the angles (Siciliano et al., section 3.6): for each angle,
+    in the order in which the rotations are made, the axis of its rotation where those before it in the
+    product have carried it; in the body's own axes by R^T."""
+    carried = ScalarMatrix.identity(3)
+    columns: dict[str, ScalarMatrix] = {}
+    for move, name in zip(euler.factors, euler.outer, strict=True):
+        columns[name] = carried @ ScalarMatrix.column(UNIT[str(move.axis)])
+        carried = carried @ rotation(move.axis, trig_of(Scalar.symbol(name)))
+    T = ScalarMatrix.beside([columns[name] for name in euler.names])
+    return T if seen_from == "base" else euler.matrix.T @ T
 
 
 def _find(matrix: ScalarMatrix, value: Scalar) -> Entry:

@@ -8,10 +8,10 @@ from functools import cache
 from typing import Any
 
 from pydantic import TypeAdapter, ValidationError
+from pydantic.json_schema import GenerateJsonSchema
 
 from derive.errors import FormulaError, SheetError
 from derive.sheet.cut import before, cut_fault, cut_off
-from derive.sheet.model_schema import model_schema
 from derive.sheet.source import At, Route
 
 MOST = 100  # faults of one value that are told one by one
@@ -233,6 +233,16 @@ def _branches(schema: dict[str, Any], route: Route) -> list[dict[str, Any]]:
     for step in route:
         branches = [part for branch in branches for part in _parts(schema, branch, step)]
     return [flat for branch in branches for flat in _flat(schema, branch)]
+
+
+class _Quiet(GenerateJsonSchema):
+    def emit_warning(self, kind: Any, detail: str) -> None:
+        """Formulas as defaults are left out of a schema; older releases of pydantic would say so."""
+
+
+def model_schema(adapter: TypeAdapter[Any]) -> dict[str, Any]:
+    """The JSON Schema of a type, without a word where a default value has no JSON of its own."""
+    return adapter.json_schema(schema_generator=_Quiet)
 
 
 @cache

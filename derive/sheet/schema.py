@@ -7,8 +7,8 @@ from typing import Any
 from pydantic import TypeAdapter
 
 from derive.kinds import registry as kinds
+from derive.sheet.faults import model_schema
 from derive.sheet.given import GivenAsked, GivenProblem, GivenQuestion, GivenSheet
-from derive.sheet.model_schema import model_schema
 from derive.sheet.subjects import registry as subjects
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"

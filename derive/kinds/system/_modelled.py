@@ -8,9 +8,8 @@ from typing import TypeAlias
 
 from derive.algebra.readable.form import readable
 from derive.algebra.scalar import Scalar
-from derive.control.controllers import Controller
+from derive.control.controllers import Controller, Loop
 from derive.control.diagram import Diagram
-from derive.control.loops import Loop
 from derive.control.rational import Rational
 from derive.control.ratios import Ratio, total
 from derive.control.roots import roots

@@ -6,8 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
-from derive.control.controllers import Controller
-from derive.control.loops import Loop
+from derive.control.controllers import Controller, Loop
 from derive.control.rational import Rational
 from derive.control.ratios import Ratio, total
 from derive.control.roots import roots

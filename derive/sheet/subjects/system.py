@@ -8,9 +8,8 @@ from typing import Annotated
 from pydantic import Field
 
 from derive.algebra.infix import text
-from derive.control.delays import delay_of, found_in, replaced
+from derive.control.delays import Function, delay_of, found_in, replaced, transcendental
 from derive.control.system import Equation, System
-from derive.control.transcendental import Function, transcendental
 from derive.errors import FormulaError, SheetError
 from derive.expression import Call, Matrix, Symbol, free_symbols, walk
 from derive.kinds.fields import EquationField, Name, OptionsModel

@@ -22,8 +22,7 @@ from derive.kinds.robot._point import tracked
 from derive.kinds.robot.jacobian import Facts
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
-from derive.mechanics.euler import Convention, Euler
-from derive.mechanics.euler_rates import rate_matrix
+from derive.mechanics.euler import Convention, Euler, rate_matrix
 from derive.mechanics.jacobian import halves
 from derive.mechanics.oracle import STEP
 from derive.mechanics.task import rows_of
