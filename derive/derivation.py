@@ -56,7 +56,7 @@ class Step:
     name: str
     chain: tuple[Expr, ...] = ()
     rule: str = ""
-    facts: Any = field(default_factory=Record)  # a Record, or for now a plain mapping
+    facts: Record = field(default_factory=Record)
     steps: tuple[Step, ...] = ()
     spare: tuple[Expr, ...] = ()
     entries: Mapping[tuple[int, int], Symbol] = field(default_factory=dict)
@@ -213,7 +213,7 @@ class Derivation:
     evaluated: Mapping[str, Any] = field(default_factory=dict)
     uses: tuple[Derivation, ...] = ()
     plots: tuple[Figure, ...] = ()
-    facts: Any = field(default_factory=PageFacts)  # a PageFacts, or for now a plain mapping
+    facts: PageFacts = field(default_factory=PageFacts)
     files: Mapping[str, str] = field(default_factory=dict)
     matrices: frozenset[str] = frozenset()
 
@@ -222,13 +222,6 @@ class Derivation:
         if not isinstance(self.facts, shape):
             raise TypeError(f"the facts of {self.kind} are no {shape.__module__}.{shape.__name__}")
         return self.facts
-
-    @property
-    def shared(self) -> PageFacts:
-        """The facts that every page reads."""
-        if isinstance(self.facts, PageFacts):
-            return self.facts
-        return PageFacts(**{name: self.facts[name] for name in self.facts if hasattr(PageFacts(), name)})
 
     @property
     def proved(self) -> bool:

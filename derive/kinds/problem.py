@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Hashable, Iterable, Iterator, Mapping
+from collections.abc import Hashable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
 from functools import cached_property
 from typing import Any, get_args
@@ -94,10 +94,6 @@ class Problem:
             degrees=any(isinstance(node, Degrees) for node in trees),
             order=getattr(self.subject, "variables", ()),
         )
-
-    def angular(self, names: Iterable[str]) -> dict[str, Any]:
-        """What a page needs to know to print these results in degrees where the author typed degrees."""
-        return {"angle_results": tuple(names), "style": self.style}
 
     def readable(self, value: Scalar) -> Expr:
         """As a person would write it, names of `where` kept; the same value is read once."""

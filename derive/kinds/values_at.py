@@ -74,7 +74,7 @@ def values_at(derivation: Derivation, here: Here) -> dict[str, Any]:
     Raises KeyError for a symbol without a value where nothing was given; ValueError, ZeroDivisionError or
     OverflowError where a result other than a branch has no real value there.
     """
-    named = derivation.shared.numbers
+    named = derivation.facts.numbers
     wanted = derivation.results if named is None else named
     found = {}
     for name, result in derivation.results.items():

@@ -44,7 +44,7 @@ def evaluated_words(
 
     What is printed, and by which name, the facts of the derivation say; see `PageFacts`.
     """
-    facts = derivation.shared
+    facts = derivation.facts
     shown = derivation.evaluated if facts.numbers is None else facts.numbers
     values = {name: value for name, value in derivation.evaluated.items() if name in shown}
     if not values:

@@ -47,7 +47,7 @@ def words(
 
     Raises ForgottenStep; where the derivation was not asked for, its words may leave steps out.
     """
-    notation = replace(notation, short_names=frozenset(derivation.shared.short_names))
+    notation = replace(notation, short_names=frozenset(derivation.facts.short_names))
     speech = on_page(folder, derivation.kind, Printer(notation), skin.plain)
     telling = Telling(derivation, speech, skin, notation, plots or {}, files or {})
     for claim in derivation.claims:  # said in the JSON only, but their words must not be missing unnoticed

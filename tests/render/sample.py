@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from derive.derivation import Branch, Claim, Derivation, Phrase, Plot, Step, Table
+from derive.derivation import Branch, Claim, Derivation, PageFacts, Phrase, Plot, Step, Table
 from derive.expression import (
     MINUS_ONE,
     ONE,
@@ -40,6 +40,12 @@ from derive.render.document import Document, ProblemPage, QuestionPage, Worked
 theta1, theta2, phi, psi, theta = symbols("theta1 theta2 phi psi theta")
 a1, a2, m, L, g = symbols("a1 a2 m L g")
 c12, s12 = cos(Sum((theta1, theta2))), sin(Sum((theta1, theta2)))
+
+
+class ArmFacts(PageFacts):
+    factors: tuple[str, ...]
+    table: Table
+
 
 WORDS = {
     "words/sample/arm.j2": """\
@@ -167,13 +173,13 @@ def arm() -> Derivation:
         ),
         evaluated={"T_2^0": [[0.5, -0.8660254037844386], [0.0, 1.0]], "poles": [{"re": -1.0, "im": 2.5}]},
         plots=(step,),
-        facts={
-            "factors": ("T_1^0", "T_2^1"),
-            "table": Table(
+        facts=ArmFacts(
+            factors=("T_1^0", "T_2^1"),
+            table=Table(
                 ("Joint", theta1, Symbol("d_i"), Symbol("alpha_i")),
                 (("1", Symbol("theta1*"), number("0.1", True), Degrees(Fraction(-90))),) * 2,
             ),
-        },
+        ),
     )
 
 
