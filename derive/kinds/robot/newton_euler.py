@@ -3,38 +3,36 @@
 from __future__ import annotations
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import normal, normal_matrix
+from derive.algebra.normal import normal_matrix
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, PageFacts, Step
+from derive.derivation import Derivation, PageFacts, Record, Step
 from derive.errors import NotDerivable
-from derive.expression import Expr, Symbol, column
-from derive.kinds.checks import law, links
+from derive.expression import ZERO, Expr, Symbol, children, column
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import chain_of, matrix_of, moment_names
+from derive.kinds.robot._chain import chain_of, matrix_of
+from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._dynamics.body_steps import inertia_steps
 from derive.kinds.robot._dynamics.drives import with_rotors
-from derive.kinds.robot._dynamics.rates import is_long, symbols_of
-from derive.kinds.robot._dynamics.recursion import Line, Recursion, step_of, written
+from derive.kinds.robot._dynamics.example import planar_arm
+from derive.kinds.robot._dynamics.recursion import Line, Recursion, rotation
+from derive.kinds.work import Work
+from derive.mechanics.dynamics import rate_column
 from derive.mechanics.newton_euler import LinkBody, NewtonEuler
 from derive.mechanics.robot import Robot, gravity_of
 
 RESULTS = {"tau": "the joint forces (n), with rates theta1_dot and accelerations theta1_ddot"}
 NEEDS = ("bodies",)
-EXAMPLE = """\
-title: Newton and Euler
-problems:
-- robot:
-    gravity: [0, -g, 0]
-    links:
-    - {theta: theta1*, d: 0, a: a1, alpha: 0, mass: m1, com: [-a1/2, 0, 0], inertia: [0, 0, I1]}
-    - {theta: theta2*, d: 0, a: a2, alpha: 0, mass: m2, com: [-a2/2, 0, 0], inertia: [0, 0, I2]}
-  find: newton-euler
-"""
+EXAMPLE = planar_arm("Newton and Euler", "newton-euler", "mass: m#, com: [-a#/2, 0, 0], inertia: [0, 0, I#]")
 BASE = Symbol("o_0_ddot")
-LONGEST_TORQUE = 90  # operations of a joint force that is still written out
+LONGEST = 60  # operations of a vector that is still written out
+LONGEST_TORQUE = 90  # of a joint force
+
+
+class OfLink(Record):
+    link: int
 
 
 class Facts(PageFacts):
@@ -53,109 +51,76 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
             "the recursion takes joints that each move one row, and bodies that are fixed to their links; "
             "find: dynamics has the equations of motion of this arm"
         )
-    poses, motion = problem.ask("forward-kinematics"), problem.ask("dynamics")
-    long = is_long(problem)
+    arm, tau = Arm(problem), matrix_of(problem.ask("dynamics"), "tau")
     bodies = weighted(problem, chain_of(problem))
-    arm = _arm(problem, bodies)
-    recursion = _swept(problem, arm, bodies, long)
-    constants = tuple(recursion.constants())
-    lines = (*recursion.outward(), *recursion.inward())
-    worked = tuple(step_of(problem, line, long) for line in lines)
-    steps = (
-        *(_constant(problem, line) for line in constants),
-        *inertia_steps(problem, bodies),
-        _base(problem, arm),
-        *(worked if long else _torque_steps(motion, worked)),
+    sweeping = _sweeping(arm, bodies)
+    recursion = _swept(arm, sweeping, bodies)
+    work = Work(problem, uses=(problem.ask("forward-kinematics"),), aside=arm.moments)
+    work = work.knowing({rotation(i): work.readable(row.R) for i, row in enumerate(sweeping.rows, 1)})
+    work = work.knowing({body.I: body.matrix for body in bodies})
+    work = work.linked() if arm.long else work  # in names there is nothing to compare
+    for line in recursion.constants():
+        work = work.line(line.name, value=line.value, rule=line.rule)
+    base = ScalarMatrix.column(sweeping.at_base(_gravity(problem)))
+    work = work.showing(*inertia_steps(problem, bodies)).line(BASE, value=base, rule="base")
+    torques = {Symbol(f"tau_{k}"): entry for k, (entry,) in enumerate(tau.rows, 1)}
+    for line in (*recursion.outward(), *recursion.inward()):
+        work = _in_names(work, line) if arm.long else _written(work, line, torques.get(line.name))
+    facts = Facts(
+        long=arm.long,
+        levers=any(any(row.arm) for row in sweeping.rows),
+        offsets=any(any(row.out) for row in sweeping.rows),
     )
-    definitions = _definitions(problem, recursion, (*constants, *(() if long else lines)))
-    moments = moment_names(problem.ask("inertia-matrix"))
-    claims = (
-        *links(() if long else steps, {**problem.names, **definitions, **moments}),
-        *_laws(problem, arm),
-    )
-    return Derivation(
-        "newton-euler",
-        steps,
-        {"tau": matrix_of(motion, "tau")},
-        claims,
-        definitions,
-        uses=(poses,),
-        facts=Facts(
-            long=long,
-            levers=any(any(row.arm) for row in arm.rows),
-            offsets=any(any(row.out) for row in arm.rows),
-        ),
-    )
+    return _same_as_lagrange(work, arm, sweeping).answer("newton-euler", {"tau": tau}, facts)
 
 
-def _arm(problem: Problem, bodies: tuple[Weighted, ...]) -> NewtonEuler:
+def _sweeping(arm: Arm, bodies: tuple[Weighted, ...]) -> NewtonEuler:
     """The arm with its bodies, ready for sweeps with rates by name."""
+    problem, variables = arm.problem, arm.variables
     carried: list[LinkBody | None] = [None] * len(problem.subject.links)
     for body in bodies:
         carried[body.i - 1] = LinkBody(body.motion.mass, body.com, body.motion.inertia)
-    names = problem.subject.variables
-    others = [Scalar.symbol(f"{name}_{dots}") for name in names for dots in ("dot", "ddot")]
-    return NewtonEuler.of(chain_of(problem), carried, (*others, *_gravity(problem)))
+    moving = (*rate_column(variables).entries, *rate_column(variables, "ddot").entries)
+    return NewtonEuler.of(chain_of(problem), carried, (*moving, *_gravity(problem)))
 
 
 def _gravity(problem: Problem) -> tuple[Scalar, ...]:
     return normal_matrix(column(gravity_of(problem.subject))).entries
 
 
-def _swept(problem: Problem, arm: NewtonEuler, bodies: tuple[Weighted, ...], long: bool) -> Recursion:
+def _swept(arm: Arm, sweeping: NewtonEuler, bodies: tuple[Weighted, ...]) -> Recursion:
     """The sweep with rates by name; of a long arm with none, for its lines stay in names."""
-    names = problem.subject.variables
-    rate = [0 if long else Scalar.symbol(f"{name}_dot") for name in names]
-    rise = [0 if long else Scalar.symbol(f"{name}_ddot") for name in names]
-    swept = arm.sweep(rate, rise, _gravity(problem))
-    return Recursion(arm, swept, {body.i: body for body in bodies}, problem.subject.links)
-
-
-def _constant(problem: Problem, line: Line) -> Step:
-    return Step(line.name.name, (line.name, written(problem, line)), "constant")
-
-
-def _base(problem: Problem, arm: NewtonEuler) -> Step:
-    """The base accelerates upwards, which stands for gravity."""
-    value = problem.readable_matrix(ScalarMatrix.column(arm.at_base(_gravity(problem))))
-    return Step(BASE.name, (BASE, value), "base")
-
-
-def _torque_steps(motion: Derivation, steps: tuple[Step, ...]) -> tuple[Step, ...]:
-    """Each tau_k ended by what Euler and Lagrange gave, where that is not too long."""
-    tau = matrix_of(motion, "tau")
-    values = {f"tau_{k}": entry for k, (entry,) in enumerate(tau.rows, 1)}
-    found = []
-    for step in steps:
-        value = values.get(step.name)
-        short = value is not None and operations(value) <= LONGEST_TORQUE
-        chain = (*step.chain[:2], value) if short and value is not None else step.chain[:2]
-        found.append(step if value is None else Step(step.name, chain, "torque", step.facts))
-    return tuple(found)
-
-
-def _definitions(problem: Problem, recursion: Recursion, lines: tuple[Line, ...]) -> dict[Expr, Expr]:
-    """What the names of the recursion stand for."""
-    found: dict[Expr, Expr] = {line.name: written(problem, line) for line in lines}
-    found[BASE] = _base(problem, recursion.arm).result
-    for i, row in enumerate(recursion.arm.rows, 1):
-        found[Symbol(f"R_{i}^{i - 1}")] = problem.readable_matrix(row.R)
-    return found | {body.I: body.matrix for body in recursion.bodies.values()}
-
-
-def _laws(problem: Problem, arm: NewtonEuler) -> tuple[Claim, ...]:
-    """D, every c_ijk and g of the recursion are those of Euler and Lagrange."""
-    inertia, weight = problem.ask("inertia-matrix"), problem.ask("gravity")
-    D = normal_matrix(inertia.definitions[Symbol("D")])
-    known, count = problem.names, len(problem.subject.variables)
-    g = [normal(weight.definitions[Symbol(f"g_{k}")], known) for k in range(1, count + 1)]
-    held = [normal(problem.readable(entry), known) for entry in arm.gravity_torques(_gravity(problem))]
-    symbols, found = symbols_of(problem), arm.christoffel()
-    return (
-        law("inertia", with_rotors(arm.inertia_matrix(), problem.subject) == D),
-        law(
-            "christoffel",
-            all(found[ijk] == symbols[ijk] for ijk in symbols),
-        ),
-        law("gravity", held == g),
+    still = [Scalar.of(0)] * len(arm.variables)
+    rates, rises = (
+        still if arm.long else rate_column(arm.variables, dots).entries for dots in ("dot", "ddot")
     )
+    swept = sweeping.sweep(rates, rises, _gravity(arm.problem))
+    return Recursion(sweeping, swept, {body.i: body for body in bodies}, arm.problem.subject.links)
+
+
+def _in_names(work: Work, line: Line) -> Work:
+    """A line of a long arm."""
+    return work.showing(Step(line.name.name, (line.name, line.formula), line.rule, OfLink(link=line.i)))
+
+
+def _written(work: Work, line: Line, torque: Expr | None) -> Work:
+    """A line with its value where that is short; a joint force ends by what Euler and Lagrange gave."""
+    value = work.readable(line.value)
+    if torque is None:
+        end, short = value, sum(map(operations, children(value))) <= LONGEST
+    else:
+        end, short = torque, operations(torque) <= LONGEST_TORQUE
+    formulas = () if line.formula == ZERO else (line.formula,)  # nothing in names adds up to it
+    shown = end if short or not formulas else line.formula
+    work = work.line(line.name, *formulas, value=shown, rule=line.rule, facts=OfLink(link=line.i))
+    return work.knowing({line.name: value})
+
+
+def _same_as_lagrange(work: Work, arm: Arm, sweeping: NewtonEuler) -> Work:
+    """D, every c_ijk and g of the recursion are those of Euler and Lagrange."""
+    problem, symbols, found = work.problem, arm.christoffel, sweeping.christoffel()
+    g = matrix_of(problem.ask("gravity"), "g")
+    held = problem.readable_matrix(ScalarMatrix.column(sweeping.gravity_torques(_gravity(problem))))
+    work = work.law("inertia", with_rotors(sweeping.inertia_matrix(), problem.subject) == arm.D)
+    work = work.law("christoffel", all(found[ijk] == symbols[ijk] for ijk in symbols))
+    return work.law("gravity", normal_matrix(held, problem.names) == normal_matrix(g))

@@ -7,22 +7,18 @@ from dataclasses import dataclass
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
-from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
-from derive.derivation import Record, Step
 from derive.expression import (
     ZERO,
     Expr,
     Product,
     Symbol,
     add,
-    children,
     cross,
     multiply,
     number,
     transpose,
 )
-from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.bodies import Weighted
 from derive.mechanics.drives import reflected, resistance
 from derive.mechanics.newton_euler import NewtonEuler, Swept
@@ -38,7 +34,7 @@ class Line:
 
     name: Symbol
     formula: Expr
-    value: ScalarMatrix
+    value: Scalar | ScalarMatrix
     rule: str
     i: int = 0  # the link
 
@@ -83,7 +79,7 @@ class Recursion:
                 hand = Symbol(f"mu_{i}" if link.joint == "revolute" else f"f_{i}")
                 formula = add(Product((transpose(Symbol(f"e_{i}")), hand)), *_drive(link))
                 whole = sum((normal(term) for term in _drive(link)), found.tau)
-                yield Line(Symbol(f"tau_{self._number(i)}"), formula, ScalarMatrix(((whole,),)), "torque", i)
+                yield Line(Symbol(f"tau_{self._number(i)}"), formula, whole, "torque", i)
 
     def _heavy(self, i: int) -> bool:
         """Whether link i has a mass."""
@@ -97,7 +93,7 @@ class Recursion:
         """A vector of the link before, in frame i; zero of the base."""
         if i == 1 and name != "o_{}_ddot":
             return ZERO
-        return Product((transpose(_rotation(i)), Symbol(name.format(i - 1))))
+        return Product((transpose(rotation(i)), Symbol(name.format(i - 1))))
 
     def _omega(self, i: int) -> Expr:
         link = self.links[i - 1]
@@ -118,7 +114,7 @@ class Recursion:
         turns_before = any(row.out) and i > 1
         turning = _of_point(f"omega_{i - 1}", f"p_{i}") if turns_before else ()
         before = add(Symbol(f"o_{i - 1}_ddot"), *turning)
-        terms: list[Expr] = [Product((transpose(_rotation(i)), before))]
+        terms: list[Expr] = [Product((transpose(rotation(i)), before))]
         if link.joint == "prismatic":
             terms.append(multiply(_rise(link), Symbol(f"e_{i}")))
             if i > 1:
@@ -130,15 +126,13 @@ class Recursion:
 
     def _body(self, i: int, found: Swept) -> Iterator[Line]:
         body, omega = self.bodies[i], Symbol(f"omega_{i}")
-        inertia = body.I
         at_com = _of_point(f"omega_{i}", f"r_c{i}") if body.com else ()
         if self._heavy(i):
             yield _line(i, f"o_c{i}_ddot", add(Symbol(f"o_{i}_ddot"), *at_com), found.a_c, "outward")
-        if self._heavy(i):
             yield _line(i, f"F_{i}", multiply(body.body.mass, Symbol(f"o_c{i}_ddot")), found.F, "outward")
         if body.turns:
-            spin = Product((inertia, Symbol(f"omega_{i}_dot")))
-            yield _line(i, f"N_{i}", add(spin, cross(omega, Product((inertia, omega)))), found.N, "outward")
+            moment = body.I * Symbol(f"omega_{i}_dot") + cross(omega, body.I * omega)
+            yield _line(i, f"N_{i}", moment, found.N, "outward")
 
     def _force(self, i: int) -> Expr:
         own = Symbol(f"F_{i}") if self._heavy(i) else ZERO
@@ -148,7 +142,7 @@ class Recursion:
         """What the next link hands down, in frame i."""
         if i == len(self.swept):
             return ZERO
-        return Product((_rotation(i + 1), Symbol(name.format(i + 1))))
+        return Product((rotation(i + 1), Symbol(name.format(i + 1))))
 
     def _moment(self, i: int) -> Expr:
         """About the point of the axis of joint i."""
@@ -169,29 +163,6 @@ class Recursion:
         return [Symbol(f"r_{i}")] if any(self.arm.rows[i - 1].arm) else []
 
 
-class OfLink(Record):
-    link: int
-
-
-def step_of(problem: Problem, line: Line, names_only: bool) -> Step:
-    """The line on the page: its value left out where it is long."""
-    if names_only:
-        return Step(line.name.name, (line.name, line.formula), line.rule, OfLink(link=line.i))
-    value = written(problem, line)
-    if line.formula == ZERO:  # nothing in names adds up to it
-        return Step(line.name.name, (line.name, value), line.rule, OfLink(link=line.i))
-    long = sum(map(operations, children(value))) > LONGEST if line.value.shape[0] > 1 else False
-    chain = (line.name, line.formula) if long or value == line.formula else (line.name, line.formula, value)
-    return Step(line.name.name, chain, line.rule, OfLink(link=line.i))
-
-
-def written(problem: Problem, line: Line) -> Expr:
-    """The value as a person would write it."""
-    if line.value.shape == (1, 1):
-        return problem.readable(line.value[0, 0])
-    return problem.readable_matrix(line.value)
-
-
 def _drive(link: Link) -> tuple[Expr, ...]:
     """What rotor and friction add to a joint force."""
     rotor = multiply(reflected(link.motor), _rise(link))
@@ -204,7 +175,8 @@ def _of_point(omega: str, r: str) -> tuple[Expr, Expr]:
     return cross(Symbol(f"{omega}_dot"), arm), cross(w, cross(w, arm))
 
 
-def _rotation(i: int) -> Symbol:
+def rotation(i: int) -> Symbol:
+    """R_2^1, which takes frame 2 to frame 1."""
     return Symbol(f"R_{i}^{i - 1}")
 
 
