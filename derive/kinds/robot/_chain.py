@@ -88,16 +88,6 @@ def joint_numbers(found: Chain, which: Callable[[Joint], bool], last: int | None
     return tuple(i for i, joint in found.moving if which(joint) and i <= (last or i))
 
 
-def moment_names(inertia: Derivation) -> dict[Expr, Expr]:
-    """The names of shapes' moments used while working, and what they stand for."""
-    names = {step.name for step in inertia.steps if step.rule == "moment"}
-    return {
-        name: value
-        for name, value in inertia.definitions.items()
-        if isinstance(name, Symbol) and name.name in names
-    }
-
-
 def matrix_of(derivation: Derivation, name: str) -> Matrix:
     """A result that is a matrix. Raises TypeError for any other."""
     value = derivation.results[name]

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from derive.derivation import Derivation, PageFacts, Step
-from derive.expression import Expr, Symbol, column
+from derive.expression import Expr, Symbol, children, column
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of
+from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.drives import friction_sorts
-from derive.kinds.robot._dynamics.linearisation import linearised
+from derive.kinds.robot._dynamics.example import POINT, planar_arm
+from derive.kinds.robot._dynamics.linearisation import linear_at, linearised
+from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 
 RESULTS = {
@@ -20,17 +23,9 @@ RESULTS = {
     "B": "the same (2n by n); u is tau - tau_0",
 }
 NEEDS = ("bodies",)
-EXAMPLE = """\
-title: An arm about an equilibrium
-problems:
-- robot:
-    gravity: [0, -g, 0]
-    links:
-    - {theta: theta1*, d: 0, a: a1, alpha: 0, mass: m1, com: [0, 0, 0], inertia: point}
-    - {theta: theta2*, d: 0, a: a2, alpha: 0, mass: m2, com: [0, 0, 0], inertia: point}
-  find: state-space
-  at: {theta1: -90 deg, theta2: 0}
-"""
+EXAMPLE = planar_arm(
+    "An arm about an equilibrium", "state-space", POINT, also="  at: {theta1: -90 deg, theta2: 0}\n"
+)
 
 
 class Options(OptionsModel):
@@ -51,32 +46,23 @@ class Facts(PageFacts):
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """x = (q, qdot), and A, B about rest at `at` (Spong et al., section 8.1; Siciliano et al., 8.4)."""
-    forward, motion = problem.ask("forward-dynamics"), problem.ask("dynamics")
-    names = robot.variables
-    rates = [Symbol(f"{name}_dot") for name in names]
-    rises = [Symbol(f"{name}_ddot") for name in names]
-    x = column([*map(Symbol, names), *rates])
-    solved = matrix_of(forward, "qddot")
-    f = column([*rates, *(entry for (entry,) in solved.rows)])
-    steps = [
-        Step("x", (Symbol("x"), x), "state"),
-        Step("f", (Symbol("x_dot"), column([*rates, *rises])), "state"),
-    ]
-    linear = None if options.at is None else linearised(problem, motion, dict(options.at))
-    return Derivation(
-        "state-space",
-        (*steps, *(linear.steps if linear else ())),
-        {"x": x, "f": f, **(linear.results if linear else {})},
-        linear.claims if linear else (),
-        {**forward.definitions, **(linear.definitions if linear else {})},
-        uses=(forward,),
-        facts=Facts(
-            at=tuple((Symbol(name), value) for name, value in (options.at or ())),
-            linear=linear is not None,
-            long=bool(linear and linear.long),
-            viscous=bool(linear and linear.friction),
-            coulomb=friction_sorts(robot)[1],
-            held=bool(linear and linear.torques),
-        ),
-        matrices=frozenset({"A", "B"}),
+    arm, forward = Arm(problem), problem.ask("forward-dynamics")
+    x = column([*map(Symbol, robot.variables), *arm.rates])
+    f = column([*arm.rates, *children(matrix_of(forward, "qddot"))])
+    state = Step("x", (Symbol("x"), x), "state")
+    derivative = Step("f", (Symbol("x_dot"), column([*arm.rates, *arm.accelerations])), "state")
+    work = Work(problem).resting_on(forward).showing(state, derivative)
+    results: dict[str, Expr] = {"x": x, "f": f}
+    linear = None if options.at is None else linear_at(problem, dict(options.at))
+    if linear:
+        work = linearised(work, linear)
+        results |= {"tau_0": work["tau_0"], "A": linear.A, "B": linear.B}
+    facts = Facts(
+        at=tuple((Symbol(name), value) for name, value in (options.at or ())),
+        linear=linear is not None,
+        long=bool(linear and linear.long),
+        viscous=bool(linear and linear.friction),
+        coulomb=friction_sorts(robot)[1],
+        held=bool(linear and linear.torques),
     )
+    return work.answer("state-space", results, facts, matrices=frozenset({"A", "B"}))

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.expression import ZERO, Expr, Matrix, Symbol, add, column
+from derive.expression import ZERO, Expr, Matrix, Symbol
 from derive.mechanics.drives import reflected, resistance
 from derive.mechanics.robot import Link, Robot
 
@@ -18,14 +19,17 @@ def moving(robot: Robot) -> tuple[Link, ...]:
     return tuple(link for link in robot.links if link.variable)
 
 
+def diagonal(values: Iterable[Expr]) -> Matrix:
+    """The matrix that has these on its diagonal (n by n)."""
+    entries = tuple(values)
+    n = range(len(entries))
+    return Matrix(tuple(tuple(entries[i] if i == j else ZERO for j in n) for i in n))
+
+
 def rotors(robot: Robot) -> Matrix | None:
     """What the rotors add to D: G^2 J on its diagonal; None without motors."""
     values = [reflected(link.motor) for link in moving(robot)]
-    if all(value == ZERO for value in values):
-        return None
-    return Matrix(
-        tuple(tuple(value if i == j else ZERO for j in range(len(values))) for i, value in enumerate(values))
-    )
+    return diagonal(values) if any(value != ZERO for value in values) else None
 
 
 def with_rotors(D: ScalarMatrix, robot: Robot) -> ScalarMatrix:
@@ -43,12 +47,6 @@ def friction_sorts(robot: Robot) -> tuple[bool, bool]:
     """Whether there is viscous and whether there is Coulomb friction."""
     known = [link.friction for link in moving(robot) if link.friction]
     return any(each.viscous != ZERO for each in known), any(each.coulomb != ZERO for each in known)
-
-
-def friction_column(robot: Robot) -> Matrix | None:
-    """The friction of the joints (n by 1), None where there is none."""
-    terms = friction_terms(robot)
-    return column(add(*each) for each in terms) if any(terms) else None
 
 
 def rigid(robot: Robot) -> Robot:
