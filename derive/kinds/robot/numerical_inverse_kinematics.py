@@ -3,23 +3,26 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import Field, PlainValidator, ValidationInfo, WithJsonSchema
+from pydantic import Field, PlainValidator, WithJsonSchema
 
 from derive.algebra.numbers.floats import matrix_numbers, scalar_number
 from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Claim, Derivation, PageFacts, Phrase, Plot, Result, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Symbol, add, column, number
-from derive.kinds.checks import SECOND_ROUTE, links
+from derive.kinds.checks import SECOND_ROUTE
 from derive.kinds.evaluation import Place, read
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._velocity.task import Task, task_of
 from derive.kinds.values_at import point_of
-from derive.mechanics.iteration import CLOSE, Iteration, Pose, Row, iterate
+from derive.kinds.work import Work
+from derive.mechanics.iteration import CLOSE, Iteration, Row, iterate
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import ROWS, moving_rows
 
@@ -49,11 +52,7 @@ MOST_ROWS = 13  # of a printed table; the middle of a longer one is left out
 J, R, F, H = map(Symbol, ("J", "r_d", "f", "H"))
 
 
-def _start(typed: Any, info: ValidationInfo) -> Any:
-    return read(typed, info)
-
-
-Start = Annotated[Place, PlainValidator(_start), WithJsonSchema({"type": "object"})]
+Start = Annotated[Place, PlainValidator(read), WithJsonSchema({"type": "object"})]
 
 
 class Options(OptionsModel):
@@ -67,7 +66,7 @@ class Options(OptionsModel):
     method: Literal["newton", "gradient"] = "newton"
     iterations: int = Field(10, ge=1, le=200)
     step: Quantity | None = None
-    evaluate: Annotated[Place | None, PlainValidator(_start), WithJsonSchema({"type": "object"})] = None
+    evaluate: Annotated[Place | None, PlainValidator(read), WithJsonSchema({"type": "object"})] = None
 
 
 class Facts(PageFacts):
@@ -90,14 +89,11 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     Raises NotDerivable for an arm with names that have no value, and a start that is not one.
     """
     task = _task(options, problem)
-    here = _numbers(task, options, problem)
-    arm = _arm(task, here)
-    target = [_value(part, here) for part in options.target]
-    fixed = None if options.step is None else _value(options.step, here)
-    start = [here[name] for name in task.found.variables]
-    run = iterate(arm, target, start, options.method, options.iterations, fixed)
-    steps = _steps(task, options)
-    definitions: dict[Expr, Expr] = {J: task.written, F: _forward(task), R: column(options.target)}
+    arm = Arm(task, _numbers(task, options, problem))
+    target = [_value(part, arm.here) for part in options.target]
+    fixed = None if options.step is None else _value(options.step, arm.here)
+    start = [arm.here[name] for name in arm.variables]
+    run = iterate(arm.pose, target, start, options.method, options.iterations, fixed)
     evaluated = {
         "iterations": [[k, *map(float, row.q), row.error, row.H] for k, row in enumerate(run.rows)],
         "solution": list(map(float, run.rows[-1].q)),
@@ -106,11 +102,53 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         "iterations": tuple(_row(k, row) for k, row in enumerate(run.rows)),
         "solution": column(map(Approximate, run.rows[-1].q)),
     }
-    claims = (*links(steps, {**problem.names, **definitions}), *_claims(task, here, target, run))
-    return Derivation(
-        "numerical-inverse-kinematics", steps, results, claims, definitions, evaluated,
-        uses=(task.base,), plots=(_plot(run),), facts=_facts(task, options, run),
+    given = Step("r_d", (R, column(options.target)), "given")
+    work = Work(problem, uses=(task.base,), known={J: task.written})
+    work = work.step(given, Step("f", (F, arm.forward()), "forward"), task.step)
+    work = work.claim(Claim("errors", SECOND_ROUTE, _errors_agree(arm, target, run)))
+    return work.answer(
+        "numerical-inverse-kinematics", results, _facts(arm, options, run),
+        evaluated=evaluated, plots=(_plot(run),),
     )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class Arm:
+    """The velocities of an arm that the target has coordinates for, and a value for every name."""
+
+    task: Task
+    here: Mapping[str, float]
+
+    @property
+    def variables(self) -> tuple[str, ...]:
+        return self.task.found.variables
+
+    @property
+    def turning(self) -> list[str]:
+        """The joints that turn an arm in its plane; a half turn between them is not counted."""
+        return [joint.variable for _, joint in self.task.found.moving if joint.type == "revolute"]
+
+    def at(self, q: Iterable[float]) -> dict[str, float]:
+        """Every name with the joint variables of an iteration."""
+        return {**self.here, **dict(zip(self.variables, map(float, q), strict=True))}
+
+    def pose(self, q: Any) -> tuple[list[float], Any]:
+        """f(q) and J(q)."""
+        at = self.at(q)
+        p = [scalar_number(each, at) for each in self.task.point.position.entries]
+        return self.place(at, p), matrix_numbers(self.task.J, at)
+
+    def place(self, at: Mapping[str, float], p: Sequence[float]) -> list[float]:
+        """The coordinates of p that are sought, and the angle of the last link where it is."""
+        turn = sum(at[name] for name in self.turning)
+        return [turn if row == "wz" else p[ROWS.index(row)] for row in self.task.rows]
+
+    def forward(self) -> Expr:
+        """f(q) as it is written."""
+        position = self.task.problem.readable_matrix(self.task.point.position)
+        rows = [position.rows[ROWS.index(row)][0] for row in self.task.rows if row[0] == "v"]
+        turn = [add(*map(Symbol, self.turning))] if "wz" in self.task.rows else []
+        return column((*rows, *turn))
 
 
 def _task(options: Options, problem: Problem) -> Task:
@@ -144,72 +182,34 @@ def _numbers(task: Task, options: Options, problem: Problem) -> dict[str, float]
         raise NotDerivable(f"start gives no value to {_listed(missing)}", "start")
     here = dict(oracle_of(problem).at(start))
     open_names = sorted(problem.symbols - set(here))
-    if needed := _needed(task, open_names):
+    used = {name for entry in task.point.position.entries for name in entry.generators()}
+    if needed := [name for name in open_names if name in used]:
         raise NotDerivable(
             f"no value is known for {_listed(needed)}: iterations need numbers, under where: or evaluate:"
         )
     return {**dict.fromkeys(open_names, 0.0), **here}
 
 
-def _needed(task: Task, names: list[str]) -> list[str]:
-    """Those of them that stand in the position."""
-    used = {name for entry in task.point.position.entries for name in entry.generators()}
-    return [name for name in names if name in used]
-
-
 def _listed(names: Any) -> str:
     return ", ".join(names)
 
 
-def _value(tree: Expr, here: dict[str, float]) -> float:
+def _value(tree: Expr, here: Mapping[str, float]) -> float:
     try:
         return value_of(tree, here)
     except KeyError as error:
         raise NotDerivable(f"no value is known for {error.args[0]} in the target", "target") from error
 
 
-def _arm(task: Task, here: dict[str, float]) -> Pose:
-    position, names = task.point.position, task.found.variables
-    places = [ROWS.index(row) for row in task.rows]
-
-    def pose(q: Any) -> tuple[list[float], Any]:
-        at = {**here, **dict(zip(names, map(float, q), strict=True))}
-        values = [
-            sum(at[n] for n in _turning(task)) if k == 5 else scalar_number(position[k, 0], at)
-            for k in places
-        ]
-        return values, matrix_numbers(task.J, at)
-
-    return pose
-
-
-def _turning(task: Task) -> list[str]:
-    """The joints that turn an arm in its plane; a half turn between them is not counted."""
-    return [joint.variable for _, joint in task.found.moving if joint.type == "revolute"]
-
-
-def _forward(task: Task) -> Expr:
-    position = task.problem.readable_matrix(task.point.position)
-    rows = [position.rows[ROWS.index(row)][0] for row in task.rows if row[0] == "v"]
-    turn = [add(*map(Symbol, _turning(task)))] if "wz" in task.rows else []
-    return column((*rows, *turn))
-
-
-def _steps(task: Task, options: Options) -> tuple[Step, ...]:
-    f = Step("f", (F, _forward(task)), "forward")
-    target = Step("r_d", (R, column(options.target)), "given")
-    return (target, f, task.step)
-
-
-def _facts(task: Task, options: Options, run: Iteration) -> Facts:
-    variables = [Symbol(name) for name in task.found.variables]
-    rows = [_row(k, row) for k, row in enumerate(run.rows)]
-    kept: list[tuple[Expr | str, ...]]
-    kept = [*rows] if len(rows) <= MOST_ROWS else [*rows[: MOST_ROWS - 2], ("...",) * len(rows[0]), rows[-1]]
+def _facts(arm: Arm, options: Options, run: Iteration) -> Facts:
+    variables = [Symbol(name) for name in arm.variables]
+    kept: list[tuple[Expr | str, ...]] = [_row(k, row) for k, row in enumerate(run.rows)]
+    if len(kept) > MOST_ROWS:
+        kept[MOST_ROWS - 2 : -1] = [("...",) * len(kept[0])]
     last = run.rows[-1]
     return Facts(
         method=options.method,
-        square=task.square,
+        square=arm.task.square,
         table=Table((Symbol("k"), *variables, Phrase("error"), H), tuple(kept)),
         verdict=run.verdict,
         steps=len(run.rows) - 1,
@@ -217,7 +217,7 @@ def _facts(task: Task, options: Options, run: Iteration) -> Facts:
         best=options.step is None,
         alpha=options.step,
         solution=tuple((name, Approximate(value)) for name, value in zip(variables, last.q, strict=True)),
-        seen=_seen(task.problem, options),
+        seen=_seen(arm.task.problem, options),
         numbers=(),
     )
 
@@ -242,16 +242,11 @@ def _plot(run: Iteration) -> Plot:
     return Plot("error", Phrase("iteration"), Phrase("power-of-ten"), {Phrase("error"): (counts, powers)})
 
 
-def _claims(task: Task, here: dict[str, float], target: list[float], run: Iteration) -> tuple[Claim, ...]:
+def _errors_agree(arm: Arm, target: list[float], run: Iteration) -> bool:
     """Every error of the table by the poses in NumPy."""
-    import numpy as np
-
-    oracle, holds = oracle_of(task.problem), True
+    oracle, holds = oracle_of(arm.task.problem), True
     for row in run.rows:
-        at = {**here, **dict(zip(task.found.variables, row.q, strict=True))}
-        p = oracle.tool(at)[:3, 3]
-        reached = [p[ROWS.index(name)] for name in task.rows if name[0] == "v"]
-        if "wz" in task.rows:
-            reached.append(sum(at[name] for name in _turning(task)))
-        holds &= abs(float(np.linalg.norm(np.array(target) - reached)) - row.error) < 1e-7
-    return (Claim("errors", SECOND_ROUTE, bool(holds)),)
+        at = arm.at(row.q)
+        there = arm.place(at, oracle.tool(at)[:3, 3].tolist())
+        holds &= abs(math.dist(target, there) - row.error) < 1e-7
+    return holds
