@@ -32,6 +32,7 @@ from derive.mechanics.inverse.subproblems import (
 USABLE = 1e-4  # of a determinant or a coefficient: above, other equations determine an angle
 MEETING = 1e-9  # of a^2 + b^2 - c^2 against a^2 + b^2: below, the two solutions are one
 PLENTY = 0.1  # of a determinant: above, no better equations are looked for
+EXACTLY = 1e-13
 NOT_REAL = (ValueError, ZeroDivisionError)
 Numbers = tuple[float, float, float]  # a, b, c of a cos q + b sin q = c
 
@@ -135,20 +136,22 @@ class State:
 
 @dataclass(frozen=True, slots=True)
 class AtPose:
-    """The branches at a pose, and the sub-problems they are made from: `small` is what counts as zero of
+    """The branches at a point, and the sub-problems they are made from: `small` is what counts as zero of
     their coefficients, `meeting` likewise of a^2 + b^2 - c^2 against a^2 + b^2."""
 
     solutions: Solutions
     in_numbers: tuple[InNumbers, ...]
+    point: Mapping[str, float]
     small: float
     meeting: float = MEETING
 
     def configurations(
-        self, taken: Taken, point: Mapping[str, float], pins: Mapping[int, float], usual: float
+        self, k: int, pins: Mapping[int, float], usual: float, exact: bool
     ) -> Iterator[Configuration]:
-        """The values of a branch, several where other equations leave a choice. What is open is pinned to
-        `usual`, or as `pins` say."""
-        for state, real in self._after(taken, State(dict(point)), 0, pins, usual):
+        """The values of branch k, several where other equations leave a choice. What is open is pinned to
+        `usual`, or as `pins` say; where `exact`, only what vanishes exactly counts as open."""
+        here = replace(self, small=EXACTLY, meeting=EXACTLY) if exact else self
+        for state, real in here._after(self.solutions.chosen[k], State(dict(self.point)), 0, pins, usual):
             names = self.solutions.joints if real else ()
             yield Configuration({name: state.known[name] for name in names}, state.pinned)
 

@@ -57,7 +57,7 @@ def tried(solutions: Solutions, target: Target, points: Sequence[Mapping[str, fl
         there = [values is None or target.reached(point, values) for values in branches]
         reached = [before and now for before, now in zip(reached, there, strict=True)]
         found &= any(values is not None and target.same(values, point) for values in branches)
-    return Tried(tuple(reached), found, len(solutions.joints) < target.goal.size)
+    return Tried(tuple(reached), found, target.spare)
 
 
 def _as_printed(solutions: Solutions, point: Mapping[str, float]) -> bool:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import pairwise, product
+from itertools import product
 from typing import Any
 
 from derive.algebra.numbers.floats import Point, number
@@ -14,22 +14,17 @@ from derive.errors import NotDerivable
 from derive.expression import Expr, Number, Symbol, free_symbols, rebuild
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import oracle_of
-from derive.kinds.robot._inverse.at_pose import AtPose, Configuration, InNumbers
+from derive.kinds.robot._inverse.at_pose import AtPose, InNumbers
 from derive.kinds.robot._inverse.branches import Solutions, plain
 from derive.kinds.robot._inverse.distinct import Configurations, Distinct, listed
 from derive.kinds.robot._inverse.facts import AtPlace
 from derive.kinds.robot._inverse.target import Target
-from derive.kinds.robot._inverse.worked import Worked
 from derive.kinds.values_at import point_of
-from derive.mechanics.chain import Chain
-from derive.mechanics.inverse.goal import Goal
-from derive.mechanics.oracle import Oracle
+from derive.mechanics.inverse.plan import Plan
 
 REACHED = 1e-6  # in lengths of the arm
 ROUNDED = 5e-3  # how far R^T R of a rotation typed with three digits may be from one
 SMALL = 1e-7  # of a coefficient, which rounding may leave
-EXACTLY = 1e-13
 FEWEST_PLACES, MOST_PLACES = 3, 8  # of numbers that are taken as rounded
 NOWHERE = AtPlace()
 ROTATION = tuple(f"r{i}{j}" for i, j in product((1, 2, 3), repeat=2))
@@ -61,48 +56,36 @@ def evaluated(
     return in_numbers(point)
 
 
-def by_plan(solutions: Solutions, worked: Worked, place: Place, point: dict[str, float]) -> Evaluated:
+def by_plan(
+    solutions: Solutions, plan: Plan, target: Target, place: Place, point: dict[str, float]
+) -> Evaluated:
     """By the formulas of the sub-problems, and by other equations where these fail. Raises NotDerivable where
     what is typed as a rotation is none."""
-    problem, goal, chain = worked.problem, worked.goal, worked.chain
     point, rounding = _with_rotation(point)
-    size = _size(oracle_of(problem), _anything(point, problem))
-    typed = _last_digit({name: value for name, value in place if name in goal.names}) / size
-    in_numbers = tuple(InNumbers(planned, size) for planned in worked.plan.steps)
-    at = AtPose(solutions, in_numbers, max(SMALL, 4 * rounding))
+    size = target.size(point)
+    typed = _last_digit({name: value for name, value in place if name in target.goal.names}) / size
+    in_numbers = tuple(InNumbers(planned, size) for planned in plan.steps)
+    at = AtPose(solutions, in_numbers, point, max(SMALL, 4 * rounding))
     found = Evaluated({})
     for here, off in ((at, rounding), (replace(at, meeting=8 * typed), max(rounding, typed))):
-        ways = _configurations(here, solutions, point)
-        found = at_point(ways, solutions.conditions, chain, goal, problem, point, off)
+        found = at_point(here.configurations, solutions.conditions, target, point, off)
         if not found.place.out_of_reach or not typed:  # stretched, it may be out of reach by what was rounded
             break
     return found
 
 
-def _configurations(at: AtPose, solutions: Solutions, point: Point) -> Configurations:
-    exactly = replace(at, small=EXACTLY, meeting=EXACTLY)
-
-    def configurations(
-        k: int, pins: Mapping[int, float], usual: float, exact: bool
-    ) -> Iterator[Configuration]:
-        return (exactly if exact else at).configurations(solutions.chosen[k], point, pins, usual)
-
-    return configurations
-
-
 def at_point(
-    configurations: Configurations, conditions: Sequence[Sequence[Condition]], chain: Chain, goal: Goal,
-    problem: Problem, point: Point, rounding: float = 0.0,
+    configurations: Configurations, conditions: Sequence[Sequence[Condition]], target: Target, point: Point,
+    rounding: float = 0.0,
 ) -> Evaluated:  # fmt: skip
     """The solutions at a point, from the configurations of each branch; `rounding` is how far what is typed
     may be off, in lengths of the arm and in elements of R."""
-    wanted = _anything(point, problem)
-    tolerance, size = REACHED + 10 * rounding, _size(oracle_of(problem), wanted)
-    distinct = Distinct(Target.of(problem, chain, goal), configurations, wanted, size, tolerance)
+    tolerance, size = REACHED + 10 * rounding, target.size(point)
+    distinct = Distinct(target, configurations, target.completed(point), size, tolerance)
     found = distinct.solutions(len(conditions))
     real = [any(each.values for each in configurations(k, {}, 0.0, False)) for k in range(len(conditions))]
     return Evaluated(
-        {"solutions": listed(found, conditions, real, len(chain.variables) < goal.size)},
+        {"solutions": listed(found, conditions, real, target.spare)},
         AtPlace(
             out_of_reach=not any(real),
             missed=any(real) and not found,
@@ -110,21 +93,6 @@ def at_point(
             rounded=rounding > REACHED,
         ),
     )
-
-
-def _anything(point: Point, problem: Problem) -> dict[str, float]:
-    """The point, with a value for what nothing rests on."""
-    return {**dict.fromkeys(problem.symbols, 1.0), **point}
-
-
-def _size(oracle: Oracle, point: Point) -> float:
-    """A length of the arm: what its links and the place it should reach measure together."""
-    import numpy as np
-
-    home = {**dict.fromkeys(oracle.robot.variables, 0.0), **point}
-    poses = [*oracle.poses(home), oracle.tool(home)]
-    links = sum(float(np.linalg.norm(b[:3, 3] - a[:3, 3])) for a, b in pairwise(poses))
-    return links + sum(abs(point.get(axis, 0.0)) for axis in "xyz") or 1.0
 
 
 def _last_digit(place: Mapping[str, Expr]) -> float:

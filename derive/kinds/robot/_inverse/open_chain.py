@@ -20,6 +20,7 @@ from derive.kinds.robot._inverse.refused import no_closed_form, refuse_at_once, 
 from derive.kinds.robot._inverse.stages import Stages
 from derive.kinds.robot._inverse.target import Target
 from derive.kinds.robot._rows.by_rows import by_rows
+from derive.kinds.work import Work
 from derive.mechanics.budget import Budget
 from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.goal import Goal
@@ -35,8 +36,9 @@ def derive(chain: Chain, given: Given, place: Place | None, problem: Problem) ->
     NotDerivable where there is none, with what is left to solve."""
     goal = goal_of(given, chain, problem)
     refuse_at_once(chain, goal)
+    target = Target.of(problem, chain, goal)
     points = sample_points(chain, goal, problem, POINTS)
-    refuse_self_motion(chain, goal, problem, points)
+    refuse_self_motion(target, points)
     unused = partial(free, problem.taken | set(goal.names))
     plan = Search(chain, goal, points[:2], unused, Budget(MOST_TERMS)).plan()
     if not plan.complete and problem.subject.by_screws:
@@ -45,25 +47,21 @@ def derive(chain: Chain, given: Given, place: Place | None, problem: Problem) ->
         raise NotDerivable(no_closed_form(plan, goal, problem))
     worked = Stages(problem, chain, goal, plan, unused).worked()
     solutions = Solutions(worked.items, chain.variables, frozenset(plan.knowledge.slides), problem, unused)
-    trial = tried(solutions, Target.of(problem, chain, goal), points)
+    trial = tried(solutions, target, points)
     if trial.partial:
         solutions = replace(solutions, reached=trial.reached)
     results: dict[str, Result] = {"solutions": solutions.branches}
     if solutions.order:
         results["order"] = solutions.order
     values = evaluated(
-        solutions.branches, place, problem, lambda point: by_plan(solutions, worked, place or (), point)
+        solutions.branches, place, problem, lambda point: by_plan(solutions, plan, target, place or (), point)
     )
-    return Derivation(
-        "inverse-kinematics",
-        worked.steps,
-        results,
-        (*worked.claims(), *trial.claims(solutions, points[0])),
-        worked.definitions,
-        values.values,
-        uses=(problem.ask("forward-kinematics"),),
-        facts=worked.facts(solutions, trial.partial, values.place),
+    work = Work(problem, known=worked.definitions, uses=(problem.ask("forward-kinematics"),))
+    work = (
+        work.showing(*worked.steps).linked(but=worked.conditional).claim(*trial.claims(solutions, points[0]))
     )
+    facts = worked.facts(solutions, trial.partial, values.place)
+    return work.answer("inverse-kinematics", results, facts, evaluated=values.values)
 
 
 def sample_points(chain: Chain, goal: Goal, problem: Problem, count: int) -> tuple[dict[str, float], ...]:

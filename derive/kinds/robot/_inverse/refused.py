@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 
 from derive.algebra.infix import text
 from derive.errors import NotDerivable
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import oracle_of
+from derive.kinds.robot._inverse.target import Target
 from derive.mechanics.chain import Chain
 from derive.mechanics.coupling import tangled
 from derive.mechanics.inverse.goal import Goal
@@ -40,31 +39,22 @@ def refuse_at_once(chain: Chain, goal: Goal) -> None:
         )
 
 
-def refuse_self_motion(
-    chain: Chain, goal: Goal, problem: Problem, points: Sequence[Mapping[str, float]]
-) -> None:
+def refuse_self_motion(target: Target, points: Sequence[Mapping[str, float]]) -> None:
     """Raises NotDerivable where the arm can move everywhere without changing what is given."""
     import numpy as np
-
-    oracle, joints = oracle_of(problem), chain.variables
-
-    def given(point: Mapping[str, float]) -> list[float]:
-        found = goal.numbers(oracle.tool(point))
-        angle = found.pop(goal.angle, None) if goal.angle else None
-        return [*found.values(), *(() if angle is None else (math.cos(angle), math.sin(angle)))]
 
     ranks = []
     for point in points[:2]:
         ahead, behind = (
-            np.array([given({**point, name: point[name] + step}) for name in joints])
+            np.array([target.there({**point, name: point[name] + step}) for name in target.joints])
             for step in (STEP, -STEP)
         )
         ranks.append(int(np.linalg.matrix_rank((ahead - behind) / (2 * STEP), tol=1e-5)))
-    if max(ranks) < len(joints):
+    if max(ranks) < len(target.joints):
         raise NotDerivable(
-            f"no closed form found: the arm can move its {len(joints)} joints without changing what is "
-            f"given ({_listed(goal)}), so there are infinitely many solutions; give more of the pose, "
-            "or fix a joint"
+            f"no closed form found: the arm can move its {len(target.joints)} joints without changing what "
+            f"is given ({_listed(target.goal)}), so there are infinitely many solutions; give more of the "
+            "pose, or fix a joint"
         )
 
 

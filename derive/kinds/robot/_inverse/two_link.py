@@ -30,7 +30,7 @@ from derive.expression import (
     squared,
     subtract,
 )
-from derive.kinds.checks import links, random_points
+from derive.kinds.checks import random_points
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.at_pose import Configuration
@@ -40,8 +40,9 @@ from derive.kinds.robot._inverse.facts import Facts, Triangle
 from derive.kinds.robot._inverse.one_equation import of_sign
 from derive.kinds.robot._inverse.signs import signed
 from derive.kinds.robot._inverse.target import Target, Values
+from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
-from derive.mechanics.inverse.goal import Goal, of_coordinates
+from derive.mechanics.inverse.goal import of_coordinates
 from derive.mechanics.inverse.two_link import TwoLink
 
 ELBOWS = {"elbow-down": 1, "elbow-up": -1}  # the sign of theta_2
@@ -53,7 +54,6 @@ def derive(
 ) -> Derivation:
     """By the triangle of the two links and the law of cosines (Spong et al., section 1.4.2; Craig, 4.4)."""
     x, y = map(Symbol, given)
-    goal = of_coordinates(chain.T_tool, given, chain.variables)
     writing = _Writing(problem, arm, x, y)
     steps = writing.steps()
     conditions: list[tuple[Condition, ...]] = [
@@ -62,31 +62,19 @@ def derive(
     branches = [
         Branch(writing.values(sign), when) for sign, when in zip(ELBOWS.values(), conditions, strict=True)
     ]
-    target = Target.of(problem, chain, goal)
-    known = {**problem.names, **writing.position()}
-    claims = (
-        *links([step for step in steps if step.rule in ("position", "law-of-cosines")], known),
-        *(
-            reaches(when, _puts_back(problem, target, each))
-            for each, when in zip(branches, conditions, strict=True)
-        ),
+    target = Target.of(problem, chain, of_coordinates(chain.T_tool, given, chain.variables))
+    values = evaluated(branches, place, problem, partial(_in_numbers, branches, conditions, arm, target))
+    work = Work(problem, uses=(problem.ask("forward-kinematics"),), aside=writing.position())
+    work = work.showing(*steps).linked(
+        but=[step.name for step in steps if step.rule in ("branch", "difference")]
     )
-    in_numbers = partial(_in_numbers, branches, conditions, arm, chain, goal, problem)
-    values = evaluated(branches, place, problem, in_numbers)
-    return Derivation(
-        "inverse-kinematics",
-        steps,
-        {"solutions": tuple(branches)},
-        claims,
-        evaluated=values.values,
-        uses=(problem.ask("forward-kinematics"),),
-        facts=Facts(
-            triangle=writing.triangle(),
-            place=values.place,
-            angle_results=chain.variables,
-            style=problem.style,
-        ),
+    for each, when in zip(branches, conditions, strict=True):
+        work = work.claim(reaches(when, _puts_back(problem, target, each)))
+    facts = Facts(
+        triangle=writing.triangle(), place=values.place, angle_results=chain.variables, style=problem.style
     )
+    results = {"solutions": tuple(branches)}
+    return work.answer("inverse-kinematics", results, facts, evaluated=values.values)
 
 
 class _Writing:
@@ -176,13 +164,16 @@ def _puts_back(problem: Problem, target: Target, branch: Branch) -> bool:
 
 
 def _in_numbers(
-    branches: Sequence[Branch], conditions: Sequence[Sequence[Condition]], arm: TwoLink, chain: Chain,
-    goal: Goal, problem: Problem, point: Values,
-) -> Evaluated:  # fmt: skip
+    branches: Sequence[Branch],
+    conditions: Sequence[Sequence[Condition]],
+    arm: TwoLink,
+    target: Target,
+    point: Values,
+) -> Evaluated:
     """The branches at a point; folded back on its base, the arm may point anywhere."""
     functions = [{name: compiled(value) for name, value in each.values.items()} for each in branches]
     a_1, a_2 = (scalar_number(length, point) for length in (arm.a_1, arm.a_2))
-    x, y = (point[name] for name in goal.names)
+    x, y = (point[name] for name in target.goal.names)
     folded = max(math.hypot(x, y), abs(a_1 - a_2)) < SMALL * (a_1 + a_2)
 
     def configurations(
@@ -197,4 +188,4 @@ def _in_numbers(
         except (ValueError, ZeroDivisionError):
             yield Configuration({}, {})
 
-    return at_point(configurations, conditions, chain, goal, problem, point)
+    return at_point(configurations, conditions, target, point)

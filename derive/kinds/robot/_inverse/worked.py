@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from derive.derivation import Cell, Claim, Phrase, Step, Table
+from derive.derivation import Cell, Phrase, Step, Table
 from derive.expression import Expr, Matrix, Symbol, atan2, free_symbols
-from derive.kinds.checks import links
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.branches import Solutions
 from derive.kinds.robot._inverse.facts import AtPlace, Facts, GivenAngle, SingularWrist, SolvedFacts, Wrist
@@ -17,7 +16,6 @@ from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.goal import AXES, Goal
 from derive.mechanics.inverse.plan import Plan
 
-CHECKED = ("equation", "squares", "solved")  # steps that hold for every configuration of the arm
 FIRST_AND_SECOND = {1: Phrase("first"), -1: Phrase("second")}
 
 
@@ -120,10 +118,11 @@ class Worked:
             found[Symbol(self.goal.angle)] = atan2(sine, cosine)
         return found | {item.name: item.value for item in self.items if isinstance(item, Definition)}
 
-    def claims(self) -> tuple[Claim, ...]:
-        """Every equation holds with the forward kinematics put in for what is given."""
-        checked = [step for step in self.steps if step.rule in CHECKED]
-        return links(checked, {**self.problem.names, **self.definitions})
+    @property
+    def conditional(self) -> list[str]:
+        """The steps that hold in some configurations only, or are told beside the others; each of the rest
+        holds with the forward kinematics put in for what is given."""
+        return [step.name for step in self.steps if step.rule not in ("equation", "squares", "solved")]
 
     # -- for the words ----------------------------------------------------------------------------
 
