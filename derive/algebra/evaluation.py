@@ -70,7 +70,11 @@ class Evaluation(Generic[T]):
             return domain.symbol(name)
         if isinstance(name, Opaque):
             arguments = [self.quotient(argument) for argument in name.arguments]
-            return arguments[0] if name.function == ITSELF else domain.call(name.function, arguments)
+            if name.function == ITSELF:
+                return arguments[0]
+            return (
+                domain.power(*arguments) if name.function == "pow" else domain.call(name.function, arguments)
+            )
         if name == RADIAN:
             return domain.number(Fraction(1))
         factors = (factor.partition("^") for factor in name.split("*"))

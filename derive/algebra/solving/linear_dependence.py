@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from typing import TypeAlias
 
 from derive.algebra.multivariate import grouped
@@ -31,7 +31,7 @@ def dependencies(
 
 
 def _split(vector: Sequence[Scalar], variables: Collection[str], home: Ring) -> Coefficients:
-    moving = [i for i, name in enumerate(home.names) if _varies(i, home, variables) or name in variables]
+    moving = [i for i, name in enumerate(home.names) if not home.letters(name).isdisjoint(variables)]
     found: Coefficients = {}
     for place, entry in enumerate(vector):
         below = Scalar(home, home.one if entry.denominator is None else entry.denominator)
@@ -40,14 +40,6 @@ def _split(vector: Sequence[Scalar], variables: Collection[str], home: Ring) -> 
         for powers, part in grouped(entry.numerator, moving).items():
             found[place, powers] = Scalar(home, part) / below
     return found
-
-
-def _varies(i: int, home: Ring, variables: Collection[str]) -> bool:
-    """Whether a generator is a sine or cosine of an angle that varies."""
-    k = i - len(home.roots)
-    if not 0 <= k < 2 * len(home.angles):
-        return False
-    return any(atom in variables for atom, _ in home.angles[k % len(home.angles)].parts)
 
 
 def _supports(split: Sequence[Coefficients], home: Ring) -> dict[int, list[int]]:
@@ -86,10 +78,10 @@ def _solved(split: Sequence[Coefficients], j: int, support: Sequence[int]) -> di
     """vector j = the sum of weight * vector, exactly. Raises NotDerivable where that fails."""
     rows = _equations(split, j, support)
     weights = _eliminated(rows, len(support))
-    solution = dict(zip(support, weights, strict=True))
-    if not _proven(split, j, solution):
-        raise NotDerivable("the dependencies of the parameters could not be proven")
-    return solution
+    for *parts, whole in rows:
+        if whole != sum((weight * part for weight, part in zip(weights, parts, strict=True)), Scalar.of(0)):
+            raise NotDerivable("the dependencies of the parameters could not be proven")
+    return dict(zip(support, weights, strict=True))
 
 
 def _equations(split: Sequence[Coefficients], j: int, support: Sequence[int]) -> list[list[Scalar]]:
@@ -125,13 +117,3 @@ def _leading(row: Sequence[Scalar]) -> int:
 
 def _less(row: Sequence[Scalar], other: Sequence[Scalar], factor: Scalar) -> list[Scalar]:
     return [a - factor * b if b else a for a, b in zip(row, other, strict=True)]
-
-
-def _proven(split: Sequence[Coefficients], j: int, solution: Mapping[int, Scalar]) -> bool:
-    keys = dict.fromkeys(key for i in (*solution, j) for key in split[i])
-    zero = Scalar.of(0)
-    return all(
-        split[j].get(key, zero)
-        == sum((weight * split[i].get(key, zero) for i, weight in solution.items()), zero)
-        for key in keys
-    )

@@ -54,9 +54,7 @@ def factors(polynomial: Scalar, names: Collection[str]) -> list[Scalar]:
 
 def degree(polynomial: Scalar, names: Collection[str]) -> int:
     """The total degree in the names; 0 for zero."""
-    places = [i for i, name in enumerate(polynomial.ring.names) if name in names]
-    powers = polynomial.numerator.to_dict()
-    return max((sum(int(exponents[i]) for i in places) for exponents in powers), default=0)
+    return max(map(sum, polynomial.ring.grouped(polynomial.numerator, names)), default=0)
 
 
 def require_rational(values: Iterable[Scalar], names: Collection[str]) -> None:
@@ -78,31 +76,8 @@ def known_sign(value: Scalar, positive: Collection[str] = ()) -> int | None:
         return number_sign(value)
     except KeyError:  # a parameter has no value
         pass
-    if (direct := sign_of(value, _positive(value, positive))) is not None:
-        return direct
-    below = None if value.denominator is None else Scalar(value.ring, value.denominator)
-    above = _by_factors(numerator(value), positive)
-    if below is None or above is None:
-        return above
-    bottom = _by_factors(below, positive)
-    return None if bottom is None else above * bottom
-
-
-def _positive(value: Scalar, positive: Collection[str]) -> set[str]:
-    """With every exponential, which is positive whatever it holds."""
-    return {*positive, *(name for name in value.ring.opaque if name.startswith("exp("))}
-
-
-def _by_factors(polynomial: Scalar, positive: Collection[str]) -> int | None:
-    content, found = factored(polynomial.numerator)
-    sign = 1 if as_fraction(content) > 0 else -1
-    for factor, power in found:
-        if power % 2:
-            own = sign_of(Scalar(polynomial.ring, factor), _positive(polynomial, positive))
-            if own is None:
-                return None
-            sign *= own
-    return sign
+    undecided = odd_part(value, positive).constant
+    return None if undecided is None else 1 if undecided > 0 else -1
 
 
 def odd_part(value: Scalar, positive: Collection[str] = ()) -> Scalar:
@@ -111,10 +86,11 @@ def odd_part(value: Scalar, positive: Collection[str] = ()) -> Scalar:
     if value.denominator is not None:
         whole = whole * Scalar(value.ring, value.denominator)
     content, found = factored(whole.numerator)
+    known_positive = {*positive, *(name for name in value.ring.opaque if name.startswith("exp("))}
     total = Scalar.of(1 if as_fraction(content) > 0 else -1)
     for factor, power in found:
         part = Scalar(value.ring, factor)
-        known = sign_of(part, _positive(value, positive)) if power % 2 else 1
+        known = sign_of(part, known_positive) if power % 2 else 1
         total = total * (part if known is None else known)
     return total
 
