@@ -102,9 +102,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         "iterations": tuple(_row(k, row) for k, row in enumerate(run.rows)),
         "solution": column(map(Approximate, run.rows[-1].q)),
     }
+    known: dict[Expr, Expr] = {J: task.written, F: arm.forward(), R: column(options.target)}
     given = Step("r_d", (R, column(options.target)), "given")
-    work = Work(problem, uses=(task.base,), known={J: task.written})
-    work = work.step(given, Step("f", (F, arm.forward()), "forward"), task.step)
+    work = Work(problem, uses=(task.base,), known=known)
+    work = work.showing(given, Step("f", (F, arm.forward()), "forward"), task.step)
     work = work.claim(Claim("errors", SECOND_ROUTE, _errors_agree(arm, target, run)))
     return work.answer(
         "numerical-inverse-kinematics", results, _facts(arm, options, run),

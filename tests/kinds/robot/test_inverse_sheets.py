@@ -220,6 +220,8 @@ def test_a_name_with_two_meanings() -> None:
     arm = robot(row("x*", "0", "a", "0"), row("y*", "0", "b", "0"), row("q*", "0", "c", "0"))
     with pytest.raises(NotDerivable, match="'x' names a known coordinate"):
         problem(arm).ask("inverse-kinematics", given=["x", "y", "phi"])
+    with pytest.raises(NotDerivable, match="'theta1' names a known coordinate"):
+        ARMS["2R"].problem().ask("inverse-kinematics", given=["theta1", "y"])
 
 
 def test_no_closed_form_says_what_is_left() -> None:

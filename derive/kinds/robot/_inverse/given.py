@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Annotated, Any, Literal, TypeAlias
 
 from pydantic import PlainValidator, WithJsonSchema
@@ -51,10 +52,14 @@ def goal_of(given: tuple[str, ...] | str, chain: Chain, problem: Problem) -> Goa
         goal = of_orientation()
     else:
         goal = of_coordinates(chain.T_tool, given, chain.variables)
-    taken = set(goal.names) & problem.taken
-    if taken:
+    refuse_namesakes(goal.names, problem.taken)
+    return goal
+
+
+def refuse_namesakes(names: Iterable[str], taken: Iterable[str]) -> None:
+    """Raises NotDerivable where a known coordinate is called as something else is."""
+    if shared := set(names) & set(taken):
         raise NotDerivable(
-            f"'{min(taken)}' names a known coordinate of the end-effector and something else on this sheet; "
+            f"'{min(shared)}' names a known coordinate of the end-effector and something else on this sheet; "
             "choose another name for one of them"
         )
-    return goal

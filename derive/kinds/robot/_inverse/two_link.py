@@ -37,6 +37,7 @@ from derive.kinds.robot._inverse.at_pose import Configuration
 from derive.kinds.robot._inverse.checks import reaches
 from derive.kinds.robot._inverse.evaluated import SMALL, Evaluated, at_point, evaluated
 from derive.kinds.robot._inverse.facts import Facts, Triangle
+from derive.kinds.robot._inverse.given import refuse_namesakes
 from derive.kinds.robot._inverse.one_equation import of_sign
 from derive.kinds.robot._inverse.signs import signed
 from derive.kinds.robot._inverse.target import Target, Values
@@ -53,6 +54,7 @@ def derive(
     arm: TwoLink, chain: Chain, given: tuple[str, ...], place: Place | None, problem: Problem
 ) -> Derivation:
     """By the triangle of the two links and the law of cosines (Spong et al., section 1.4.2; Craig, 4.4)."""
+    refuse_namesakes(given, chain.variables)
     x, y = map(Symbol, given)
     writing = _Writing(problem, arm, x, y)
     steps = writing.steps()
