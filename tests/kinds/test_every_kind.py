@@ -66,6 +66,7 @@ NOT_YET_REFUSED = {
     "robot.singularities": ("matrix", NO_CHAIN),
     "robot.space_jacobian": ("matrix o_e", NO_CHAIN),
     "robot.state_space": ("A B D_0 K_0 f theta2_ddot x matrix", LINEAR),
+    "robot.workspace": ("r_min", NO_CHAIN),  # greatest values have no normal form
     "system.state_space": ("equation_1", GIVEN),
     "system.transfer_function": ("equation_1", GIVEN),
 }
