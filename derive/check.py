@@ -11,11 +11,12 @@ from derive.answers.asked import Asked
 from derive.answers.checking import checks
 from derive.answers.findings import Check
 from derive.answers.points import Point
-from derive.build import Warn, answered, load_all, speech_of, working_on
+from derive.build import Warn, load_all, working_on
 from derive.derivation import Derivation
 from derive.errors import NotDerivable, SheetError, SheetErrors
 from derive.kinds.problem import Problem as Working
 from derive.sheet.model import Problem, Question, Sheet
+from derive.verify import answered, speech_of
 from derive.writing import Progress
 
 POINTS = 12  # that the subject of an inverse problem reaches

@@ -69,6 +69,11 @@ def _sheets(ctx: click.Context, option: click.Parameter, value: tuple[Path, ...]
     return tuple({path.resolve(): path for path in found}.values())
 
 
+SHEETS = click.argument(
+    "sheets", nargs=-1, required=True, callback=_sheets, type=click.Path(exists=True, path_type=Path)
+)
+
+
 def _build_options(command: Callable[..., Any]) -> Callable[..., Any]:
     engines = click.Choice(["typst", "latex"])
     said = f"Comma-separated: {', '.join(FORMATS)}."
@@ -88,9 +93,7 @@ def _build_options(command: Callable[..., Any]) -> Callable[..., Any]:
 
 
 @main.command()
-@click.argument(
-    "sheets", nargs=-1, required=True, callback=_sheets, type=click.Path(exists=True, path_type=Path)
-)
+@SHEETS
 @_build_options
 def build(
     sheets: tuple[Path, ...], formats: tuple[str, ...], output: str, problems: bool, pdf_engine: str
@@ -134,9 +137,7 @@ def _say_pages(files: tuple[Path | str, ...], folder: Path | None) -> None:
 
 
 @main.command()
-@click.argument(
-    "sheets", nargs=-1, required=True, callback=_sheets, type=click.Path(exists=True, path_type=Path)
-)
+@SHEETS
 @click.option("--format", "style", type=click.Choice(["text", "json"]), default="text", show_default=True)
 def check(sheets: tuple[Path, ...], style: str) -> None:
     """Compare published answers (answer: in a sheet) with derived ones. A directory stands for its sheets.

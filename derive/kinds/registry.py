@@ -31,6 +31,11 @@ def module_name(subject: str, kind: str) -> str:
     return found.get((subject, stem.replace("_", "-"))) or _plugins(subject)[kind]
 
 
+def words_folder(subject: str, kind: str) -> str:
+    """Where the words of a kind are: the folder of ours, the package of another's. Raises KeyError."""
+    return module_name(subject, kind).rpartition(".")[0].removeprefix("derive.kinds.")
+
+
 def load(subject: str, kind: str) -> ModuleType:
     """The module of a kind: its `Options`, its `RESULTS` and its `derive`. Raises KeyError."""
     return import_module(module_name(subject, kind))

@@ -15,11 +15,12 @@ import sympy as sp
 from derive.algebra.infix import text
 from derive.answers.asked import Asked
 from derive.answers.checking import checks
-from derive.build import answered, working_on
+from derive.build import working_on
 from derive.check import reached
 from derive.expression import Matrix
 from derive.kinds.problem import TREES
 from derive.sheet.load import load_sheet
+from derive.verify import answered
 from tests.answers.by_hand import Hand
 from tests.answers.test_pairs import are_equal, for_sympy, rewritten
 from tests.sheets import ROOT

@@ -17,10 +17,11 @@ from derive.algebra.infix import text
 from derive.answers.asked import Asked
 from derive.answers.checking import read_both_ways
 from derive.answers.reading import read_text
-from derive.build import answered, working_on
+from derive.build import working_on
 from derive.expression import Expr, Matrix
 from derive.kinds.problem import TREES
 from derive.sheet.load import load_sheet
+from derive.verify import answered
 from tests.sheets import ROOT
 
 SHEETS = ("planar-2r", "week3", "lagrange", "dc-motor")

@@ -11,13 +11,14 @@ import pytest
 from ruamel.yaml import YAML
 
 from derive.answers.findings import Check
-from derive.build import answered, working_on
+from derive.build import working_on
 from derive.check import check
 from derive.derivation import Derivation
 from derive.kinds.problem import TREES
 from derive.render.latex import latex
 from derive.render.notation import Notation
 from derive.sheet.load import load_sheet
+from derive.verify import answered
 from tests.sheets import ROOT
 
 PUBLISHED = ROOT / "tests" / "published"

@@ -15,9 +15,10 @@ import numpy
 import pytest
 
 from derive.algebra.numbers.floats import number
-from derive.build import answered, working_on
+from derive.build import working_on
 from derive.derivation import Derivation
 from derive.sheet.load import load_sheet
+from derive.verify import answered
 
 SEEDS = range(10)
 POINTS = (0.3 + 0.7j, -0.4 + 1.9j, 2.1 - 0.3j)

@@ -1,0 +1,79 @@
+"""An answer, verified: every claim of it and of what it rests on holds, and one of them proves it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from derive.derivation import Claim, Derivation, Phrase
+from derive.errors import NotDerivable, Place, SheetError, SheetErrors
+from derive.kinds.checks import SECOND_ROUTE, far_apart
+from derive.kinds.problem import Problem
+from derive.kinds.registry import words_folder
+from derive.sheet.model import Question
+from derive.sheet.source import At
+
+if TYPE_CHECKING:
+    from derive.render.phrases import Speech
+
+UNPROVED = "nothing proves the answer of '{}': links from line to line hold of a wrong formula too"
+PROVE = "its author must claim a law or an independent route: see 'What proves an answer' in CONTRIBUTING.md"
+
+
+def answered(question: Question, working: Problem) -> Derivation:
+    """The answer to a question, verified. Raises SheetErrors where there is none, or a claim fails."""
+    try:
+        derivation = working.answer(question.find, question.options)
+    except NotDerivable as error:
+        place = _place_of(error.about, question, working)
+        raise SheetErrors([SheetError(str(error), place)]) from error
+    except (OverflowError, ZeroDivisionError) as error:
+        message = f"a number of this answer is too large, or divided by zero ({error})"
+        raise SheetErrors([SheetError(message, question.place, "check the values of the sheet")]) from error
+    except Exception as error:  # an accident of ours: where it was is told with it
+        error.add_note(f"{question.place}: ")
+        raise
+    for rested_on, claim in _claims(derivation):
+        if not claim.holds:
+            raise SheetErrors([_failure(rested_on, claim, question, working)])
+    if not derivation.proved:
+        raise SheetErrors([SheetError(UNPROVED.format(derivation.kind), question.place, PROVE)])
+    return derivation
+
+
+def _failure(derivation: Derivation, failed: Claim, question: Question, working: Problem) -> SheetError:
+    """What is told of a claim that does not hold: an accident of ours, or numbers that floats cannot hold."""
+    apart = far_apart((working.subject, *working.where.values())) if failed.by == SECOND_ROUTE else None
+    if apart:
+        small, large = apart
+        message = f"numbers as far apart as {small:.3g} and {large:.3g} cannot be checked in floating point"
+        return SheetError(message, question.place, "give them in other units")
+    speech = speech_of(derivation, working)
+    claim, means = speech.claim(failed), speech.say(Phrase(failed.by))
+    message = f"the answer failed its own check: {claim} (by {means})"
+    return SheetError(message, question.place, "please report this with the sheet")
+
+
+def speech_of(derivation: Derivation, working: Problem) -> Speech:
+    """How a derivation says in plain text what it says in words."""
+    from derive.render.phrases import spoken
+
+    return spoken(words_folder(working.name, derivation.kind), derivation.kind)
+
+
+def _place_of(about: str, question: Question, working: Problem) -> Place:
+    """Where an option of a question stands, or a key of its subject; else the question itself."""
+    answer = question.answer_at
+    if about and answer is not None:
+        asked, problem = At(answer.source, answer.route[:-1]), At(answer.source, answer.route[:2])
+        for at in (asked, problem / working.name):
+            if at.value((about,)) is not None:
+                return at.key((about,))
+    return question.place
+
+
+def _claims(derivation: Derivation) -> Iterator[tuple[Derivation, Claim]]:
+    """Those of the answer and of all it rests on, with the derivation that makes each."""
+    yield from ((derivation, claim) for claim in derivation.claims)
+    for used in derivation.uses:
+        yield from _claims(used)
