@@ -6,11 +6,11 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from typing import Any
 
-from pydantic import TypeAdapter, ValidationError
+from pydantic import BaseModel, TypeAdapter, ValidationError
 
 from derive.errors import SheetError, SheetErrors
 from derive.sheet.faults import retell
-from derive.sheet.source import At
+from derive.sheet.source import At, Route
 
 
 def checked(
@@ -30,6 +30,26 @@ def checked(
     if doubts:
         at.source.doubts.extend(_doubts(adapter, at, data, context))
     return found
+
+
+def values_in(given: Any) -> Iterator[tuple[Route, Any]]:
+    """Every value of a model that was checked, with its way from here; models, lists and mappings are gone
+    through, and what was left out is none."""
+    match given:
+        case BaseModel():
+            fields = type(given).model_fields.items()
+            pairs: Iterable[tuple[str | int, Any]] = [(f.alias or n, getattr(given, n)) for n, f in fields]
+        case list():
+            pairs = enumerate(given)
+        case dict():
+            pairs = given.items()
+        case _:
+            pairs = ()
+            if given is not None:
+                yield (), given
+    for step, part in pairs:
+        for route, value in values_in(part):
+            yield (step, *route), value
 
 
 def _doubts(adapter: TypeAdapter[Any], at: At, data: Any, context: Mapping[str, Any]) -> Iterator[SheetError]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Annotated, Any, TypeAlias
 
 from pydantic import Discriminator, Field, Tag
@@ -52,32 +53,28 @@ def _listed(value: Any) -> list[Any]:
     return value if isinstance(value, list) else [] if value is None else [value]
 
 
-def _variable_faults(function: Function, at: At, known: Known) -> list[SheetError]:
+def _variable_faults(function: Function, at: At, known: Known) -> Iterator[SheetError]:
     trees = [*function.values, *(side for c in function.constraints for side in (c.left, c.right))]
     found = _names(trees, known)
-    faults = []
     for index, name in enumerate(function.variables):
         where = ("variables", index)
         if name in function.variables[:index]:
-            faults.append(at.fault(f"'{name}' is listed twice", where, "list each variable once"))
+            yield at.fault(f"'{name}' is listed twice", where, "list each variable once")
         elif name in known.where:
             hint = f"leave {name} out of where:, or out of the variables"
-            faults.append(at.fault(f"'{name}' has a value under where: and cannot vary", where, hint))
+            yield at.fault(f"'{name}' has a value under where: and cannot vary", where, hint)
         elif name not in found:
             fault = f"the function does not depend on '{name}'"
-            faults.append(at.fault(fault, where, did_you_mean(name, found - set(function.variables))))
-    return faults
+            yield at.fault(fault, where, did_you_mean(name, found - set(function.variables)))
 
 
-def _constraint_faults(function: Function, at: At, known: Known) -> list[SheetError]:
-    faults = []
+def _constraint_faults(function: Function, at: At, known: Known) -> Iterator[SheetError]:
     for index, constraint in enumerate(function.constraints):
         if not _names([constraint.left, constraint.right], known) & set(function.variables):
             typed = at.value(("subject_to",))
             where = ("subject_to", index) if isinstance(typed, list) else ("subject_to",)
             hint = f"the variables are {', '.join(function.variables)}"
-            faults.append(at.fault("this constraint holds none of the variables", where, hint))
-    return faults
+            yield at.fault("this constraint holds none of the variables", where, hint)
 
 
 def _names(trees: list[Any], known: Known) -> set[str]:

@@ -8,9 +8,11 @@ from typing import Annotated, Any, TypeAlias
 from pydantic import Discriminator, Field, Tag
 
 from derive.algebra.function import Constraint
+from derive.control.system import Equation
 from derive.errors import SheetError
 from derive.expression import ZERO, Expr, Symbol, add, free_symbols, multiply, negate, number, squared
 from derive.kinds.fields import (
+    TREES,
     Angle,
     EquationField,
     Formula,
@@ -22,8 +24,9 @@ from derive.kinds.fields import (
     Quantity,
 )
 from derive.mechanics.lagrangian import LagrangianSystem, MovingBody
+from derive.sheet.checked import values_in
 from derive.sheet.faults import did_you_mean
-from derive.sheet.source import At, Faults
+from derive.sheet.source import At, Faults, Route
 from derive.sheet.subjects.registry import Known
 
 # What has no part in an equilibrium has none in its answer either.
@@ -148,41 +151,24 @@ def _key_faults(given: Given, at: At) -> Iterator[SheetError]:
                 yield at.fault(f"'{name}' is no coordinate", (key, name), hint, True)
 
 
-def _rate_faults(given: Given, at: At) -> list[SheetError]:
+def _rate_faults(given: Given, at: At) -> Iterator[SheetError]:
     """A rate of something that is no coordinate, and accelerations anywhere."""
     known = {f"{name}_dot" for name in given.coordinates}
-    faults = []
     for route, tree in _trees(given):
         for name in sorted(free_symbols(tree)):
             if name.endswith("_ddot"):
-                faults.append(at.fault(f"{name}: energies and forces hold no accelerations", route))
+                yield at.fault(f"{name}: energies and forces hold no accelerations", route)
             elif name.endswith("_dot") and name not in known:
-                hint = did_you_mean(name, known)
-                faults.append(at.fault(f"{name} is the rate of no coordinate", route, hint))
-    return faults
+                yield at.fault(f"{name} is the rate of no coordinate", route, did_you_mean(name, known))
 
 
-def _trees(given: Given) -> Iterator[tuple[tuple[str | int, ...], Expr]]:
-    """Every formula with its way from here."""
-    yield ("kinetic",), given.kinetic
-    yield ("potential",), given.potential
-    yield ("dissipation",), given.dissipation
-    for key, table in (("forces", given.forces), ("damping", given.damping)):
-        for name, value in table.items():
-            yield (key, name), value
-    for index, body in enumerate(given.bodies):
-        for place, entry in enumerate(body.position):
-            yield ("bodies", index, "position", place), entry
-        for key, part in (("mass", body.mass), ("inertia", body.inertia), ("angle", body.angle)):
-            if part is not None:
-                yield ("bodies", index, key), part
-    several = isinstance(given.constraints, list)
-    for index, each in enumerate(
-        given.constraints if isinstance(given.constraints, list) else [given.constraints]
-    ):
-        route = ("constraints", index) if several else ("constraints",)
-        yield route, each.left
-        yield route, each.right
+def _trees(given: Given) -> Iterator[tuple[Route, Expr]]:
+    """Every formula with its way from here, gravity apart."""
+    for route, value in values_in(given):
+        if isinstance(value, Equation):
+            yield from ((route, side) for side in (value.left, value.right))
+        elif isinstance(value, TREES) and route[0] != "gravity":
+            yield route, value
 
 
 def _base_names(given: Given) -> set[str]:

@@ -36,6 +36,7 @@ from derive.expression import (
 )
 from derive.kinds.fields import TREES, OptionsModel, Time, declared, text_of
 from derive.mechanics.profile import NO_UNITS, Axis, Journey, Profile, Sort, Units, Via
+from derive.sheet.checked import values_in
 from derive.sheet.faults import NO_FORM
 from derive.sheet.source import At, Faults, Route
 from derive.sheet.subjects.registry import Known
@@ -259,7 +260,7 @@ def _turned(tree: Expr) -> Expr:
 
 def _units(given: Given, sort: Sort, known: Known) -> Units:
     """What is printed after the numbers of a motion; nothing where symbols stand for them."""
-    values = [value.expr if isinstance(value, Measured) else value for _, value in _parts(given)]
+    values = [value.expr if isinstance(value, Measured) else value for _, value in values_in(given)]
     if not sort or any(_number(value, known) is None for value in values):
         return NO_UNITS
     if sort == "length":
@@ -271,22 +272,8 @@ def _units(given: Given, sort: Sort, known: Known) -> Units:
 # -- what is refused ----------------------------------------------------------------------------------
 
 
-def _parts(given: Any) -> Iterator[tuple[Route, Any]]:
-    """Everything typed, with where it stands."""
-    if isinstance(given, BaseModel):
-        for name, field in type(given).model_fields.items():
-            for route, value in _parts(getattr(given, name)):
-                yield (field.alias or name, *route), value
-    elif isinstance(given, list):
-        for index, entry in enumerate(given):
-            for route, value in _parts(entry):
-                yield (index, *route), value
-    elif given is not None:
-        yield (), given
-
-
 def _measured(given: Any) -> Iterator[tuple[Route, Measured]]:
-    return ((route, value) for route, value in _parts(given) if isinstance(value, Measured))
+    return ((route, value) for route, value in values_in(given) if isinstance(value, Measured))
 
 
 def _sorts(given: Any) -> set[Sort]:
@@ -308,7 +295,7 @@ def _faults(given: Given, at: At, known: Known) -> Iterator[SheetError]:
 
 
 def _not_positive(given: Given, at: At, known: Known) -> Iterator[SheetError]:
-    for route, value in _parts(given):
+    for route, value in values_in(given):
         name = route[-1]
         if name in ("v_max", "a_max", "time", "blend", "cruise", "acceleration"):
             size = _number(value.expr if isinstance(value, Measured) else value, known)
