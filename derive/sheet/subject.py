@@ -44,11 +44,6 @@ def read_subject(at: At, name: str, known: Known) -> Any:
     return checked(load(name).Given, at, at.value(), known.names)
 
 
-def build_subject(at: At, name: str, known: Known) -> Any:
-    """The frozen value of the subject written at `at`. Raises SheetErrors."""
-    return load(name).build(read_subject(at, name, known), at, known)
-
-
 def _beside(at: At, name: str, typed: str) -> Path:
     """The path of a file named in a sheet, which must lie in the folder of the sheet or below it."""
     folder = at.source.path.parent

@@ -12,8 +12,8 @@ from derive.kinds.problem import Problem
 from derive.mechanics.robot import Robot
 from derive.sheet.reader import read
 from derive.sheet.source import At
-from derive.sheet.subject import build_subject
-from derive.sheet.subjects.registry import Known
+from derive.sheet.subject import read_subject
+from derive.sheet.subjects.registry import Known, load
 
 HERE = Path(__file__).parent
 CATALOGUE = HERE.parents[1] / "exercises" / "robots"
@@ -23,7 +23,8 @@ CASES = sorted(path.stem for path in (HERE / "cases").glob("*.yaml"))
 
 def arm(name: str) -> Robot:
     """A robot of the catalogue."""
-    built = build_subject(At(read(CATALOGUE / f"{name}.yaml")), "robot", Known())
+    at, known = At(read(CATALOGUE / f"{name}.yaml")), Known()
+    built = load("robot").build(read_subject(at, "robot", known), at, known)
     assert isinstance(built, Robot)
     return built
 
