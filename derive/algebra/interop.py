@@ -90,10 +90,8 @@ def from_sympy(value: Any) -> Expr:
         return Number(Fraction(str(value)), decimal=True)
     if isinstance(value, sympy.Symbol) or value is sympy.pi:
         return Symbol(str(value))
-    if isinstance(value, sympy.Add):
-        return add(*map(from_sympy, value.args))
-    if isinstance(value, sympy.Mul):
-        return multiply(*map(from_sympy, value.args))
+    if isinstance(value, sympy.Add | sympy.Mul):
+        return (add if isinstance(value, sympy.Add) else multiply)(*map(from_sympy, value.args))
     if isinstance(value, sympy.Pow):
         base, exponent = value.args
         return sqrt(from_sympy(base)) if exponent == sympy.S.Half else _power(base, exponent)

@@ -5,12 +5,12 @@ from __future__ import annotations
 from derive.algebra.formulas.grammar import parse
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import scalar_number
-from derive.algebra.numbers.many_points import Quick
+from derive.algebra.numbers.many_points import Polynomials
 
 
 def test_values_are_those_of_the_normal_form() -> None:
     values = [normal(parse(each)) for each in ("a*cos(q)^2 - b*sin(q + p)", "sqrt(2)*a + 3", "0", "cos(p)")]
-    quick = Quick.of(values)
+    quick = Polynomials.of(values)
     for point in ({"a": 0.3, "b": 1.1, "q": 0.4, "p": -2.0}, {"a": 2.0, "b": -1.0, "q": 3.0, "p": 0.1}):
         found = quick.at(point)
         assert all(
@@ -19,5 +19,5 @@ def test_values_are_those_of_the_normal_form() -> None:
 
 
 def test_what_has_no_value_is_none() -> None:
-    quick = Quick.of([normal(parse("a*b")), normal(parse("a + 1"))])
+    quick = Polynomials.of([normal(parse("a*b")), normal(parse("a + 1"))])
     assert quick.at({"a": 2.0}) == [None, 3.0]

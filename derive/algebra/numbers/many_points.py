@@ -7,40 +7,34 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from flint import fmpq
+
 from derive.algebra.numbers.floats import Point, scalar_number
 from derive.algebra.rationals import as_fraction
+from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar
 
 Term: TypeAlias = tuple[float, tuple[tuple[int, int], ...]]  # coefficient, (generator, power) of each factor
 
 
 @dataclass(frozen=True, slots=True)
-class Quick:
+class Polynomials:
     """Terms of polynomials in common generators."""
 
     generators: tuple[Scalar, ...]
     polynomials: tuple[tuple[Term, ...], ...]
 
     @staticmethod
-    def of(values: Sequence[Scalar]) -> Quick:
+    def of(values: Sequence[Scalar]) -> Polynomials:
         """Of normal forms without denominators."""
-        numbers: dict[tuple[object, str], int] = {}
-        generators: list[Scalar] = []
-        polynomials = []
-        for value in values:
-            home, terms = value.ring, []
-            for exponents, coefficient in value.numerator.terms():
-                factors = []
-                for name, power in zip(home.names, exponents, strict=True):
-                    if power:
-                        key = home, name
-                        if key not in numbers:
-                            numbers[key] = len(generators)
-                            generators.append(Scalar(home, home.context.gen(home.index[name])))
-                        factors.append((numbers[key], int(power)))
-                terms.append((float(as_fraction(coefficient)), tuple(factors)))
-            polynomials.append(tuple(terms))
-        return Quick(tuple(generators), tuple(polynomials))
+        numbers: dict[tuple[Ring, int], int] = {}
+
+        def term(home: Ring, powers: Sequence[int], k: fmpq) -> Term:
+            used = (((home, place), int(power)) for place, power in enumerate(powers) if power)
+            return float(as_fraction(k)), tuple((numbers.setdefault(key, len(numbers)), n) for key, n in used)
+
+        found = tuple(tuple(term(value.ring, *each) for each in value.numerator.terms()) for value in values)
+        return Polynomials(tuple(Scalar(home, home.context.gen(place)) for home, place in numbers), found)
 
     def at(self, point: Point) -> list[float | None]:
         """The values at a point; None where a generator has none."""

@@ -15,7 +15,7 @@ from itertools import combinations
 
 from derive.algebra.angles import Form
 from derive.algebra.numbers.floats import scalar_number
-from derive.algebra.numbers.many_points import Quick
+from derive.algebra.numbers.many_points import Polynomials
 from derive.kinds.robot._inverse.branches import Solutions
 from derive.kinds.robot._inverse.subproblem import Definition, Solved, Taken
 from derive.kinds.robot._inverse.target import Values
@@ -100,8 +100,8 @@ class InNumbers:
         return self.planned.stage.rows(self.planned.known, unknown) if isinstance(unknown, Form) else []
 
     @cached_property
-    def _quick(self) -> Quick:
-        return Quick.of([value for row in self._rows for value in (row.a, row.b, row.c)])
+    def _quick(self) -> Polynomials:
+        return Polynomials.of([value for row in self._rows for value in (row.a, row.b, row.c)])
 
     def _known_rows(self, known: Values) -> list[Numbers]:
         """Those whose names all have values, until two of them determine the angle well."""
