@@ -7,13 +7,12 @@ from collections.abc import Iterator
 from typing import Any, get_args
 
 from derive.algebra.infix import text
-from derive.derivation import Branch, Claim, Condition, Derivation, Phrase, Result
+from derive.derivation import Branch, Claim, Derivation, Phrase
 from derive.expression import Expr, Matrix, Relation
 from derive.render.document import Document, ProblemPage, QuestionPage
 from derive.render.phrases import Speech, spoken
 
 TREES = get_args(Expr)
-Plain = str | float | list[Any] | dict[str, Any]
 
 
 def render_json(document: Document) -> str:
@@ -40,30 +39,15 @@ def _question(question: QuestionPage) -> dict[str, Any]:
 
 
 def _derivation(derivation: Derivation, speech: Speech) -> dict[str, Any]:
-    results: dict[str, Plain] = {}
-    written: dict[tuple[int, bool], Plain] = {}  # c_121 and c_211 are one tree
+    results: dict[str, Any] = {}
+    written: dict[tuple[int, bool], Any] = {}  # c_121 and c_211 are one tree
     for name, result in derivation.results.items():
         key = id(result), name in derivation.matrices
         if key not in written:
             written[key] = plain(result, speech, name in derivation.matrices)
         results[name] = written[key]
-    evaluated = {"evaluated": _numbers(dict(derivation.evaluated), speech)} if derivation.evaluated else {}
+    evaluated = {"evaluated": plain(dict(derivation.evaluated), speech)} if derivation.evaluated else {}
     return {"results": results, **evaluated}
-
-
-def _numbers(value: Any, speech: Speech) -> Any:
-    """Evaluated values as they are; what symbols are left in and what is said in words as a text."""
-    match value:
-        case dict():
-            return {
-                name: speech.when(part) if name == "when" else _numbers(part, speech)
-                for name, part in value.items()
-            }
-        case list():
-            return [_numbers(part, speech) for part in value]
-        case Phrase() | Relation():
-            return speech.say(value)
-    return text(value) if isinstance(value, TREES) else value
 
 
 def _claims(question: QuestionPage, speech: Speech) -> Iterator[tuple[Speech, Claim]]:
@@ -77,29 +61,24 @@ def _claims(question: QuestionPage, speech: Speech) -> Iterator[tuple[Speech, Cl
             yield from ((theirs, claim) for claim in worked.derivation.claims)
 
 
-def plain(
-    result: Result | Branch | Condition | tuple[Expr, ...] | dict[str, Any],
-    speech: Speech,
-    matrix: bool = False,
-) -> Plain:
-    """A result as JSON: a scalar is a text, a matrix a list of rows, a column vector a flat list (unless it
-    is a `matrix` of one column), branches a list of objects with `when`."""
-    match result:
-        case str() | float() | int():
-            return result
-        case Matrix(rows) if matrix or result.shape[1] > 1:
+def plain(value: Any, speech: Speech, matrix: bool = False) -> Any:
+    """A result, or a value in numbers, as JSON: a scalar is a text, a matrix a list of rows, a column vector
+    a flat list (unless it is a `matrix` of one column), a branch an object with `when`."""
+    match value:
+        case Matrix(rows) if matrix or value.shape[1] > 1:
             return [[plain(entry, speech) for entry in row] for row in rows]
         case Matrix(rows):
             return [plain(entry, speech) for (entry,) in rows]
         case Branch(values, when, short, true_at, facts):
-            shown = {name: plain(value, speech) for name, value in (short or values).items()}
-            facts = {name: _numbers(fact, speech) for name, fact in facts.items()}
-            return {**shown, "when": speech.when(when), **({} if true_at else {"true_at": False}), **facts}
+            found = {**(short or values), "when": when, **({} if true_at else {"true_at": False}), **facts}
+            return plain(found, speech)
         case dict():
-            return result
+            return {
+                name: speech.when(part) if name == "when" else plain(part, speech)
+                for name, part in value.items()
+            }
         case Phrase() | Relation():
-            return speech.say(result)
-        case tuple():
-            return [plain(part, speech) for part in result]
-        case _:
-            return text(result)
+            return speech.say(value)
+        case tuple() | list():
+            return [plain(part, speech) for part in value]
+    return text(value) if isinstance(value, TREES) else value
