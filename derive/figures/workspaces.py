@@ -9,7 +9,7 @@ from derive.derivation import Curve, Label, Phrase, Plot
 from derive.figures.view import around
 
 CORNERS = 145
-HEIGHT, WORKSPACE, LINKS = Phrase("height"), Phrase("workspace"), Phrase("links")
+HEIGHT, WORKSPACE, LINKS = Phrase("height"), Phrase("workspace"), Phrase("its-links")
 ELBOWS = (0.5, 1.1, 0.8)  # of the arm drawn into the picture
 
 

@@ -89,11 +89,12 @@ def _by_columns(work: Work, J: ScalarMatrix, name: Symbol, columns: tuple[Block,
     if len(columns) <= MOST_BLOCKS:
         block = Matrix(tuple(zip(*columns, strict=True)))
         return work.line(name, block, value=J, rule=rule or "jacobian-columns")
+    written = work.problem.readable_matrix(J)
     names = tuple(Symbol(f"{name.name}_{k}") for k in range(1, len(columns) + 1))
     for k, (linear, angular) in enumerate(columns):
         formula = (Matrix(((linear,), (angular,))),) if linear != ZERO else ()
         work = work.line(names[k], *formula, value=J.columns(k), rule="jacobian-column")
-    written, side_by_side = work.problem.readable_matrix(J), Matrix((names,))
+    side_by_side = Matrix((names,))
     chain = (name, side_by_side, written) if fits(written) else (name, side_by_side)
     return work.step(Step(name.name, chain, rule or "jacobian")).knowing({name: written})
 

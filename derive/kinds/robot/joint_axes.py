@@ -35,13 +35,12 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     fourth their points (Spong et al., section 4.6)."""
     found, last = chain_of(problem), len(robot.links)
     work = Work(problem).resting_on(problem.ask("forward-kinematics"))
-    work = work.knowing({pose_name(i): problem.readable_matrix(found.T[i]) for i in range(1, last + 1)})
-    frames = pose_lines(work, found, last)
-    work = axis_lines(frames, found)
+    axes = axis_lines(Work(problem), found)
     if found.coupling:
-        work = motion_lines(work, found.coupling)
-    axes = work.steps[len(frames.steps) :]
-    results = {s.name: problem.final(s.result) for s in axes if s.rule != "law"}
+        axes = motion_lines(axes, found.coupling)
+    results = {s.name: problem.final(s.result) for s in axes.steps if s.rule != "law"}
+    work = pose_lines(work, found, last).step(*axes.steps)
+    work = work.knowing({pose_name(i): problem.readable_matrix(found.T[i]) for i in range(1, last + 1)})
     columns = {name: value for name, value in results.items() if name[0] in "zo"}
     for i in range(1, last):
         told = columns if i == 1 else {}  # all of them once, as they are printed

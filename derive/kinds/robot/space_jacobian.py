@@ -98,9 +98,9 @@ def _body(problem: Problem, found: Chain) -> Work:
     turned = transpose(R_E)
     formula = Matrix(((turned, negate(Product((turned, S_O)))), (NO_BLOCK, turned)))
     work = Work(problem).resting_on(problem.ask("space-jacobian"))
-    work = work.knowing({NO_BLOCK: problem.readable_matrix(none), S_O: problem.readable_matrix(S)})
-    work = work.line(R_E, value=R, rule="extract")
+    work = work.knowing({NO_BLOCK: problem.readable_matrix(none)}).line(R_E, value=R, rule="extract")
     work = work.line(O_E, value=position_part(T), rule="extract").line(S_O, value=S, rule="skew", label="S")
+    work = work.knowing({S_O: work.steps[-1].result})
     value = adjoint @ jacobian(found, ORIGIN, len(found.T))
     return work.line(J_B, Product((formula, J_S)), value=value, rule="adjoint")
 

@@ -65,9 +65,9 @@ def by_inverse(task: Task) -> Solved:
     if not det:
         raise NotDerivable(f"the Jacobian of {', '.join(task.rows)} is singular in every configuration")
     tree = as_product(problem, det, variables)
+    inverse, shown = Call("inverse", (J,)), _over(tree, problem.readable_matrix(adjugate))
     exact = adjugate @ normal_matrix(velocity)
     qdot = column(quotient(problem, entry, det, variables) for entry in exact.entries)
-    inverse, shown = Call("inverse", (J,)), _over(tree, problem.readable_matrix(adjugate))
     work = task.board().knowing({V: velocity})
     work = work.line(determinant(J), value=tree, rule="determinant", label="det")
     work = work.line(inverse, Quotient(ADJ, determinant(J)), value=shown, rule="adjugate", label="adj")
@@ -94,26 +94,28 @@ def by_pseudo_inverse(task: Task) -> Solved:
     plus = Product((turned, inverse) if task.redundant else (inverse, turned))
     if min(task.J.shape) > MOST_JOINTS - 1:
         raise NotDerivable("the pseudo-inverse of so large a Jacobian fills pages; ask for fewer rows")
-    work = task.board().knowing({V: column(task.velocities), PLUS: plus})
-    work = work.line(A, Product((J, turned) if task.redundant else (turned, J)), rule="gram")
-    gram = work.value_matrix(A)
+    gram = task.J @ task.J.T if task.redundant else task.J.T @ task.J
     det = gram.det()
     if not det:
         raise NotDerivable(f"the rows {', '.join(task.rows)} are dependent in every configuration")
-    work, qdot, exact = _by_minors(task, work) if task.redundant else _by_gram(task, work, gram, det)
+    made, qdot, exact = _by_minors(task) if task.redundant else _by_gram(task, gram, det)
+    work = task.board().knowing({V: column(task.velocities), PLUS: plus})
+    work = work.line(A, Product((J, turned) if task.redundant else (turned, J)), value=gram, rule="gram")
+    work = work.step(*made.steps)
     formulas = Product((PLUS, V)), Product((*plus.factors, V))
     work = work.line(RATES, *formulas, value=qdot, rule="solve", label="qdot")
     minors_named = {step.chain[0]: step.result for step in work.steps if step.rule == "minor"}
     return Solved("pseudo-inverse", work, replaced(qdot, minors_named), exact, det, (determinant(A), ZERO))
 
 
-def _by_minors(task: Task, work: Work) -> tuple[Work, Matrix, ScalarMatrix]:
+def _by_minors(task: Task) -> tuple[Work, Matrix, ScalarMatrix]:
     """The mean of the solutions with as many joints as rows, each weighted by the square of its minor: it
     is J^+ v (Ben-Israel, 1992), and det A is the sum of those squares (Cauchy and Binet). With qdot in the
     names of the minors, and in normal form times det A."""
     problem, variables, velocity = task.problem, task.found.variables, normal_matrix(column(task.velocities))
     found = [minor for minor in minors(task.J) if minor.value]
     names = [Symbol("Delta_" + "".join(str(k + 1) for k in minor.lines)) for minor in found]
+    work = Work(problem)
     for place, (name, minor) in enumerate(zip(names, found, strict=True)):
         tree = as_product(problem, minor.value, variables)
         work = work.line(name, value=tree, rule="minor", label=f"minor_{place}")
@@ -133,14 +135,14 @@ def _by_minors(task: Task, work: Work) -> tuple[Work, Matrix, ScalarMatrix]:
     return work, column(rows), ScalarMatrix.column(exact)
 
 
-def _by_gram(task: Task, work: Work, gram: ScalarMatrix, det: Scalar) -> tuple[Work, Matrix, ScalarMatrix]:
+def _by_gram(task: Task, gram: ScalarMatrix, det: Scalar) -> tuple[Work, Matrix, ScalarMatrix]:
     """The adjugate of J^T J over its determinant, times J^T v: qdot, and the same times the determinant."""
     problem, variables = task.problem, task.found.variables
     adjugate = gram.adjugate()
     exact = adjugate @ (task.J.T @ normal_matrix(column(task.velocities)))
     qdot = column(quotient(problem, entry, det, variables) for entry in exact.entries)
     tree = as_product(problem, det, variables)
-    work = work.line(determinant(A), value=tree, rule="determinant", label="det")
+    work = Work(problem).line(determinant(A), value=tree, rule="determinant", label="det")
     shown = Product((Quotient(ONE, determinant(A)), problem.readable_matrix(adjugate)))
     return work.line(Call("inverse", (A,)), value=shown, rule="adjugate", label="A_inv"), qdot, exact
 

@@ -114,8 +114,9 @@ def _half(
     known = normal_matrix(column(_components(vector)))
     exact = J.adjugate() @ known
     found = tuple(quotient(problem, entry, det, variables) for entry in exact.entries)
-    block, tree = Symbol(name), as_product(problem, det, variables)
+    block = Symbol(name)
     work = work.line(block, value=J, rule="block")
+    tree = as_product(problem, det, variables)
     work = work.line(determinant(block), value=tree, rule="determinant", label=f"det_{name}")
     formula = Product((Call("inverse", (block,)), vector))
     work = work.line(column(rates), formula, value=column(found), rule="law", label=f"rates_{name}")
