@@ -31,7 +31,7 @@ lowest *tests:
 
 # Begin a new kind of question, and end it once it is filled in: just new-kind robot pseudo-inverse
 new-kind subject kind:
-    python3 -m scaffold {{subject}} {{kind}}
+    python3 -m tests.scaffold {{subject}} {{kind}}
 
 # Rebuild the golden pages after a change that is meant; of some sheets: just golden -k week3
 golden *options:

@@ -8,6 +8,7 @@ from typing import Any
 
 from derive.errors import SheetError, SheetErrors
 from derive.kinds import registry as kinds
+from derive.render.questions import example_of, results_of
 from derive.sheet.faults import did_you_mean
 from derive.sheet.subjects import registry as subjects
 
@@ -50,8 +51,8 @@ def describe(kind: str) -> str:
 def _described(kind: str, owners: list[str], module: ModuleType) -> str:
     blocks = [f"{kind} ({', '.join(owners)})", inspect.getdoc(module) or ""]
     blocks.append(_listed("Options", _options(module), _about(module.Options)))
-    blocks.append(_listed("Results", module.RESULTS))
-    blocks.append("Example:\n\n" + _indented(module.EXAMPLE.strip()))
+    blocks.append(_listed("Results", results_of(module.__name__)))
+    blocks.append("Example:\n\n" + _indented(example_of(module.__name__).strip()))
     return "\n\n".join(block for block in blocks if block) + "\n"
 
 
@@ -59,8 +60,7 @@ def starter(name: str, kind: str | None) -> str:
     """A sheet to start from: the example of a kind under a few comments. Raises SheetErrors."""
     chosen = kind or next(iter(kinds.kinds_of("robot")), "")
     _, module = _find(chosen)[0]
-    example: str = module.EXAMPLE
-    return COMMENTS.format(name=name) + example.strip() + "\n"
+    return COMMENTS.format(name=name) + example_of(module.__name__).strip() + "\n"
 
 
 def _find(kind: str) -> list[tuple[list[str], ModuleType]]:

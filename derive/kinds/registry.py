@@ -32,12 +32,17 @@ def module_name(subject: str, kind: str) -> str:
 
 
 def words_folder(subject: str, kind: str) -> str:
-    """Where the words of a kind are: the folder of ours, the package of another's. Raises KeyError."""
-    return module_name(subject, kind).rpartition(".")[0].removeprefix("derive.kinds.")
+    """Where the words of a kind are. Raises KeyError."""
+    return folder_of(module_name(subject, kind))
+
+
+def folder_of(module: str) -> str:
+    """The folder of the words of a module of ours, the package of another's."""
+    return module.rpartition(".")[0].removeprefix("derive.kinds.")
 
 
 def load(subject: str, kind: str) -> ModuleType:
-    """The module of a kind: its `Options`, its `RESULTS` and its `derive`. Raises KeyError."""
+    """The module of a kind: its `Options` and its `derive`. Raises KeyError."""
     return import_module(module_name(subject, kind))
 
 

@@ -141,25 +141,31 @@ def on_page(
 
 def lines_of(folder: str, kind: str) -> dict[str, str]:
     """The phrases that the derivations of a kind may say, by their keys."""
-    return shared_lines() | _lines_in(f"words/{folder}/_phrases.j2") | _lines_in(words_file(folder, kind))
+    return shared_lines() | lines_in(f"words/{folder}/_phrases.j2") | lines_in(words_file(folder, kind))
 
 
 def shared_lines() -> dict[str, str]:
     """The phrases that every derivation may say."""
-    return _lines_in("words/_phrases.j2")
+    return lines_in("words/_phrases.j2")
 
 
-def _lines_in(name: str) -> dict[str, str]:
+def lines_in(name: str, block: str = PHRASES) -> dict[str, str]:
+    """The lines `key: words` of a block of a template; none where there is no such template. Raises
+    PhraseError for a line that is none."""
+    found = [line.partition(": ") for line in block_of(name, block).splitlines() if line]
+    if wrong := [key for key, _, words in found if not words]:
+        raise PhraseError(f"{name}: a line of the block {block} is 'key: words', not '{wrong[0]}'")
+    return {key: words for key, _, words in found}
+
+
+def block_of(name: str, block: str) -> str:
+    """A block of a template that holds nothing but text; "" where there is none."""
     try:
         template = environment().get_template(name)
     except TemplateNotFound:
-        return {}
-    block = template.blocks.get(PHRASES)
-    written = "".join(block(template.new_context({}))) if block else ""
-    found = [line.partition(": ") for line in written.splitlines() if line]
-    if wrong := [key for key, _, words in found if not words]:
-        raise PhraseError(f"{name}: a line of the block {PHRASES} is 'key: words', not '{wrong[0]}'")
-    return {key: words for key, _, words in found}
+        return ""
+    found = template.blocks.get(block)
+    return "".join(found(template.new_context({}))) if found else ""
 
 
 def _in_style(tree: Expr, style: Style) -> Expr:

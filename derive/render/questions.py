@@ -1,16 +1,20 @@
-"""What is asked where the author wrote no text: the block `question` in the words of each kind.
+"""What the words of a kind say apart from its derivations, in blocks of their own.
 
-In scope of the block: `options` and `subject` of the question, `name` of the subject, and the filters `m`
-and `listed`.
+`question` is what is asked where the author wrote no text; `results` has a line `name: meaning` for each
+result, `example` is a sheet that runs. In scope of the question: its `options` and `subject`, the `name` of
+the subject, and the filters `m` and `listed`.
 """
 
 from __future__ import annotations
 
 from typing import Any
 
+from derive.kinds.registry import folder_of
 from derive.render.latex import Printer
 from derive.render.names import name_latex
 from derive.render.notation import Notation
+from derive.render.phrases import block_of, lines_in
+from derive.render.skin import words_file
 from derive.render.words import QUESTION, words_of
 
 
@@ -27,3 +31,17 @@ def question_text(folder: str, kind: str, name: str, subject: Any, options: Any,
 
     scope = {"options": options, "subject": subject, "name": name, "math": mathematics}
     return " ".join("".join(block(template.new_context(scope))).split())
+
+
+def results_of(module: str) -> dict[str, str]:
+    """The results of the kind in a module, by their names in the JSON, and what they mean."""
+    return lines_in(_words(module), "results")
+
+
+def example_of(module: str) -> str:
+    """A sheet that asks the kind in a module, in YAML."""
+    return block_of(_words(module), "example")
+
+
+def _words(module: str) -> str:
+    return words_file(folder_of(module), module.rpartition(".")[2])

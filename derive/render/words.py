@@ -26,6 +26,7 @@ from derive.render.phrases import PHRASES, Speech, on_page
 from derive.render.skin import Skin, environment, words_file
 
 QUESTION = "question"  # the block of a words template that asks for its derivation
+APART = (QUESTION, PHRASES, "results", "example")  # said elsewhere: see render/questions.py and phrases.py
 Mathematics = Expr | Step | str | int | tuple[Expr, ...]
 Trig = Literal["short", "long"] | None
 LANGUAGES = {".m": "matlab", ".py": "python"}
@@ -54,7 +55,7 @@ def words(
         telling.speech.claim(claim)
     template = words_of(folder, derivation.kind)
     context = template.new_context({**telling.scope(), "asked": asked})
-    for block in (QUESTION, PHRASES):  # asked on the page already, see render/questions.py; said one by one
+    for block in APART:
         context.blocks[block] = [lambda _: iter(())]
     written = "".join(template.root_render_func(context))
     if asked and (forgotten := telling.forgotten()):

@@ -11,7 +11,6 @@ import sys
 from collections.abc import Callable, Hashable, Iterator
 from contextlib import AbstractContextManager, contextmanager, suppress
 from dataclasses import dataclass, field
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +23,7 @@ from derive.derivation import Step
 from derive.errors import SheetErrors
 from derive.expression import ZERO, Approximate, Expr, Matrix, negate
 from derive.kinds.problem import Problem
+from derive.render.questions import example_of
 from derive.sheet.load import load_sheet
 from derive.writing import render
 
@@ -177,7 +177,7 @@ if __name__ == "__main__":  # everywhere, not only at MOST places: python -m tes
     for module in sorted({name for subject in subjects() for name in registry.kinds_of(subject).values()}):
         with TemporaryDirectory() as folder:
             sheet = Path(folder) / "example.yaml"
-            sheet.write_text(import_module(module).EXAMPLE, encoding="utf-8")
+            sheet.write_text(example_of(module), encoding="utf-8")
             if all(part in module for part in sys.argv[1:]):
                 for planting in (values, lines):
                     print(

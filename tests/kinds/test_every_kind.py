@@ -14,6 +14,7 @@ from derive.build import derive_all
 from derive.derivation import Branch
 from derive.errors import SheetError
 from derive.kinds import registry
+from derive.render.questions import example_of, results_of
 from derive.sheet.load import load_sheet
 from derive.sheet.subjects.registry import subjects
 from derive.writing import render
@@ -77,7 +78,7 @@ WORDS = Path(__file__).parents[2] / "templates" / "words"
 def document(subject: str, kind: str, tmp_path: Path):
     """The example of a kind, built."""
     path = tmp_path / "example.yaml"
-    path.write_text(registry.load(subject, kind).EXAMPLE, encoding="utf-8")
+    path.write_text(example_of(registry.module_name(subject, kind)), encoding="utf-8")
     warned: list[SheetError] = []
     sheet = load_sheet(path)
     (built,) = derive_all([sheet], True, lambda _: None, warned.append)
@@ -124,7 +125,7 @@ def test_a_law_or_an_independent_route_of_its_own_proves_it(document, kind: str)
 @pytest.mark.parametrize("module", MODULES)
 def test_a_wrong_sign_is_refused(module: str, planting: Planting, tmp_path: Path) -> None:
     sheet = tmp_path / "example.yaml"
-    sheet.write_text(import_module(module).EXAMPLE, encoding="utf-8")
+    sheet.write_text(example_of(module), encoding="utf-8")
     known, _ = NOT_YET_REFUSED.get(module.removeprefix("derive.kinds."), ("", ""))
     found = {
         name for name in printed_wrong(planting, sheet) if not any(fnmatch(name, k) for k in known.split())
@@ -140,7 +141,7 @@ def test_what_is_not_refused_yet_is_about_kinds_that_exist() -> None:
 
 @every_kind
 def test_results_bear_the_names_that_are_listed(document, subject: str, kind: str) -> None:
-    listed = [pattern(name) for name in registry.load(subject, kind).RESULTS]
+    listed = [pattern(name) for name in results_of(registry.module_name(subject, kind))]
     for _, question in document.questions():
         if question.derivation.kind == kind:
             names = question.derivation.results

@@ -14,6 +14,7 @@ from ruamel.yaml import YAML
 
 from derive.build import build
 from derive.kinds import registry
+from derive.render.questions import example_of
 
 KINDS = [
     ("robot", "jacobian"), ("robot", "dynamics"), ("robot", "forward-kinematics"), ("robot", "velocity"),
@@ -49,7 +50,7 @@ def _tree(text: str) -> sympy.Expr:
 @pytest.mark.parametrize(("subject", "kind"), KINDS, ids=[f"{s}-{k}" for s, k in KINDS])
 def test_it_is_the_whole_answer_with_the_values_put_in(subject: str, kind: str, tmp_path: Path) -> None:
     draw = random.Random(kind)
-    data = YAML().load(registry.load(subject, kind).EXAMPLE)
+    data = YAML().load(example_of(registry.module_name(subject, kind)))
     data["problems"] = data["problems"][:1]
     question = data["problems"][0].get("questions", data["problems"])[0]
     whole = dict(_flat(_built(data, tmp_path)["results"]))

@@ -19,9 +19,6 @@ from derive.expression import Symbol
 from derive.kinds.checks import law, links
 from derive.kinds.fields import OptionsModel
 
-RESULTS = {"trace": "the sum of the diagonal"}
-EXAMPLE = ""
-
 
 class Options(OptionsModel):
     """None."""
@@ -34,6 +31,7 @@ def derive(motion, options, problem):
     return Derivation("first-entry", steps, {"trace": tree}, links(steps, {}))
 '''
 WORDS = (
+    "{% block results %}\ntrace: the sum of the diagonal\n{% endblock %}\n"
     "{% block question %}What is the first entry?{% endblock %}\n"
     "{% block phrases %}\nitself: it is itself\n{% endblock %}\nIts first entry is\n{{ show('trace') }}\n"
 )

@@ -8,6 +8,7 @@ import pytest
 
 from derive.build import assemble
 from derive.kinds import registry
+from derive.render.questions import example_of
 from derive.sheet.load import sheet_of
 from derive.sheet.reader import read_text
 from derive.sheet.source import At
@@ -19,7 +20,7 @@ KINDS = [(subject, kind) for subject in subjects() for kind in registry.kinds_of
 
 @pytest.mark.parametrize(("subject", "kind"), KINDS)
 def test_default_question(subject: str, kind: str) -> None:
-    example = registry.load(subject, kind).EXAMPLE
+    example = example_of(registry.module_name(subject, kind))
     document = assemble(sheet_of(At(read_text(example, Path("example.yaml")))), solutions=False)
     for problem, question in document.questions():
         if not problem.text:

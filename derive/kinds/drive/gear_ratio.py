@@ -32,18 +32,6 @@ from derive.kinds.work import Work
 from derive.mechanics.sensing import Drive
 from derive.names import free
 
-RESULTS = {
-    "G": "the best gear ratio",
-    "alpha": "the acceleration of the load with it",
-}
-EXAMPLE = """\
-title: The best gear
-problems:
-- drive: {rotor: J_m, load: J_l, torque: tau_m}
-  find: gear-ratio
-- drive: {rotor: J_m, load: J_l, torque: tau_m, load_torque: tau_l}
-  find: gear-ratio
-"""
 ALPHA, BEST = symbols("alpha G_opt")
 GEARS = ("G", "r", "n", "G_r")  # what it is called, the first that means nothing else
 NEAR = (0.9, 1.1)  # gears beside the best

@@ -12,16 +12,6 @@ from derive.kinds.work import Work
 from derive.mechanics.sensing import Drive
 
 NEEDS = ("gear",)
-RESULTS = {
-    "J_load": "as the load feels it [kg m^2]",
-    "J_motor": "as the motor feels it [kg m^2]",
-}
-EXAMPLE = """\
-title: A motor behind a gear
-problems:
-- drive: {rotor: J_m, load: J_l, gear: G}
-  find: reflected-inertia
-"""
 
 
 class Facts(PageFacts):
@@ -36,7 +26,7 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
     work, (J_m, J_l, G) = Work(problem).naming(J_m=drive.rotor, J_l=drive.load, G=gear)
     work = work.worked("J_load", add(Product((squared(G), J_m)), J_l))
     work = work.worked("J_motor", add(J_m, Quotient(J_l, squared(G))))
-    results = {name: work.final(name) for name in RESULTS}
+    results = {name: work.final(name) for name in ("J_load", "J_motor")}
     work = work.claim(Claim("same-energy", SECOND_ROUTE, _same_energy(drive, problem, results)))
     facts = Facts(given=work.typed, G=G, energy=_energy(J_m, J_l, G))
     return work.answer("reflected-inertia", results, facts)

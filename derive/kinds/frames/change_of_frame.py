@@ -21,22 +21,6 @@ from derive.mechanics.frame_tree import Way, relative, require_closed, way
 from derive.mechanics.frames import Frames
 from derive.mechanics.poses import position_part, rotation_part
 
-RESULTS = {
-    "v^0": "the vector in frame `to`",
-    "p^0": "or the point in frame `to`",
-    "V^0": "or the twist in frame `to` (6, linear part first)",
-}
-EXAMPLE = """\
-title: A velocity in another frame
-problems:
-- frames:
-  - {matrix: [[0, -1, 0, 1], [1, 0, 0, -1], [0, 0, 1, 0], [0, 0, 0, 1]]}
-  find: change-of-frame
-  vector: [3, 1, 0]
-  from: 1
-  to: 0
-"""
-
 
 class Options(OptionsModel):
     """`vector` (free: a velocity, a force), `point` (bound) or `twist` (the velocity of the point at the

@@ -17,21 +17,6 @@ from derive.mechanics.frame_tree import local, mismatch, relative, way
 from derive.mechanics.frames import Frame, Frames
 from derive.mechanics.poses import inverse_pose
 
-RESULTS = {
-    "closes": "yes or no, for each frame that is given twice",
-    "E": "the second description seen from the first (4 by 4): the identity where they agree; E_1, E_2, ... "
-    "where several frames are given twice",
-}
-EXAMPLE = """\
-title: A loop of frames
-problems:
-- frames:
-  - {x: y0, y: -x0, z: z0, origin: [a, 0, 0]}
-  - {motion: [{translate: x, by: b}, {rotate: z, by: 90 deg}]}
-  - {frame: 2, in: 0, x: -x0, y: -y0, z: z0, origin: [a, b, 0]}
-  find: loop
-"""
-
 
 class LoopTold(Record):
     number: int  # of the frame that is given twice

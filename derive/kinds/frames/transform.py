@@ -20,18 +20,6 @@ from derive.mechanics.frame_tree import Way, along, relative, require_closed, wa
 from derive.mechanics.frames import Frame, Frames
 from derive.mechanics.poses import inverse_pose, rotation_part
 
-RESULTS = {"T_2^0": "frame `from` in frame `to` (4 by 4); named by their numbers"}
-EXAMPLE = """\
-title: One frame in another
-problems:
-- frames:
-  - {x: y0, y: -x0, z: z0, origin: [a, 0, 0]}
-  - {x: x1, y: z1, z: -y1, origin: [0, b, 0]}
-  find: transform
-  from: 2
-  to: 0
-"""
-
 
 class Options(OptionsModel):
     """The frame wanted, `from` (the last one if left out), and the frame it is seen from, `to`."""

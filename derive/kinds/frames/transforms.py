@@ -14,19 +14,6 @@ from derive.mechanics.frame_tree import along, ancestry, require_closed
 from derive.mechanics.frames import Frames
 from derive.mechanics.poses import rotation_part
 
-RESULTS = {
-    "T_1^0, T_2^1, ...": "each frame in the one it is given in (4 by 4)",
-    "T_n^0": "the last frame in the world (4 by 4)",
-}
-EXAMPLE = """\
-title: Two frames read off a figure
-problems:
-- frames:
-  - {x: -x0, y: -z0, z: -y0, origin: [0, c + e, a - d]}
-  - {x: z1, y: -x1, z: -y1, origin: [b, a - d, 0]}
-  find: transforms
-"""
-
 
 class Facts(PageFacts):
     product: str  # a step

@@ -12,14 +12,6 @@ from derive.kinds.function._partials import differences, partial_step
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 
-RESULTS = {"gradient": "the partial derivatives, in the order of the variables"}
-EXAMPLE = """\
-title: A gradient
-problems:
-- function: {variables: [x, y], value: x^2*y}
-  find: gradient
-"""
-
 
 class Facts(PageFacts):
     nabla: Expr

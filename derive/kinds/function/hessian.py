@@ -12,13 +12,6 @@ from derive.kinds.function._partials import differences, partial
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 
-RESULTS = {"H": "n by n, symmetric"}
-EXAMPLE = """\
-title: A Hessian
-problems:
-- function: {variables: [x, y], value: x^3*y - y^2}
-  find: hessian
-"""
 H = Symbol("H")
 
 

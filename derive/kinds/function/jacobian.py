@@ -13,14 +13,6 @@ from derive.kinds.function._partials import differences, partial
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 
-RESULTS = {"J": "a row for each component, a column for each variable", "det": "of a square Jacobian"}
-EXAMPLE = """\
-title: The Jacobian of polar coordinates
-problems:
-- function: {variables: [r, phi], value: [r*cos(phi), r*sin(phi)]}
-  find: jacobian
-  determinant: true
-"""
 J = Symbol("J")
 MOST_SQUARE = 5  # rows of a determinant worked out
 

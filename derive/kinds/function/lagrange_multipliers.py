@@ -11,15 +11,6 @@ from derive.kinds.function._worked import worked
 from derive.kinds.problem import Problem
 
 USES = frozenset({"subject_to"})
-RESULTS = {
-    "solutions": "the variables, the multipliers (lambda, or lambda_1, ...), the value of f, and what it is"
-}
-EXAMPLE = """\
-title: Extreme values on a circle
-problems:
-- function: {variables: [x, y], value: x^2*y, subject_to: "x^2 + y^2 = 1"}
-  find: lagrange-multipliers
-"""
 
 
 def derive(function: Function, options: Options, problem: Problem) -> Derivation:

@@ -11,13 +11,6 @@ from derive.kinds.function._worked import worked
 from derive.kinds.problem import Problem
 
 USES = frozenset({"subject_to"})  # and refuses it, saying what to ask
-RESULTS = {"solutions": "the variables, the value of f, and what kind of point it is"}
-EXAMPLE = """\
-title: Stationary points
-problems:
-- function: {variables: [x, y], value: x^3 - 3*x*y + y^3}
-  find: stationary-points
-"""
 
 
 def derive(function: Function, options: Options, problem: Problem) -> Derivation:

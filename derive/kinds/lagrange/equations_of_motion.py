@@ -27,28 +27,6 @@ from derive.mechanics.lagrangian import (
     without,
 )
 
-RESULTS = {
-    "T": "the kinetic energy",
-    "P": "the potential energy",
-    "L": "the Lagrangian T - P",
-    "M": "what multiplies the accelerations (n by n)",
-    "tau": "d/dt dL/dqdot - dL/dq, with friction, for each coordinate: the forces the motion needs (n)",
-    "equations": "the same less the given forces and those of the constraints; it vanishes (n)",
-    "E": "the energy (Jacobi's integral), where it is conserved",
-    "accelerations": "with `solve`, or constraints: x_ddot, ... (n)",
-    "multipliers": "with constraints: the multipliers, in the order of the constraints",
-}
-EXAMPLE = """\
-title: A cart with a pole
-problems:
-- lagrange:
-    coordinates: [x, theta]
-    bodies:
-    - {mass: m_c, position: [x, 0]}
-    - {mass: m_p, position: [x + l*sin(theta), -l*cos(theta)]}
-    forces: {x: F}
-  find: equations-of-motion
-"""
 POINTS = 2
 
 

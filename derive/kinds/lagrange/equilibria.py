@@ -25,17 +25,6 @@ from derive.kinds.values_at import completed
 from derive.kinds.work import Work
 from derive.mechanics.lagrangian import TIME, LagrangianSystem, without
 
-RESULTS = {"solutions": "the coordinates at rest, and whether the state is stable"}
-EXAMPLE = """\
-title: A bead on a turning hoop
-symbols: {R: positive, Omega: positive}
-problems:
-- lagrange:
-    coordinates: [theta]
-    bodies:
-    - {mass: m, position: [R*sin(theta)*cos(Omega*t), R*sin(theta)*sin(Omega*t), -R*cos(theta)]}
-  find: equilibria
-"""
 NEARLY = 1e-9
 
 

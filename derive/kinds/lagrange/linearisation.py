@@ -26,26 +26,6 @@ from derive.kinds.values_at import completed
 from derive.kinds.work import Work
 from derive.mechanics.lagrangian import TIME, LagrangianSystem
 
-RESULTS = {
-    "M_0": "the mass matrix at the state of rest",
-    "C_0": "what multiplies the rates",
-    "K_0": "what multiplies the displacements",
-    "F_0": "what multiplies the inputs",
-    "A": "of the state (displacements, then rates)",
-    "B": "of the inputs",
-}
-EXAMPLE = """\
-title: A cart with a pole that stands upright
-problems:
-- lagrange:
-    coordinates: [x, theta]
-    bodies:
-    - {mass: m_c, position: [x, 0]}
-    - {mass: m_p, position: [x + l*sin(theta), -l*cos(theta)]}
-    forces: {x: F}
-  find: linearisation
-  at: {x: 0, theta: 180 deg}
-"""
 SMALL = 1e-5  # a displacement small enough for the linear equations
 LEFT_OVER = 1e-6
 TRIED = 40  # points, of which two are looked at where the state is real

@@ -10,24 +10,6 @@ from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.mobility import FREEDOMS, LAMBDA, Joints, Mechanism, Space
 
-RESULTS = {
-    "dof": "lambda (n - 1) - sum of c_i",
-    "idle": "rotations of rods about their own line, where there are such rods",
-    "effective": "the degrees of freedom without these",
-}
-EXAMPLE = """\
-title: Degrees of freedom
-problems:
-- title: Four-bar linkage
-  mechanism: {space: planar, bodies: 4, joints: [{revolute: 4}]}
-  find: mobility
-- title: Stewart-Gough platform
-  mechanism: {space: spatial, legs: [{chain: UPS, count: 6}]}
-  find: mobility
-- title: A coincident joint
-  mechanism: {space: planar, bodies: 6, joints: [{revolute: 1, joining: 3}, {revolute: 5}]}
-  find: mobility
-"""
 C, DOF = Symbol("C"), Symbol("dof")
 MOVING_LOOPS = (4, 5, 6)  # revolute joints of single loops that move although the formula says they do not
 HEADINGS = ("joint", "number", "freedoms", "constraints-of-each", "constraints-together")

@@ -16,17 +16,6 @@ from derive.kinds.problem import Problem
 from derive.mechanics.motion import Axis, Motion, Move
 from derive.mechanics.sequences import Alternative, equivalents, order
 
-RESULTS = {"sequences": "each a list of moves, written as in a motion, with the same result"}
-EXAMPLE = """\
-title: The same rotation in another way
-problems:
-- motion:
-  - {rotate: x, by: phi, about: world}
-  - {rotate: z, by: psi, about: current}
-  - {rotate: y, by: theta, about: world}
-  find: equivalent-sequences
-"""
-
 
 class MoveTold(Record):
     move: str  # "rotate", "translate"

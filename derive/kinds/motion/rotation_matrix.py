@@ -10,19 +10,6 @@ from derive.kinds.motion._product import composed
 from derive.kinds.problem import Problem
 from derive.mechanics.motion import Motion
 
-RESULTS = {
-    "R": "the rotation matrix (3 by 3)",
-    "R_1, R_2, ...": "each factor, in the order in which the rotations are made",
-}
-EXAMPLE = """\
-title: Two rotations
-problems:
-- motion:
-  - {rotate: x, by: phi, about: world}
-  - {rotate: z, by: psi, about: current}
-  find: rotation-matrix
-"""
-
 
 class Options(OptionsModel):
     """`evaluate: true` writes a motion of numbers in decimals."""

@@ -16,16 +16,6 @@ from derive.kinds.work import Work
 from derive.mechanics.motion import Motion
 from derive.mechanics.oracle import exponential, made
 
-RESULTS = {"r": "the rotation vector, angle times axis (rad)"}
-EXAMPLE = """\
-title: A rotation as a vector
-problems:
-- motion:
-  - {rotate: x, by: 90 deg}
-  - {rotate: z, by: 90 deg}
-  find: rotation-vector
-"""
-
 
 class Facts(PageFacts):
     numeric: bool

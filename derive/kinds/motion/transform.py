@@ -10,19 +10,6 @@ from derive.kinds.motion._product import composed
 from derive.kinds.problem import Problem
 from derive.mechanics.motion import Motion
 
-RESULTS = {
-    "T": "the homogeneous transform (4 by 4)",
-    "A_1, A_2, ...": "each factor, in the order in which the moves are made",
-}
-EXAMPLE = """\
-title: A rotation and a translation
-problems:
-- motion:
-  - {rotate: x, by: alpha, about: world}
-  - {translate: z, by: b, about: world}
-  find: transform
-"""
-
 
 class Options(OptionsModel):
     """`evaluate: true` writes a motion of numbers in decimals."""

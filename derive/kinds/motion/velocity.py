@@ -35,19 +35,6 @@ from derive.mechanics.poses import composed, position_part, rotation_part, skew
 from derive.mechanics.sequences import in_product_order
 from derive.names import free
 
-RESULTS = {
-    "omega": "the angular velocity in the axes of the world (3); rates are written phi_dot",
-    "S": "the skew-symmetric matrix dR/dt R^T (3 by 3)",
-    "v": "the velocity of the origin (3), where the motion moves it",
-}
-EXAMPLE = """\
-title: How fast it turns
-problems:
-- motion:
-  - {rotate: z, by: phi}
-  - {rotate: x, by: theta}
-  find: velocity
-"""
 DIFFERENCES = 1e-6
 R, R_DOT, P, S, V = symbols("R R_dot p S v")
 

@@ -11,22 +11,6 @@ from derive.kinds.points._data import Facts as Facts
 from derive.kinds.problem import Problem
 from derive.mechanics.fitting import PointPairs
 
-RESULTS = {
-    "R": "the orientation of frame A in frame B, so that b = R a + p",
-    "p": "the origin of frame A in frame B",
-    "rms": "the root mean square of what the fit leaves over",
-    "T": "by rows: the rows as the least squares give them, before they are normalised",
-}
-EXAMPLE = """\
-title: A transform fitted to points
-problems:
-- points:
-    from: [[0, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, 3]]
-    to: [[1.0, 2.1, 0.0], [1.1, 3.0, 0.1], [-0.9, 2.0, 0.0], [1.0, 2.0, 3.1]]
-  find: fit-transform
-  method: svd
-"""
-
 
 class Options(OptionsModel):
     """`svd`: the best rotation; `rows`: each row of the transform by itself, which need be no rotation."""

@@ -38,18 +38,6 @@ from derive.mechanics.oracle import elementary
 from derive.names import free
 
 SUBJECTS = ("motion", "frames", "robot")
-RESULTS = {
-    "angle": "the angle, from 0 to pi",
-    "axis": "the unit vector along the axis; any where nothing is turned",
-}
-EXAMPLE = """\
-title: In a single turn
-problems:
-- motion:
-  - {rotate: x, by: 90 deg}
-  - {rotate: z, by: 90 deg}
-  find: axis-angle
-"""
 
 
 class Facts(PageFacts):

@@ -22,19 +22,6 @@ from derive.kinds.work import Work
 from derive.mechanics.euler import Convention, Euler
 
 SUBJECTS = ("motion", "frames", "robot")
-RESULTS = {
-    "R": "the rotation matrix of the three angles",
-    "solutions": "each angle by its name, and when it is the solution; singular cases included",
-}
-EXAMPLE = """\
-title: Yaw, pitch and roll
-problems:
-- motion:
-  - {rotate: x, by: 30 deg, about: world}
-  - {rotate: z, by: 45 deg, about: world}
-  find: euler-angles
-  convention: ZYX
-"""
 DEFAULTS = (("phi", "theta", "psi"), ("alpha", "beta", "gamma"), ("phi_e", "theta_e", "psi_e"))
 
 

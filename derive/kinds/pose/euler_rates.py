@@ -36,22 +36,6 @@ from derive.mechanics.oracle import slope, vee
 from derive.mechanics.poses import UNIT, skew
 
 SUBJECTS = ("motion", "frames", "robot")
-RESULTS = {
-    "T": "omega = T times the rates of the angles (3 by 3), in the order of the angles",
-    "det": "its determinant",
-    "rates": "the rates of the angles for a given omega (3), where det is not zero",
-    "singular": "the values of the middle angle at which det vanishes",
-}
-EXAMPLE = """\
-title: Rates of Euler angles
-problems:
-- motion:
-  - {rotate: z, by: phi}
-  - {rotate: y, by: theta}
-  - {rotate: z, by: psi}
-  find: euler-rates
-  convention: ZYZ
-"""
 T, OMEGA = symbols("T omega")
 AXES = symbols("omega_x omega_y omega_z")
 DIFFERENCES = 1e-6

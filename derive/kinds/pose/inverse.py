@@ -16,15 +16,6 @@ from derive.mechanics.poses import inverse_pose, position_part, rotation_part
 
 R, P, NO_ROW = symbols("R p 0")  # the last are three zeros side by side
 SUBJECTS = ("motion", "frames", "robot")
-RESULTS = {"T": "the inverse transform (4 by 4)"}
-EXAMPLE = """\
-title: The way back
-problems:
-- motion:
-  - {rotate: z, by: theta}
-  - {translate: x, by: a}
-  find: inverse
-"""
 
 
 class Facts(PageFacts):

@@ -28,15 +28,6 @@ from derive.kinds.work import Work
 from derive.names import free
 
 SUBJECTS = ("motion", "frames", "robot")
-RESULTS = {"q": "the unit quaternion (q_0, q_x, q_y, q_z), its scalar part not negative"}
-EXAMPLE = """\
-title: A rotation as a quaternion
-problems:
-- motion:
-  - {rotate: x, by: 90 deg}
-  - {rotate: z, by: 90 deg}
-  find: quaternion
-"""
 
 
 class Facts(PageFacts):

@@ -12,20 +12,6 @@ from derive.mechanics.profile import Profile
 
 NEEDS = ("journey", "time")
 USES = frozenset({"start_velocity", "end_velocity"})
-RESULTS = {
-    "a_0, a_1, ...": "the coefficients",
-    "q": "the trajectory as a function of t",
-    "v_peak": "from rest to rest: the greatest velocity",
-    "a_peak": "from rest to rest: the greatest acceleration",
-}
-EXAMPLE = """\
-title: From rest to rest
-problems:
-- profile: {from: q_0, to: q_f, time: t_f}
-  find: cubic-trajectory
-- profile: {from: 15 deg, to: 75 deg, time: 3 s, v_max: 45 deg/s}
-  find: cubic-trajectory
-"""
 
 
 class Options(OptionsModel):

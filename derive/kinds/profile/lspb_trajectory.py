@@ -30,23 +30,6 @@ from derive.mechanics.profile import Journey, Profile, Units
 
 NEEDS = ("journey",)
 USES = frozenset({"cruise", "acceleration", "blend"})
-RESULTS = {
-    "t_b": "how long each blend lasts",
-    "v": "the velocity between the blends",
-    "a": "the acceleration in the first blend, its opposite in the second",
-    "t_f": "the whole duration",
-    "q": "the pieces of the trajectory as functions of t, and when",
-}
-EXAMPLE = """\
-title: Linear segments with parabolic blends
-problems:
-- profile: {from: q_0, to: q_f, time: t_f, cruise: V}
-  find: lspb-trajectory
-- profile: {from: 0, to: 60 deg, time: 3 s, acceleration: 60 deg/s^2}
-  find: lspb-trajectory
-- profile: {from: 0.2 m, to: 1.2 m, v_max: 0.5 m/s, a_max: 1 m/s^2}
-  find: lspb-trajectory
-"""
 q = Symbol("q")
 
 

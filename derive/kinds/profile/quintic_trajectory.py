@@ -12,20 +12,6 @@ from derive.mechanics.profile import Profile
 
 NEEDS = ("journey", "time")
 USES = frozenset({"start_velocity", "end_velocity", "start_acceleration", "end_acceleration"})
-RESULTS = {
-    "a_0, a_1, ...": "the coefficients",
-    "q": "the trajectory as a function of t",
-    "v_peak": "from rest to rest: the greatest velocity",
-    "a_peak": "from rest to rest: the greatest acceleration",
-}
-EXAMPLE = """\
-title: Without a jolt
-problems:
-- profile: {from: q_0, to: q_f, time: t_f}
-  find: quintic-trajectory
-- profile: {from: 0, to: 2 m, time: 4 s, start_velocity: 0.5 m/s}
-  find: quintic-trajectory
-"""
 
 
 class Options(OptionsModel):

@@ -40,23 +40,6 @@ from derive.mechanics.splines import solved_in_floats
 
 NEEDS = ("journey", "time")
 USES = frozenset({"start_velocity", "end_velocity", "via"})
-RESULTS = {
-    "v_0, v_1, ...": "the velocities at the points",
-    "q": "the pieces of the trajectory as functions of t, and when",
-}
-EXAMPLE = """\
-title: Through via points
-problems:
-- profile:
-    from: 0
-    to: 30 deg
-    time: 4 s
-    via: [{time: 1 s, at: 45 deg}, {time: 2 s, at: 60 deg}]
-  find: spline-trajectory
-- profile: {from: 0, to: 0, time: 3 s, via: [{time: 1 s, at: 2 m}, {time: 2 s, at: 1 m}]}
-  find: spline-trajectory
-  ends: natural
-"""
 MOST_BY_SYMBOLS = 3  # via points at times that are symbols
 SHORT = 9  # characters of a fraction that is still read
 Ends = Literal["clamped", "natural"]

@@ -24,28 +24,6 @@ from derive.mechanics.course import Course
 from derive.mechanics.profile import Axis, Profile, Units
 
 NEEDS = ("limits",)
-RESULTS = {
-    "case": "trapezoidal or triangular (with the condition where symbols leave it open), or infeasible",
-    "t_1": "the end of the acceleration; of several axes a vector, as what follows",
-    "t_2": "the beginning of the deceleration",
-    "t_3": "the whole duration, one for all axes",
-    "v": "the peak velocity",
-    "a": "the acceleration",
-    "t_min": "where the given time is too short: the shortest that is possible",
-    "solutions": "where symbols leave the case open: every case, and when; the others are of the first",
-}
-EXAMPLE = """\
-title: Velocity profiles
-problems:
-- profile: {distance: 3 m, v_max: 1 m/s, a_max: 2 m/s^2}
-  find: trapezoidal-profile
-- profile: {distance: d, v_max: v_M, a_max: a_M, time: t_3}
-  find: trapezoidal-profile
-- profile:
-  - {distance: 90 deg, v_max: 45 deg/s, a_max: 90 deg/s^2}
-  - {distance: -30 deg, v_max: 60 deg/s, a_max: 120 deg/s^2}
-  find: trapezoidal-profile
-"""
 Found = tuple[trapezoid.Switching, ...]
 
 

@@ -13,15 +13,12 @@ from derive.kinds.fields import NoOptions as Options
 from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
-from derive.kinds.robot._dynamics.example import planar_arm
 from derive.kinds.robot.inertia_matrix import Facts as InertiaFacts
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import Christoffel
 from derive.mechanics.robot import Robot
 
-RESULTS = {"c_111, c_121, ...": "every one of the n^3, c_ijk = (d_kj,i + d_ki,j - d_ij,k) / 2"}
 NEEDS = ("bodies",)
-EXAMPLE = planar_arm("Christoffel symbols", "christoffel", gravity=False)
 Index = tuple[int, int, int]
 MOST_SHOWN = 3  # joints; with more, the symbols that vanish are only counted
 HALF = number("1/2")

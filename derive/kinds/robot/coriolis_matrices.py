@@ -27,20 +27,12 @@ from derive.kinds.fields import NoOptions as Options
 from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
-from derive.kinds.robot._dynamics.example import planar_arm
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import Christoffel, christoffel, rate_column, velocity_terms
 from derive.mechanics.robot import Robot
 from derive.names import require_free
 
-RESULTS = {
-    "C": "the centrifugal matrix; its entry i, j is b_ijj (n by n)",
-    "B": "the Coriolis matrix of the 2 b_ijk with j < k (n by n(n-1)/2); an arm of one joint has none",
-    "b_111, b_112, ...": "every b_ijk with j <= k; b_ikj is the same",
-    "v": "C [qdot^2] + B [qdot qdot] (n); rates are written theta1_dot",
-}
 NEEDS = ("bodies",)
-EXAMPLE = planar_arm("Centrifugal and Coriolis matrices", "coriolis-matrices", gravity=False)
 MOST_SHOWN = 3  # joints; with more, the symbols that vanish are only counted
 HALF, TWO = number("1/2"), number(2)
 C, B, V = Symbol("C"), Symbol("B"), Symbol("v")

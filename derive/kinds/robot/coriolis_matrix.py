@@ -10,15 +10,12 @@ from derive.kinds.fields import NoOptions as Options
 from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
-from derive.kinds.robot._dynamics.example import planar_arm
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import coriolis_matrix, rate_column, velocity_terms
 from derive.mechanics.robot import Robot
 from derive.names import require_free
 
-RESULTS = {"C": "the matrix with c_kj = sum of c_ijk qdot_i (n by n); rates are written theta1_dot"}
 NEEDS = ("bodies",)
-EXAMPLE = planar_arm("The Coriolis matrix of a planar arm", "coriolis-matrix", gravity=False)
 C = Symbol("C")
 
 

@@ -8,7 +8,6 @@ from derive.derivation import Derivation, PageFacts, Result, Step, Table
 from derive.expression import ZERO
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._example import two_links
 from derive.kinds.robot._rows.dh_found import FrameTold, found_rows, frame_lines, frames_told
 from derive.kinds.robot._rows.dh_rows import Rows
 from derive.kinds.work import Work
@@ -16,14 +15,6 @@ from derive.mechanics.motion import Move
 from derive.mechanics.poses import composed
 from derive.mechanics.robot import Convention, DHRow, Robot
 
-RESULTS = {
-    "DH": "one row a link: theta, d, a, alpha; the joint variable unstarred",
-    "T_base": "frame 0 in the base (4 by 4), where rows were found or restated and it is not the same",
-    "T_tool": "the end-effector in frame n (4 by 4), where it is not the same",
-}
-EXAMPLE = two_links(
-    "Link parameters", "questions:", "- {find: dh-table}", "- {find: dh-table, convention: modified}"
-)
 Mode: TypeAlias = Literal["given", "found", "restated"]
 
 

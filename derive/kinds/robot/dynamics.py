@@ -11,22 +11,12 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.drives import friction_sorts
-from derive.kinds.robot._dynamics.example import planar_arm
 from derive.kinds.robot._dynamics.terms import equation, equations
 from derive.kinds.robot.inertia_matrix import Facts as InertiaFacts
 from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 
-RESULTS = {
-    "D": "the inertia matrix",
-    "c_111, c_121, ...": "the Christoffel symbols",
-    "P": "potential energy",
-    "g": "its partial derivatives (n)",
-    "tau": "the joint forces (n), with rates theta1_dot and accelerations theta1_ddot",
-    "M, C, B, v, G": "with `notation: khatib`, in place of those above: M qddot + v + G = tau",
-}
 NEEDS = ("bodies",)
-EXAMPLE = planar_arm("Equations of motion", "dynamics")
 LONGEST = 45  # operations; a longer equation stays in the names of its terms
 
 

@@ -28,19 +28,11 @@ from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._dynamics.drives import ROTORS, rotors
-from derive.kinds.robot._dynamics.example import planar_arm
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import kinetic_energy, link_inertia, rate_column, time_derivative
 from derive.mechanics.robot import Robot
 
-RESULTS = {
-    "K_1, K_2, ..., K_m": "the kinetic energy of each link, and of the rotors where there are motors",
-    "P_1, P_2, ...": "the potential energy of each link",
-    "K": "the kinetic energy of the arm; rates are written theta1_dot",
-    "P": "its potential energy",
-}
 NEEDS = ("bodies",)
-EXAMPLE = planar_arm("The energies of a planar arm", "energy")
 HALF = number("1/2")
 K, P, RATE = symbols("K P q_dot")
 LONGEST_CELL = 24  # operations of an energy that still fits into a table

@@ -29,19 +29,11 @@ from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of
 from derive.kinds.robot._dynamics.arm import Arm
-from derive.kinds.robot._dynamics.example import POINT, planar_arm
 from derive.kinds.robot._dynamics.terms import Term, equation, equations
 from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 
-RESULTS = {
-    "det": "the determinant of D",
-    "D_inv": "the inverse of D (n by n)",
-    "h": "everything in tau that is no acceleration: Coriolis, centrifugal, gravity, friction (n)",
-    "qddot": "the accelerations (n) for the joint forces tau_1, tau_2, ...; rates are written theta1_dot",
-}
 NEEDS = ("bodies",)
-EXAMPLE = planar_arm("The accelerations of a planar arm", "forward-dynamics", POINT)
 LONGEST = 60  # operations of an acceleration that is still written out
 MOST_JOINTS = 3
 MOST_REDUCED = 2  # joints; with more, fractions are not multiplied out

@@ -14,18 +14,12 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL, chain_of, end_frame, oracle_of, pose_name
 from derive.kinds.robot._columns import product_lines
-from derive.kinds.robot._example import two_links
 from derive.kinds.robot._rows.exponentials import NAMED, Exponentials, ScrewsTold
 from derive.kinds.work import Work
 from derive.mechanics.dh import CONVENTIONS
 from derive.mechanics.poses import composed, rotation_part
 from derive.mechanics.robot import DHRow, Robot
 
-RESULTS = {
-    "T_1^0, T_2^1, ...": "each frame in the one before (4 by 4)",
-    "T_n^0": "the last frame in the base (4 by 4), the tool included where there is one",
-}
-EXAMPLE = two_links("A planar arm", "find: forward-kinematics")
 A_1, T_BASE = symbols("A_1 T_base")
 
 

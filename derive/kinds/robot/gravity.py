@@ -19,14 +19,11 @@ from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
-from derive.kinds.robot._dynamics.example import planar_arm
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import potential_energy
 from derive.mechanics.robot import Robot, gravity_of
 
-RESULTS = {"P": "potential energy", "g": "its partial derivatives (n)"}
 NEEDS = ("bodies",)
-EXAMPLE = planar_arm("Gravity", "gravity")
 P, G_0 = symbols("P g_0")
 
 

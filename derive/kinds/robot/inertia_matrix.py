@@ -21,19 +21,13 @@ from derive.kinds.robot._dynamics.body_steps import (
     pose_definitions,
 )
 from derive.kinds.robot._dynamics.drives import ROTORS, rotors, with_rotors
-from derive.kinds.robot._dynamics.example import planar_arm
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.dynamics import inertia_matrix, link_inertia
 from derive.mechanics.robot import Robot
 from derive.names import require_free
 
-RESULTS = {
-    "D": "the inertia matrix (n by n)",
-    "J_v1, J_w1, ...": "for each link, the linear and angular Jacobian of its com (3 by n)",
-}
 NEEDS = ("bodies",)
-EXAMPLE = planar_arm("The inertia matrix of a planar arm", "inertia-matrix", gravity=False)
 LONGEST_ENTRY = 60  # operations; an arm with a longer entry of D is worked in the frames of its links
 D = Symbol("D")
 

@@ -14,22 +14,6 @@ from derive.kinds.robot._inverse.given import Given, goal_of
 from derive.mechanics.inverse.two_link import two_link
 from derive.mechanics.robot import Robot
 
-RESULTS = {
-    "solutions": "every branch: a value for each joint variable, and when; long values are in terms of names "
-    "that stand beside them; true_at is false where it need not meet the whole pose",
-    "order": "then only: the names in these formulas, in the order in which to evaluate them",
-}
-EXAMPLE = """\
-title: Inverse kinematics
-problems:
-- robot:
-    links:
-    - {theta: theta1*, d: 0, a: a1, alpha: 0}
-    - {theta: theta2*, d: 0, a: a2, alpha: 0}
-  find: inverse-kinematics
-  given: [x, y]
-"""
-
 
 class Options(OptionsModel):
     """`given`: `pose` (r11 ... r33, x, y, z), `orientation`, or names for the known coordinates of the

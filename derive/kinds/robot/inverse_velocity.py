@@ -10,7 +10,6 @@ from derive.derivation import Derivation, PageFacts
 from derive.expression import Expr, Symbol, column
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._example import two_links
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._velocity.solving import Solved, by_inverse, by_pseudo_inverse
 from derive.kinds.robot._velocity.splitting import by_wrist
@@ -19,8 +18,6 @@ from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 from derive.mechanics.wrist import wrist_of
 
-RESULTS = {"qdot": "the joint rates (n), for the velocities vx, vy, vz, wx, wy, wz of the rows"}
-EXAMPLE = two_links("Joint rates for a velocity", "find: inverse-velocity", a="l")
 DIFFERENCES = 1e-5
 
 

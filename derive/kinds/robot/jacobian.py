@@ -18,7 +18,6 @@ from derive.kinds.pose.euler_angles import known_convention
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL, chain_of, joint_numbers, oracle_of
 from derive.kinds.robot._columns import jacobian_lines
-from derive.kinds.robot._example import two_links
 from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.kinds.robot._velocity.task import RowName
 from derive.kinds.work import Work
@@ -29,14 +28,6 @@ from derive.mechanics.poses import rotation_part, skew
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import ROWS, rows_of
 
-RESULTS = {"J": "6 by n, linear rows first; only the `rows` asked for, in their order"}
-EXAMPLE = two_links(
-    "The Jacobian of a planar arm",
-    "questions:",
-    "- {find: jacobian}",
-    "- {find: jacobian, point: {link: 2, at: [-a2/2, 0, 0]}, rows: [vx, vy]}",
-    "- {find: jacobian, kind: analytic, convention: ZYX}",
-)
 DIFFERENCES = 1e-6  # what central differences leave
 J, J_E = symbols("J J^e")
 

@@ -9,15 +9,12 @@ from derive.derivation import Derivation, PageFacts
 from derive.expression import Derivative, Product, Symbol, add, column, symbols
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._example import two_links
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.oracle import STEP, slope
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import ROWS, moving_rows
 
-RESULTS = {"J_dot": "dJ/dt (m by n); rates are written theta1_dot", "bias": "J_dot qdot (m)"}
-EXAMPLE = two_links("The derivative of a Jacobian", "find: jacobian-derivative", "rows: [vx, vy]", a="l")
 DIFFERENCES = 1e-4  # of differences of what is known by differences itself
 J, J_DOT, Q_DOT = symbols("J J_dot q_dot")
 

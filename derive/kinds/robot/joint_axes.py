@@ -15,19 +15,9 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import axis_lines, chain_of, oracle_of, pose_name
 from derive.kinds.robot._columns import pose_lines
 from derive.kinds.robot._couplings import motion_lines
-from derive.kinds.robot._example import two_links
 from derive.kinds.work import Work
 from derive.mechanics.oracle import Oracle
 from derive.mechanics.robot import Robot
-
-RESULTS = {
-    "z_0, z_1, ...": "the axis of each joint (3 by 1); z_i that of joint i in the modified convention",
-    "o_0, o_1, ...": "the origins of their frames, points on the axes (3 by 1)",
-    "k_1, k_2, ...": "the axis of a joint that is that of no frame (3 by 1)",
-    "p_1, p_2, ...": "a point on such an axis (3 by 1)",
-    "phi, Gamma": "of coupled joints: what the rows move by (m by 1), and its partial derivatives (m by n)",
-}
-EXAMPLE = two_links("The axes of a planar arm", "find: joint-axes")
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:

@@ -35,7 +35,6 @@ from derive.kinds.robot._determinants import (
     natural,
     product_tree,
 )
-from derive.kinds.robot._example import two_links
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._singular.work import seen_from_middle
 from derive.kinds.robot._velocity.ellipsoids import PointTold, at_point, decided
@@ -45,19 +44,6 @@ from derive.mechanics.minors import minors
 from derive.mechanics.robot import Robot
 from derive.mechanics.zeros import zeros
 
-RESULTS = {
-    "w": "the manipulability, sqrt(det(J J^T)); |det J| where J is square",
-    "axes": "at a point: the semi-axes of the velocity ellipsoid, largest first",
-    "directions": "at a point: their directions, one vector for each",
-    "force_axes": "at a point: the semi-axes of the force ellipsoid, along the same directions",
-    "force_directions": "at a point: their directions",
-}
-EXAMPLE = two_links(
-    "Manipulability",
-    "find: manipulability",
-    "evaluate: {theta1: 30 deg, theta2: 60 deg, l1: 1, l2: 1}",
-    a="l",
-)
 DIFFERENCES = 1e-6
 SIX = 6
 SHORT = 12  # terms of all minors, whose squares may add up to something short

@@ -16,16 +16,13 @@ from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._dynamics.body_steps import inertia_steps
 from derive.kinds.robot._dynamics.drives import with_rotors
-from derive.kinds.robot._dynamics.example import planar_arm
 from derive.kinds.robot._dynamics.recursion import Line, Recursion, rotation
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import rate_column
 from derive.mechanics.newton_euler import LinkBody, NewtonEuler
 from derive.mechanics.robot import Robot, gravity_of
 
-RESULTS = {"tau": "the joint forces (n), with rates theta1_dot and accelerations theta1_ddot"}
 NEEDS = ("bodies",)
-EXAMPLE = planar_arm("Newton and Euler", "newton-euler", "mass: m#, com: [-a#/2, 0, 0], inertia: [0, 0, I#]")
 BASE = Symbol("o_0_ddot")
 LONGEST = 60  # operations of a vector that is still written out
 LONGEST_TORQUE = 90  # of a joint force

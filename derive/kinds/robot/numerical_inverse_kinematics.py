@@ -26,27 +26,6 @@ from derive.mechanics.iteration import CLOSE, Iteration, Row, iterate
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import ROWS, moving_rows
 
-RESULTS = {
-    "iterations": "a table: the number of the step, the joint variables, the error of the position, H",
-    "solution": "the joint variables at the end (n)",
-}
-EXAMPLE = """\
-title: Inverse kinematics by iteration
-problems:
-- robot:
-    links:
-    - {theta: theta1*, d: 0, a: 1, alpha: 0}
-    - {theta: theta2*, d: 0, a: 1, alpha: 0}
-  questions:
-  - find: numerical-inverse-kinematics
-    target: [1.2, 0.8]
-    start: {theta1: 0, theta2: 60 deg}
-  - find: numerical-inverse-kinematics
-    target: [1.2, 0.8]
-    start: {theta1: 0, theta2: 60 deg}
-    method: gradient
-    iterations: 12
-"""
 NOTHING = 1e-16  # an error too small for a logarithm
 MOST_ROWS = 13  # of a printed table; the middle of a longer one is left out
 J, R, F, H = map(Symbol, ("J", "r_d", "f", "H"))

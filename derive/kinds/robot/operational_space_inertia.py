@@ -16,21 +16,12 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of
 from derive.kinds.robot._dynamics.arm import Arm
-from derive.kinds.robot._dynamics.example import POINT, planar_arm
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._velocity.solving import quotient
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.robot import Robot
 
-RESULTS = {
-    "J": "the square Jacobian of the rows (n by n)",
-    "J_inv": "its inverse",
-    "Lambda": "J^-T D J^-1 (n by n)",
-}
 NEEDS = ("bodies",)
-EXAMPLE = planar_arm(
-    "The inertia at the hand", "operational-space-inertia", POINT, gravity=False, also="  rows: [vx, vy]\n"
-)
 MOST_JOINTS = 3
 LONGEST = 90  # operations of a matrix that is still written out
 J, D, LAMBDA = symbols("J D Lambda")

@@ -10,20 +10,12 @@ from derive.kinds.checks import is_rotation
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, end_frame, oracle_of
-from derive.kinds.robot._example import two_links
 from derive.kinds.robot._rows.exponentials import NAMED, Exponentials, ScrewsTold
 from derive.kinds.work import Work
 from derive.mechanics.poses import rotation_part
 from derive.mechanics.robot import Robot
 from derive.mechanics.screws import screw_form
 
-RESULTS = {
-    "S_1, S_2, ...": "the twist of each joint at zero (6, linear part first)",
-    "M": "the pose of the end-effector at zero (4 by 4)",
-    "E_1, E_2, ...": "the motion e^{[S_i] q_i} that each joint gives to all that follows (4 by 4)",
-    "T_n^0": "the pose of the end-effector (4 by 4)",
-}
-EXAMPLE = two_links("A planar arm by its screws", "find: product-of-exponentials")
 ENDS = ("compose", "entry")  # what is left to say where the screws themselves are given
 
 

@@ -12,21 +12,13 @@ from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of
 from derive.kinds.robot._dynamics.arm import Arm
-from derive.kinds.robot._dynamics.example import planar_arm
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import time_derivative
 from derive.mechanics.robot import Robot
 from derive.mechanics.sampled import physical_points
 from derive.names import require_free
 
-RESULTS = {
-    "D_dot": "dD/dt (n by n); rates are written theta1_dot",
-    "N": "dD/dt - 2C (n by n), skew-symmetric",
-    "Y, Y_b": "the regressor of all parameters that act, and that of the smallest set",
-    "parameters, base_parameters": "the values of those parameters: tau = Y parameters = Y_b base_parameters",
-}
 NEEDS = ("bodies",)
-EXAMPLE = planar_arm("Properties of the equations of motion", "properties")
 D_DOT, C, N = symbols("D_dot C N")
 POINTS = 3
 ROUNDING = 1e-9

@@ -29,7 +29,6 @@ from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of
 from derive.kinds.robot._dynamics.arm import Arm
-from derive.kinds.robot._dynamics.example import planar_arm
 from derive.kinds.robot._dynamics.regressor import (
     Base,
     Standard,
@@ -40,21 +39,7 @@ from derive.kinds.robot._dynamics.regressor import (
 from derive.kinds.work import Work, as_matrix
 from derive.mechanics.robot import Robot
 
-RESULTS = {
-    "Y": "the regressor of all parameters that act (n by p): tau = Y parameters",
-    "parameters": "their values (p): of each link ZZ, XX, XY, XZ, YZ, MX, MY, YY, MZ, M, IA; then FV, FS",
-    "Y_b": "the regressor of the smallest set (n by b): tau = Y_b base_parameters",
-    "base_parameters": "the values of the smallest set (b)",
-    "names": "the names of `parameters`, as ZZ_1 (p)",
-    "groups": "what each of the smallest set gathers, as ZZ_1 + a1^2*M_2 (b)",
-}
 NEEDS = ("bodies",)
-EXAMPLE = planar_arm(
-    "The regressor of a planar arm",
-    "regressor",
-    "mass: m#, com: [l_c# - l#, 0, 0], inertia: [0, 0, I#]",
-    length="l#",
-)
 PRODUCTS = (("Y", "parameters"), ("Y_b", "base_parameters"))
 LONGEST_COLUMN = 30  # operations of a column of Y that is still shown
 MOST_LISTED = 20  # parameters

@@ -22,21 +22,6 @@ from derive.mechanics.singular import searching
 from derive.mechanics.strata import Strata
 from derive.mechanics.wrist import wrist_of
 
-RESULTS = {
-    "det": "the determinant of J, factored; of J J^T or J^T J where J is not square",
-    "solutions": "each set of singular configurations: the joint variables it fixes, what it looks like, and "
-    "the rank at every point of it that lies in no smaller set listed (rank_at_most where that is not known)",
-    "complete": "whether every singular configuration is in one of the sets",
-}
-EXAMPLE = """\
-title: Singularities
-problems:
-- robot:
-    links:
-    - {theta: theta1*, d: 0, a: l1, alpha: 0}
-    - {theta: theta2*, d: 0, a: l2, alpha: 0}
-  find: singularities
-"""
 WHOLE = ("vx", "vy", "vz", "wx", "wy", "wz")
 
 

@@ -15,7 +15,6 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, joint_numbers, oracle_of
 from derive.kinds.robot._columns import blocks
 from derive.kinds.robot._couplings import gamma_of, phi_of
-from derive.kinds.robot._example import two_links
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.jacobian import halves, jacobian, motions_jacobian
@@ -23,16 +22,6 @@ from derive.mechanics.oracle import slope, vee
 from derive.mechanics.poses import inverse_pose, position_part, rotation_part, skew
 from derive.mechanics.robot import Robot
 
-RESULTS = {
-    "J_s": "6 by n: the twists of the joints in the base frame, linear rows first",
-    "J_b": "with `in: body`: the same in the frame of the end-effector",
-}
-EXAMPLE = two_links(
-    "The twists of a planar arm",
-    "questions:",
-    "- {find: space-jacobian}",
-    "- {find: space-jacobian, in: body}",
-)
 DIFFERENCES = 1e-6  # what central differences leave
 NOTHING, NO_BLOCK = Symbol("0"), Symbol("0_3x3")
 J_S, J_B, R_E, O_E = symbols("J_s J_b R_e o_e")

@@ -10,22 +10,11 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.drives import friction_sorts
-from derive.kinds.robot._dynamics.example import POINT, planar_arm
 from derive.kinds.robot._dynamics.linearisation import linear_at, linearised
 from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 
-RESULTS = {
-    "x": "the state: the joint variables, then their rates (2n)",
-    "f": "dx/dt for the joint forces tau_1, tau_2, ... (2n)",
-    "tau_0": "the joint forces that hold the arm at the equilibrium (n)",
-    "A": "of the linearisation dx/dt = A x + B u in the deviations from the equilibrium (2n by 2n)",
-    "B": "the same (2n by n); u is tau - tau_0",
-}
 NEEDS = ("bodies",)
-EXAMPLE = planar_arm(
-    "An arm about an equilibrium", "state-space", POINT, also="  at: {theta1: -90 deg, theta2: 0}\n"
-)
 
 
 class Options(OptionsModel):

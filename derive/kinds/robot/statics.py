@@ -15,7 +15,6 @@ from derive.expression import Expr, Product, Symbol, column, free_symbols, trans
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of
-from derive.kinds.robot._example import two_links
 from derive.kinds.robot._point import PointOn, tracked
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.kinds.work import Work
@@ -23,8 +22,6 @@ from derive.mechanics.robot import Robot
 from derive.mechanics.task import moving_rows
 from derive.names import free
 
-RESULTS = {"tau": "torques of revolute and forces of prismatic joints (n)"}
-EXAMPLE = two_links("Statics", "find: statics", "force: [fx, fy]", a="l")
 FORCES = {"vx": "fx", "vy": "fy", "vz": "fz", "wx": "mx", "wy": "my", "wz": "mz"}
 DIFFERENCES = 1e-6
 TAU, F, J = Symbol("tau"), Symbol("F"), Symbol("J")

@@ -10,14 +10,10 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.naming import fits
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of
-from derive.kinds.robot._example import two_links
 from derive.kinds.robot._point import PointOn, tracked
 from derive.kinds.work import Work
 from derive.mechanics.jacobian import halves
 from derive.mechanics.robot import Robot
-
-RESULTS = {"v": "linear velocity (3)", "omega": "angular velocity (3); rates are written theta1_dot"}
-EXAMPLE = two_links("The velocity of a point", "find: velocity", "point: {link: 2, at: [-a2/2, 0, 0]}")
 
 J, Q_DOT, V, OMEGA = symbols("J q_dot v omega")
 

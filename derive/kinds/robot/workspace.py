@@ -15,7 +15,6 @@ from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
-from derive.kinds.robot._example import two_links
 from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.kinds.robot._reach.checks import second_route
 from derive.kinds.robot._reach.regions import Region, Secondary, final_distance, region_of, secondary
@@ -24,12 +23,6 @@ from derive.kinds.work import Work
 from derive.mechanics.reach import moving_joints, turns_freely
 from derive.mechanics.robot import Robot
 
-RESULTS = {
-    "r_min": "the smallest distance that is reached (0: there is no hole)",
-    "r_max": "the largest",
-    "description": "what the workspace looks like, and from where the distances count",
-}
-EXAMPLE = two_links("Workspace", "find: workspace", a="l")
 R_MIN, R_MAX = Symbol("r_min"), Symbol("r_max")
 
 

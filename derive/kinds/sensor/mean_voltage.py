@@ -13,19 +13,6 @@ from derive.mechanics.sensing import PulseWidth
 from derive.names import named
 
 NEEDS = ("voltage",)
-RESULTS = {
-    "mean": "the mean voltage [V]",
-    "duty": "the share of each period for which it is on",
-    "t_on": "how long it is on in each period, where the frequency is given [s]",
-}
-EXAMPLE = """\
-title: Pulse-width modulation
-problems:
-- sensor: {pwm: 12 V, duty: 40%}
-  find: mean-voltage
-- sensor: {pwm: 24 V, low: -24 V, mean: 6 V, frequency: 1000 Hz}
-  find: mean-voltage
-"""
 MEAN, DUTY, PERIOD = symbols("U_m D T")
 SAMPLES = 1000
 

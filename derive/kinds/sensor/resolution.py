@@ -14,19 +14,6 @@ from derive.kinds.sensor._encoder import counted
 from derive.mechanics.sensing import Encoder, Incremental
 
 NEEDS = ("encoder",)
-RESULTS = {
-    "counts": "for one turn of the disc",
-    "resolution_motor": "the angle of one count at the motor, where there is a gear",
-    "resolution": "the angle of one count at the link [rad]",
-}
-EXAMPLE = """\
-title: Encoders
-problems:
-- sensor: {encoder: incremental, lines: 500, edges: 4, gear: 20}
-  find: resolution
-- sensor: {encoder: absolute, bits: 12}
-  find: resolution
-"""
 
 
 class Facts(PageFacts):

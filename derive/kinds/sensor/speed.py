@@ -18,20 +18,6 @@ from derive.kinds.sensor._encoder import DELTA, counted
 from derive.mechanics.sensing import Encoder
 
 NEEDS = ("encoder",)
-RESULTS = {
-    "omega": "the speed of the link [rad/s]",
-    "omega_motor": "the speed of the motor, where there is a gear",
-    "quantum": "the step from one count to the next, at the link [rad/s]",
-    "relative": "the same as a share of the speed",
-}
-EXAMPLE = """\
-title: Speed from counts
-problems:
-- sensor: {encoder: incremental, lines: 500, edges: 4, gear: 20}
-  find: speed
-  counts: 120
-  period: 10 ms
-"""
 OMEGA = Symbol("omega")
 
 

@@ -37,20 +37,6 @@ from derive.kinds.system._plant import (
 from derive.kinds.work import Work
 
 SUBJECTS = ("system", "motor")
-RESULTS = {
-    "C": "the controller",
-    "T": "output over reference",
-    "poles": "of T (evaluated only)",
-    "zeros": "of T (evaluated only)",
-}
-EXAMPLE = """\
-title: DC motor with a controller
-problems:
-- motor: {control: armature, output: angle}
-  find: closed-loop
-  controller: {PD: {K_p: 1, K_d: 1}}
-  evaluate: {J: 2, K_m: 10, R_a: 1, L_a: 1, b: 0.5, K_b: 0.1}
-"""
 
 
 class Options(OptionsModel):

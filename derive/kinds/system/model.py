@@ -38,18 +38,6 @@ from derive.kinds.system.closed_loop import plant_or_loop
 from derive.kinds.work import Work
 
 SUBJECTS = ("system", "motor")
-RESULTS = {
-    "matlab": "a script that draws the block diagram in Simulink and simulates a unit step",
-    "python": "a script that does the same with python-control",
-}
-EXAMPLE = """\
-title: DC motor with a controller
-problems:
-- motor: {control: armature, output: angle}
-  find: model
-  controller: {PD: {K_p: 1, K_d: 1}}
-  evaluate: {J: 2, K_m: 10, R_a: 1, L_a: 1, b: 0.5, K_b: 0.1}
-"""
 S = Symbol("s")
 POINTS = 3
 

@@ -47,22 +47,6 @@ from derive.kinds.work import Work
 from derive.names import free
 
 SUBJECTS = ("system", "motor")
-RESULTS = {
-    "routh": "the array of Routh, a row for each power of s from the highest",
-    "conditions": "what must hold for stability; none for a system that is stable anyway",
-    "unstable_poles": "how many poles lie right of the imaginary axis (where there are no symbols)",
-}
-EXAMPLE = """\
-title: The gain at which a loop begins to swing
-symbols: {K_p: positive}
-problems:
-- system:
-    equations: ["s*(s + 1)*(s + 5)*Y = U"]
-    input: U
-    output: Y
-  find: stability
-  controller: P
-"""
 
 
 class Options(OptionsModel):

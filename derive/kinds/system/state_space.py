@@ -46,20 +46,6 @@ from derive.kinds.system._states import MATRICES, Answer, answered, readable_for
 from derive.kinds.work import Work
 
 SUBJECTS = ("system", "motor")
-RESULTS = {
-    "A": "what multiplies the state, n by n",
-    "B": "what multiplies the input, n by 1",
-    "C": "the output by the state, 1 by n",
-    "D": "the output by the input, 1 by 1",
-    "poles": "the eigenvalues of A (evaluated only)",
-}
-EXAMPLE = """\
-title: The state of a motor
-problems:
-- motor: {control: armature, output: speed}
-  find: state-space
-  evaluate: {J: 2, K_m: 10, R_a: 1, L_a: 1, b: 0.5, K_b: 0.1}
-"""
 S = Symbol("s")
 
 

@@ -28,20 +28,7 @@ from derive.kinds.system.closed_loop import plant_or_loop
 from derive.kinds.work import Work
 
 SUBJECTS = ("system", "motor")
-RESULTS = {
-    "rise_time": "from 10 to 90 % of the steady state [s]",
-    "settling_time": "after which it stays within 2 % of the steady state [s]",
-    "overshoot": "in percent of the steady state",
-    "steady_state": "where it ends",
-}
-EXAMPLE = """\
-title: DC motor with a controller
-problems:
-- motor: {control: armature, output: angle}
-  find: step-response
-  controller: {PD: {K_p: 1, K_d: 1}}
-  evaluate: {J: 2, K_m: 10, R_a: 1, L_a: 1, b: 0.5, K_b: 0.1}
-"""
+FIGURES = ("rise_time", "settling_time", "overshoot", "steady_state")
 NONE = "none"  # a number that this response does not have
 TOLERANCE = 1e-5  # of the curve against the inverted transform, relative to its height
 CLOSE = 1e-6  # of transforms against each other
@@ -107,7 +94,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
         "step-response",
         _results(response, answer.final),
         _facts(answer, options),
-        evaluated={each: getattr(response, each) for each in RESULTS},
+        evaluated={each: getattr(response, each) for each in FIGURES},
         plots=(_plot(solved.system, response),),
     )
 
@@ -162,7 +149,7 @@ def _results(response: StepResponse, final: Expr | None) -> dict[str, Result]:
     def found(value: float | None) -> Result:
         return NONE if value is None else rounded(value)
 
-    measured = {name: found(getattr(response, name)) for name in RESULTS}
+    measured = {name: found(getattr(response, name)) for name in FIGURES}
     return {**measured, "steady_state": NONE if final is None else final}
 
 

@@ -35,14 +35,6 @@ from derive.kinds.system._plant import (
 from derive.kinds.work import Work
 
 SUBJECTS = ("system", "motor")
-RESULTS = {"G": "output over input; evaluated: num, den, poles, zeros"}
-EXAMPLE = """\
-title: DC motor
-problems:
-- motor: {control: armature, output: angle}
-  find: transfer-function
-  evaluate: {J: 2, K_m: 10, R_a: 1, L_a: 1, b: 0.5, K_b: 0.1}
-"""
 
 
 class Options(OptionsModel):

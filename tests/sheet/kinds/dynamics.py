@@ -10,5 +10,3 @@ class Options(OptionsModel):
 
 
 NEEDS = ("bodies", "gravity")
-RESULTS: dict[str, str] = {}
-EXAMPLE = ""

@@ -13,7 +13,3 @@ class Options(OptionsModel):
     rows: tuple[Name, ...] = ()
     at: Point | None = None
     frame: int = Field(default=0, alias="in")
-
-
-RESULTS: dict[str, str] = {}
-EXAMPLE = ""

@@ -7,7 +7,3 @@ from derive.kinds.fields import OptionsModel
 
 class Options(OptionsModel):
     """None."""
-
-
-RESULTS: dict[str, str] = {}
-EXAMPLE = ""

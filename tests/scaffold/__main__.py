@@ -1,4 +1,4 @@
-"""Begins a new kind, and ends it: `python3 -m scaffold SUBJECT KIND`."""
+"""Begins a new kind, and ends it: `python3 -m tests.scaffold SUBJECT KIND`."""
 
 from __future__ import annotations
 
@@ -15,16 +15,17 @@ from ruamel.yaml import YAML
 
 from derive import catalogue
 from derive.kinds import registry as kinds
+from derive.render.questions import example_of
 from derive.sheet.subjects import registry as subjects
 
 HERE = Path(__file__).parent
-ROOT = HERE.parent
+ROOT = HERE.parents[1]
 OPEN = "FILL IN"
 NAME = re.compile(r"[a-z][a-z0-9]*(-[a-z0-9]+)*")
 TABLE = re.compile(r"(?<=format markdown` -->).*?(?=<!-- /kinds -->)", re.DOTALL)
 NEXT = """\
 It builds as it stands: python3 -m derive exercises/{kind}.yaml --format md --output -
-Fill in what says FILL IN, then: python3 -m scaffold {subject} {kind}"""
+Fill in what says FILL IN, then: python3 -m tests.scaffold {subject} {kind}"""
 
 
 def main(subject: str, kind: str) -> str:
@@ -64,7 +65,7 @@ def _example(subject: str, kind: str) -> str:
 def _problems(subject: str, yaml: YAML) -> Iterator[dict[str, Any]]:
     """What is given in the examples about a subject, without the questions."""
     for known in kinds.kinds_of(subject):
-        for problem in yaml.load(kinds.load(subject, known).EXAMPLE)["problems"]:
+        for problem in yaml.load(example_of(kinds.module_name(subject, known)))["problems"]:
             if subject in problem:
                 yield {key: problem[key] for key in (subject, "where", "assumptions") if key in problem}
 
@@ -128,7 +129,5 @@ def _run(*command: str) -> None:
 
 if __name__ == "__main__":
     if len(sys.argv) != 3:
-        raise SystemExit(
-            "usage: python3 -m scaffold SUBJECT KIND, as: python3 -m scaffold robot pseudo-inverse"
-        )
+        raise SystemExit("usage: python3 -m tests.scaffold SUBJECT KIND, such as robot pseudo-inverse")
     print(main(*sys.argv[1:]))
