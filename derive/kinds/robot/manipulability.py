@@ -36,7 +36,7 @@ from derive.kinds.robot._determinants import (
     product_tree,
 )
 from derive.kinds.robot._point import PointOn
-from derive.kinds.robot._singular.work import seen_from_middle
+from derive.kinds.robot._singular.ways import seen_from_middle
 from derive.kinds.robot._velocity.ellipsoids import PointTold, at_point, decided
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.kinds.work import Work

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from derive.derivation import Derivation, Result
 from derive.errors import NotDerivable
-from derive.kinds.checks import links
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._point import PointOn
@@ -13,7 +12,7 @@ from derive.kinds.robot._singular.facts import Facts as Facts
 from derive.kinds.robot._singular.facts import facts_of
 from derive.kinds.robot._singular.saying import branches
 from derive.kinds.robot._singular.sets import Analysed, analysed
-from derive.kinds.robot._singular.work import Work, by_determinant, by_minors, by_wrist
+from derive.kinds.robot._singular.ways import Way, by_determinant, by_minors, by_wrist
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.coupling import out_of_proportion
 from derive.mechanics.robot import Robot
@@ -39,18 +38,14 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """
     task = task_of(problem, options.rows, options.point)
     _refuse_out_of_proportion(task)
-    work = _work(task, options)
-    sets = _analysed(task, work)
-    claims = (*links(work.steps, {**problem.names, **work.definitions}), *work.laws, *checked(task, sets))
+    way = _way(task, options)
+    sets = _analysed(task, way)
     results: dict[str, Result] = {
-        "det": problem.final(work.det),
-        "solutions": branches(problem, sets, work.point),
-        "complete": work.complete,
+        "det": problem.final(way.det),
+        "solutions": branches(problem, sets, way.point),
+        "complete": way.complete,
     }
-    return Derivation(
-        "singularities", work.steps, results, claims, work.definitions,
-        uses=work.uses, facts=facts_of(problem, work, sets),
-    )  # fmt: skip
+    return way.work.claim(*checked(task, sets)).answer("singularities", results, facts_of(problem, way, sets))
 
 
 def _refuse_out_of_proportion(task: Task) -> None:
@@ -63,24 +58,23 @@ def _refuse_out_of_proportion(task: Task) -> None:
         )
 
 
-def _analysed(task: Task, work: Work) -> tuple[Analysed, ...]:
+def _analysed(task: Task, way: Way) -> tuple[Analysed, ...]:
     """Every set with its rank, those inside others last."""
-    blocks = {id(place): part.block for part in work.parts for place in part.sets}
     J = easiest(task.found, task.whole, task.rows, task.point.position)
     search = Strata(J, searching(task.found, task.problem.readable))
-    found = search.below([place for part in work.parts for place in part.sets], min(J.shape))
+    found = search.below([place for part in way.parts for place in part.sets], min(J.shape))
     inner = [
         each for each in found if any(search.inclusion.strictly(each.locus, other.locus) for other in found)
     ]
     outer = [each for each in found if each not in inner]
-    made = [
-        analysed(task.problem, blocks.get(id(each.locus), work.parts[0].block), each, each in inner)
-        for each in (*outer, *inner)
-    ]
+    made = []
+    for each in (*outer, *inner):
+        block = next((part.block for part in way.parts if each.locus in part.sets), way.parts[0].block)
+        made.append(analysed(task.problem, block, each, each in inner))
     return tuple(each for each in made if each is not None)
 
 
-def _work(task: Task, options: Options) -> Work:
+def _way(task: Task, options: Options) -> Way:
     whole = set(task.rows) == set(WHOLE) and options.point is None
     wrist = wrist_of(task.found) if whole else None
     if wrist:

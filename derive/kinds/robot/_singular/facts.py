@@ -12,7 +12,7 @@ from derive.expression import ZERO, Expr, Product, Symbol, transpose
 from derive.kinds.problem import Problem
 from derive.kinds.robot._singular.saying import clauses
 from derive.kinds.robot._singular.sets import Analysed, Case, rooted, written
-from derive.kinds.robot._singular.work import Work
+from derive.kinds.robot._singular.ways import Way
 from derive.names import free
 
 Chain: TypeAlias = tuple[Expr, ...]
@@ -72,25 +72,25 @@ class Facts(PageFacts):
     letters: int  # how many symbols stand for lengths
 
 
-def facts_of(problem: Problem, work: Work, sets: tuple[Analysed, ...]) -> Facts:
+def facts_of(problem: Problem, way: Way, sets: tuple[Analysed, ...]) -> Facts:
     """The way, and each set with its cases."""
-    first = work.parts[0].block
+    first = way.parts[0].block
     J, wide = Symbol(first.name), len(first.rows) < len(first.variables)
     inner = tuple(each for each in sets if each.inner)
     return Facts(
-        way=work.way,
+        way=way.name,
         rows=tuple(map(Symbol, first.rows)),
         frame=first.frame,
-        frames=tuple(part.block.frame for part in work.parts),
-        rates=tuple(_rates(part.block.variables) for part in work.parts),
+        frames=tuple(part.block.frame for part in way.parts),
+        rates=tuple(_rates(part.block.variables) for part in way.parts),
         wide=wide,
         gram=Product((J, transpose(J)) if wide else (transpose(J), J)),
-        sets=tuple(_set(problem, work, each) for each in sets if not each.inner),
+        sets=tuple(_set(problem, way, each) for each in sets if not each.inner),
         inner=tuple(_inside(each) for each in inner),
         exact=all(each.exact for each in sets),
         graded=len({each.rank for each in sets}) > 1,
-        none=not sets and work.complete,
-        complete=work.complete,
+        none=not sets and way.complete,
+        complete=way.complete,
         letters=len(problem.symbols - set(problem.subject.variables)),
     )
 
@@ -99,8 +99,8 @@ def _rates(variables: tuple[str, ...]) -> tuple[Symbol, ...]:
     return tuple(Symbol(f"{name}_dot") for name in variables)
 
 
-def _set(problem: Problem, work: Work, each: Analysed) -> SetTold:
-    cases = tuple(_case(problem, work, each, case) for case in each.cases)
+def _set(problem: Problem, way: Way, each: Analysed) -> SetTold:
+    cases = tuple(_case(problem, way, each, case) for case in each.cases)
     alike = len(cases) == 2 and not cases[1].known and cases[0].looks == cases[1].looks
     return SetTold(
         inside=_inside(each),
@@ -134,13 +134,13 @@ def _choices(cases: Sequence[Case]) -> tuple[tuple[tuple[Expr, Expr], ...], ...]
     return tuple(tuple(pairs) for pairs in found.values())
 
 
-def _case(problem: Problem, work: Work, each: Analysed, case: Case) -> CaseTold:
+def _case(problem: Problem, way: Way, each: Analysed, case: Case) -> CaseTold:
     shown = case.J is not None and not rooted(case.J)
     J = Symbol(each.block.name)
     N, R, U = _letters(problem)
     return CaseTold(
         places=case.values,
-        looks=clauses(case, each.block, work.point),
+        looks=clauses(case, each.block, way.point),
         known=case.J is not None,
         block=J if each.block.name in ("J_11", "J_22") else None,
         rank=case.rank,

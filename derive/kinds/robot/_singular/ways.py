@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from math import comb
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.factors import Factored, TooLong, effort
-from derive.derivation import Claim, Derivation, Phrase, Step
+from derive.derivation import Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     Expr,
@@ -22,12 +23,12 @@ from derive.expression import (
     subtract,
     transpose,
 )
-from derive.kinds.checks import law
 from derive.kinds.problem import Problem
 from derive.kinds.robot._determinants import determinant, gram_determinant, natural, product_tree
 from derive.kinds.robot._singular.geometry import Seeing
 from derive.kinds.robot._singular.sets import Block
 from derive.kinds.robot._velocity.task import Task
+from derive.kinds.work import Work
 from derive.mechanics.budget import Budget
 from derive.mechanics.jacobian import jacobian
 from derive.mechanics.minors import Minor, minors
@@ -54,119 +55,105 @@ class Part:
 
 
 @dataclass(frozen=True, slots=True)
-class Work:
-    """What the determinant came from: `way` is "determinant", "wrist" or "minors"; `point` says whose
-    velocity it is."""
+class Way:
+    """What the determinant came from: `name` is "determinant", "wrist" or "minors", `point` says whose
+    velocity it is; `work` has the lines."""
 
-    way: str
+    name: str
     point: Phrase
-    steps: tuple[Step, ...]
+    work: Work
     det: Expr
     parts: tuple[Part, ...]
-    definitions: dict[Expr, Expr]
-    uses: tuple[Derivation, ...]
-    laws: tuple[Claim, ...] = ()
-    complete: bool = True  # False where there may be more sets
+    complete: bool  # False where there may be more sets
 
 
-def by_determinant(task: Task) -> Work:
+def by_determinant(task: Task) -> Way:
     """det J of a square Jacobian, in the axes of a middle frame where it has six rows."""
     problem, variables = task.problem, task.found.variables
-    six = len(task.rows) == SIX
-    frame = _middle(task) if six else 0
-    J = _seen_from(task, frame) if six else task.J
-    name = Symbol(f"J^{frame}" if six else "J")
+    frame = _middle(task) if len(task.rows) == SIX else 0
+    J = _seen_from(task, frame) if frame else task.J
+    name = Symbol(f"J^{frame}" if frame else "J")
     (whole,) = _minors(task, J)
     det = natural(problem, whole.value, variables)
     _refuse_dependent(task, bool(det.constant))
-    tree = product_tree(problem, det)
-    shown = problem.readable_matrix(J)
+    tree, shown = product_tree(problem, det), problem.readable_matrix(J)
     chain = (determinant(name), *_two_by_two(shown), tree)
-    first = Step("J", (name, shown), "frame" if six else "rows")
-    steps = (first, _closed(problem, "det", chain))
-    block = Block(name.name, J, variables, task.rows, frame, _seeing(task))
-    uses = (problem.ask("forward-kinematics"),) if six else (task.base,)
+    work = _resting_on(task, frame).step(
+        Step("J", (name, shown), "frame" if frame else "rows"), _closed(problem, "det", chain)
+    )
     search = searching(task.found, problem.readable)
-    sets = of_determinant(det, search)
-    laws = (law("factors", det.value == whole.value),)
-    return Work(
-        "determinant", _moved(task), steps, tree, (Part(block, sets),), {name: shown}, uses, laws,
-        not search.open,
-    )  # fmt: skip
+    block = Block(name.name, J, variables, task.rows, frame, _seeing(task))
+    parts = (Part(block, of_determinant(det, search)),)
+    work = work.law("factors", det.value == whole.value)
+    return Way("determinant", _moved(task), work, tree, parts, not search.open)
 
 
-def by_wrist(task: Task, wrist: Wrist) -> Work:
+def by_wrist(task: Task, wrist: Wrist) -> Way:
     """det J = det J_11 det J_22 at the center of the wrist."""
     problem, found = task.problem, task.found
-    center = Symbol(f"o_{wrist.frame}")
     arm = Seeing(problem, found, wrist.center, wrist.arm_rows)
     hand = Seeing(problem, found, wrist.center, wrist.hand_rows)
     blocks = (
         Block("J_11", wrist.J_11, found.variables[:3], task.rows[:3], wrist.arm, arm),
         Block("J_22", wrist.J_22, found.variables[3:], task.rows[3:], wrist.hand, hand),
     )
-    parts, trees, steps = [], [], [Step("center", (center, problem.readable_matrix(wrist.center)), "center")]
-    dets = []
+    center = (Symbol(f"o_{wrist.frame}"), problem.readable_matrix(wrist.center))
+    work = _resting_on(task, wrist.frame).step(Step("center", center, "center"))
+    parts, dets = [], []
     search = searching(found, problem.readable)
     for block in blocks:
         det = natural(problem, block.J.det(), block.variables)
         dets.append(det)
         _refuse_dependent(task, bool(det.constant))
-        tree = product_tree(problem, det)
         name = Symbol(block.name)
-        steps.append(Step(block.name, (name, problem.readable_matrix(block.J)), "block"))
-        steps.append(_closed(problem, f"det_{block.name}", (determinant(name), tree)))
+        work = work.step(
+            Step(block.name, (name, problem.readable_matrix(block.J)), "block"),
+            _closed(problem, f"det_{block.name}", (determinant(name), product_tree(problem, det))),
+        )
         parts.append(Part(block, of_determinant(det, search)))
-        trees.append(tree)
     whole = Factored(dets[0].constant * dets[1].constant, (*dets[0].factors, *dets[1].factors))
     tree = product_tree(problem, whole)
     split = Product(tuple(determinant(Symbol(block.name)) for block in blocks))
-    steps.append(Step("det", (determinant(Symbol("J")), split, problem.final(tree)), "law"))
+    work = work.step(Step("det", (determinant(Symbol("J")), split, problem.final(tree)), "law"))
     (six,) = _minors(task, seen_from_middle(task))
-    laws = (law("blocks", six.value == whole.value),)
-    definitions: dict[Expr, Expr] = {center: steps[0].result}
-    definitions |= {Symbol(block.name): problem.readable_matrix(block.J) for block in blocks}
-    return Work(
-        "wrist", Phrase("center-of-the-wrist"), tuple(steps), tree, tuple(parts), definitions,
-        (problem.ask("forward-kinematics"),), laws, not search.open,
-    )  # fmt: skip
+    work = work.law("blocks", six.value == whole.value)
+    return Way("wrist", Phrase("center-of-the-wrist"), work, tree, tuple(parts), not search.open)
 
 
-def by_minors(task: Task) -> Work:
+def by_minors(task: Task) -> Way:
     """All minors of full size, which vanish together: det(J J^T) is the sum of their squares."""
     problem, variables = task.problem, task.found.variables
     frame, rows, J = seen_shortest(task.found, task.whole, task.rows)
     name = Symbol(f"J^{frame}" if frame else "J")
-    if _count(J) > MOST_MINORS:
+    if comb(max(J.shape), min(J.shape)) > MOST_MINORS:
         raise NotDerivable("the Jacobian has too many minors to be solved together; ask for some rows only")
     found = [minor for minor in _minors(task, J) if minor.value]
     _refuse_dependent(task, bool(found))
-    shown = problem.readable_matrix(J)
     names = [_minor_name(task, minor) for minor in found]
     trees = [product_tree(problem, natural(problem, minor.value, variables)) for minor in found]
-    minor_steps = tuple(
-        Step(f"minor_{place}", (each, tree), "minor")
-        for place, (each, tree, minor) in enumerate(zip(names, trees, found, strict=True), 1)
-    )
-    squares = add(*(squared(each) for each in names))
-    gram = _gram(task, name)
+    pairs = list(zip(names, trees, strict=True))
     tree = gram_determinant(problem, [minor.value for minor in found], trees)
-    det = _closed(problem, "det", (determinant(gram), squares, tree))
-    laws: tuple[Claim, ...] = ()
+    chain = (determinant(_gram(task, name)), add(*(squared(each) for each in names)), tree)
+    det = _closed(problem, "det", chain)
+    work = _resting_on(task, frame).knowing(dict[Expr, Expr](pairs))
     if sum(len(minor.value.numerator) for minor in found) > MOST_LINKED:
         det = replace(det, rule="law")
         total = sum((minor.value * minor.value for minor in found), Scalar.of(0))
-        laws = (law("minors", normal(tree) == total),)
-    steps = (Step("J", (name, shown), "frame" if frame else "rows"), *minor_steps, det)
-    block = Block(name.name, J, variables, rows, frame, _seeing(task))
-    search = searching(task.found, problem.readable)
-    sets = of_minors([minor.value for minor in found], search)
-    definitions: dict[Expr, Expr] = {name: shown}
-    definitions |= {each: step.result for each, step in zip(names, minor_steps, strict=True)}
-    uses = (problem.ask("forward-kinematics"),) if frame else (task.base,)
-    return Work(
-        "minors", _moved(task), steps, tree, (Part(block, sets),), definitions, uses, laws, not search.open
+        work = work.law("minors", normal(tree) == total)
+    work = work.step(
+        Step("J", (name, problem.readable_matrix(J)), "frame" if frame else "rows"),
+        *(Step(f"minor_{place}", pair, "minor") for place, pair in enumerate(pairs, 1)),
+        det,
     )
+    search = searching(task.found, problem.readable)
+    block = Block(name.name, J, variables, rows, frame, _seeing(task))
+    parts = (Part(block, of_minors([minor.value for minor in found], search)),)
+    return Way("minors", _moved(task), work, tree, parts, not search.open)
+
+
+def _resting_on(task: Task, frame: int) -> Work:
+    """The poses where the velocities are seen from a frame, else the Jacobian that was asked for."""
+    return Work(task.problem, uses=(task.problem.ask("forward-kinematics") if frame else task.base,))
 
 
 def _minors(task: Task, J: ScalarMatrix) -> tuple[Minor, ...]:
@@ -240,12 +227,6 @@ def _refuse_dependent(task: Task, regular: bool) -> None:
         raise NotDerivable(
             f"the rows {which} of the Jacobian are dependent in every configuration; ask for fewer rows"
         )
-
-
-def _count(J: ScalarMatrix) -> int:
-    from math import comb
-
-    return comb(max(J.shape), min(J.shape))
 
 
 def _minor_name(task: Task, minor: Minor) -> Expr:
