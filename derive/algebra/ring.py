@@ -159,15 +159,13 @@ class Ring:
     def grouped(self, polynomial: fmpq_mpoly, names: Iterable[str]) -> dict[tuple[int, ...], fmpq_mpoly]:
         """What stands before each combination of powers of these generators, as it is met; a name that is no
         generator has the power 0."""
-        places = [self.index.get(name) for name in names]
-        found = grouped(polynomial, [place for place in places if place is not None])
-        if None not in places:
+        names = tuple(names)
+        own = [name for name in names if name in self.index]
+        found = grouped(polynomial, [self.index[name] for name in own])
+        if len(own) == len(names):
             return found
-        powers = {key: iter(key) for key in found}
-        return {
-            tuple(0 if place is None else next(powers[key]) for place in places): part
-            for key, part in found.items()
-        }
+        by_name = ((dict(zip(own, powers, strict=True)), part) for powers, part in found.items())
+        return {tuple(powers.get(name, 0) for name in names): part for powers, part in by_name}
 
     def trig(self, form: Form) -> Pair | None:
         """(cosine, sine) of a form that is an integer combination of the angles; else None."""

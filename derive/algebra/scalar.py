@@ -269,14 +269,13 @@ def _rate(home: Ring, place: int, name: str) -> Scalar:
         rate = angle_of(home.angles[k]).diff(name)
         c, s = (Scalar(home, each) for each in home.pair(k))
         return -s * rate if is_cosine else c * rate
-    return (
-        _function_rate(generator, name)
-        if isinstance(generator, Opaque)
-        else Scalar.of(int(generator == name))
-    )
+    if isinstance(generator, Opaque):
+        return _function_rate(generator, name)
+    return Scalar.of(int(generator == name))
 
 
 def _function_rate(generator: Opaque[Scalar], name: str) -> Scalar:
+    """Of a function of functions, which knows its own rule."""
     rates = [argument.diff(name) for argument in generator.arguments]
     if not any(rates):
         return Scalar.of(0)
