@@ -6,7 +6,7 @@ from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numbers.floats import Point
+from derive.algebra.numbers.floats import Point, numbers
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts
@@ -63,14 +63,18 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.line(LAMBDA, product, value=result if short else product, rule="operational")
     work = work.knowing({LAMBDA: result}).law("symmetric", whole == whole.T)
     work = work.law("kinetic-energy", jacobian.T @ whole @ jacobian == inertia.scaled(det * det))
-    work = work.agrees(
-        "in-numbers", task.symbols | {"g"}, result, lambda at: _in_numbers(task, arm, at), tolerance=1e-6
-    )
     results = {
         "J": work.final(J),
         "J_inv": problem.final(_over(problem, adjugate, det)),
         "Lambda": result,
     }
+    work = work.agrees(
+        "in-numbers",
+        task.symbols | {"g"},
+        lambda at: [numbers(each, at) for each in results.values()],
+        lambda at: _in_numbers(task, arm, at),
+        tolerance=1e-6,
+    )
     facts = Facts(rows=task.velocities, short=short)
     return work.answer("operational-space-inertia", results, facts, matrices=frozenset(results))
 
@@ -98,8 +102,9 @@ def _over(problem: Problem, top: ScalarMatrix, bottom: Scalar) -> Matrix:
 
 
 def _in_numbers(task: Task, arm: Arm, at: Point) -> Any:
-    """Lambda with D by Newton and Euler and J by differences of the poses."""
+    """J by differences of the poses, its inverse, and Lambda with D by Newton and Euler."""
     import numpy as np
 
-    inverse = np.linalg.inv(task.numbers(at))
-    return inverse.T @ arm.rigid.inertia_matrix(at) @ inverse
+    J_now = task.numbers(at)
+    inverse = np.linalg.inv(J_now)
+    return J_now, inverse, inverse.T @ arm.rigid.inertia_matrix(at) @ inverse

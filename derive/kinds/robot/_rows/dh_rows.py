@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from dataclasses import replace as with_fields
 from functools import reduce
 from math import cos, sin
 
@@ -64,7 +65,9 @@ class Rows:
 
     def proved(self, work: Work) -> Work:
         """With the claims that the rows make the arm that was given: by normal form, and in numbers."""
-        T, problem = self.pose(), work.problem
+        problem, ends = work.problem, {name: normal_matrix(work[name]) for name in self.ends}  # as printed
+        base, tool = (ends.get(name, IDENTITY) for name in ("T_base", "T_tool"))
+        T = with_fields(self, base=base, tool=tool).pose()
         exact, given = (
             normal_matrix(problem.readable_matrix(each), problem.names)
             for each in (T, chain_of(problem).T_tool)
