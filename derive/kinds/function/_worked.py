@@ -81,9 +81,9 @@ def worked(kind: str, function: Function, problem: Problem) -> Derivation:
         *_determinants(task, problem),
         *_hessian(task, problem, found),
     )
-    work = Work(problem, definitions, steps=steps).claim(*_put_back(task, found))
-    work = work.claim(*_search(function, task, problem, found))
     solutions = tuple(_branch(p, when, name, task, problem) for p, when in zip(found, said, strict=True))
+    work = Work(problem, definitions, steps=steps).claim(*_put_back(task, found, solutions, name))
+    work = work.claim(*_search(function, task, problem, found))
     facts = Facts(
         goal=goal, name=name, multipliers=tuple(multipliers), variables=len(function.variables),
         partials=tuple((*step.chain, ZERO) for step in steps if step.rule == "stationary"),
@@ -202,21 +202,36 @@ def _table(
 # -- what it is held to ----------------------------------------------------------------------------------
 
 
-def _put_back(task: Task, found: Sequence[Point]) -> Iterator[Claim]:
-    """Every equation of the Lagrange function at every point."""
+def _put_back(
+    task: Task, found: Sequence[Point], solutions: Sequence[Branch], name: Symbol
+) -> Iterator[Claim]:
+    """Every equation of the Lagrange function at every point, which is printed as it was found."""
     equations = [task.lagrange.diff(x) for x in (*task.variables, *task.multipliers)]
-    for k, point in enumerate(found, 1):
+    for k, (point, branch) in enumerate(zip(found, solutions, strict=True), 1):
+        same = _is_told(branch, {**_values(point, task), name.name: point.value})
         if point.multipliers is None:
-            yield law("on-the-constraints", all(_vanishes(g, point, task) for g in task.g), k=k)
+            yield law("on-the-constraints", same and all(_vanishes(g, point, task) for g in task.g), k=k)
         else:
-            holds = all(_vanishes(each, point, task) for each in equations)
+            holds = same and all(_vanishes(each, point, task) for each in equations)
             by = NORMAL_FORM if point.is_exact else "ball-arithmetic"
             yield Claim("satisfies", by, holds, {"k": k})
 
 
+def _values(point: Point, task: Task) -> dict[str, Value]:
+    """Its coordinates and multipliers."""
+    return {**point.solution.values, **dict(zip(task.multipliers, point.multipliers or (), strict=False))}
+
+
+def _is_told(branch: Branch, values: Mapping[str, Value]) -> bool:
+    """Whether what is exact has these values as it is printed."""
+    exact = {
+        name: each for name, each in values.items() if isinstance(each, Scalar) and name in branch.values
+    }
+    return all(normal(branch.values[name]) == each for name, each in exact.items())
+
+
 def _vanishes(equation: Scalar, point: Point, task: Task) -> bool:
-    known = dict(zip(task.multipliers, point.multipliers or (), strict=False))
-    value = put_in(equation, {**point.solution.values, **known})
+    value = put_in(equation, _values(point, task))
     return not value if isinstance(value, Scalar) else bool(value.contains(0))
 
 
