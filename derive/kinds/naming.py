@@ -4,12 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from derive.algebra.readable.operation_count import operations
-from derive.expression import Matrix, Symbol
+from derive.expression import Symbol
 from derive.names import free
-
-# A row with more operations than this would not fit on a line of a page.
-LONGEST_ROW = 24
 
 
 def entry_symbol(letter: str, *indices: int) -> Symbol:
@@ -27,8 +23,3 @@ def pose_entries(taken: Collection[str]) -> dict[tuple[int, int], Symbol]:
     named = [(place, r + end) for place, end in turn.items()]
     named += [(place, p + end) for place, end in shift.items()]
     return {place: Symbol(name) for place, name in named}
-
-
-def fits(matrix: Matrix) -> bool:
-    """Whether it is no wider than a line."""
-    return all(sum(map(operations, row)) <= LONGEST_ROW for row in matrix.rows)

@@ -42,12 +42,6 @@ class Display:
 Chain = tuple[Link, ...]
 
 
-def fits(latex: str) -> bool:
-    """Whether a formula that may be left out is short enough: no term wider than a line that is scaled to
-    70 %, and all of it no longer than two lines."""
-    return width(latex) <= 2 * LINE and all(width(piece) <= LINE / 0.7 for piece in pieces(latex, LINE))
-
-
 def lay_out(chains: tuple[Chain, ...]) -> Display:
     """One display for all chains."""
     whole = [one_line(chain) for chain in chains]

@@ -19,15 +19,17 @@ from derive.derivation import Cell, Condition, Derivation, Phrase, Step, Table
 from derive.expression import Expr, Number, Relation
 from derive.render.entries import NAMED_BEYOND, Names, with_named_entries
 from derive.render.latex import Printer, is_approximate
-from derive.render.layout import LINE, Chain, Display, Link, fits, lay_out
+from derive.render.layout import LINE, Chain, Display, Link, lay_out
 from derive.render.names import name_latex
 from derive.render.notation import Notation
 from derive.render.phrases import PHRASES, Speech, on_page
+from derive.render.room import has_room, kept
 from derive.render.skin import Skin, environment, words_file
 
 QUESTION = "question"  # the block of a words template that asks for its derivation
 APART = (QUESTION, PHRASES, "results", "example")  # said elsewhere: see render/questions.py and phrases.py
 Mathematics = Expr | Step | str | int | tuple[Expr, ...]
+Shown = str | Step | tuple[Expr, ...]  # a step or a bare chain
 Trig = Literal["short", "long"] | None
 LANGUAGES = {".m": "matlab", ".py": "python"}
 
@@ -98,18 +100,19 @@ class Telling:
             "show": self.show, "inline": self.inline, "tell": self.tell, "table": self.table,
             "plot": self.plot, "em": self.skin.em, "strong": self.skin.strong, "items": self.skin.items,
             "listing": self.listing, "path": self.path, "math": self.math, "formula": self.formula,
-            "say": self.say, "cut": self.cut,
+            "say": self.say, "cut": self.cut, "whole": self.whole, "fits": self.fits,
         }  # fmt: skip
 
-    def show(self, *names: str | Step | tuple[Expr, ...], trig: Trig = None, entries: str = "") -> str:
+    def show(self, *names: Shown, trig: Trig = None, entries: str = "", lines: int = 2) -> str:
         """A displayed equation of one or several steps (or bare chains), side by side where they fit.
 
         Long entries of a matrix too wide for the page are named, and listed after it; `entries` are words to
-        stand before the list, and then no matrix is wider than a line.
+        stand before the list, and then no matrix is wider than a line. A spare link is left out where it
+        takes more than so many `lines`.
         """
         printer, widest = self._printer(trig), LINE if entries else NAMED_BEYOND
         parts = [
-            with_named_entries(self._chain(name, printer), printer, widest, self._entries(name))
+            with_named_entries(self._chain(name, printer, lines), printer, widest, self._entries(name))
             for name in names
         ]
         shown = self._display(tuple(chain for chain, _ in parts), printer)
@@ -169,23 +172,31 @@ class Telling:
     def _step(self, name: str | Step) -> Step:
         return self.d.step(name) if isinstance(name, str) else name
 
-    def _entries(self, name: str | Step | tuple[Expr, ...]) -> Names:
+    def _entries(self, name: Shown) -> Names:
         return {} if isinstance(name, tuple) else self._step(name).entries
 
-    def _chain(self, name: str | Step | tuple[Expr, ...], printer: Printer) -> tuple[Expr, ...]:
+    def _chain(self, name: Shown, printer: Printer, lines: int = 2) -> tuple[Expr, ...]:
         """The chain of a step, without the spare links that are too long for a page."""
         if isinstance(name, tuple):
             return name
         step = self._step(name)
         self.told.add(step.name)
-        if not step.spare:
-            return step.chain
-        return tuple(link for link in step.chain if link not in step.spare or fits(printer.write(link)))
+        return kept(step, printer, lines) if step.spare else step.chain
 
     def cut(self, name: str | Step) -> bool:
         """Whether a link of this step is too long for a page and left out."""
-        step, printer = self._step(name), self._printer(None)
-        return not all(fits(printer.write(link)) for link in step.spare)
+        step = self._step(name)
+        return kept(step, self._printer(None)) != step.chain
+
+    def whole(self, steps: Iterable[Step]) -> list[Step]:
+        """Those of the steps of which nothing is left out; of the others the page need not speak."""
+        found = [(step, self.cut(step)) for step in steps]
+        self.tell(*(step for step, cut in found if cut))
+        return [step for step, cut in found if not cut]
+
+    def fits(self, table: Table) -> bool:
+        """Whether the page has room for a table."""
+        return has_room(table, self._printer(None))
 
     def _printer(self, trig: Trig) -> Printer:
         return Printer(replace(self.notation, trig=trig) if trig else self.notation)

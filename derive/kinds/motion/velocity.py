@@ -9,7 +9,7 @@ from typing import Any
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point, number
-from derive.derivation import Derivation, PageFacts, Step
+from derive.derivation import Derivation, PageFacts
 from derive.errors import NotDerivable
 from derive.expression import (
     ONE,
@@ -24,7 +24,6 @@ from derive.expression import (
     transpose,
 )
 from derive.kinds.fields import Name, OptionsModel
-from derive.kinds.naming import fits
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import completed
 from derive.kinds.work import Work
@@ -103,12 +102,10 @@ def _by_chain_rule(of: Symbol, names: Sequence[str]) -> Expr:
 
 
 def _rate(work: Work, turning: Sequence[str]) -> Work:
-    """dR/dt, written out where it fits on a line."""
+    """dR/dt, written out where the page has room for that."""
     formula = _by_chain_rule(R, turning)
     value = work.problem.readable_matrix(work.value_matrix(formula))
-    if fits(value):
-        return work.line(R_DOT, formula, value=value, rule="chain-rule")
-    return work.step(Step("R_dot", (R_DOT, formula), "chain-rule")).knowing({R_DOT: value})
+    return work.line(R_DOT, formula, value=value, rule="chain-rule", spare=(value,))
 
 
 def _differences(problem: Problem, moves: tuple[Move, ...], varying: Sequence[str], at: Point) -> Any:

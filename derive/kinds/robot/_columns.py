@@ -8,7 +8,7 @@ from dataclasses import replace
 from derive.algebra.matrix import ScalarMatrix
 from derive.derivation import Step
 from derive.expression import ZERO, Expr, Matrix, Product, Sum, Symbol, add, cross, subtract
-from derive.kinds.naming import fits, pose_entries
+from derive.kinds.naming import pose_entries
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL, axis_names, end_frame, pose_name
 from derive.kinds.robot._couplings import drive_names, gamma_of, phi_of
@@ -94,22 +94,17 @@ def _by_columns(work: Work, J: ScalarMatrix, name: Symbol, columns: tuple[Block,
     for k, (linear, angular) in enumerate(columns):
         formula = (Matrix(((linear,), (angular,))),) if linear != ZERO else ()
         work = work.line(names[k], *formula, value=J.columns(k), rule="jacobian-column")
-    side_by_side = Matrix((names,))
-    chain = (name, side_by_side, written) if fits(written) else (name, side_by_side)
-    return work.step(Step(name.name, chain, rule or "jacobian")).knowing({name: written})
+    return work.line(name, Matrix((names,)), value=written, rule=rule or "jacobian", spare=(written,))
 
 
 def pose_lines(work: Work, found: Chain, last: int) -> Work:
-    """T_2^0, T_3^0, ... on the way to frame `last`, those that fit on a line.
-
-    T_1^0 is a local pose, and that of the end-effector belongs to the forward kinematics.
-    """
+    """T_2^0, T_3^0, ... on the way to frame `last`; T_1^0 is a local pose, and that of the end-effector
+    belongs to the forward kinematics."""
     rows = len(found.T_local) + (end_frame(work.problem.subject) == TOOL)
     for i in range(2, min(last + 1, rows)):
         written = work.problem.readable_matrix(found.T[i])
-        if fits(written):
-            product = Product((pose_name(i - 1), pose_name(i, i - 1)))
-            work = work.line(pose_name(i), product, value=found.T[i], rule="compose")
+        product = Product((pose_name(i - 1), pose_name(i, i - 1)))
+        work = work.line(pose_name(i), product, value=written, rule="compose", spare=(written,))
     return work
 
 

@@ -17,7 +17,6 @@ from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 
 NEEDS = ("bodies",)
-LONGEST = 45  # operations; a longer equation stays in the names of its terms
 
 
 class Options(OptionsModel):
@@ -45,7 +44,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = Work(problem).resting_on(arm.inertia, speed, weight)
     found = equations(problem)
     if not big:
-        lines = (equation(f"tau_{k}", terms, "euler-lagrange", LONGEST) for k, terms in enumerate(found, 1))
+        lines = (equation(f"tau_{k}", terms, "euler-lagrange") for k, terms in enumerate(found, 1))
         work = work.showing(*lines)
     tau = column(add(*(term.written for term in terms)) for terms in found)
     torques = [compiled(entry) for (entry,) in tau.rows]

@@ -6,7 +6,6 @@ from collections.abc import Mapping
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
-from derive.algebra.readable.operation_count import operations
 from derive.derivation import Derivation, PageFacts, Phrase, Table
 from derive.expression import (
     ZERO,
@@ -35,12 +34,11 @@ from derive.mechanics.robot import Robot
 NEEDS = ("bodies",)
 HALF = number("1/2")
 K, P, RATE = symbols("K P q_dot")
-LONGEST_CELL = 24  # operations of an energy that still fits into a table
 
 
 class Facts(PageFacts):
     big: bool
-    table: Table | None
+    table: Table
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -110,11 +108,9 @@ def _form(work: Work, arm: Arm, index: str, name: Symbol, D: Matrix, rule: str =
     return work.knowing({K_i: arm.final(value)})
 
 
-def _table(energies: Mapping[str, Expr]) -> Table | None:
-    """Link, kinetic and potential energy; None where an entry is too long for a table."""
+def _table(energies: Mapping[str, Expr]) -> Table:
+    """Link, kinetic and potential energy."""
     labels = [name[2:] for name in energies if name.startswith("K_")]
     cells = {label: (energies[f"K_{label}"], energies.get(f"P_{label}", ZERO)) for label in labels}
-    if any(operations(cell) > LONGEST_CELL for pair in cells.values() for cell in pair):
-        return None
     rows = ((Phrase("rotors") if label == "m" else label, *pair) for label, pair in cells.items())
     return Table((Phrase("link"), Phrase("kinetic-energy"), Phrase("potential-energy")), tuple(rows))

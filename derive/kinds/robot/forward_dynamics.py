@@ -8,7 +8,6 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numbers.floats import Point, numbers
 from derive.algebra.readable.form import readable, readable_matrix
-from derive.algebra.readable.operation_count import operations
 from derive.derivation import Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import (
@@ -34,7 +33,6 @@ from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 
 NEEDS = ("bodies",)
-LONGEST = 60  # operations of an acceleration that is still written out
 MOST_JOINTS = 3
 MOST_REDUCED = 2  # joints; with more, fractions are not multiplied out
 D = Symbol("D")
@@ -85,8 +83,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.line(DET, det, value=results["det"], label="det", rule="determinant")
     work = work.linked() if long else work  # of long fractions the law says as much
     for name, top, result in zip(arm.accelerations, tops, children(results["qddot"]), strict=True):
-        shown = (result,) if operations(result) <= LONGEST else ()
-        work = work.showing(Step(name.name, (name, Quotient(top, DET), *shown), "acceleration"))
+        chain = (name, Quotient(top, DET), result)
+        work = work.showing(Step(name.name, chain, "acceleration", spare=(result,)))
     one = ScalarMatrix.identity(n)
     inverse = value @ work.value_matrix(adjugate) == one.scaled(value.det())
     if not long:

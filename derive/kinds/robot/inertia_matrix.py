@@ -8,7 +8,7 @@ from derive.algebra.readable.operation_count import operations
 from derive.derivation import Derivation, PageFacts
 from derive.expression import ZERO, Expr, Matrix, Product, Sum, Symbol, add, children, free_symbols, transpose
 from derive.kinds.fields import NoOptions as Options
-from derive.kinds.naming import entry_symbol, fits
+from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
@@ -106,21 +106,20 @@ def _sum(
     for name, body in zip(names, bodies, strict=True):
         formula = _formula(body, big)
         own = formula if big else problem.readable_matrix(link_inertia(body.motion))
-        shown = own if isinstance(own, Matrix) and fits(own) else formula
-        work = work.line(name, formula, value=shown, rule="link-inertia")
+        spare = () if big else (own,)
+        work = work.line(name, formula, value=own, rule="link-inertia", spare=spare)
     if matrix := rotors(problem.subject):
         work = work.line(ROTORS, value=matrix, rule="rotors")
         names.append(ROTORS)
     total = add(*names)
-    if not big and fits(written):
-        final = problem.final(written, moments)
-        end = final if final == written else factored_matrix(normal_matrix(final), problem.style)
-        return work.line(D, total, written, value=end, rule="sum")
-    work = work.line(D, total, value=total, rule="sum")
-    for (i, j), entry in () if big else _entries(written).items():
-        if i <= j:
-            work = work.line(entry_symbol("d", i, j), value=entry, rule="entry")
-    return work
+    if big:
+        return work.line(D, total, value=total, rule="sum")
+    final = problem.final(written, moments)
+    if final == written:
+        names_of = {(i - 1, j - 1): entry_symbol("d", min(i, j), max(i, j)) for i, j in _entries(written)}
+        return work.line(D, total, value=written, rule="sum", entries=names_of)
+    end = factored_matrix(normal_matrix(final), problem.style)
+    return work.line(D, total, written, value=end, rule="sum", spare=(written,))
 
 
 def _formula(body: Weighted, big: bool) -> Expr:

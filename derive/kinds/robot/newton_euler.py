@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts, Record, Step
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Expr, Symbol, children, column
+from derive.expression import ZERO, Expr, Symbol, column
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, matrix_of
@@ -24,8 +23,6 @@ from derive.mechanics.robot import Robot, gravity_of
 
 NEEDS = ("bodies",)
 BASE = Symbol("o_0_ddot")
-LONGEST = 60  # operations of a vector that is still written out
-LONGEST_TORQUE = 90  # of a joint force
 
 
 class OfLink(Record):
@@ -101,15 +98,18 @@ def _in_names(work: Work, line: Line) -> Work:
 
 
 def _written(work: Work, line: Line, torque: Expr | None) -> Work:
-    """A line with its value where that is short; a joint force ends by what Euler and Lagrange gave."""
+    """A line with its value; a joint force ends by what Euler and Lagrange gave."""
     value = work.readable(line.value)
-    if torque is None:
-        end, short = value, sum(map(operations, children(value))) <= LONGEST
-    else:
-        end, short = torque, operations(torque) <= LONGEST_TORQUE
+    end = value if torque is None else torque
     formulas = () if line.formula == ZERO else (line.formula,)  # nothing in names adds up to it
-    shown = end if short or not formulas else line.formula
-    work = work.line(line.name, *formulas, value=shown, rule=line.rule, facts=OfLink(link=line.i))
+    work = work.line(
+        line.name,
+        *formulas,
+        value=end,
+        rule=line.rule,
+        facts=OfLink(link=line.i),
+        spare=(end,) if formulas else (),
+    )
     return work.knowing({line.name: value})
 
 

@@ -7,11 +7,10 @@ from typing import Any
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point, numbers
-from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts
 from derive.errors import NotDerivable
-from derive.expression import ONE, Call, Expr, Matrix, Product, children, symbols, transpose
+from derive.expression import ONE, Call, Expr, Matrix, Product, symbols, transpose
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of
@@ -23,7 +22,6 @@ from derive.mechanics.robot import Robot
 
 NEEDS = ("bodies",)
 MOST_JOINTS = 3
-LONGEST = 90  # operations of a matrix that is still written out
 J, D, LAMBDA = symbols("J D Lambda")
 DET, INVERSE = Call("det", (J,)), J**-1
 
@@ -37,7 +35,6 @@ class Options(OptionsModel):
 
 class Facts(PageFacts):
     rows: tuple[Expr, ...]
-    short: bool
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -59,9 +56,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.line(DET, value=det, label="det", rule="determinant")
     work = work.line(INVERSE, value=over, label="J_inv", rule="inverse")
     product, result = Product((transpose(INVERSE), D, INVERSE)), problem.final(written)
-    short = sum(map(operations, children(written))) <= LONGEST
-    work = work.line(LAMBDA, product, value=result if short else product, rule="operational")
-    work = work.knowing({LAMBDA: result}).law("symmetric", whole == whole.T)
+    work = work.line(LAMBDA, product, value=result, rule="operational", spare=(result,))
+    work = work.law("symmetric", whole == whole.T)
     work = work.law("kinetic-energy", jacobian.T @ whole @ jacobian == inertia.scaled(det * det))
     results = {
         "J": work.final(J),
@@ -75,7 +71,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         lambda at: _in_numbers(task, arm, at),
         tolerance=1e-6,
     )
-    facts = Facts(rows=task.velocities, short=short)
+    facts = Facts(rows=task.velocities)
     return work.answer("operational-space-inertia", results, facts, matrices=frozenset(results))
 
 

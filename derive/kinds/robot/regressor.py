@@ -9,7 +9,6 @@ from functools import partial
 from derive.algebra.infix import text
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point, number_rows, numbers
-from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts, Phrase, Step, Table
 from derive.expression import (
@@ -41,7 +40,6 @@ from derive.mechanics.robot import Robot
 
 NEEDS = ("bodies",)
 PRODUCTS = (("Y", "parameters"), ("Y_b", "base_parameters"))
-LONGEST_COLUMN = 30  # operations of a column of Y that is still shown
 MOST_LISTED = 20  # parameters
 LONGEST_NUMBER = 10**6  # denominator of a number that is still written in full
 
@@ -139,10 +137,9 @@ def _lost(problem: Problem, parameters: Sequence[Standard], j: int, weights: Map
 
 
 def _columns(columns: Sequence[Matrix]) -> tuple[Step, ...]:
-    """The columns of Y_b, none where one of them is long."""
-    if any(sum(map(operations, children(each))) > LONGEST_COLUMN for each in columns):
-        return ()
-    return tuple(Step(f"y_{k}", (Symbol(f"y_{k}"), each), "column") for k, each in enumerate(columns, 1))
+    """The columns of Y_b."""
+    named = ((Symbol(f"y_{k}"), each) for k, each in enumerate(columns, 1))
+    return tuple(Step(name.name, (name, each), "column", spare=(each,)) for name, each in named)
 
 
 def _beside(columns: Sequence[Matrix]) -> Matrix:

@@ -7,7 +7,6 @@ from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts
 from derive.expression import Matrix, Product, Symbol, column, symbols
 from derive.kinds.fields import OptionsModel
-from derive.kinds.naming import fits
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._point import PointOn, tracked
@@ -34,12 +33,14 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = Work(problem).resting_on(problem.ask("jacobian", point=options.point))
     work = work.knowing({Q_DOT: column(rates)})
     product, J_now = Product((J, Q_DOT)), work.matrix(J)
-    filled = (Product((J_now, column(rates))),) if fits(J_now) else ()
+    filled = Product((J_now, column(rates)))
     twist = work.value_matrix(product)
     v, omega = halves(twist)
     work = work.knowing({V: problem.readable_matrix(v), OMEGA: problem.readable_matrix(omega)})
     both = Matrix(((V,), (OMEGA,)))
-    work = work.line(both, product, *filled, value=twist, rule="velocity", label="twist").closed(both)
+    work = work.line(
+        both, product, filled, value=twist, rule="velocity", label="twist", spare=(filled,)
+    ).closed(both)
     work = work.law("rate-of-the-point", _by_chain_rule(options, problem) == v)
     return work.answer("velocity", {"v": work.final(V), "omega": work.final(OMEGA)}, Facts(rates=rates))
 

@@ -8,7 +8,6 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.derivation import Step
 from derive.expression import Expr, Indexed, Matrix, Product, Sum, Symbol, negate, transpose
-from derive.kinds.naming import fits
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import pose_name
 from derive.kinds.robot._columns import jacobian_steps
@@ -19,15 +18,13 @@ from derive.mechanics.poses import homogeneous
 
 
 def com_steps(problem: Problem, body: Weighted) -> tuple[Step, ...]:
-    """T_c1 (4 by 4), where it fits on a line, and o_c1 (3 by 1)."""
+    """T_c1 (4 by 4), which a page may leave out, and o_c1 (3 by 1)."""
     name, origin = Symbol(f"T_c{body.i}"), Symbol(f"o_c{body.i}")
     pose = problem.readable_matrix(homogeneous(body.motion.R, body.motion.com.entries))
     o = Step(origin.name, (origin, problem.readable_matrix(body.motion.com)), "extract")
-    if not fits(pose):
-        return (o,)
     shift = _shift(problem, body.com)
     route = pose_name(body.i) if shift is None else Product((pose_name(body.i), shift))
-    return Step(name.name, (name, route, pose), "com-pose"), o
+    return Step(name.name, (name, route, pose), "com-pose", spare=(pose,)), o
 
 
 def com_jacobian_steps(problem: Problem, found: Chain, body: Weighted) -> tuple[Step, ...]:

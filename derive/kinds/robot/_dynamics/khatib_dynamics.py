@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from derive.algebra.normal import normal_matrix
-from derive.algebra.readable.operation_count import operations
 from derive.derivation import Derivation
 from derive.expression import (
     ZERO,
@@ -26,7 +25,7 @@ from derive.kinds.robot._chain import chain_of, matrix_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._dynamics.drives import friction_terms
-from derive.kinds.robot.dynamics import LONGEST, Facts
+from derive.kinds.robot.dynamics import Facts
 from derive.kinds.work import Work
 from derive.mechanics.robot import gravity_of
 from derive.names import require_free
@@ -59,8 +58,7 @@ def khatib_dynamics(problem: Problem) -> Derivation:
     whole = Sum((Product((M, ACCELERATION)), V, G, *([F] if rubs else [])))
     work = work.line(TAU, whole, value=whole, rule="equations").knowing({TAU: tau})
     for k, (entry,) in enumerate(tau.rows, 1):
-        if operations(entry) <= LONGEST:
-            work = work.line(f"tau_{k}", value=entry, rule="equation")
+        work = work.line(f"tau_{k}", value=entry, rule="equation", spare=(entry,))
     made = normal_matrix(_weights(bodies), {**problem.names, **work.definitions})
     work = work.law("gradient", made == normal_matrix(g))
     work = work.agrees("motion-of-each-body", arm.moving, tau, arm.rubbing.torques)

@@ -25,7 +25,6 @@ from derive.mechanics.newton_euler import NewtonEuler, Swept
 from derive.mechanics.robot import Link
 
 Vector = Sequence[Scalar]
-LONGEST = 60  # operations of a vector that is still written out
 
 
 @dataclass(frozen=True, slots=True)

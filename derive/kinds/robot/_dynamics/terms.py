@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
-from math import inf, prod
+from math import prod
 from typing import Literal
 
-from derive.algebra.readable.operation_count import operations
 from derive.derivation import Derivation, Step
 from derive.expression import ZERO, Expr, Number, Product, Symbol, add, multiply, number, squared
-from derive.kinds.chains import distinct
 from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import matrix_of, scalar_of
@@ -45,12 +43,12 @@ def equations(problem: Problem) -> tuple[tuple[Term, ...], ...]:
     )
 
 
-def equation(name: str, terms: Iterable[Term], rule: str, longest: float = inf) -> Step:
-    """`name` in the names of its terms, and written out where that takes at most so many operations."""
+def equation(name: str, terms: Iterable[Term], rule: str) -> Step:
+    """`name` in the names of its terms, and written out where the page has room for that."""
     terms = tuple(terms)
     named, written = add(*(term.named for term in terms)), add(*(term.written for term in terms))
-    chain = (Symbol(name), named, written if operations(written) <= longest else named)
-    return Step(name, distinct(chain), rule)
+    spare = () if written == named else (written,)
+    return Step(name, (Symbol(name), named, *spare), rule, spare=spare)
 
 
 def _accelerations(arm: Arm, k: int) -> list[Term]:
