@@ -77,8 +77,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     point = tracked(problem, found, options.point)
     value = point.jacobian(found)
     work = Work(problem).resting_on(problem.ask("joint-axes"))
-    own = () if point.name in work.known else (point.step,)
-    work = jacobian_lines(work.knowing(point.definitions).step(*own), found, point.moving, J, point.name)
+    if point.name not in work.known:
+        work = point.line(work, found)
+    work = jacobian_lines(work, found, point.moving, J, point.name)
     written, work = work.matrix(J), work.closed(J)
     linear, angular = _moves_and_turns(found, point, value)
     work = work.law("linear", linear).law("angular", angular)
@@ -146,7 +147,7 @@ def _facts(found: Chain, point: Tracked) -> Facts:
     return Facts(
         point=point.name,
         link=point.frame,
-        carried=point.step.rule == "carry",
+        carried=point.carried,
         revolute=joint_numbers(found, lambda joint: joint.type != "prismatic", point.last),
         helical=joint_numbers(found, lambda joint: bool(joint.pitch), point.last),
         prismatic=joint_numbers(found, lambda joint: joint.type == "prismatic", point.last),

@@ -191,7 +191,7 @@ def _seeing(task: Task) -> Seeing:
 
 
 def _moved(task: Task) -> Phrase:
-    return Phrase("end-effector" if task.point.step.rule == "extract" else "the-point")
+    return Phrase("the-point" if task.point.carried else "end-effector")
 
 
 def _middle(task: Task) -> int:
