@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias, TypeVar, dataclass_transform
 
 from derive.algebra.readable.terms import Style
-from derive.expression import Expr, Relation, Symbol
+from derive.expression import Expr, Matrix, Relation, Symbol
 
 
 @dataclass_transform(frozen_default=True, kw_only_default=True, field_specifiers=(field,))
@@ -228,6 +228,17 @@ class Derivation:
         """Whether a law or an independent route speaks for this answer, or for one that it rests on."""
         return any(not claim.link for claim in self.claims) or any(used.proved for used in self.uses)
 
+    def matrix(self, name: str) -> Matrix:
+        """A result that is a matrix. Raises TypeError for any other."""
+        return as_matrix(self.results[name], name)
+
+    def scalar(self, name: str) -> Expr:
+        """A result that is a scalar expression. Raises TypeError for any other."""
+        value = self.results[name]
+        if isinstance(value, tuple | Phrase | str | float | Matrix):
+            raise TypeError(f"{name} is no scalar")
+        return value
+
     def step(self, name: str) -> Step:
         """The step of this name, however deep. Raises KeyError."""
         for step in self.all_steps():
@@ -249,3 +260,10 @@ def _walk(steps: tuple[Step, ...]) -> Iterator[Step]:
     for step in steps:
         yield step
         yield from _walk(step.steps)
+
+
+def as_matrix(value: Result, name: str) -> Matrix:
+    """A result that is a matrix. Raises TypeError for any other."""
+    if not isinstance(value, Matrix):
+        raise TypeError(f"{name} is no matrix")
+    return value

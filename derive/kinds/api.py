@@ -43,7 +43,7 @@ from derive.kinds.checks import agreement, close, is_rotation, law, links, rando
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import NoOptions, OptionsModel, Quantity
 from derive.kinds.problem import Problem
-from derive.kinds.work import Work, as_matrix
+from derive.kinds.work import Work
 from derive.names import free, named
 
 __all__ = [
@@ -81,7 +81,6 @@ __all__ = [
     "Work",
     "add",
     "agreement",
-    "as_matrix",
     "close",
     "column",
     "cos",

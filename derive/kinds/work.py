@@ -20,7 +20,7 @@ from derive.algebra.numbers.floats import Point, numbers, scalar_number
 from derive.algebra.scalar import Scalar
 from derive.algebra.signs import sign_of
 from derive.algebra.values import Value, matrix_of, scalar_of
-from derive.derivation import Claim, Derivation, PageFacts, Record, Result, Said, Step
+from derive.derivation import Claim, Derivation, PageFacts, Record, Result, Said, Step, as_matrix
 from derive.errors import FormulaError, NotDerivable
 from derive.expression import (
     Degrees,
@@ -291,10 +291,3 @@ class Work:
             facts=facts or PageFacts(),
             **others,
         )
-
-
-def as_matrix(value: Result, name: str) -> Matrix:
-    """A result that is a matrix. Raises TypeError for any other."""
-    if not isinstance(value, Matrix):
-        raise TypeError(f"{name} is no matrix")
-    return value

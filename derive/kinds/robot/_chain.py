@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.derivation import Derivation, Phrase
-from derive.expression import Expr, Matrix, Symbol
+from derive.expression import Symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._couplings import drive_names
 from derive.kinds.work import Work
@@ -86,19 +85,3 @@ def _vectors(found: Chain, robot: Robot) -> Iterator[tuple[Symbol, ScalarMatrix]
 def joint_numbers(found: Chain, which: Callable[[Joint], bool], last: int | None = None) -> tuple[int, ...]:
     """The numbers of the joints of a sort, up to row `last`."""
     return tuple(i for i, joint in found.moving if which(joint) and i <= (last or i))
-
-
-def matrix_of(derivation: Derivation, name: str) -> Matrix:
-    """A result that is a matrix. Raises TypeError for any other."""
-    value = derivation.results[name]
-    if not isinstance(value, Matrix):
-        raise TypeError(f"{name} is no matrix")
-    return value
-
-
-def scalar_of(derivation: Derivation, name: str) -> Expr:
-    """A result that is a scalar expression. Raises TypeError for any other."""
-    value = derivation.results[name]
-    if isinstance(value, tuple | Phrase | str | float | Matrix):
-        raise TypeError(f"{name} is no scalar")
-    return value

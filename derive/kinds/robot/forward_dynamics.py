@@ -26,7 +26,6 @@ from derive.expression import (
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import matrix_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.terms import Term, equation, equations
 from derive.kinds.work import Work
@@ -55,7 +54,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
             f"the accelerations are worked out for arms of at most {MOST_JOINTS} joints; this one has {n}"
         )
     motion, indices = problem.ask("dynamics"), range(1, n + 1)
-    inertia = matrix_of(motion, "D")
+    inertia = motion.matrix("D")
     names = Matrix(tuple(tuple(entry_symbol("d", *sorted((i, j))) for j in indices) for i in indices))
     work = Work(problem).resting_on(motion).knowing({D: inertia})
     work = work.knowing(dict(zip(children(names), children(inertia), strict=True)))

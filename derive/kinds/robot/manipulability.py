@@ -27,7 +27,6 @@ from derive.expression import (
 from derive.kinds.evaluation import Evaluation, Place
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import scalar_of
 from derive.kinds.robot._determinants import (
     as_product,
     determinant,
@@ -93,7 +92,7 @@ def _at_point(options: Options, problem: Problem, place: Place) -> Derivation:
     if not decided(task, place):
         return base
     found = at_point(task, place)
-    w = scalar_of(base, "w")
+    w = base.scalar("w")
     size = number(w, found.place)
     facts = replace(base.told(Facts), here=found.told, w=(W, Approximate(size)), numbers=())
     return (

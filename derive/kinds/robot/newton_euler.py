@@ -10,7 +10,7 @@ from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Symbol, column
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import chain_of, matrix_of
+from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._dynamics.body_steps import inertia_steps
@@ -45,7 +45,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
             "the recursion takes joints that each move one row, and bodies that are fixed to their links; "
             "find: dynamics has the equations of motion of this arm"
         )
-    arm, tau = Arm(problem), matrix_of(problem.ask("dynamics"), "tau")
+    arm, tau = Arm(problem), problem.ask("dynamics").matrix("tau")
     bodies = weighted(problem, chain_of(problem))
     sweeping = _sweeping(arm, bodies)
     recursion = _swept(arm, sweeping, bodies)
@@ -116,7 +116,7 @@ def _written(work: Work, line: Line, torque: Expr | None) -> Work:
 def _same_as_lagrange(work: Work, arm: Arm, sweeping: NewtonEuler) -> Work:
     """D, every c_ijk and g of the recursion are those of Euler and Lagrange."""
     problem, symbols, found = work.problem, arm.christoffel, sweeping.christoffel()
-    g = matrix_of(problem.ask("gravity"), "g")
+    g = problem.ask("gravity").matrix("g")
     held = problem.readable_matrix(ScalarMatrix.column(sweeping.gravity_torques(_gravity(problem))))
     work = work.law("inertia", with_rotors(sweeping.inertia_matrix(), problem.subject) == arm.D)
     work = work.law("christoffel", all(found[ijk] == symbols[ijk] for ijk in symbols))

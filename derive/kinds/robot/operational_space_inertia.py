@@ -13,7 +13,6 @@ from derive.errors import NotDerivable
 from derive.expression import ONE, Call, Expr, Matrix, Product, symbols, transpose
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import matrix_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._velocity.solving import quotient
@@ -48,7 +47,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         raise NotDerivable("the matrix would fill pages; give numbers to some of the symbols of the arm")
     task = task_of(problem, options.rows, options.point)
     jacobian = _square(task)
-    work = task.board().resting_on(arm.inertia).knowing({D: matrix_of(arm.inertia, "D")})
+    work = task.board().resting_on(arm.inertia).knowing({D: arm.inertia.matrix("D")})
     inertia, det, adjugate = normal_matrix(work[D]), jacobian.det(), jacobian.adjugate()
     whole = adjugate.T @ inertia @ adjugate  # Lambda times the square of det J
     written = _over(problem, whole, det * det)

@@ -10,7 +10,6 @@ from derive.expression import Approximate, Matrix, Symbol, add, multiply, symbol
 from derive.kinds.checks import SECOND_ROUTE
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import matrix_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import time_derivative
@@ -35,9 +34,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     section 6.5)."""
     require_free(problem.symbols, "N")
     arm, coriolis, linear = Arm(problem), problem.ask("coriolis-matrix"), problem.ask("regressor")
-    D = matrix_of(arm.inertia, "D")
+    D = arm.inertia.matrix("D")
     rate = time_derivative(normal_matrix(D), arm.variables)
-    value = rate - normal_matrix(matrix_of(coriolis, "C")).scaled(2)
+    value = rate - normal_matrix(coriolis.matrix("C")).scaled(2)
     work = Work(problem).resting_on(arm.inertia, coriolis, linear)
     if arm.long:
         work = work.knowing({N: _by_rates(arm, value), D_DOT: _by_rates(arm, rate)})

@@ -10,7 +10,7 @@ from derive.algebra.infix import text
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point, number_rows, numbers
 from derive.algebra.scalar import Scalar
-from derive.derivation import Derivation, PageFacts, Phrase, Step, Table
+from derive.derivation import Derivation, PageFacts, Phrase, Step, Table, as_matrix
 from derive.expression import (
     Approximate,
     Expr,
@@ -26,7 +26,6 @@ from derive.expression import (
 )
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import matrix_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.regressor import (
     Base,
@@ -35,7 +34,7 @@ from derive.kinds.robot._dynamics.regressor import (
     dependent,
     standard_parameters,
 )
-from derive.kinds.work import Work, as_matrix
+from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 
 NEEDS = ("bodies",)
@@ -95,7 +94,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 
 def _linear(work: Work, results: Mapping[str, Expr]) -> Work:
     """Both products are tau."""
-    tau = normal_matrix(matrix_of(work.problem.ask("dynamics"), "tau"))
+    tau = normal_matrix(work.problem.ask("dynamics").matrix("tau"))
     for Y, theta in PRODUCTS:
         work = work.law("linear", normal_matrix(results[Y] * results[theta]) == tau, Y=Y, theta=theta)
     return work

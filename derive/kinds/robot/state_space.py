@@ -7,7 +7,6 @@ from derive.expression import Expr, Symbol, children, column
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import matrix_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.drives import friction_sorts
 from derive.kinds.robot._dynamics.linearisation import linear_at, linearised
@@ -37,7 +36,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """x = (q, qdot), and A, B about rest at `at` (Spong et al., section 8.1; Siciliano et al., 8.4)."""
     arm, forward = Arm(problem), problem.ask("forward-dynamics")
     x = column([*map(Symbol, robot.variables), *arm.rates])
-    f = column([*arm.rates, *children(matrix_of(forward, "qddot"))])
+    f = column([*arm.rates, *children(forward.matrix("qddot"))])
     state = Step("x", (Symbol("x"), x), "state")
     derivative = Step("f", (Symbol("x_dot"), column([*arm.rates, *arm.accelerations])), "state")
     work = Work(problem).resting_on(forward).showing(state, derivative)

@@ -21,7 +21,7 @@ from derive.expression import (
     transpose,
 )
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import chain_of, matrix_of
+from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._dynamics.drives import friction_terms
@@ -37,9 +37,9 @@ def khatib_dynamics(problem: Problem) -> Derivation:
     """tau = M qddot + v + G, with G from the Jacobians of the centers of mass."""
     require_free(problem.symbols, "M", "G", "F", "q_ddot")
     arm, speed, robot = Arm(problem), problem.ask("coriolis-matrices"), problem.subject
-    g, friction = matrix_of(problem.ask("gravity"), "g"), friction_terms(robot)
+    g, friction = problem.ask("gravity").matrix("g"), friction_terms(robot)
     work = Work(problem).resting_on(arm.inertia, speed)
-    work = work.knowing({M: matrix_of(arm.inertia, "D"), ACCELERATION: column(arm.accelerations)})
+    work = work.knowing({M: arm.inertia.matrix("D"), ACCELERATION: column(arm.accelerations)})
     rubs = any(friction)
     if rubs:
         work = work.knowing({F: column(add(*terms) for terms in friction)})

@@ -16,7 +16,6 @@ from derive.derivation import Step
 from derive.errors import NotDerivable
 from derive.expression import ONE, ZERO, Call, Expr, Matrix, Quotient, Symbol, free_symbols
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import matrix_of
 from derive.kinds.robot._dynamics.drives import diagonal, moving
 from derive.kinds.work import Work
 from derive.mechanics.drives import Friction
@@ -98,9 +97,9 @@ def linear_at(problem: Problem, at: Mapping[str, Expr]) -> Linear:
     if strange:
         raise NotDerivable(f"at: {strange[0]} is no joint variable; they are {', '.join(names)}")
     values: Names = {**problem.names, **{Symbol(name): value for name, value in at.items()}}
-    g = matrix_of(motion, "g")
+    g = motion.matrix("g")
     slope = ScalarMatrix.of([[normal(entry).diff(name) for name in names] for (entry,) in g.rows])
-    D = normal_matrix(matrix_of(motion, "D"), values)
+    D = normal_matrix(motion.matrix("D"), values)
     if not D.det():
         raise NotDerivable("D is singular there, so that the accelerations are not determined")
     K = normal_matrix(problem.readable_matrix(slope), values)

@@ -12,7 +12,6 @@ from derive.derivation import Derivation, Step
 from derive.expression import ZERO, Expr, Number, Product, Symbol, add, multiply, number, squared
 from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import matrix_of, scalar_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.drives import friction_terms
 
@@ -52,7 +51,7 @@ def equation(name: str, terms: Iterable[Term], rule: str) -> Step:
 
 
 def _accelerations(arm: Arm, k: int) -> list[Term]:
-    row = matrix_of(arm.inertia, "D").rows[k - 1]
+    row = arm.inertia.matrix("D").rows[k - 1]
     named = ((entry_symbol("d", min(j, k), max(j, k)), entry) for j, entry in enumerate(row, 1))
     return [
         Term(_product(name, (rise,)), _product(entry, (rise,)), "acceleration")
@@ -68,14 +67,14 @@ def _velocities(speed: Derivation, arm: Arm, k: int) -> list[Term]:
         for j, q in enumerate(arm.rates[i - 1 :], i):
             name = entry_symbol("c", i, j, k)
             factors = (squared(p),) if i == j else (number(2), p, q)
-            value = scalar_of(speed, name.name)
+            value = speed.scalar(name.name)
             if value != ZERO:
                 found.append(Term(_product(name, factors), _product(value, factors), "velocity"))
     return found
 
 
 def _gravity(weight: Derivation, k: int) -> list[Term]:
-    value = matrix_of(weight, "g").rows[k - 1][0]
+    value = weight.matrix("g").rows[k - 1][0]
     return [Term(Symbol(f"g_{k}"), value, "gravity")] if value != ZERO else []
 
 

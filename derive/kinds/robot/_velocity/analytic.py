@@ -17,7 +17,7 @@ from derive.kinds.checks import random_points
 from derive.kinds.evaluation import Place
 from derive.kinds.pose import euler_rates
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import chain_of, oracle_of, scalar_of
+from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._point import tracked
 from derive.kinds.robot.jacobian import Facts
 from derive.kinds.values_at import point_of
@@ -58,7 +58,7 @@ def analytic(options: Any, problem: Problem) -> Derivation:
         work = work.line(head, value=found, rule="rows", label="rows")
     routes = _by_rates(angular_rates, problem, euler, frame), _by_angles(problem, euler, frame)
     work = work.closed(head).agrees("rates-agree", problem.symbols, *routes, DIFFERENCES)
-    det = scalar_of(rates, "det")
+    det = rates.scalar("det")
     return work.answer(
         "jacobian",
         {"J": work.steps[-1].result},
