@@ -40,7 +40,7 @@ class Progress:
         """A name for a known quantity."""
         symbol = Symbol(name)
         self.named.append((symbol, value))
-        self.items.append(Definition(symbol, self.tree(value)))
+        self.items.append(Definition(self.tree(value), symbol))
         return symbol
 
     def value_of(self, symbol: Symbol) -> Expr:

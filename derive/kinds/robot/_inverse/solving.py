@@ -37,7 +37,7 @@ class Solving:
     def name(self, value: Expr) -> Symbol:
         """A name for a tree, said aside."""
         symbol = Symbol(self.progress.next_name())
-        self.progress.items.append(Definition(symbol, value))
+        self.progress.items.append(Definition(value, symbol))
         self.steps.append(Step(symbol.name, (symbol, value), "aside"))
         return symbol
 

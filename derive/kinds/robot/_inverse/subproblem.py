@@ -18,12 +18,22 @@ from derive.mechanics.inverse.known import completed
 
 
 @dataclass(frozen=True)
-class Choice:
-    """One value of the unknown: chosen freely by `sign`, or where the signs chosen at earlier sub-problems
-    have this product. `when` says which it is; 0 is no
-    choice."""
+class Formula:
+    """A value as it is written."""
 
     value: Expr
+
+    @cached_property
+    def at(self) -> Compiled:
+        """The value in numbers. Raises as `compiled` does."""
+        return compiled(self.value)
+
+
+@dataclass(frozen=True)
+class Choice(Formula):
+    """One value of the unknown: chosen freely by `sign`, or where the signs chosen at earlier sub-problems
+    have this product. `when` says which it is; 0 is no choice."""
+
     sign: int = 0
     when: Condition | None = None
     earlier: tuple[int, ...] = ()
@@ -33,23 +43,12 @@ class Choice:
         """Whether it goes with the signs chosen at earlier sub-problems, by their numbers."""
         return not self.earlier or prod(signs[each] for each in self.earlier) == self.product
 
-    @cached_property
-    def at(self) -> Compiled:
-        """The value in numbers. Raises as `compiled` does."""
-        return compiled(self.value)
-
 
 @dataclass(frozen=True)
-class Definition:
+class Definition(Formula):
     """A name for a quantity that is known by then."""
 
     name: Symbol
-    value: Expr
-
-    @cached_property
-    def at(self) -> Compiled:
-        """The value in numbers. Raises as `compiled` does."""
-        return compiled(self.value)
 
 
 @dataclass(frozen=True, slots=True)

@@ -49,12 +49,11 @@ def _spaces(task: Task, each: Analysed, case: Case) -> bool:
         J = _block_numbers(task, each, here)
         size = max(1.0, float(np.abs(J).max()))
         holds &= _rank(J) == case.rank
-        for x in case.null:
-            v = np.array(numeric.matrix_numbers(x, here))
-            holds &= bool(np.abs(J @ v).max() <= SMALL * size * max(1.0, float(np.abs(v).max())))
-        for u in case.lost:
-            v = np.array(numeric.matrix_numbers(u, here))
-            holds &= bool(np.abs(v.T @ J).max() <= SMALL * size * max(1.0, float(np.abs(v).max())))
+        for vectors, matrix in ((case.null, J), (case.lost, J.T)):
+            for vector in vectors:
+                v = np.array(numeric.matrix_numbers(vector, here))
+                longest = max(1.0, float(np.abs(v).max()))
+                holds &= bool(np.abs(matrix @ v).max() <= SMALL * size * longest)
     return holds
 
 
