@@ -33,6 +33,7 @@ MOST_EXPANDED = 12  # terms of all minors
 
 
 def determinant(name: Expr) -> Expr:
+    """det(name), not worked out."""
     return Call("det", (name,))
 
 
@@ -84,6 +85,7 @@ def _place(pair: tuple[Scalar, int]) -> tuple[int, bool]:
 
 
 def mostly_negative(tree: Expr) -> bool:
+    """Whether more than half of its terms are written with a minus."""
     terms = terms_of(tree)
     return sum(map(is_negative, terms)) * 2 > len(terms)
 

@@ -49,6 +49,8 @@ class Options(OptionsModel):
 
 
 class Facts(PageFacts):
+    """How the iteration went: its table, how it ended, and what was explained before."""
+
     method: str
     square: bool
     table: Table
@@ -101,6 +103,7 @@ class Arm:
 
     @property
     def variables(self) -> tuple[str, ...]:
+        """The joint variables in order."""
         return self.task.found.variables
 
     @property

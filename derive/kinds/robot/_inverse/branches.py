@@ -48,6 +48,7 @@ class Solutions:
 
     @cached_property
     def chosen(self) -> tuple[Taken, ...]:
+        """Of each branch the choice at each sub-problem."""
         return tuple(branches_of(self.items))
 
     @cached_property
@@ -73,6 +74,7 @@ class Solutions:
 
     @property
     def turning(self) -> tuple[str, ...]:
+        """The joint variables that are angles."""
         return tuple(name for name in self.joints if name not in self.slides)
 
     @property

@@ -93,6 +93,7 @@ class Progress:
 
     @property
     def solved(self) -> list[Solved]:
+        """The sub-problems so far."""
         return [item for item in self.items if isinstance(item, Solved)]
 
     def determined(self) -> list[str]:

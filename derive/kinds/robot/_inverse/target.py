@@ -30,6 +30,7 @@ class Target:
 
     @staticmethod
     def of(problem: Problem, chain: Chain, goal: Goal) -> Target:
+        """What is known of the end-effector of a chain."""
         slides = frozenset(joint.variable for _, joint in chain.moving if joint.type == "prismatic")
         return Target(oracle_of(problem), goal, chain.variables, slides, frozenset(problem.symbols))
 
@@ -64,6 +65,7 @@ class Target:
         return {name: gap(one[name], other[name], name in self.slides) for name in self.joints}
 
     def same(self, one: Mapping[str, float], other: Mapping[str, float]) -> bool:
+        """Whether these are the same joint values, angles up to whole turns."""
         return all(abs(each) <= SAME for each in self.gaps(one, other).values())
 
     def there(self, at: Mapping[str, float]) -> list[float]:

@@ -62,6 +62,7 @@ class Worked:
 
     @cached_property
     def solved(self) -> tuple[Solved, ...]:
+        """Every sub-problem, in order."""
         return tuple(item for item in self.all_items if isinstance(item, Solved))
 
     @property

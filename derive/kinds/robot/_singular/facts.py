@@ -47,6 +47,8 @@ class Inside(Record):
 
 
 class SetTold(Record):
+    """A set with its cases, two that are `alike` as one; `angular` where rotations are lost there."""
+
     inside: Inside
     cases: tuple[CaseTold, ...]
     alike: bool
@@ -56,6 +58,8 @@ class SetTold(Record):
 
 
 class Facts(PageFacts):
+    """The way to the determinant, and the sets on which the rank drops."""
+
     way: str  # "wrist", "minors", ...
     rows: tuple[Symbol, ...]
     frame: int | None
