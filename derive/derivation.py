@@ -6,7 +6,7 @@ sentences live in `templates/words/` and refer to the steps by name.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias, TypeVar, dataclass_transform
 
@@ -60,6 +60,12 @@ class Step:
     steps: tuple[Step, ...] = ()
     spare: tuple[Expr, ...] = ()
     entries: Mapping[tuple[int, int], Symbol] = field(default_factory=dict)
+
+    def all(self) -> Iterator[Step]:
+        """This step, then those inside it."""
+        yield self
+        for step in self.steps:
+            yield from step.all()
 
     @property
     def result(self) -> Expr:
@@ -248,18 +254,8 @@ class Derivation:
 
     def all_steps(self) -> Iterator[Step]:
         """Every step, outer ones first, in the order of the page."""
-        yield from _walk(self.steps)
-
-
-def named_results(steps: Iterable[Step]) -> dict[Expr, Expr]:
-    """What the names of the steps stand for."""
-    return {Symbol(step.name): step.result for step in steps if step.chain}
-
-
-def _walk(steps: tuple[Step, ...]) -> Iterator[Step]:
-    for step in steps:
-        yield step
-        yield from _walk(step.steps)
+        for step in self.steps:
+            yield from step.all()
 
 
 def as_matrix(value: Result, name: str) -> Matrix:

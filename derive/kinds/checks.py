@@ -27,7 +27,8 @@ def links(steps: Iterable[Step], names: Names) -> tuple[Claim, ...]:
 
     A step by rule "law" states what holds in general and has nothing to compare.
     """
-    chains = {step.name: _exact(step, names) for step in _all(steps) if step.rule != "law"}
+    every = (inner for step in steps for inner in step.all() if inner.rule != "law")
+    chains = {step.name: _exact(step, names) for step in every}
     walk_of = walk_over([expr for chain in chains.values() for expr in chain], names)
     return tuple(_link(name, chain, walk_of) for name, chain in chains.items() if len(chain) > 1)
 
@@ -129,9 +130,3 @@ def _plain(value: Value) -> Value:
 
 def _rounded(expr: Expr) -> bool:
     return any(isinstance(node, Approximate) for node in walk(expr))
-
-
-def _all(steps: Iterable[Step]) -> Iterator[Step]:
-    for step in steps:
-        yield step
-        yield from _all(step.steps)
