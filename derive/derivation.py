@@ -15,6 +15,7 @@ from derive.expression import Expr, Matrix, Relation, Symbol
 
 
 @dataclass_transform(frozen_default=True, kw_only_default=True, field_specifiers=(field,))
+@dataclass(frozen=True)
 class Record:
     """Plain values that the words read: a subclass lists them with their types and is frozen."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import islice
 from typing import get_args
 
-from derive.derivation import Step, Table
+from derive.derivation import Cell, Step, Table
 from derive.expression import Expr, Matrix, walk
 from derive.render.breaking import pieces
 from derive.render.latex import Printer
@@ -42,3 +42,8 @@ def has_room(table: Table, printer: Printer) -> bool:
     rows = ([width(printer.write(c)) if isinstance(c, TREES) else 0.0 for c in row] for row in table.rows)
     widest: list[float] = [max(column) for column in zip(*rows, strict=True)]
     return sum(widest) <= WIDEST_TABLE
+
+
+def abridged(rows: tuple[tuple[Cell, ...], ...], most: int) -> tuple[tuple[Cell, ...], ...]:
+    """The rows of a table, the middle left out where there are more."""
+    return rows if len(rows) <= most else (*rows[: most - 2], ("...",) * len(rows[0]), rows[-1])

@@ -23,7 +23,7 @@ from derive.render.layout import LINE, Chain, Display, Link, lay_out
 from derive.render.names import name_latex
 from derive.render.notation import Notation
 from derive.render.phrases import PHRASES, Speech, on_page
-from derive.render.room import has_room, kept
+from derive.render.room import abridged, has_room, kept
 from derive.render.skin import Skin, environment, words_file
 
 QUESTION = "question"  # the block of a words template that asks for its derivation
@@ -143,9 +143,10 @@ class Telling:
         """A phrase, a relation, or several that all hold, in a line of text."""
         return self.speech.when(said if isinstance(said, tuple) else (said,))
 
-    def table(self, table: Table) -> str:
-        """A table; its mathematics is set inline, a number with the unit its author gave it."""
-        rows = [[self._cell(entry) for entry in row] for row in table.rows]
+    def table(self, table: Table, most: int = 1000) -> str:
+        """A table; its mathematics is set inline, a number with the unit its author gave it. Of more than
+        `most` rows the middle is left out."""
+        rows = [[self._cell(entry) for entry in row] for row in abridged(table.rows, most)]
         return self.skin.table([self._cell(heading) for heading in table.headings], rows)
 
     def plot(self, name: str, caption: str = "") -> str:

@@ -28,7 +28,9 @@ from derive.mechanics.robot import Robot
 from derive.names import require_free
 
 NEEDS = ("bodies",)
-LONGEST_ENTRY = 60  # operations; an arm with a longer entry of D is worked in the frames of its links
+MOST_IN_THE_BASE = (
+    60  # operations of an entry of D; an arm with a longer one is worked in the frames of its links
+)
 D = Symbol("D")
 
 
@@ -54,7 +56,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     value = with_rotors(inertia_matrix([body.motion for body in bodies]), robot)
     written = problem.readable_matrix(value)
     moments = {name: value for body in bodies for name, value in body.named.items()}
-    big = max(map(operations, children(written))) > LONGEST_ENTRY
+    big = max(map(operations, children(written))) > MOST_IN_THE_BASE
     work = Work(problem).resting_on(problem.ask("forward-kinematics" if big else "joint-axes"))
     for body in bodies:
         work = work.knowing(body_definitions(problem, body))

@@ -27,7 +27,6 @@ from derive.mechanics.robot import Robot
 from derive.mechanics.task import ROWS, moving_rows
 
 NOTHING = 1e-16  # an error too small for a logarithm
-MOST_ROWS = 13  # of a printed table; the middle of a longer one is left out
 J, R, F, H = map(Symbol, ("J", "r_d", "f", "H"))
 
 
@@ -186,14 +185,12 @@ def _value(tree: Expr, here: Mapping[str, float]) -> float:
 
 def _facts(arm: Arm, options: Options, run: Iteration) -> Facts:
     variables = [Symbol(name) for name in arm.variables]
-    kept: list[tuple[Expr | str, ...]] = [_row(k, row) for k, row in enumerate(run.rows)]
-    if len(kept) > MOST_ROWS:
-        kept[MOST_ROWS - 2 : -1] = [("...",) * len(kept[0])]
+    rows = tuple(_row(k, row) for k, row in enumerate(run.rows))
     last = run.rows[-1]
     return Facts(
         method=options.method,
         square=arm.task.square,
-        table=Table((Symbol("k"), *variables, Phrase("error"), H), tuple(kept)),
+        table=Table((Symbol("k"), *variables, Phrase("error"), H), rows),
         verdict=run.verdict,
         steps=len(run.rows) - 1,
         error=Approximate(last.error if last.error >= CLOSE else 0.0),

@@ -39,12 +39,11 @@ from derive.mechanics.robot import Robot
 
 NEEDS = ("bodies",)
 PRODUCTS = (("Y", "parameters"), ("Y_b", "base_parameters"))
-MOST_LISTED = 20  # parameters
 LONGEST_NUMBER = 10**6  # denominator of a number that is still written in full
 
 
 class Facts(PageFacts):
-    table: Table | None
+    table: Table
     all: int
     smallest: int
     rotors: bool
@@ -145,8 +144,6 @@ def _beside(columns: Sequence[Matrix]) -> Matrix:
     return Matrix(tuple(zip(*(children(each) for each in columns), strict=True)))
 
 
-def _table(values: Mapping[Expr, Expr]) -> Table | None:
-    """Every parameter and its value, where they are not too many."""
-    if len(values) > MOST_LISTED:
-        return None
+def _table(values: Mapping[Expr, Expr]) -> Table:
+    """Every parameter and its value."""
     return Table((Phrase("parameter"), Phrase("value")), tuple(values.items()))

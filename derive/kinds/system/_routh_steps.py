@@ -31,11 +31,10 @@ from derive.expression import (
     subtract,
     walk,
 )
+from derive.kinds.chains import distinct
 
 S = Symbol("s")
 IN_TABLE = 6  # operations an entry of the table has at most; a longer one is named
-PUT_IN = 30  # operations of a formula with its values put in
-LONG = 60  # operations of a value that is worth printing
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,19 +118,18 @@ def entry_steps(array: Array) -> Iterator[Step]:
 def _computed(array: Array, i: int, row: Row) -> Iterator[Step]:
     for j in range(1, row.power // 2 + 2):
         name, formula, value = array.name(i, j), _formula(array, i, j), array.value(i, j)
+        worked = _worked(array, i, j, formula)
         if j == 1 and row.origin == "epsilon":
-            yield Step(f"zero_{i}", (*_worked(array, i, j, formula), ZERO), "epsilon")
+            yield Step(f"zero_{i}", (*worked, ZERO), "epsilon", spare=worked[1:])
             continue
-        chain = (name, *_worked(array, i, j, formula))
-        if operations(value) <= LONG and value != chain[-1]:
-            chain = (*chain, value)
-        yield Step(f"entry_{i}_{j}", chain, "entry")
+        chain = distinct((name, *worked, value))
+        yield Step(f"entry_{i}_{j}", chain, "entry", spare=(*worked[1:], value))
 
 
 def _worked(array: Array, i: int, j: int, formula: Expr) -> tuple[Expr, ...]:
-    """The formula in names, then with values where that can be read."""
+    """The formula in names, then with values where that says more."""
     filled = _filled(array, i, j)
-    return (formula,) if filled is None or operations(filled) > PUT_IN else (formula, filled)
+    return (formula,) if filled is None else (formula, filled)
 
 
 def _filled(array: Array, i: int, j: int) -> Expr | None:

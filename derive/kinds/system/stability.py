@@ -32,7 +32,7 @@ from derive.kinds.system._plant import (
     rounded,
     verdict,
 )
-from derive.kinds.system._routh_steps import LONG, entry_steps
+from derive.kinds.system._routh_steps import entry_steps
 from derive.kinds.system._stability_answer import Answer, answered, right_of_axis
 from derive.kinds.system._stability_checks import claims_of, signs_at
 from derive.kinds.system._stability_limit import (
@@ -151,7 +151,7 @@ def _limit_steps(answer: Answer) -> Iterator[Step]:
     filled = Quotient(array.value(row, 2), below)
     value = value if isinstance(below, Quotient) or operations(value) < operations(filled) else filled
     chain: tuple[Expr, ...] = (squared(_omega(answer)), Quotient(array.name(row, 2), array.name(row, 1)))
-    yield Step("limit", (*chain, value) if operations(value) <= LONG else chain, "limit")
+    yield Step("limit", (*chain, value), "limit", spare=(value,))
 
 
 def _facts(answer: Answer, options: Options, at: StabilityAtPoint | None) -> Facts:

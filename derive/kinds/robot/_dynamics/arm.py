@@ -19,7 +19,7 @@ from derive.kinds.work import Work
 from derive.mechanics.dynamics import Christoffel, christoffel
 from derive.mechanics.oracle import Oracle
 
-LONGEST_MATRIX = 200  # operations of D, all entries together
+MOST_WRITTEN_OUT = 200  # operations of D; what follows from a longer one is worked in names
 DOTS = ("dot", "ddot")
 
 
@@ -64,7 +64,7 @@ class Arm:
     def long(self) -> bool:
         """Whether what follows from D would fill pages: it is then left in its names."""
         big = self.inertia.told(Facts).big
-        return big or operations(self.inertia.definitions[Symbol("D")]) > LONGEST_MATRIX
+        return big or operations(self.inertia.definitions[Symbol("D")]) > MOST_WRITTEN_OUT
 
     @cached_property
     def moments(self) -> dict[Expr, Expr]:

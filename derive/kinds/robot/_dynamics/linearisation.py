@@ -22,7 +22,7 @@ from derive.mechanics.drives import Friction
 from derive.mechanics.oracle import Oracle
 from derive.mechanics.robot import Robot
 
-LONGEST = 80  # operations of A and B together
+MOST_WHOLE = 80  # operations of A and B together; longer ones are worked block by block
 MOST_REDUCED = 2  # joints; with more, common factors of fractions are not looked for
 MOST_TERMS = 600  # of an entry of A times the determinant
 D_0 = Symbol("D_0")
@@ -75,7 +75,7 @@ class Linear:
     @property
     def long(self) -> bool:
         """Whether A and B are shown block by block."""
-        return operations(self.A) + operations(self.B) > LONGEST
+        return operations(self.A) + operations(self.B) > MOST_WHOLE
 
     def _over(self, top: ScalarMatrix) -> list[tuple[Expr, ...]]:
         """Rows over det D_0: reduced where the arm is small, as they are where that would take long."""
