@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from derive.algebra.numbers.floats import Point, number
+from derive.algebra.numbers.floats import Point, completed, number
 from derive.algebra.readable.terms import Style
 from derive.derivation import Branch, Condition, Derivation, Phrase, Result
 from derive.expression import Expr, Matrix, Number, Relation, Symbol, free_symbols, walk
@@ -20,17 +20,6 @@ def point_of(at: Mapping[str, Expr], where: Mapping[str, Expr]) -> Point:
     """A value for each name of `evaluate` and of `where` that has one; those that rest on others after
     them. Names whose value is not decided are left out."""
     return completed({}, {**where, **at})
-
-
-def completed(point: Point, where: Mapping[str, Expr]) -> Point:
-    """The point with the values of `where` added, those that rest on others after them. Names whose
-    value is not decided by the point are left out."""
-    found = dict(point)
-    pending = {name: free_symbols(value) for name, value in where.items()}
-    while ready := [name for name, needed in pending.items() if needed <= found.keys()]:
-        found.update({name: number(where[name], found) for name in ready})
-        pending = {name: needed for name, needed in pending.items() if name not in ready}
-    return found
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,7 +16,7 @@ from typing import Any
 from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, walk_over
-from derive.algebra.numbers.floats import Point, numbers, scalar_number
+from derive.algebra.numbers.floats import Point, completed, numbers, scalar_number
 from derive.algebra.scalar import Scalar
 from derive.algebra.signs import sign_of
 from derive.algebra.values import Value, matrix_of, scalar_of
@@ -34,7 +34,6 @@ from derive.expression import replace as put_in
 from derive.kinds.chains import closing, distinct, piled
 from derive.kinds.checks import TOLERANCE, agreement, law, links
 from derive.kinds.problem import Problem
-from derive.kinds.values_at import completed
 from derive.names import NAMESAKE, named
 
 CLOSE = 1e-12

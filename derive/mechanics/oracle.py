@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias, get_args
 from flint import arb
 
 from derive.algebra.ball_arithmetic import precise
-from derive.algebra.numbers.floats import Point, number
+from derive.algebra.numbers.floats import Point, completed, number
 from derive.expression import Expr, Symbol, free_symbols
 from derive.mechanics.bodies import Body, moments
 from derive.mechanics.dh import moves
@@ -46,11 +46,7 @@ class Oracle:
 
     def at(self, point: Point) -> Point:
         """The point with the values of `where` added; those the point does not decide are left out."""
-        found = dict(point)
-        pending = dict(self.where)
-        while ready := [n for n, e in pending.items() if all(s in found for s in free_symbols(e))]:
-            found.update({name: number(pending.pop(name), found) for name in ready})
-        return found
+        return completed(point, self.where)
 
     def local(self, point: Point) -> list[Array]:
         """T from each row to the one before."""

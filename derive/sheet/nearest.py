@@ -28,8 +28,7 @@ def nearest_rotation(axes: Sequence[tuple[Expr, Expr, Expr]], where: Mapping[str
     """
     import numpy as np
 
-    from derive.algebra.numbers.floats import number
-    from derive.kinds.values_at import completed
+    from derive.algebra.numbers.floats import completed, number
 
     entries = [entry for axis in axes for entry in axis]
     known, places = completed({}, where), typed_places(axes)

@@ -15,7 +15,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar
 from derive.errors import DivisionByZero, NotReal, TooLarge
-from derive.expression import Expr, Matrix
+from derive.expression import Expr, Matrix, free_symbols
 
 Point: TypeAlias = Mapping[str, float]
 
@@ -165,3 +165,14 @@ def atom_number(atom: str, point: Point) -> float:
     """The value of a letter, of a function that the normal form keeps as it is, `exp(x)`, or of an atom of an
     angle. Raises KeyError."""
     return _Exact(_Floats(point)).atom(atom)
+
+
+def completed(point: Point, where: Mapping[str, Expr]) -> Point:
+    """The point with the values of `where` added, those that rest on others after them. Names whose
+    value is not decided by the point are left out."""
+    found = dict(point)
+    pending = {name: free_symbols(value) for name, value in where.items()}
+    while ready := [name for name, needed in pending.items() if needed <= found.keys()]:
+        found.update({name: number(where[name], found) for name in ready})
+        pending = {name: needed for name, needed in pending.items() if name not in ready}
+    return found

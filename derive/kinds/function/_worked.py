@@ -9,6 +9,7 @@ from flint import arb
 from derive.algebra.function import Function
 from derive.algebra.normal import normal
 from derive.algebra.numbers import floats as numeric
+from derive.algebra.numbers.floats import completed
 from derive.algebra.rationals import as_fraction
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.polynomial_systems import Value, put_in
@@ -24,7 +25,6 @@ from derive.kinds.function._stationary import Point, Task, bordered_hessian, is_
 from derive.kinds.function._telling import CaseTold, divided_by, is_enclosed, told
 from derive.kinds.function._writing import written
 from derive.kinds.problem import Problem
-from derive.kinds.values_at import completed
 from derive.kinds.work import Work
 
 LAMBDA = Symbol("Lambda")

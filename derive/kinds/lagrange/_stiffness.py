@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import combinations
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.numbers.floats import matrix_numbers, number
+from derive.algebra.numbers.floats import completed, matrix_numbers, number
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.polynomials import known_sign, odd_part
 from derive.derivation import Phrase
@@ -15,7 +15,6 @@ from derive.expression import ZERO, Approximate, Relation, Symbol, walk
 from derive.kinds.lagrange._angles_found import Found
 from derive.kinds.lagrange._model import Model
 from derive.kinds.lagrange._rest import there
-from derive.kinds.values_at import completed
 from derive.mechanics.lagrangian import without
 
 ROUNDED = 1e-6  # of the largest stiffness: one that is smaller may be zero

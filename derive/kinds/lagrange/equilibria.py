@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.numbers.floats import number
+from derive.algebra.numbers.floats import completed, number
 from derive.algebra.scalar import Scalar
 from derive.algebra.signs import signed
 from derive.derivation import Branch, Claim, Derivation, PageFacts, Phrase, Step, Table
@@ -21,7 +21,6 @@ from derive.kinds.lagrange._rest import equations, inputs_of, require_steady, su
 from derive.kinds.lagrange._stiffness import is_exact, put_in
 from derive.kinds.lagrange._stiffness import said as said_of
 from derive.kinds.problem import Problem
-from derive.kinds.values_at import completed
 from derive.kinds.work import Work
 from derive.mechanics.lagrangian import TIME, LagrangianSystem, without
 

@@ -9,7 +9,7 @@ from typing import Any
 
 from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.numbers.floats import number, numbers
+from derive.algebra.numbers.floats import completed, number, numbers
 from derive.algebra.solving.polynomials import known_sign
 from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable, NotReal
@@ -22,7 +22,6 @@ from derive.kinds.lagrange._model import Model
 from derive.kinds.lagrange._oracle import Differences
 from derive.kinds.lagrange._rest import equations, inputs_of, require_steady, surely_positive, there
 from derive.kinds.problem import Problem
-from derive.kinds.values_at import completed
 from derive.kinds.work import Work
 from derive.mechanics.lagrangian import TIME, LagrangianSystem
 

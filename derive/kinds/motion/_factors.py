@@ -8,7 +8,7 @@ from typing import Literal
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
-from derive.algebra.numbers.floats import number
+from derive.algebra.numbers.floats import completed, number
 from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar
 from derive.derivation import Record
@@ -34,7 +34,6 @@ from derive.expression import (
     transpose,
 )
 from derive.kinds.problem import Problem
-from derive.kinds.values_at import completed
 from derive.kinds.work import Work
 from derive.mechanics.elementary import factor_name, homogeneous, rotation_matrix, skew, translation
 from derive.mechanics.motion import Axis, Move

@@ -6,13 +6,12 @@ from collections.abc import Sequence
 from typing import Any, Literal
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.numbers.floats import numbers
+from derive.algebra.numbers.floats import completed, numbers
 from derive.derivation import Claim, Derivation, PageFacts, Phrase, Result
 from derive.expression import Expr, Matrix, Symbol
 from derive.kinds.checks import is_rotation, law
 from derive.kinds.motion._factors import Factors, Placed, factors_of, product_of, rounded_matrix, value_of
 from derive.kinds.problem import Problem
-from derive.kinds.values_at import completed
 from derive.kinds.work import Work
 from derive.mechanics.motion import Move
 from derive.mechanics.oracle import made

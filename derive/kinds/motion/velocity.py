@@ -8,7 +8,7 @@ from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numbers.floats import Point, number
+from derive.algebra.numbers.floats import Point, completed, number
 from derive.derivation import Derivation, PageFacts
 from derive.errors import NotDerivable
 from derive.expression import (
@@ -25,7 +25,6 @@ from derive.expression import (
 )
 from derive.kinds.fields import Name, OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.values_at import completed
 from derive.kinds.work import Work
 from derive.mechanics.lagrangian import TIME
 from derive.mechanics.motion import Motion, Move
