@@ -18,6 +18,7 @@ from derive.render.skin import environment
 LETTERS = str.maketrans({chr(k): chr(k + 0xFEE0) for k in (*range(65, 91), *range(97, 123))})
 FIELD = re.compile(r"(\{[^{}]*\})")
 SAYING = {"em": 0, "strong": 0, "items": 0, "append": 0, "plot": 1}  # how many arguments are names
+SAID_BESIDE = ("entries", "caption")  # of a display, of a picture
 JOINING = ("join", "listed", "default", "replace")
 UNSAID = (nodes.Compare, nodes.Test, nodes.Getattr, nodes.Import, nodes.FromImport, nodes.Include)
 
@@ -56,6 +57,8 @@ class _Translation(NodeTransformer):
             case nodes.TemplateData():
                 before, self.mathematics = self.mathematics, self.mathematics ^ _opens(node.data)
                 node.data = translated(node.data, before)
+            case nodes.Block(name="example" | "results"):  # printed on no page
+                return node
             case nodes.Const():
                 node.value = translated(node.value) if isinstance(node.value, str) else node.value
             case nodes.Concat():
@@ -66,6 +69,8 @@ class _Translation(NodeTransformer):
             case nodes.Call():
                 names = SAYING.get(getattr(node.node, "name", getattr(node.node, "attr", "")), len(node.args))
                 node.args = [*node.args[:names], *map(self.visit, node.args[names:])]
+                for each in node.kwargs:
+                    each.value = self.visit(each.value) if each.key in SAID_BESIDE else each.value
             case nodes.Filter():
                 node.node = self.visit(node.node) if node.node else None
                 node.args = [self.visit(each) for each in node.args] if node.name in JOINING else node.args

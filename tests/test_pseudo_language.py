@@ -18,6 +18,7 @@ from derive.build import derive_all
 from derive.kinds import registry
 from derive.render.document import Document
 from derive.render.plain_text import LETTER_NAMES
+from derive.render.questions import example_of
 from derive.sheet.load import load_sheet
 from derive.sheet.subjects.registry import subjects
 from derive.writing import render
@@ -71,7 +72,7 @@ def _said(results: Any) -> Iterator[str]:
 @pytest.mark.parametrize(("subject", "kind"), KINDS, ids=[f"{s}-{k}" for s, k in KINDS])
 def test_no_word_of_an_example_is_from_elsewhere(subject: str, kind: str, tmp_path: Path) -> None:
     path = tmp_path / "a.yaml"
-    path.write_text(registry.load(subject, kind).EXAMPLE, encoding="utf-8")
+    path.write_text(example_of(registry.module_name(subject, kind)), encoding="utf-8")
     assert plain(path) == []
 
 
