@@ -36,7 +36,7 @@ INNER = "results that are not asked, as the steps to the one that is"
 NOT_YET_REFUSED = {
     "function.lagrange_multipliers": ("value matrix H", BRANCHES),
     "function.stationary_points": ("value matrix H", BRANCHES),
-    "lagrange.equations_of_motion": ("L M T equations value r_? v_?", BODIES),
+    "lagrange.equations_of_motion": ("L M T value r_? v_?", BODIES),
     "lagrange.equilibria": ("solutions value matrix E K r v", BRANCHES),
     "lagrange.linearisation": ("A B value r_? v_?", TWICE),
     "motion.rotation_vector": ("R_1 angle r", NO_CHAIN),

@@ -76,14 +76,16 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     )
     work = Work(problem, _definitions(steps), steps=steps).claim(*_laws(model, solution))
     moving = {*system.coordinates, *system.rates, *system.accelerations, TIME}
+    equations = [problem.final(difference(*sides)) for sides in zip(lefts, rights, strict=True)]
+    free = {name.name: 0.0 for name in model.multipliers}  # of the constraints
     work = work.agrees(
         "along-a-motion",
         problem.symbols | moving,
-        lambda at: [numeric.number(left, at) for left in lefts],
-        Differences(system, problem.where).left_sides,
+        lambda at: [numeric.number(each, {**at, **free}) for each in equations],
+        Differences(system, problem.where).left_over,
         points=POINTS,
     )
-    results = _results(model, lefts, rights, solution)
+    results = _results(model, lefts, equations, solution)
     return work.answer("equations-of-motion", results, _facts(model, lefts, rights))
 
 
@@ -148,7 +150,7 @@ def _definitions(steps: tuple[Step, ...]) -> dict[Expr, Expr]:
 
 
 def _results(
-    model: Model, lefts: list[Expr], rights: list[Expr], found: Solved | None
+    model: Model, lefts: list[Expr], equations: list[Expr], found: Solved | None
 ) -> Mapping[str, Result]:
     problem, zero = model.problem, Scalar.of(0)
     scalars = {
@@ -157,7 +159,7 @@ def _results(
     results: dict[str, Result] = {name: problem.final(problem.readable(v)) for name, v in scalars.items()}
     results["M"] = problem.final(problem.readable_matrix(model.mass))
     results["tau"] = _columns(problem, lefts)
-    results["equations"] = _columns(problem, [difference(a, b) for a, b in zip(lefts, rights, strict=True)])
+    results["equations"] = column(equations)
     for step in _conserved(model):
         results["E"] = problem.final(step.result)
     if found is not None:
