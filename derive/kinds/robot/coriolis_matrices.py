@@ -55,7 +55,7 @@ class Row(Record):
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """v = C [qdot^2] + B [qdot qdot] (Khatib, Introduction to Robotics, dynamics; Craig, eq. 6.63)."""
-    require_free(problem.symbols, "C", "B", "v")
+    require_free(problem.taken, "C", "B", "v")
     arm, n = Arm(problem), len(robot.variables)
     symbols = christoffel(normal_matrix(arm.inertia.definitions[Symbol("D")]), arm.variables)
     values = {(i, j, k): symbols[j, k, i] for i, j, k in sorted((i, j, k) for j, k, i in symbols if j <= k)}

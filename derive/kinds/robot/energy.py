@@ -30,6 +30,7 @@ from derive.kinds.robot._dynamics.drives import ROTORS, rotors
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import kinetic_energy, link_inertia, rate_column, time_derivative
 from derive.mechanics.robot import Robot
+from derive.names import require_free
 
 NEEDS = ("bodies",)
 HALF = number("1/2")
@@ -43,6 +44,7 @@ class Facts(PageFacts):
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """K_i = (m v_c^T v_c + w^T R I R^T w) / 2 and P_i = -m g^T o_c (Spong et al., eq. 6.26 and 6.33)."""
+    require_free(problem.taken, "K", "q_dot")
     arm = Arm(problem)
     bodies = weighted(problem, chain_of(problem))
     work = Work(problem).resting_on(arm.inertia, problem.ask("gravity")).knowing({RATE: column(arm.rates)})

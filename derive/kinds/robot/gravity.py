@@ -22,6 +22,7 @@ from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import potential_energy
 from derive.mechanics.robot import Robot, gravity_of
+from derive.names import require_free
 
 NEEDS = ("bodies",)
 P, G_0 = symbols("P g_0")
@@ -29,6 +30,7 @@ P, G_0 = symbols("P g_0")
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """P = - sum of m g^T o_c and g_k = dP/dq_k (Spong et al., eq. 6.33 and 6.40)."""
+    require_free(problem.taken, "P", "g_0")
     base = problem.ask("inertia-matrix")
     work = Work(problem).resting_on(base).given(G_0, column(gravity_of(robot)))
     bodies = weighted(problem, chain_of(problem))

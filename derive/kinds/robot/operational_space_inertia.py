@@ -18,6 +18,7 @@ from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._velocity.solving import quotient
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.robot import Robot
+from derive.names import require_free
 
 NEEDS = ("bodies",)
 MOST_JOINTS = 3
@@ -42,6 +43,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     Raises NotDerivable for an arm with more than three joints, for one whose D is long, and where J is not
     square or has no inverse anywhere.
     """
+    require_free(problem.taken, "Lambda")
     arm = Arm(problem)
     if arm.long:
         raise NotDerivable("the matrix would fill pages; give numbers to some of the symbols of the arm")

@@ -320,3 +320,24 @@ def test_every_kind_of_an_odd_arm(tmp_path: Path, arm: str) -> None:
     document = assemble(load_sheet(sheet))
     assert len(list(document.questions())) == len(KINDS)
     assert render(document, "md").count("#### Solution") == len(KINDS)
+
+
+@pytest.mark.parametrize(
+    ("name", "asked"),
+    [
+        ("B", "find: coriolis-matrices"),
+        ("P", "find: gravity"),
+        ("g_0", "find: gravity"),
+        ("q_dot", "find: energy"),
+        ("G", "find: dynamics\n  notation: khatib"),
+        ("Lambda", "find: operational-space-inertia\n  rows: [vx]"),
+    ],
+)
+def test_a_name_under_where_that_is_one_of_the_answer(tmp_path: Path, name: str, asked: str) -> None:
+    sheet = tmp_path / "sheet.yaml"
+    arm = PENDULUM.replace("a: 0", f"a: {name}").replace("MORE", "")
+    sheet.write_text(
+        f"title: t\nproblems:\n- robot:{arm}  where: {{{name}: 2*L}}\n  {asked}\n", encoding="utf-8"
+    )
+    with pytest.raises(SheetErrors, match="choose another name"):
+        assemble(load_sheet(sheet))

@@ -35,7 +35,7 @@ M, V, G, F, ACCELERATION, TAU, G_0 = symbols("M v G F q_ddot tau g_0")
 
 def khatib_dynamics(problem: Problem) -> Derivation:
     """tau = M qddot + v + G, with G from the Jacobians of the centers of mass."""
-    require_free(problem.symbols, "M", "G", "F", "q_ddot")
+    require_free(problem.taken, "M", "G", "F", "q_ddot")
     arm, speed, robot = Arm(problem), problem.ask("coriolis-matrices"), problem.subject
     g, friction = problem.ask("gravity").matrix("g"), friction_terms(robot)
     work = Work(problem).resting_on(arm.inertia, speed)
