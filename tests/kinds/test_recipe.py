@@ -14,6 +14,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.scaffold.__main__ import main as begin
 from tests.sheets import ROOT
 
 COPIED = ("derive", "templates", "exercises", "output", "tests")
@@ -93,3 +94,16 @@ def test_a_wrong_sign_in_a_kind_of_the_recipe_is_refused(copy: Path, subject: st
     module.write_text(right)
     assert "the answer failed its own check" in said
     assert "Verified: " not in said
+
+
+@pytest.mark.parametrize(
+    ("subject", "kind", "said"),
+    [
+        ("robot", "quaternion", "has a kind 'quaternion' already"),
+        ("robt", "reach", "there is no subject 'robt'"),
+        ("robot", "../reach", "is no name of a kind"),
+    ],
+)
+def test_what_no_new_kind_can_be_called(subject: str, kind: str, said: str) -> None:
+    with pytest.raises(SystemExit, match=said):
+        begin(subject, kind)

@@ -36,6 +36,9 @@ def main(subject: str, kind: str) -> str:
         raise SystemExit(
             f"'{kind}' is no name of a kind: write small letters with hyphens, as pseudo-inverse"
         )
+    own = f"derive.kinds.{subject}.{kind.replace('-', '_')}"
+    if (known := kinds.kinds_of(subject).get(kind, own)) != own:
+        raise SystemExit(f"{subject} has a kind '{kind}' already: {known}")
     if missing := {path: text for path, text in files(subject, kind).items() if not path.exists()}:
         return _begun(subject, kind, missing)
     return _ended(subject, kind)
