@@ -96,12 +96,16 @@ class Telling:
     def scope(self) -> dict[str, Any]:
         """What a words template can name."""
         return {
-            "d": self.d, "step": self.d.step, "facts": self.d.facts,
+            "d": self.d, "step": self.d.step, "steps": self.steps, "facts": self.d.facts,
             "show": self.show, "inline": self.inline, "tell": self.tell, "table": self.table,
             "plot": self.plot, "em": self.skin.em, "strong": self.skin.strong, "items": self.skin.items,
             "listing": self.listing, "path": self.path, "math": self.math, "formula": self.formula,
             "say": self.say, "cut": self.cut, "whole": self.whole, "fits": self.fits,
         }  # fmt: skip
+
+    def steps(self, *rules: str) -> list[Step]:
+        """The outer steps of these rules, in their order."""
+        return [step for step in self.d.steps if step.rule in rules]
 
     def show(self, *names: Shown, trig: Trig = None, entries: str = "", lines: int = 2) -> str:
         """A displayed equation of one or several steps (or bare chains), side by side where they fit.

@@ -76,10 +76,6 @@ class Factors:
         names = tuple(self.factors[i].name for i in indices)
         return Product(names) if len(names) > 1 else names[0]
 
-    def told(self, rule: str) -> tuple[str, ...]:
-        """The names of the steps of this rule."""
-        return tuple(step.name for step in self.work.steps if step.rule == rule)
-
     def placed(self) -> tuple[Placed, ...]:
         """How each factor is multiplied on, and the product so far."""
         return tuple(

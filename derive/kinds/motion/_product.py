@@ -22,9 +22,6 @@ from derive.mechanics.sequences import mode, order
 class Facts(PageFacts):
     mode: str
     placed: tuple[Placed, ...]
-    vectors: tuple[str, ...]  # steps
-    rodrigues: tuple[str, ...]  # steps
-    elementary: tuple[str, ...]  # steps
     noun: str
 
 
@@ -59,9 +56,6 @@ def _facts(factors: Factors, numeric: bool, name: Symbol) -> Facts:
     return Facts(
         mode=mode(factors.moves),
         placed=factors.placed(),
-        vectors=factors.told("unit-vector"),
-        rodrigues=factors.told("rodrigues"),
-        elementary=factors.told("elementary"),
         noun="rotation" if factors.size == 3 else "move",
         numbers=() if numeric else (name.name,),
     )

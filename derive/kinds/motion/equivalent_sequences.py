@@ -32,8 +32,6 @@ class SequenceTold(Record):
 
 class Facts(PageFacts):
     product: Symbol
-    vectors: tuple[str, ...]  # steps
-    rodrigues: tuple[str, ...] = ()
     sequences: tuple[SequenceTold, ...]
 
 
@@ -58,7 +56,6 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
         work = motion_made(work, Phrase("sequence", {"number": number}), alternative.moves, exact)
     facts = Facts(
         product=name,
-        vectors=factors.told("unit-vector"),
         sequences=tuple(_told(alternative, factors) for alternative in found),
     )
     results: dict[str, Any] = {"sequences": tuple(_typed(each.moves) for each in found)}

@@ -35,7 +35,6 @@ class Facts(PageFacts):
     offset: bool = False  # of the center of the wrist
     zero: tuple[tuple[Expr, ...], ...]  # singular where one of these holds
     redundant: bool = False
-    minors: tuple[str, ...] = ()  # steps
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -58,7 +57,6 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         rows=task.velocities,
         zero=(solved.zero,),
         redundant=task.redundant,
-        minors=tuple(step.name for step in solved.work.steps if step.rule == "minor"),
     )
     return _answer(task, _law(task, solved), problem.final(solved.qdot), facts)
 

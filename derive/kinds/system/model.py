@@ -50,8 +50,6 @@ class Options(OptionsModel):
 
 
 class Facts(PageFacts):
-    blocks: tuple[str, ...]  # steps
-    integrators: tuple[str, ...]  # steps
     closed: bool
     family: str
     motor: tuple[str, ...]
@@ -83,7 +81,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     steps = tuple(_steps(answer))
     work = Work(problem, _definitions(answer), uses=(base,), steps=steps).claim(*_claims(answer))
     results = {"matlab": files["model.m"], "python": files["model.py"]}
-    return work.answer("model", results, _facts(answer, options, steps), files=files)
+    return work.answer("model", results, _facts(answer, options), files=files)
 
 
 # -- the scripts --------------------------------------------------------------------------------------
@@ -166,12 +164,10 @@ def _definitions(answer: Answer) -> dict[Expr, Expr]:
     return found
 
 
-def _facts(answer: Answer, options: Options, steps: tuple[Step, ...]) -> Facts:
+def _facts(answer: Answer, options: Options) -> Facts:
     solved, diagram = answer.plant, answer.diagram
     taps = any(branch.tap for wired in answer.wired for branch in wired.realised.branches)
     return Facts(
-        blocks=tuple(step.name for step in steps if step.rule == "block"),
-        integrators=tuple(step.name for step in steps if step.rule == "integrator"),
         closed=answer.controller is not None,
         family=answer.controller.family if answer.controller else "",
         motor=solved.system.motor,

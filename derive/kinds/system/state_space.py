@@ -61,9 +61,6 @@ class Facts(PageFacts):
     disturbance: Symbol | None
     law: tuple[Expr, ...]
     output_law: tuple[Expr, ...]
-    equations: tuple[str, ...]  # steps
-    algebraic: tuple[str, ...]  # steps
-    rates: tuple[str, ...]  # steps
     matrices: tuple[Symbol, ...]
     as_found: bool
     through: bool
@@ -161,9 +158,6 @@ def _facts(answer: Answer, at: AtPoint | None) -> Facts:
         disturbance=solved.system.disturbance,
         law=_equation(answer, Symbol(f"{answer.letter.name}_dot"), "A", "B"),
         output_law=_equation(answer, solved.system.output, "C", "D"),
-        equations=tuple(step.name for step in steps if step.rule == "given"),
-        algebraic=tuple(step.name for step in steps if step.rule == "algebraic"),
-        rates=tuple(step.name for step in steps if step.rule == "rate"),
         matrices=tuple(solved.named(name) for name in MATRICES),
         as_found=any(step.name == "G" and step.result == whole for step in steps),
         through=bool(answer.space.D[0, 0]),

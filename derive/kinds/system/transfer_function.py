@@ -53,7 +53,6 @@ class Eliminated(Record):
 
 class Facts(PageFacts):
     motor: tuple[str, ...]
-    equations: tuple[str, ...]  # steps
     eliminations: tuple[str, ...]  # steps
     input: Symbol
     output: Symbol
@@ -141,7 +140,6 @@ def _facts(solved: Plant, at: AtPoint | None) -> Facts:
     system, rational = solved.system, solved.rational
     return Facts(
         motor=system.motor,
-        equations=tuple(f"equation_{place}" for place in range(1, len(system.equations) + 1)),
         eliminations=tuple(f"{step.signal.name}_eliminated" for step in solved.solution.steps),
         input=solved.solution.source,
         output=system.output,
