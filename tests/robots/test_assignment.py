@@ -80,7 +80,7 @@ def test_any_two_lines(convention, first, second) -> None:
     )
     of = Problem("robot", Robot("", "standard", links, home=END))
     rows, _ = found_rows(of.subject, convention, of)
-    assert all(claim.holds for claim in rows.proved(Work(of)).claims)
+    assert all(claim.holds for claim in rows.proved(rows.lines(Work(of))).claims)
 
 
 def test_a_slide_and_a_turn() -> None:
@@ -91,4 +91,4 @@ def test_a_slide_and_a_turn() -> None:
     of = Problem("robot", Robot("", "standard", links, home=END))
     for convention in ("standard", "modified"):
         rows, _ = found_rows(of.subject, convention, of)
-        assert all(claim.holds for claim in rows.proved(Work(of)).claims)
+        assert all(claim.holds for claim in rows.proved(rows.lines(Work(of))).claims)

@@ -52,9 +52,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     else:
         mode, rows = "restated", restated(robot, rows, convention)
     results: dict[str, Result] = {"DH": rows.matrix(problem)}
-    for name, T in rows.ends.items():
-        work = work.line(name, value=T, rule="motion")
-        results[name] = work.final(name)
+    work = rows.lines(work)
+    results |= {name: work.final(name) for name in rows.ends}
     work = work.step(Step("DH", (), "dh-parameters")).linked(but=rows.ends)
     work = rows.each_pose(work) if mode == "given" else rows.proved(work)
     facts = Facts(

@@ -46,6 +46,12 @@ class Rows:
         poses = {"T_base": self.base, "T_tool": self.tool}
         return {name: T for name, T in poses.items() if T != IDENTITY}
 
+    def lines(self, work: Work) -> Work:
+        """These poses as lines."""
+        for name, T in self.ends.items():
+            work = work.line(name, value=T, rule="motion")
+        return work
+
     def table(self) -> Table:
         """Under theta_i, d_i, a_i, alpha_i (a_{i-1}, alpha_{i-1} where modified); joint variables starred."""
         before = self.convention == "modified"
@@ -64,7 +70,8 @@ class Rows:
         return self.base @ reduce(ScalarMatrix.__matmul__, made) @ self.tool
 
     def proved(self, work: Work) -> Work:
-        """With the claims that the rows make the arm that was given: by normal form, and in numbers."""
+        """With the claims that the rows, between the ends on the board, make the arm that was given: by
+        normal form, and in numbers."""
         problem, ends = work.problem, {name: normal_matrix(work[name]) for name in self.ends}  # as printed
         base, tool = (ends.get(name, IDENTITY) for name in ("T_base", "T_tool"))
         T = with_fields(self, base=base, tool=tool).pose()
