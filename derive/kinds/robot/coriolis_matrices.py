@@ -7,22 +7,7 @@ from itertools import combinations, combinations_with_replacement, product
 
 from derive.algebra.normal import normal_matrix
 from derive.derivation import Derivation, PageFacts, Record
-from derive.expression import (
-    ZERO,
-    Derivative,
-    Expr,
-    Matrix,
-    Product,
-    Sum,
-    Symbol,
-    add,
-    column,
-    multiply,
-    negate,
-    number,
-    squared,
-    subtract,
-)
+from derive.expression import ZERO, Derivative, Expr, Matrix, Symbol, add, column, multiply, number, squared
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
@@ -63,7 +48,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.linked() if arm.long else _entries(work, arm)  # in names alone there is nothing to compare
     shown = [] if arm.long else [ijk for ijk in values if values[ijk] or n <= MOST_SHOWN]
     for i, j, k in shown:
-        raw = multiply(HALF, Sum((_m(i, j, k), _m(i, k, j), negate(_m(j, k, i)))))
+        raw = HALF * (_m(i, j, k) + _m(i, k, j) - _m(j, k, i))
         names = (_b(i, k, j), raw) if j != k else (raw,)
         work = work.line(_b(i, j, k), *names, value=arm.final(values[i, j, k]), rule="b", facts=Row(row=i))
     b = {ijk: work[_b(*ijk)] if ijk in shown else arm.final(value) for ijk, value in values.items()}
@@ -71,7 +56,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         work = work.knowing({_b(i, j, k): value, _b(i, k, j): value})
     work = _matrices(work, arm, symbols)
     results = {name.name: work.matrix(name) for name in ((C, B) if n > 1 else (C,))}
-    made = subtract(_whole(arm, results["C"], results.get("B")), work[V])
+    made = _whole(arm, results["C"], results.get("B")) - work[V]
     work = arm.agrees(work.law("makes-v", not work.value_matrix(made)), "v", work[V])
     return work.answer(
         "coriolis-matrices",
@@ -147,10 +132,8 @@ def _coriolis(n: int, doubled: Callable[[int, int, int], Expr]) -> Matrix:
 
 def _whole(arm: Arm, C: Expr, B: Expr | None) -> Expr:
     """C [qdot^2] + B [qdot qdot]; an arm of one joint has no B."""
-    alone = Product((C, column(map(squared, arm.rates))))
-    if B is None:
-        return alone
-    return Sum((alone, Product((B, column(map(Product, combinations(arm.rates, 2)))))))
+    alone = C * column(map(squared, arm.rates))
+    return alone if B is None else alone + B * column(p * q for p, q in combinations(arm.rates, 2))
 
 
 def _m(i: int, j: int, k: int) -> Symbol:

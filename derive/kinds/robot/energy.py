@@ -11,7 +11,6 @@ from derive.expression import (
     ZERO,
     Expr,
     Matrix,
-    Product,
     Symbol,
     add,
     column,
@@ -78,9 +77,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 def _velocities(work: Work, bodies: tuple[Weighted, ...]) -> Work:
     """v_c1 and omega_1 of each link in the base frame; the latter where its rotation stores energy."""
     for body in bodies:
-        work = work.line(f"v_c{body.i}", Product((Symbol(f"J_v{body.i}"), RATE)), rule="velocity")
+        work = work.line(f"v_c{body.i}", Symbol(f"J_v{body.i}") * RATE, rule="velocity")
         if body.turns:
-            work = work.line(f"omega_{body.i}", Product((Symbol(f"J_w{body.i}"), RATE)), rule="velocity")
+            work = work.line(f"omega_{body.i}", Symbol(f"J_w{body.i}") * RATE, rule="velocity")
     return work
 
 
@@ -91,7 +90,7 @@ def _link(work: Work, arm: Arm, body: Weighted) -> Work:
         return _form(work, arm, str(body.i), Symbol(f"D_{body.i}"), work.problem.readable_matrix(D))
     v, omega, R = Symbol(f"v_c{body.i}"), Symbol(f"omega_{body.i}"), Symbol(f"R_{body.i}^0")
     linear = multiply(HALF, body.body.mass, transpose(v), v)
-    angular = Product((HALF, transpose(omega), R, body.I, transpose(R), omega))
+    angular = HALF * transpose(omega) * R * body.I * transpose(R) * omega
     formula = add(linear, angular) if body.turns else linear
     written = work.readable(kinetic_energy(D, rate_column(arm.variables)))
     return work.line(f"K_{body.i}", formula, written, value=arm.final(written), rule="kinetic-energy")
@@ -99,7 +98,7 @@ def _link(work: Work, arm: Arm, body: Weighted) -> Work:
 
 def _form(work: Work, arm: Arm, index: str, name: Symbol, D: Matrix, rule: str = "kinetic-energy") -> Work:
     """K_m = qdot^T D_m qdot / 2, as a sum over the entries of the matrix."""
-    formula = Product((HALF, transpose(RATE), name, RATE))
+    formula = HALF * transpose(RATE) * name * RATE
     rates = [*enumerate(arm.rates)]
     value = add(
         *(multiply(HALF, D.rows[i][i], rate, rate) for i, rate in rates),

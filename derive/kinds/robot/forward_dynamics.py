@@ -10,19 +10,7 @@ from derive.algebra.numbers.floats import Point, numbers
 from derive.algebra.readable.form import readable, readable_matrix
 from derive.derivation import Derivation, PageFacts, Step
 from derive.errors import NotDerivable
-from derive.expression import (
-    Call,
-    Expr,
-    Matrix,
-    Quotient,
-    Symbol,
-    add,
-    children,
-    column,
-    multiply,
-    replace,
-    subtract,
-)
+from derive.expression import Call, Expr, Matrix, Symbol, add, children, column, multiply, replace
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
@@ -70,19 +58,19 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         """In full as a person would write it; of a long arm with values where the names stand."""
         return replace(expr, work.definitions) if long else work.readable(work.value(expr))
 
-    forces = [subtract(Symbol(f"tau_{k}"), Symbol(f"h_{k}")) for k in indices]
+    forces = [Symbol(f"tau_{k}") - Symbol(f"h_{k}") for k in indices]
     tops = [add(*map(multiply, row, forces)) for row in adjugate.rows]
-    over = Matrix(tuple(tuple(Quotient(entry, det) for entry in row) for row in adjugate.rows))
+    over = Matrix(tuple(tuple(entry / det for entry in row) for row in adjugate.rows))
     results = {
         "det": written(det),
         "D_inv": written(over),
         "h": column(step.result for step in rest),
-        "qddot": column(written(Quotient(top, det)) for top in tops),
+        "qddot": column(written(top / det) for top in tops),
     }
     work = work.line(DET, det, value=results["det"], label="det", rule="determinant")
     work = work.linked() if long else work  # of long fractions the law says as much
     for name, top, result in zip(arm.accelerations, tops, children(results["qddot"]), strict=True):
-        chain = (name, Quotient(top, DET), result)
+        chain = (name, top / DET, result)
         work = work.showing(Step(name.name, chain, "acceleration", spare=(result,)))
     one = ScalarMatrix.identity(n)
     inverse = value @ work.value_matrix(adjugate) == one.scaled(value.det())

@@ -4,17 +4,7 @@ from __future__ import annotations
 
 from derive.algebra.normal import normal_matrix
 from derive.derivation import Derivation
-from derive.expression import (
-    ZERO,
-    Derivative,
-    Product,
-    Symbol,
-    add,
-    column,
-    negate,
-    symbols,
-    transpose,
-)
+from derive.expression import ZERO, Derivative, Product, Symbol, add, column, negate, symbols, transpose
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of

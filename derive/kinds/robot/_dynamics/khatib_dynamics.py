@@ -55,7 +55,7 @@ def khatib_dynamics(problem: Problem) -> Derivation:
     work = work.line(G_0, value=column(gravity_of(robot)), rule="given")
     weights = _weights(heavy) if heavy else ZERO
     work = work.line(G, weights, value=weights if arm.long else g, rule="weights").knowing({G: g})
-    whole = Sum((Product((M, ACCELERATION)), V, G, *([F] if rubs else [])))
+    whole = M * ACCELERATION + V + G + (F if rubs else 0)
     work = work.line(TAU, whole, value=whole, rule="equations").knowing({TAU: tau})
     for k, (entry,) in enumerate(tau.rows, 1):
         work = work.line(f"tau_{k}", value=entry, rule="equation", spare=(entry,))

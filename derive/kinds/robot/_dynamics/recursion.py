@@ -8,17 +8,7 @@ from dataclasses import dataclass
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
-from derive.expression import (
-    ZERO,
-    Expr,
-    Product,
-    Symbol,
-    add,
-    cross,
-    multiply,
-    number,
-    transpose,
-)
+from derive.expression import ZERO, Expr, Product, Symbol, add, cross, multiply, number, transpose
 from derive.kinds.robot._dynamics.bodies import Weighted
 from derive.mechanics.drives import reflected, resistance
 from derive.mechanics.newton_euler import NewtonEuler, Swept
