@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -10,6 +11,7 @@ from typing import Any, get_args
 from derive.algebra.readable.terms import Style
 from derive.derivation import Branch, Derivation
 from derive.expression import (
+    PI,
     Approximate,
     Degrees,
     Expr,
@@ -20,13 +22,15 @@ from derive.expression import (
     Sum,
     Symbol,
     column,
+    multiply,
     walk,
 )
 from derive.expression import Power as Raised
-from derive.render.angles import in_degrees, in_radians
-from derive.render.latex import Printer
-from derive.render.layout import Chain, lay_out
+from derive.expression import number as exact_number
+from derive.render.latex import Printer, parenthesised
+from derive.render.layout import Chain, Link, lay_out
 from derive.render.notation import Notation
+from derive.render.numbers import rounded_latex
 from derive.render.phrases import Speech, on_page
 from derive.render.skin import Skin, environment
 from derive.render.words import chain_links
@@ -34,6 +38,8 @@ from derive.render.words import chain_links
 TREES = get_args(Expr)
 WHOLE_BELOW = 10**6
 ABOUT = ("when", "real", "free", "fixed", "true_at")  # a branch, beside its values
+WHOLE_WITHIN = 1e-7  # degrees
+EXACT = 1e-12  # radians
 IMAGINARY = Symbol("j")
 
 
@@ -112,7 +118,7 @@ class _Telling:
         if name not in self.angles or not isinstance(value, float | int):
             return chain_links((called, number), self.printer)
         degrees, digits = self.style.degrees, self.printer.notation.digits
-        angle = in_degrees(value, digits) if degrees else in_radians(value, self.printer)
+        angle = _in_degrees(value, digits) if degrees else _in_radians(value, self.printer)
         return *chain_links((called,), self.printer), angle
 
     def branch(self, branch: Mapping[str, Any]) -> dict[str, Any]:
@@ -122,6 +128,25 @@ class _Telling:
         equations = [f"${each[0].latex} {each[1].relation} {each[1].latex}$" for each in chains if each]
         when = self.speech.when(branch.get("when", ()))
         return {"when": when, "real": branch.get("real", True), "equations": equations}
+
+
+def _in_degrees(angle: float, digits: int) -> Link:
+    """An angle in radians, written in degrees; whole ones exactly."""
+    value = math.degrees(angle)
+    whole = round(value)
+    if abs(value - whole) < WHOLE_WITHIN:
+        return Link("=", rf"{whole}^\circ" if whole else "0")
+    written = rounded_latex(value, digits)
+    return Link(r"\approx", rf"{parenthesised(written) if '^' in written else written}^\circ")
+
+
+def _in_radians(angle: float, printer: Printer) -> Link:
+    """Written in radians; a multiple of a right angle by pi."""
+    quarters = round(2 * angle / math.pi)
+    if abs(angle - quarters * math.pi / 2) < EXACT:
+        exact: Expr = multiply(exact_number(Fraction(quarters, 2)), PI)
+        return Link("=", printer.write(exact))
+    return Link(r"\approx", printer.write(Approximate(angle)))
 
 
 def numeric(value: Any) -> Expr | None:

@@ -7,9 +7,8 @@ from typing import get_args
 
 from derive.derivation import Cell, Step, Table
 from derive.expression import Expr, Matrix, walk
-from derive.render.breaking import pieces
 from derive.render.latex import Printer
-from derive.render.layout import LINE
+from derive.render.layout import LINE, pieces
 from derive.render.width import width
 
 MOST_NODES = 500  # of a formula that can be short enough

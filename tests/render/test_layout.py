@@ -1,10 +1,9 @@
 from __future__ import annotations
 
 from derive.expression import Matrix, Sum, Symbol, number
-from derive.render.breaking import pieces
 from derive.render.entries import with_named_entries
 from derive.render.latex import Printer
-from derive.render.layout import LINE, Link, lay_out
+from derive.render.layout import LINE, Link, lay_out, pieces
 from derive.render.notation import Notation
 from derive.render.width import width
 
