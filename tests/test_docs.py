@@ -11,6 +11,7 @@ import pytest
 from derive.build import derive_all
 from derive.sheet.load import load_sheet
 from derive.writing import render
+from tests.kinds.test_recipe import FILLED
 from tests.sheets import ROOT
 
 PAGE = (ROOT / "docs" / "language.md").read_text(encoding="utf-8")
@@ -52,3 +53,10 @@ def test_the_names_on_inverse_kinematics(name: str) -> None:
         return
     texts = [path.read_text(encoding="utf-8") for path in ROOMS]
     assert any(re.search(rf"\b{name.rpartition('.')[2]}\b", text) for text in texts)
+
+
+@pytest.mark.parametrize("page", ["docs/design.md", "README.md", "CONTRIBUTING.md"])
+def test_every_file_that_a_page_names_is_there(page: str) -> None:
+    named = re.findall(r"`((?:derive|templates|tests|docs|exercises)/[\w./-]+)`", (ROOT / page).read_text())
+    made = {path for path in FILLED if not (ROOT / path).exists()}
+    assert [path for path in named if path not in made and not (ROOT / path).exists()] == []
