@@ -19,12 +19,12 @@ TREES = get_args(Expr)
 
 def fits(link: Expr, printer: Printer, lines: int = 2) -> bool:
     """Whether a link that may be left out is short enough: no term wider than a line that is scaled, and all
-    of it no longer than so many lines; the entries of a matrix, which does not break, no longer than two."""
+    of it no longer than so many lines; the entries of a matrix, which does not break, no longer than four."""
     if sum(1 for _ in islice(walk(link), MOST_NODES)) == MOST_NODES:
         return False
     written = printer.write(link)
     if isinstance(link, Matrix):
-        room = 2 * LINE - sum(width(printer.write(entry)) for row in link.rows for entry in row)
+        room = 4 * LINE - sum(width(printer.write(entry)) for row in link.rows for entry in row)
     else:
         room = lines * LINE - width(written)
     return room >= 0 and all(width(p) <= LINE / NARROWEST for p in pieces(written, LINE))
