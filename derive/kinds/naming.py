@@ -19,7 +19,7 @@ def pose_entries(taken: Collection[str]) -> dict[tuple[int, int], Symbol]:
     letters where these stand for something else."""
     turn = {(i, j): f"_{i + 1}{j + 1}" for i in range(3) for j in range(3)}
     shift = {(i, 3): f"_{axis}" for i, axis in enumerate("xyz")}
-    r, p = free(taken, "r", indices=turn.values()), free(taken, "p", indices=shift.values())
+    r, p = free(taken, "r", "R", indices=turn.values()), free(taken, "p", "P", indices=shift.values())
     named = [(place, r + end) for place, end in turn.items()]
     named += [(place, p + end) for place, end in shift.items()]
     return {place: Symbol(name) for place, name in named}
