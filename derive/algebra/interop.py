@@ -10,17 +10,7 @@ from derive.algebra.readable.form import readable
 from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
 from derive.errors import NotDerivable
-from derive.expression import (
-    Call,
-    Expr,
-    Matrix,
-    Number,
-    Power,
-    Symbol,
-    add,
-    multiply,
-    sqrt,
-)
+from derive.expression import Call, Expr, Matrix, Number, Power, Symbol, add, multiply, sqrt
 
 # Our functions by SymPy's names; the rest are called the same.
 RENAMED = {"Abs": "abs"}

@@ -19,7 +19,7 @@ from derive.answers.regions import is_principal, proved_around
 from derive.answers.rounding import ROUNDED, rounded
 from derive.answers.terms import Finding, Terms, values, where_both_are
 from derive.errors import FormulaError, NotDerivable
-from derive.expression import Approximate, Call, Expr, Number, Power, Symbol, children, walk
+from derive.expression import Approximate, Call, Expr, Number, Symbol, children, walk
 
 UNDECIDED = (NotDerivable, FormulaError, ValueError, ZeroDivisionError, OverflowError, RecursionError)
 MOST_ROOTS = 5  # different roots and inverse functions in a tree whose normal form is asked for
@@ -104,7 +104,7 @@ def light(trees: Sequence[Expr], names: Sequence[Names]) -> bool:
 def _proved_whole(published: Expr, derived: Expr, terms: Terms) -> bool:
     """Equal as they stand, or for what is said to be positive."""
     positive = terms.sampling.positive
-    roots: Names = {Symbol(name): Power(Symbol(f"{name}_root"), Number(Fraction(2))) for name in positive}
+    roots: Names = {Symbol(name): Symbol(f"{name}_root") ** Number(Fraction(2)) for name in positive}
     for more in ({}, roots) if roots else ({},):
         theirs, ours = {**terms.published, **more}, {**terms.derived, **more}
         if terms.angle and _turned(published, derived, theirs, ours):

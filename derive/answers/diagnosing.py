@@ -24,7 +24,6 @@ from derive.expression import (
     Sum,
     Symbol,
     children,
-    negate,
     number,
     rebuild,
     walk,
@@ -105,7 +104,7 @@ def _derived_values(published: Expr, derived: Expr, terms: Terms) -> Iterator[tu
 
 def _repairs(published: Expr, derived: Expr, names: frozenset[str]) -> Iterator[Repair]:
     """Likely slips first."""
-    yield SIGN, negate(published)
+    yield SIGN, -published
     yield TRIG, _all_swapped(published)
     yield from _each_named(published, ATAN2, _other_way_round)
     yield from _scaled(published)
@@ -159,7 +158,7 @@ def _with(tree: Expr, child: Expr, changed: Expr) -> Expr:
 def _sign_changed(node: Expr) -> Iterator[Expr]:
     if isinstance(node, Sum):
         for k, term in enumerate(node.terms):
-            yield Sum((*node.terms[:k], negate(term), *node.terms[k + 1 :]))
+            yield Sum((*node.terms[:k], -term, *node.terms[k + 1 :]))
 
 
 def _shortened(node: Expr) -> Iterator[Expr]:
@@ -171,7 +170,7 @@ def _shortened(node: Expr) -> Iterator[Expr]:
 def _one_scaled(node: Expr, factor: Fraction) -> Iterator[Expr]:
     if isinstance(node, Sum):
         for k, term in enumerate(node.terms):
-            yield Sum((*node.terms[:k], Product((Number(factor), term)), *node.terms[k + 1 :]))
+            yield Sum((*node.terms[:k], Number(factor) * term, *node.terms[k + 1 :]))
 
 
 def _swapped(node: Expr) -> Iterator[Expr]:

@@ -12,7 +12,7 @@ from typing import Any
 from derive.algebra.infix import text
 from derive.answers.terms import Verdict
 from derive.errors import Place
-from derive.expression import MINUS_ONE, Expr, Number, Product, Symbol, replace, walk
+from derive.expression import MINUS_ONE, Expr, Number, Symbol, replace, walk
 
 WIDEST = 100  # columns of an expression that is quoted whole
 ORDER: tuple[Verdict, ...] = ("equal", "differs", "undecided")
@@ -58,7 +58,7 @@ def as_typed(tree: Expr) -> str:
 
 def _decimal(number: Number) -> Expr:
     digits = Symbol(f"{float(abs(number.value)):.15g}")
-    return Product((MINUS_ONE, digits)) if number.value < 0 else digits
+    return MINUS_ONE * digits if number.value < 0 else digits
 
 
 # -- told ---------------------------------------------------------------------------------------------

@@ -30,19 +30,7 @@ from derive.answers.budget import affordable, parts_of
 from derive.answers.points import Point
 from derive.answers.signs import sign_at
 from derive.errors import FormulaError, NotDerivable
-from derive.expression import (
-    Call,
-    Expr,
-    Number,
-    Power,
-    Product,
-    Quotient,
-    Sum,
-    Symbol,
-    is_negative,
-    negate,
-    walk,
-)
+from derive.expression import Call, Expr, Number, Product, Quotient, Sum, Symbol, is_negative, walk
 
 NO_PROOF = (NotDerivable, FormulaError, ValueError, ArithmeticError, RecursionError, KeyError)
 INVERSE = ("atan2", "atan", "acos", "asin")
@@ -114,7 +102,7 @@ class Around(Walk):
         if isinstance(of, Sum):
             return reduce(mul, (self.scalar(Call("exp", (term,))) for term in of.terms))
         if is_negative(of):
-            return 1 / self.scalar(Call("exp", (negate(of),)))
+            return 1 / self.scalar(Call("exp", (-of,)))
         times, rest = self._multiple(of)
         if rest is None or times.denominator != 1 or not 1 < times <= MOST_TURNS:
             return Walk._call(self, "exp", (of,))
@@ -125,9 +113,9 @@ class Around(Walk):
         if value is not None and value.denominator == 2:
             return self.root(self.scalar(base)) ** int(2 * value)
         if value is None and isinstance(exponent, Sum):
-            return reduce(mul, (self.scalar(Power(base, term)) for term in exponent.terms))
+            return reduce(mul, (self.scalar(base**term) for term in exponent.terms))
         if value is None and is_negative(exponent):
-            return 1 / self.scalar(Power(base, negate(exponent)))
+            return 1 / self.scalar(base ** (-exponent))
         return Walk._power(self, base, exponent)
 
     def trig(self, angle: Expr) -> tuple[Scalar, Scalar]:

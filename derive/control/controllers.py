@@ -9,7 +9,7 @@ from typing import Literal, TypeAlias, get_args
 from derive.control.rational import Rational, plus, times
 from derive.control.ratios import Ratio, total
 from derive.errors import NotDerivable
-from derive.expression import Expr, Quotient, Symbol, add, factors_of, multiply
+from derive.expression import Expr, Symbol, add, factors_of, multiply
 
 S = Symbol("s")
 Family: TypeAlias = Literal["P", "PI", "PD", "PID"]
@@ -57,7 +57,7 @@ class Controller:
 def _term(letter: str, gain: Expr) -> Expr:
     match letter:
         case "I":
-            return Quotient(gain, S)
+            return gain / S
         case "D":
             return multiply(*factors_of(gain), S)
         case _:

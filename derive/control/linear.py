@@ -24,7 +24,6 @@ from derive.expression import (
     factors_of,
     free_symbols,
     multiply,
-    negate,
 )
 
 Form: TypeAlias = Mapping[Symbol, Ratio]  # signal -> its coefficient; zero coefficients left out
@@ -74,10 +73,10 @@ def term(coefficient: Ratio, signal: Expr, decimals: bool = False) -> Expr:
     """A coefficient times a signal, as it is written."""
     if coefficient.scale < 0:
         size = term(-coefficient, signal, decimals)
-        return Product((MINUS_ONE, size)) if isinstance(size, Quotient) else negate(size)
+        return MINUS_ONE * size if isinstance(size, Quotient) else -size
     if coefficient.bottom and not coefficient.top:
         top, bottom = coefficient.parts(decimals)
-        return Quotient(multiply(top, signal), bottom)
+        return multiply(top, signal) / bottom
     return multiply(*factors_of(coefficient.expr(decimals)), signal)
 
 

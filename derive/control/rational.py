@@ -25,9 +25,6 @@ from derive.expression import (
     ONE,
     ZERO,
     Expr,
-    Power,
-    Product,
-    Quotient,
     Sum,
     Symbol,
     add,
@@ -110,8 +107,8 @@ class Rational:
         terms = top.terms if isinstance(top, Sum) else ()
         if bottom != ONE and terms and all(map(is_negative, terms)):
             top = written(tuple(-coefficient for coefficient in self.num), style)
-            return Product((MINUS_ONE, Quotient(top, bottom)))
-        return top if bottom == ONE else Quotient(top, bottom)
+            return MINUS_ONE * (top / bottom)
+        return top if bottom == ONE else top / bottom
 
     def numbers(self) -> tuple[list[float], list[float]]:
         """The coefficients as floats. Raises KeyError where a symbol is left."""
@@ -207,7 +204,7 @@ def shared(coefficients: Sequence[Scalar]) -> Scalar:
 def _term(coefficient: Expr, power: int) -> Expr:
     if power == 0:
         return coefficient
-    return multiply(*factors_of(coefficient), S if power == 1 else Power(S, number(power)))
+    return multiply(*factors_of(coefficient), S if power == 1 else S ** number(power))
 
 
 def _floats(coefficients: Polynomial) -> list[float]:

@@ -24,7 +24,6 @@ from derive.expression import (
     free_symbols,
     is_negative,
     multiply,
-    negate,
     number,
     terms_of,
     walk,
@@ -92,19 +91,19 @@ class Ratio:
     def expr(self, decimals: bool = False) -> Expr:
         """As it is written: numbers, symbols, s, then sums; one fraction bar, a minus sign before it."""
         if self.scale < 0 and self.bottom:
-            return Product((MINUS_ONE, (-self).expr(decimals)))
+            return MINUS_ONE * (-self).expr(decimals)
         whole = decimals or self.scale.denominator == 1
         above = self.scale if whole else Fraction(self.scale.numerator)
         below = Fraction(1) if whole else Fraction(self.scale.denominator)
         top = _product(above, self.top, decimals)
         bottom = _product(below, self.bottom, decimals)
-        return top if bottom == ONE else Quotient(top, bottom)
+        return top if bottom == ONE else top / bottom
 
     def parts(self, decimals: bool = False) -> tuple[Expr, Expr]:
         """(numerator, denominator) as they are written; a minus sign is in the numerator."""
         size = Ratio(abs(self.scale), self.top, self.bottom).expr(decimals)
         top, bottom = (size.numerator, size.denominator) if isinstance(size, Quotient) else (size, ONE)
-        return negate(top) if self.scale < 0 else top, bottom
+        return -top if self.scale < 0 else top, bottom
 
 
 def total(ratios: Iterable[Ratio], decimals: bool = False) -> Ratio:
@@ -123,7 +122,7 @@ def total(ratios: Iterable[Ratio], decimals: bool = False) -> Ratio:
         (term for rest in rests for term in terms_of(rest.expr(decimals))), key=lambda t: -degree(t)
     )
     sign = -1 if all(map(is_negative, terms)) else 1
-    inner = Sum(tuple(negate(term) for term in terms) if sign < 0 else _positive_first(terms))
+    inner = Sum(tuple(-term for term in terms) if sign < 0 else _positive_first(terms))
     if normal(inner) == 0:
         return Ratio(Fraction(0))
     return Ratio(Fraction(sign), (*common, (inner, 1))) / Ratio(top=bottom)
@@ -171,7 +170,7 @@ def _product(scale: Fraction, factors: Factors, decimals: bool) -> Expr:
         return 2, -degree(base) if S.name in free_symbols(base) else 0, text(base)
 
     ordered = sorted(factors, key=place)
-    powers = [Power(base, number(power)) if power > 1 else base for base, power in ordered]
+    powers = [base ** number(power) if power > 1 else base for base, power in ordered]
     return multiply(Number(scale, decimals and terminates(scale)), *powers)
 
 

@@ -13,17 +13,7 @@ from derive.algebra.scalar import Scalar
 from derive.control.rational import Rational
 from derive.control.realisation import Realised, realisations
 from derive.control.system import System
-from derive.expression import (
-    MINUS_ONE,
-    Expr,
-    Quotient,
-    Symbol,
-    add,
-    factors_of,
-    is_negative,
-    multiply,
-    negate,
-)
+from derive.expression import MINUS_ONE, Expr, Symbol, add, factors_of, is_negative, multiply
 
 MOST = 10  # states that are looked at
 ORDERS = ("", "_dot", "_ddot")
@@ -185,12 +175,12 @@ def written(form: Form, style: Style) -> Expr:
             below = below * Scalar(rest.ring, rest.denominator)
     terms = [_term(readable(k * below, style), Symbol(name)) for name, k in form.items()]
     top = add(*sorted(terms, key=is_negative))
-    return top if below.constant == 1 else Quotient(top, readable(below, style))
+    return top if below.constant == 1 else top / readable(below, style)
 
 
 def _term(coefficient: Expr, signal: Symbol) -> Expr:
     if coefficient == MINUS_ONE:
-        return negate(signal)
+        return -signal
     return multiply(*factors_of(coefficient), signal)
 
 

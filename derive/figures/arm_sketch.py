@@ -7,18 +7,9 @@ from dataclasses import replace
 from math import atan2, pi
 
 from derive.derivation import Caption, Drawing, Stroke
-from derive.expression import Expr, Symbol, is_negative, negate
+from derive.expression import Expr, Symbol, is_negative
 from derive.figures import solids
-from derive.figures.arm import (
-    SMALL,
-    Joint,
-    Part,
-    Posed,
-    in_pose,
-    joint_size,
-    length_between,
-    place_of,
-)
+from derive.figures.arm import SMALL, Joint, Part, Posed, in_pose, joint_size, length_between, place_of
 from derive.figures.typical import typical
 from derive.figures.view import Vector, View, along, around, between, dot, length, unit
 from derive.mechanics.dh import moves
@@ -133,7 +124,7 @@ def _lengths(view: View, posed: Posed, size: float) -> Iterator[Caption]:
             continue
         middle = ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
         side = (way[1], -way[0]) if way[0] >= 0 else (-way[1], way[0])  # below the link
-        size_only = negate(part.by) if is_negative(part.by) else part.by
+        size_only = -part.by if is_negative(part.by) else part.by
         yield Caption(middle, size_only, side, "length")
 
 

@@ -192,7 +192,7 @@ def _letters(label: Expr) -> float:
 def _label(block: Block) -> Expr:
     """The transfer function of a block."""
     top, bottom = _polynomial(block.num), _polynomial(block.den)
-    return ONE if top == bottom else top if bottom == ONE else Quotient(top, bottom)
+    return ONE if top == bottom else top if bottom == ONE else top / bottom
 
 
 def _polynomial(coefficients: tuple[Expr, ...]) -> Expr:

@@ -23,7 +23,6 @@ from derive.expression import (
     Number,
     Power,
     Product,
-    Quotient,
     add,
     free_symbols,
     multiply,
@@ -52,7 +51,7 @@ def put_in(expr: Expr, values: Names, style: Style) -> Expr:
     top = _flat(value, value.numerator, style)
     if value.denominator is None:
         return top
-    return Quotient(top, _flat(value, value.denominator, style))
+    return top / _flat(value, value.denominator, style)
 
 
 def _replaced(expr: Expr, values: Names) -> Expr:
@@ -104,5 +103,5 @@ def _rounded(expr: Expr, style: Style) -> Expr:
         case Call(function, arguments):
             return Call(function, tuple(put_in(argument, {}, style) for argument in arguments))
         case Power(base, exponent) if free_symbols(exponent):
-            return Power(put_in(base, {}, style), put_in(exponent, {}, style))
+            return put_in(base, {}, style) ** put_in(exponent, {}, style)
     return rebuild(expr, lambda part: _rounded(part, style))

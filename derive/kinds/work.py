@@ -22,14 +22,7 @@ from derive.algebra.signs import sign_of
 from derive.algebra.values import Value, matrix_of, scalar_of
 from derive.derivation import Claim, Derivation, PageFacts, Record, Result, Said, Step, as_matrix
 from derive.errors import FormulaError, NotDerivable
-from derive.expression import (
-    Degrees,
-    Expr,
-    Indexed,
-    Matrix,
-    Symbol,
-    free_symbols,
-)
+from derive.expression import Degrees, Expr, Indexed, Matrix, Symbol, free_symbols
 from derive.expression import replace as put_in
 from derive.kinds.chains import closing, distinct, piled
 from derive.kinds.checks import TOLERANCE, agreement, law, links

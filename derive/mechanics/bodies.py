@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
-from derive.expression import ZERO, Expr, add, multiply, negate, number, squared
+from derive.expression import ZERO, Expr, add, multiply, number
 
 AxisName: TypeAlias = Literal["x", "y", "z"]
 
@@ -81,7 +81,7 @@ def moments(body: Body) -> Six:
     if body.about == "com":
         return given_moments(body)
     pairs = zip(given_moments(body), steiner(body), strict=True)
-    xx, yy, zz, xy, yz, xz = (add(given, negate(shift) if shift != ZERO else ZERO) for given, shift in pairs)
+    xx, yy, zz, xy, yz, xz = (given + (-shift if shift != ZERO else ZERO) for given, shift in pairs)
     return xx, yy, zz, xy, yz, xz
 
 
@@ -97,7 +97,7 @@ def steiner(body: Body) -> Six:
 
 
 def _square_sum(p: Expr, q: Expr) -> Expr:
-    return add(*(squared(part) for part in (p, q) if part != ZERO))
+    return add(*(part**2 for part in (p, q) if part != ZERO))
 
 
 def given_moments(body: Body) -> Six:
@@ -108,17 +108,17 @@ def given_moments(body: Body) -> Six:
         case PointMass():
             return (ZERO,) * 6
         case Sphere(r):
-            round_ = _times("2/5", body.mass, squared(r))
+            round_ = _times("2/5", body.mass, r**2)
             return round_, round_, round_, ZERO, ZERO, ZERO
         case Box((a, b, c)):
             pairs = ((b, c), (a, c), (a, b))
-            diagonal = [_times("1/12", body.mass, add(squared(p), squared(q))) for p, q in pairs]
+            diagonal = [_times("1/12", body.mass, p**2 + q**2) for p, q in pairs]
             return diagonal[0], diagonal[1], diagonal[2], ZERO, ZERO, ZERO
         case Rod(length, axis):
-            return _about(axis, ZERO, _times("1/12", body.mass, squared(length)))
+            return _about(axis, ZERO, _times("1/12", body.mass, length**2))
         case Cylinder(r, h, axis):
-            across = add(_times("1/4", body.mass, squared(r)), _times("1/12", body.mass, squared(h)))
-            return _about(axis, _times("1/2", body.mass, squared(r)), across)
+            across = _times("1/4", body.mass, r**2) + _times("1/12", body.mass, h**2)
+            return _about(axis, _times("1/2", body.mass, r**2), across)
 
 
 def _about(axis: AxisName, along: Expr, across: Expr) -> tuple[Expr, Expr, Expr, Expr, Expr, Expr]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from derive.expression import ZERO, multiply, negate
+from derive.expression import ZERO, multiply
 from derive.mechanics.motion import Move
 from derive.mechanics.robot import DHRow, FreeRow, Link, Robot, ScrewRow
 
@@ -42,7 +42,7 @@ def screw(row: ScrewRow) -> tuple[Move, ...]:
         *(Move("translate", axis, part) for axis, part in parts),
         Move("rotate", row.axis, row.by),
         *along,
-        *(Move("translate", axis, negate(part)) for axis, part in parts),
+        *(Move("translate", axis, -part) for axis, part in parts),
     )
 
 

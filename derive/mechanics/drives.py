@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from derive.expression import ONE, ZERO, Call, Expr, Symbol, add, multiply, squared
+from derive.expression import ONE, ZERO, Call, Expr, Symbol, add, multiply
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,4 +49,4 @@ def friction_force(friction: Friction | None, variable: str) -> Expr:
 
 
 def _square(ratio: Expr) -> Expr:
-    return ONE if ratio == ONE else squared(ratio)
+    return ONE if ratio == ONE else ratio**2

@@ -2,16 +2,7 @@
 
 from __future__ import annotations
 
-from derive.expression import (
-    ONE,
-    ZERO,
-    Expr,
-    Indexed,
-    Matrix,
-    cos,
-    negate,
-    sin,
-)
+from derive.expression import ONE, ZERO, Expr, Indexed, Matrix, cos, sin
 from derive.mechanics.motion import Move
 
 Vector = tuple[Expr, Expr, Expr]
@@ -22,14 +13,14 @@ def rotation_matrix(axis: str, angle: Expr) -> Matrix:
     c, s = cos(angle), sin(angle)
     i = "xyz".index(axis)
     j, k = (i + 1) % 3, (i + 2) % 3
-    entries: dict[tuple[int, int], Expr] = {(i, i): ONE, (j, j): c, (k, k): c, (k, j): s, (j, k): negate(s)}
+    entries: dict[tuple[int, int], Expr] = {(i, i): ONE, (j, j): c, (k, k): c, (k, j): s, (j, k): -s}
     return Matrix(tuple(tuple(entries.get((row, col), ZERO) for col in range(3)) for row in range(3)))
 
 
 def skew(k: Vector) -> Matrix:
     """S(k) (3 by 3), which takes v to k x v (Spong et al., section 4.2)."""
     x, y, z = k
-    return Matrix(((ZERO, negate(z), y), (z, ZERO, negate(x)), (negate(y), x, ZERO)))
+    return Matrix(((ZERO, -z, y), (z, ZERO, -x), (-y, x, ZERO)))
 
 
 def homogeneous(R: Matrix | None, p: tuple[Expr, ...] = (ZERO, ZERO, ZERO)) -> Matrix:

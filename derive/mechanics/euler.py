@@ -17,7 +17,7 @@ from typing import Literal, TypeAlias
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import trig_of
 from derive.algebra.scalar import Scalar
-from derive.expression import Expr, Number, Symbol, add, atan2, multiply, negate, number, sqrt, squared
+from derive.expression import Expr, Number, Symbol, add, atan2, multiply, number, sqrt
 from derive.mechanics.motion import Move
 from derive.mechanics.poses import UNIT, rotation
 
@@ -64,7 +64,7 @@ class Entry:
 
     def signed(self, sign: Sign = 1) -> Expr:
         """The entry with its own sign times another."""
-        return self.name if sign * self.sign > 0 else negate(self.name)
+        return self.name if sign * self.sign > 0 else -self.name
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,11 +144,11 @@ class Euler:
     def g(self) -> Expr:
         """The size of the common factor, from the entries of the first angle, in reading order."""
         entries = sorted((self.first.sine, self.first.cosine), key=lambda entry: (entry.row, entry.col))
-        return sqrt(add(*(squared(entry.name) for entry in entries)))
+        return sqrt(add(*(entry.name**2 for entry in entries)))
 
     def regular(self, sign: Sign) -> dict[str, Expr]:
         """The angles by their names where g has this sign."""
-        size = self.g if sign > 0 else negate(self.g)
+        size = self.g if sign > 0 else -self.g
         here = self.middle.signed()
         middle = atan2(size, here) if self.even else atan2(here, size)
         first, centre, last = self.outer
@@ -171,8 +171,8 @@ class Euler:
         """The angles of a singular case; the last of the product is free and stands for itself."""
         first, centre, last = self.outer
         sign, of_last = case.signs
-        angle = case.direction.angle() if sign > 0 else negate(case.direction.angle())
-        other = Symbol(last) if sign * of_last < 0 else negate(Symbol(last))
+        angle = case.direction.angle() if sign > 0 else -case.direction.angle()
+        other = Symbol(last) if sign * of_last < 0 else -Symbol(last)
         terms = (angle, other) if sign > 0 else (other, angle)
         found = {first: add(*terms), centre: case.middle, last: Symbol(last)}
         return {name: found[name] for name in self.names}

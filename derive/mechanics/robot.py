@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
-from derive.expression import ZERO, Expr, Symbol, free_symbols, negate, walk
+from derive.expression import ZERO, Expr, Symbol, free_symbols, walk
 from derive.mechanics.bodies import Body, coordinates, moments
 from derive.mechanics.drives import Friction, Motor
 from derive.mechanics.frames import ByMatrix
@@ -117,4 +117,4 @@ class Robot:
 
 def gravity_of(robot: Robot) -> tuple[Expr, Expr, Expr]:
     """The acceleration of gravity in the base frame; g downwards along z where the sheet is silent."""
-    return robot.gravity or (ZERO, ZERO, negate(Symbol("g")))
+    return robot.gravity or (ZERO, ZERO, -Symbol("g"))

@@ -28,8 +28,6 @@ from derive.expression import (
     ZERO,
     Call,
     Expr,
-    Product,
-    Quotient,
     Sum,
     Symbol,
     add,
@@ -213,7 +211,7 @@ def _with_constant(name: str, a: Scalar, b: Scalar, d: Scalar, write: Write) -> 
     if not b and a == -d:
         return (Zero(name, ZERO, NOUGHT, "turn"),)
     if not a and b == d:
-        return (Zero(name, negate(RIGHT), QUARTERS[1], "turn"),)
+        return (Zero(name, -RIGHT, QUARTERS[1], "turn"),)
     if not a and b == -d:
         return (Zero(name, RIGHT, QUARTERS[0], "turn"),)
     square = a * a + b * b
@@ -240,13 +238,13 @@ def _values(a: Scalar, b: Scalar, d: Scalar, square: Scalar, write: Write) -> tu
     """The angle of (b, a) and the spread to both sides of it; an arc sine where there is no cosine."""
     if not a:
         first = _ratio("asin", -d, b, write)
-        return _plus(PI, negate(first)), first
+        return _plus(PI, -first), first
     if not b:
         spread = _ratio("acos", -d, a, write)
-        return spread, negate(spread)
+        return spread, -spread
     spread = Call("acos", (_over(write(-d), _length(square, write)),))
     middle = direction(write(b), write(a))
-    return add(middle, spread), add(middle, negate(spread))
+    return middle + spread, middle + -spread
 
 
 def _ratio(function: str, top: Scalar, bottom: Scalar, write: Write) -> Expr:
@@ -258,10 +256,10 @@ def _ratio(function: str, top: Scalar, bottom: Scalar, write: Write) -> Expr:
 def _over(top: Expr, bottom: Expr) -> Expr:
     """The quotient, one sign in front."""
     if is_negative(bottom):
-        top, bottom = _opposite(top), negate(bottom)
+        top, bottom = _opposite(top), -bottom
     if all(map(is_negative, terms_of(top))):
-        return Product((MINUS_ONE, Quotient(_opposite(top), bottom)))
-    return Quotient(top, bottom)
+        return MINUS_ONE * (_opposite(top) / bottom)
+    return top / bottom
 
 
 def _length(square: Scalar, write: Write) -> Expr:

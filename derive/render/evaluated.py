@@ -18,14 +18,12 @@ from derive.expression import (
     Matrix,
     Number,
     Product,
-    Quotient,
     Sum,
     Symbol,
     column,
     multiply,
     walk,
 )
-from derive.expression import Power as Raised
 from derive.expression import number as exact_number
 from derive.render.latex import Printer, parenthesised
 from derive.render.layout import Chain, Link, lay_out
@@ -162,7 +160,7 @@ def numeric(value: Any) -> Expr | None:
         case {"re": re, "im": im}:
             return _complex(re, im)
         case {"num": num, "den": den}:
-            return Quotient(_polynomial(num), _polynomial(den))
+            return _polynomial(num) / _polynomial(den)
         case [[*_], *_]:
             return _matrix(value)
         case [dict() as first, *_] if "re" not in first:
@@ -182,8 +180,8 @@ def _real(value: float) -> Expr:
 
 
 def _complex(re: float, im: float) -> Expr:
-    imaginary = Product((_real(im), IMAGINARY))
-    return Sum((_real(re), imaginary)) if im else _real(re)
+    imaginary = _real(im) * IMAGINARY
+    return _real(re) + imaginary if im else _real(re)
 
 
 def _matrix(rows: list[list[Any]]) -> Matrix:
@@ -201,5 +199,5 @@ def _polynomial(coefficients: list[float]) -> Expr:
 
 def _term(coefficient: float, power: int) -> Expr:
     s = Symbol("s")
-    powers: tuple[Expr, ...] = () if power == 0 else (s,) if power == 1 else (Raised(s, _real(power)),)
+    powers: tuple[Expr, ...] = () if power == 0 else (s,) if power == 1 else (s ** _real(power),)
     return Product((_real(coefficient), *powers)) if powers else _real(coefficient)

@@ -27,7 +27,7 @@ def _factor(expr: Expr, axis: str, axes: Sequence[str]) -> Expr:
             return _of_product(factors, axis, axes)
         case Quotient(top, bottom) if not free_symbols(bottom) & set(axes):
             above = _factor(top, axis, axes)
-            return ZERO if above == ZERO else Quotient(above, bottom)
+            return ZERO if above == ZERO else above / bottom
     if expr == ZERO:
         return ZERO
     raise WeightsError(f"this is no combination of {', '.join(axes)}")

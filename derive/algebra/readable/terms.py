@@ -19,17 +19,7 @@ from derive.algebra.powers import MAX_DEGREE
 from derive.algebra.rationals import Rational, decimal_places, lowest, of_flint
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar, angle_of
-from derive.expression import (
-    Call,
-    Degrees,
-    Expr,
-    Number,
-    Power,
-    Symbol,
-    add,
-    multiply,
-    number,
-)
+from derive.expression import Call, Degrees, Expr, Number, Power, Symbol, add, multiply, number
 
 Monomial: TypeAlias = tuple[tuple[int, int], ...]  # (atom, power), sorted by atom
 Terms: TypeAlias = dict[Monomial, Rational]

@@ -10,7 +10,7 @@ from derive.algebra.formulas.tokens import Kind, Token
 from derive.answers.latex.letters import GREEK_NAMES, TRIG, Letters, squeeze
 from derive.answers.latex.scripts import Scripted, Tokens, group_text, scripted
 from derive.errors import FormulaError
-from derive.expression import Call, Expr, Sum, Symbol, negate
+from derive.expression import Call, Expr, Sum, Symbol
 
 FUNCTIONS = {
     "cos": "cos", "sin": "sin", "tan": "tan", "arccos": "acos", "arcsin": "asin", "arctan": "atan",
@@ -136,7 +136,7 @@ class Names:
             angle = self.letters.summed(token.text)
             if angle is None:
                 raise FormulaError(f"there is no joint angle {token.text}", token.offset)
-            terms.append(negate(angle) if negative else angle)
+            terms.append(-angle if negative else angle)
         if not terms:
             raise FormulaError("an index is missing", found[0].offset)
         return Sum(tuple(terms)) if len(terms) > 1 else terms[0]

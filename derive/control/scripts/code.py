@@ -6,7 +6,7 @@ import keyword
 from dataclasses import dataclass
 
 from derive.algebra.infix import ATOM, PRODUCT, SUM, Infix, text
-from derive.expression import Expr, Number, Sum, is_negative, negate
+from derive.expression import Expr, Number, Sum, is_negative
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +30,7 @@ class Language(Infix):
         first, *rest = terms
         parts = [self.held(first, PRODUCT if isinstance(first, Sum) else SUM)]
         for term in rest:
-            size = negate(term) if is_negative(term) else term
+            size = -term if is_negative(term) else term
             parts += ["-" if is_negative(term) else "+", self.held(size, PRODUCT)]
         return " ".join(parts)
 

@@ -9,22 +9,7 @@ from math import copysign
 from derive.algebra.numbers.floats import number as at
 from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
-from derive.expression import (
-    ONE,
-    Derivative,
-    Expr,
-    Product,
-    Quotient,
-    Symbol,
-    add,
-    free_symbols,
-    number,
-    replace,
-    sqrt,
-    squared,
-    subtract,
-    symbols,
-)
+from derive.expression import ONE, Derivative, Expr, Symbol, add, free_symbols, number, replace, sqrt, symbols
 from derive.kinds.checks import SECOND_ROUTE, close, random_points
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -67,7 +52,7 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
     results = {"G": work.final(BEST), "alpha": fastest}
     facts = Facts(
         given=work.typed, tau_m=tau_m, tau_l=tau_l, top=top, G=G,
-        balance=(Product((squared(BEST), J_m)), J_l),
+        balance=(BEST ** 2 * J_m, J_l),
     )  # fmt: skip
     return work.claim(_second_route(drive, problem, results)).answer("gear-ratio", results, facts)
 
@@ -79,37 +64,37 @@ def _gear(drive: Drive, problem: Problem) -> Symbol:
 
 def _slope(G: Symbol, J_m: Expr, J_l: Expr, tau_m: Expr, tau_l: Expr | None) -> tuple[Expr, Expr, Expr]:
     """The acceleration by G, its derivative, and the numerator of that."""
-    whole = add(Product((squared(G), J_m)), J_l)
-    push = Product((G, tau_m))
+    whole = G**2 * J_m + J_l
+    push = G * tau_m
     if tau_l is None:
-        top = subtract(J_l, Product((squared(G), J_m)))
-        return Quotient(push, whole), Quotient(Product((tau_m, top)), squared(whole)), top
+        top = J_l - G**2 * J_m
+        return push / whole, tau_m * top / whole**2, top
     terms = (
-        Product((tau_m, J_l)),
-        Product((number(2), G, J_m, tau_l)),
-        Product((number(-1), squared(G), J_m, tau_m)),
+        tau_m * J_l,
+        2 * G * J_m * tau_l,
+        -1 * G**2 * J_m * tau_m,
     )
     top = add(*terms)
-    return Quotient(subtract(push, tau_l), whole), Quotient(top, squared(whole)), top
+    return (push - tau_l) / whole, top / whole**2, top
 
 
 def _best(work: Work, J_m: Expr, J_l: Expr, tau_m: Expr, tau_l: Expr | None) -> Work:
     """The positive root, and the acceleration there; roots of symbols stay as a person writes them."""
-    open_ = bool(free_symbols(work.problem.final(work.shown(Quotient(J_l, J_m)))))
-    ratio = work.shown(Quotient(J_l, J_m))
+    open_ = bool(free_symbols(work.problem.final(work.shown(J_l / J_m))))
+    ratio = work.shown(J_l / J_m)
 
     def put_in(tree: Expr) -> Expr:
         return replace(tree, work.definitions)
 
     if tau_l is None:
-        work = work.worked("G_opt", sqrt(Quotient(J_l, J_m)), sqrt(ratio) if open_ else None)
-        force = Quotient(tau_m, Product((number(2), sqrt(Product((J_m, J_l))))))
+        work = work.worked("G_opt", sqrt(J_l / J_m), sqrt(ratio) if open_ else None)
+        force = tau_m / (2 * sqrt(J_m * J_l))
         return work.worked("alpha_max", force, put_in(force) if open_ else None)
-    pull = Quotient(tau_l, tau_m)
-    root = add(pull, sqrt(add(squared(pull), Quotient(J_l, J_m))))
+    pull = tau_l / tau_m
+    root = pull + sqrt(pull**2 + J_l / J_m)
     open_ = open_ or bool(free_symbols(work.problem.final(work.shown(pull))))
     work = work.worked("G_opt", root, put_in(root) if open_ else None)
-    force = Quotient(tau_m, Product((number(2), BEST, J_m)))
+    force = tau_m / (2 * BEST * J_m)
     return work.worked("alpha_max", force, put_in(force) if open_ else None)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from derive.algebra.numbers.floats import number as at
 from derive.derivation import Claim, Derivation, PageFacts
-from derive.expression import ONE, Expr, Product, Quotient, Symbol, add, number, squared
+from derive.expression import ONE, Expr, Symbol
 from derive.kinds.checks import SECOND_ROUTE, close, random_points
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
@@ -24,8 +24,8 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
     """The kinetic energy in the speed of the one and of the other (Lynch and Park, section 8.9)."""
     gear = drive.gear or ONE
     work, (J_m, J_l, G) = Work(problem).naming(J_m=drive.rotor, J_l=drive.load, G=gear)
-    work = work.worked("J_load", add(Product((squared(G), J_m)), J_l))
-    work = work.worked("J_motor", add(J_m, Quotient(J_l, squared(G))))
+    work = work.worked("J_load", G**2 * J_m + J_l)
+    work = work.worked("J_motor", J_m + J_l / G**2)
     results = {name: work.final(name) for name in ("J_load", "J_motor")}
     work = work.claim(Claim("same-energy", SECOND_ROUTE, _same_energy(drive, problem, results)))
     facts = Facts(given=work.typed, G=G, energy=_energy(J_m, J_l, G))
@@ -35,9 +35,9 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
 def _energy(J_m: Expr, J_l: Expr, G: Expr) -> tuple[Expr, Expr]:
     """By the speeds of the motor and the load; with omega_m = G omega."""
     omega, motor = Symbol("omega"), Symbol("omega_m")
-    half = Quotient(ONE, number(2))
-    both = add(Product((half, J_m, squared(motor))), Product((half, J_l, squared(omega))))
-    return both, Product((G, omega))
+    half = ONE / 2
+    both = half * J_m * motor**2 + half * J_l * omega**2
+    return both, G * omega
 
 
 def _same_energy(drive: Drive, problem: Problem, results: dict[str, Expr]) -> bool:

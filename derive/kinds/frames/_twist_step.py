@@ -7,7 +7,7 @@ from typing import Any
 
 from derive.algebra.numbers.floats import number
 from derive.derivation import Step
-from derive.expression import ZERO, Expr, Indexed, Matrix, Product, Symbol
+from derive.expression import ZERO, Expr, Indexed, Matrix, Symbol
 from derive.kinds.work import Work
 from derive.mechanics.elementary import skew
 
@@ -22,9 +22,9 @@ def twist_lines(work: Work, V: Symbol, before: Symbol, R: Symbol, o: Symbol) -> 
     S = skew((x, y, z))
     work = work.knowing({S_name: S, NO_BLOCK: NOTHING})
     work = work.showing(Step("S_o", (S_name, S), "skew"))
-    adjoint = Matrix(((R, Product((S_name, R))), (NO_BLOCK, R)))
-    written = Product((work.readable(work.value(adjoint)), work[before]))
-    return work.line(V, Product((adjoint, before)), written, rule="change-of-frame").closed(V)
+    adjoint = Matrix(((R, S_name * R), (NO_BLOCK, R)))
+    written = work.readable(work.value(adjoint)) * work[before]
+    return work.line(V, adjoint * before, written, rule="change-of-frame").closed(V)
 
 
 def moved(T: Any, twist: tuple[Expr, ...], point: Mapping[str, float]) -> Any:

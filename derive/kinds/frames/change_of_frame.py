@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point, numbers
 from derive.derivation import Derivation, PageFacts
-from derive.expression import Expr, Indexed, Matrix, Product, Sum, Symbol, column
+from derive.expression import Expr, Indexed, Matrix, Symbol, column
 from derive.kinds.checks import is_rotation
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.frames._frames import is_given, numeric_way, origin_name, pose_name, rotation_name
@@ -89,8 +89,8 @@ def _board(
     work = work.knowing({before: given})
     if options.twist:
         return twist_lines(work, name, before, R, o), name
-    named, written = Product((R, before)), Product((work[R], given))
-    formulas = (named, written) if options.vector else (Sum((named, o)), Sum((written, work[o])))
+    named, written = R * before, work[R] * given
+    formulas = (named, written) if options.vector else (named + o, written + work[o])
     return work.line(name, *formulas, rule="change-of-frame").closed(name), name
 
 

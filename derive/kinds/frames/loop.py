@@ -91,7 +91,7 @@ class _Loop:
             work = work.line(self.first, product, value=first, rule="route")
         work = work.given(self.second, local_matrix(self.frame, self.problem), "again")
         work = work.knowing({self.second: work.readable(local(self.frame))})
-        route = Product((Call("inverse", (self.first,)), self.second))
+        route = Call("inverse", (self.first,)) * self.second
         error = work.readable(mismatch(self.frames, self.frame))
         return work.line(self.E, route, error, value=self.error, rule="loop")
 

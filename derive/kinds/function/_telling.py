@@ -13,7 +13,7 @@ from derive.algebra.solving.elimination_rules import Move
 from derive.algebra.solving.polynomial_systems import Case, Solution
 from derive.algebra.solving.polynomials import coefficients
 from derive.derivation import Record
-from derive.expression import Expr, Power, Symbol, multiply, number
+from derive.expression import Expr, Symbol, multiply, number
 from derive.kinds.function._writing import vanishing, written
 from derive.kinds.problem import Problem
 
@@ -60,7 +60,7 @@ def _told(case: Case, problem: Problem, order: Sequence[str], label: tuple[int, 
 
 def _move(move: Move, problem: Problem, given: Equation | None) -> MoveTold:
     symbol: Expr = Symbol(move.variable) if move.variable else number(0)
-    left = Power(symbol, number(2)) if move.rule == "square" else symbol
+    left = symbol**2 if move.rule == "square" else symbol
     value = None if move.value is None else written(move.value, problem)
     equation = None if move.equation is None else vanishing(move.equation, problem)
     if move.rule == "last" and move.equation is not None:
@@ -81,7 +81,7 @@ def _pure(equation: Scalar, name: str, problem: Problem) -> Equation | None:
     k = coefficients(equation, name)
     if any(k[1:-1]) or k[-1].constant is not None:
         return None
-    power = Symbol(name) if len(k) == 2 else Power(Symbol(name), number(len(k) - 1))
+    power = Symbol(name) if len(k) == 2 else Symbol(name) ** number(len(k) - 1)
     return multiply(problem.readable(k[-1]), power), problem.readable(-k[0])
 
 

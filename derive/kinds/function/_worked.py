@@ -16,7 +16,7 @@ from derive.algebra.solving.polynomial_systems import Value, put_in
 from derive.algebra.solving.polynomials import known_sign, odd_part
 from derive.derivation import Branch, Claim, Condition, Derivation, PageFacts, Phrase, Step, Table
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Call, Derivative, Expr, Relation, Sum, Symbol, add, multiply, negate
+from derive.expression import ZERO, Call, Derivative, Expr, Relation, Sum, Symbol, add, multiply
 from derive.kinds.checks import NORMAL_FORM, SECOND_ROUTE, law, random_points
 from derive.kinds.function._extremes import extremes, reach
 from derive.kinds.function._naming import function_name, multiplier_names
@@ -109,8 +109,8 @@ def _lagrange(function: Function, multipliers: Sequence[Symbol], name: Symbol) -
     parts = [function.values[0]]
     for multiplier, c in zip(multipliers, function.constraints, strict=True):
         terms = c.left.terms if isinstance(c.left, Sum) else (c.left,)
-        difference = c.left if c.right == ZERO else add(*terms, negate(c.right))
-        parts.append(negate(multiply(multiplier, difference)))
+        difference = c.left if c.right == ZERO else add(*terms, -c.right)
+        parts.append(-multiply(multiplier, difference))
     return add(*(term for part in parts for term in (part.terms if isinstance(part, Sum) else (part,))))
 
 

@@ -9,7 +9,7 @@ from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar, fraction
 from derive.algebra.solving.polynomial_systems import Value
 from derive.algebra.solving.polynomials import monomials
-from derive.expression import ZERO, Approximate, Expr, Quotient, negate
+from derive.expression import ZERO, Approximate, Expr
 from derive.kinds.problem import Problem
 
 
@@ -45,7 +45,7 @@ def _over_root(value: Scalar, root: Scalar, problem: Problem) -> list[Expr]:
     if above.denominator is not None:
         return []
     top = problem.readable(above)
-    return [Quotient(top, problem.readable(root))]
+    return [top / problem.readable(root)]
 
 
 def vanishing(polynomial: Scalar, problem: Problem) -> tuple[Expr, Expr]:
@@ -57,7 +57,7 @@ def vanishing(polynomial: Scalar, problem: Problem) -> tuple[Expr, Expr]:
         left, right = sorted(parts, key=lambda part: part.constant is not None)
         found = problem.readable(left), problem.readable(-right)
         negative = as_fraction(left.numerator.leading_coefficient()) < 0
-        return (negate(found[0]), problem.readable(right)) if negative else found
+        return (-found[0], problem.readable(right)) if negative else found
     return problem.readable(whole), ZERO
 
 

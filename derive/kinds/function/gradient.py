@@ -5,7 +5,7 @@ from __future__ import annotations
 from derive.algebra.function import Function
 from derive.derivation import Derivation, PageFacts, Step
 from derive.errors import NotDerivable
-from derive.expression import Derivative, Expr, Matrix, Product, Symbol, column
+from derive.expression import Derivative, Expr, Matrix, Symbol, column
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.function._naming import function_name
 from derive.kinds.function._partials import differences, partial_step
@@ -28,6 +28,6 @@ def derive(function: Function, options: Options, problem: Problem) -> Derivation
     found = [step.result for step in partials]
     work = work.showing(*partials, Step("gradient", (row, column(found).T), "gradient"))
     work = differences(work, found, [(value, each) for each in function.variables])
-    nabla = Product((Symbol("nabla"), name))
+    nabla = Symbol("nabla") * name
     facts = Facts(nabla=nabla, page_names={"gradient": nabla})
     return work.answer("gradient", {"gradient": problem.final(column(found))}, facts)

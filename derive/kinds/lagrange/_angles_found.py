@@ -20,19 +20,7 @@ from derive.algebra.scalar import Scalar
 from derive.algebra.solving.polynomial_systems import solve
 from derive.algebra.solving.polynomials import known_sign
 from derive.errors import NotDerivable
-from derive.expression import (
-    Approximate,
-    Call,
-    Expr,
-    Symbol,
-    add,
-    atan2,
-    multiply,
-    negate,
-    number,
-    subtract,
-    walk,
-)
+from derive.expression import Approximate, Call, Expr, Symbol, add, atan2, multiply, number, walk
 from derive.kinds.function._writing import written
 from derive.kinds.problem import Problem
 
@@ -178,7 +166,7 @@ def _values(
 
 def _moving_part(form: Form, angle: Expr, problem: Problem) -> Expr:
     """What moves in an angle: theta where theta + 25 deg is the angle."""
-    return add(angle, Alphabet(problem.style).angle(form.fixed.scaled(-1))) if form.fixed.parts else angle
+    return angle + Alphabet(problem.style).angle(form.fixed.scaled(-1)) if form.fixed.parts else angle
 
 
 def _combined(angles: Sequence[Expr], parts: Sequence[Fraction], problem: Problem) -> Expr:
@@ -204,12 +192,12 @@ def _angle(c: Scalar | arb, s: Scalar | arb, positive: Collection[str], problem:
             return problem.readable(Scalar.symbol(PI) * turns)
     if c.ring.roots and not s.ring.roots and (side := known_sign(c, positive)) is not None:
         from_sine = Call("asin", (written(s, problem),))
-        return from_sine if side > 0 else subtract(Symbol(PI), from_sine)
+        return from_sine if side > 0 else Symbol(PI) - from_sine
     sign = known_sign(s, positive)
     if sign is None:
         return atan2(written(s, problem), written(c, problem))
     angle: Expr = Call("acos", (written(c, problem),))
-    return angle if sign > 0 else negate(angle)
+    return angle if sign > 0 else -angle
 
 
 def _float(value: Scalar) -> float:

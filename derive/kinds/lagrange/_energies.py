@@ -7,21 +7,7 @@ from collections.abc import Iterator
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
 from derive.derivation import Step
-from derive.expression import (
-    ZERO,
-    Expr,
-    Number,
-    Product,
-    Symbol,
-    add,
-    column,
-    multiply,
-    negate,
-    number,
-    squared,
-    subtract,
-    transpose,
-)
+from derive.expression import ZERO, Expr, Number, Product, Symbol, add, column, multiply, number, transpose
 from derive.kinds.lagrange._equations import written_side
 from derive.kinds.lagrange._model import Model
 from derive.mechanics.lagrangian import MovingBody, rate, velocity
@@ -35,7 +21,7 @@ def energy_steps(model: Model) -> tuple[Step, ...]:
     P = _total(model, letters.potential, model.potential, model.system.potential, "potential")
     L = Symbol(letters.lagrangian)
     whole = written_side(model.lagrangian, model.system, model.problem)
-    split = subtract(Symbol(letters.kinetic), Symbol(letters.potential))
+    split = Symbol(letters.kinetic) - Symbol(letters.potential)
     return (*bodies, *T, *P, Step(L.name, (L, split, whole), "lagrangian"))
 
 
@@ -47,12 +33,12 @@ def _body(model: Model, body: MovingBody, k: int) -> Iterator[Step]:
     moved = velocity(place, model.system).entries
     speed = column(written_side(entry, model.system, problem) for entry in moved)
     yield Step(v.name, (v, speed), "velocity")
-    parts: list[Expr] = [_half(body.mass, Product((transpose(v), v)))]
+    parts: list[Expr] = [_half(body.mass, transpose(v) * v)]
     if body.inertia is not None and body.angle is not None:
         omega = letters.of_body(letters.spin, k)
         spin = written_side(rate(model.scalar(body.angle), model.system), model.system, problem)
         yield Step(omega.name, (omega, spin), "spin")
-        parts.append(_half(body.inertia, squared(omega)))
+        parts.append(_half(body.inertia, omega**2))
     energy = written_side(model.kinetic[k - 1], model.system, problem)
     if letters.indexed or model.system.kinetic != ZERO:
         name = T if letters.indexed else Symbol(f"{letters.kinetic}_1")
@@ -99,7 +85,7 @@ def _weight(model: Model, body: MovingBody) -> Expr:
 
 def _plain(g: Expr) -> Expr:
     """The size of a component that is written with a minus sign."""
-    return negate(g) if _is_minus(g) else g
+    return -g if _is_minus(g) else g
 
 
 def _is_minus(g: Expr) -> bool:
@@ -113,4 +99,4 @@ def _is_minus(g: Expr) -> bool:
 
 def _signless(product: Expr, g: Expr) -> Expr:
     """Against a component -g the energy m g y grows."""
-    return product if _is_minus(g) else negate(product)
+    return product if _is_minus(g) else -product

@@ -16,7 +16,6 @@ from derive.expression import (
     Number,
     Power,
     Product,
-    Quotient,
     Sum,
     Symbol,
     add,
@@ -48,7 +47,7 @@ def written_side(side: Scalar, system: LagrangianSystem, problem: Problem) -> Ex
 
 
 def _power(name: str, power: int) -> Expr:
-    return Symbol(name) if power == 1 else Power(Symbol(name), number(power))
+    return Symbol(name) if power == 1 else Symbol(name) ** number(power)
 
 
 def _times(value: Expr, factors: Sequence[Expr]) -> Expr:
@@ -80,10 +79,10 @@ def written_fraction(value: Scalar, problem: Problem) -> Expr:
     above = problem.readable(top)
     match above:
         case Product((Number(lead), *rest)) if lead == -1:
-            return Product((MINUS_ONE, Quotient(multiply(*rest), below)))
+            return MINUS_ONE * (multiply(*rest) / below)
         case Sum(terms) if all(map(is_negative, terms)):
-            return Product((MINUS_ONE, Quotient(Sum(tuple(map(negate, terms))), below)))
-    return problem.readable(value) if isinstance(below, Number) else Quotient(above, below)
+            return MINUS_ONE * (Sum(tuple(map(negate, terms))) / below)
+    return problem.readable(value) if isinstance(below, Number) else above / below
 
 
 def _leads_with_minus(expr: Expr) -> bool:
@@ -92,4 +91,4 @@ def _leads_with_minus(expr: Expr) -> bool:
 
 def difference(left: Expr, right: Expr) -> Expr:
     """left - right, nothing where the right is zero."""
-    return left if right == ZERO else add(left, negate(right))
+    return left if right == ZERO else left + -right

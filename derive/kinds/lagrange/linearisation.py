@@ -13,7 +13,7 @@ from derive.algebra.numbers.floats import completed, number, numbers
 from derive.algebra.solving.polynomials import known_sign
 from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable, NotReal
-from derive.expression import ZERO, Expr, Matrix, Product, Symbol, column, free_symbols
+from derive.expression import ZERO, Expr, Matrix, Symbol, column, free_symbols
 from derive.kinds.checks import SECOND_ROUTE, close, random_points
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import Name, OptionsModel
@@ -172,7 +172,7 @@ def _facts(model: Model, options: Options, linear: Linear, at: Mapping[Expr, Exp
 def _state_vector(system: LagrangianSystem) -> Matrix:
     """Displacements, then rates, as the page writes them."""
     names = (*system.coordinates, *system.rates)
-    return column(Product((Symbol("delta"), Symbol(name))) for name in names)
+    return column(Symbol("delta") * Symbol(name) for name in names)
 
 
 def _stability(model: Model, linear: Linear) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from derive.derivation import Cell, Claim, Derivation, PageFacts, Phrase, Result, Table
-from derive.expression import Expr, Product, Sum, Symbol, add, number, subtract
+from derive.expression import Expr, Symbol, add, number
 from derive.kinds.checks import SECOND_ROUTE
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
@@ -38,8 +38,8 @@ def derive(mechanism: Mechanism, options: Options, problem: Problem) -> Derivati
     """dof = lambda (n - 1) - sum c_i (Lynch and Park, section 2.2)."""
     size = LAMBDA[mechanism.space]
     taken = number(sum(each.total for each in mechanism.joints))
-    free = Product((number(size), Sum((number(mechanism.bodies), number(-1)))))
-    formulas = (subtract(free, C), subtract(number(size * (mechanism.bodies - 1)), taken))
+    free = number(size) * (number(mechanism.bodies) + -1)
+    formulas = (free - C, number(size * (mechanism.bodies - 1)) - taken)
     work = Work(problem).line(C, _total(mechanism), value=taken, label="constraints")
     work = work.line(DOF, *formulas, value=number(mechanism.dof))
     work = work.claim(Claim("loop-freedoms", SECOND_ROUTE, mechanism.by_loops == mechanism.dof))
@@ -55,7 +55,7 @@ def _results(mechanism: Mechanism) -> dict[str, Result]:
 
 def _total(mechanism: Mechanism) -> Expr:
     """Each sort: how many times how much."""
-    return add(*(Product((number(each.pairs), number(each.constraints))) for each in mechanism.joints))
+    return add(*(number(each.pairs) * number(each.constraints) for each in mechanism.joints))
 
 
 def _facts(mechanism: Mechanism, size: int) -> Facts:

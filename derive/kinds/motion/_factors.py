@@ -21,16 +21,12 @@ from derive.expression import (
     Indexed,
     Matrix,
     Product,
-    Quotient,
-    Sum,
     Symbol,
     column,
     cos,
     free_symbols,
     multiply,
     sin,
-    squared,
-    subtract,
     transpose,
 )
 from derive.kinds.problem import Problem
@@ -139,8 +135,8 @@ def _axis_line(work: Work, name: Symbol, axis: tuple[Expr, Expr, Expr], rounded:
     """The unit vector along a written axis; and what the names of Rodrigues' formula stand for."""
     problem, S = work.problem, Indexed("S", (name,))
     unit = problem.readable_matrix(ScalarMatrix.column(unit_vector(axis)))
-    length = root(sum((normal(squared(part)) for part in axis), Scalar.of(0)))
-    middle = () if length == 1 else (Product((Quotient(ONE, problem.readable(length)), column(axis))),)
+    length = root(sum((normal(part**2) for part in axis), Scalar.of(0)))
+    middle = () if length == 1 else (ONE / problem.readable(length) * column(axis),)
     shown = rounded_matrix(unit, problem) if rounded else unit
     (x,), (y,), (z,) = unit.rows
     one = problem.readable_matrix(ScalarMatrix.identity(3))
@@ -180,13 +176,11 @@ def product_of(moves: Sequence[Move], size: int) -> ScalarMatrix:
 
 def rodrigues(axis: Symbol, angle: Expr) -> Expr:
     """cos I + sin S_k + (1 - cos) k k^T."""
-    outer = Product((axis, transpose(axis)))
-    return Sum(
-        (
-            multiply(cos(angle), IDENTITY),
-            multiply(sin(angle), Indexed("S", (axis,))),
-            multiply(subtract(ONE, cos(angle)), outer),
-        )
+    outer = axis * transpose(axis)
+    return (
+        multiply(cos(angle), IDENTITY)
+        + multiply(sin(angle), Indexed("S", (axis,)))
+        + multiply(ONE - cos(angle), outer)
     )
 
 

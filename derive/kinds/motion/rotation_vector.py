@@ -8,7 +8,7 @@ from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import Point, numbers
 from derive.derivation import Derivation, PageFacts, Phrase
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Call, Expr, Matrix, Product, Symbol, column, multiply, walk
+from derive.expression import ZERO, Call, Expr, Matrix, Symbol, column, multiply, walk
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.pose import axis_angle
 from derive.kinds.problem import Problem
@@ -36,7 +36,7 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
         raise NotDerivable("this rotation has no single axis")
     else:
         vector = column(_entry(angle, entry, problem) for (entry,) in axis.rows)
-        work = work.line(r, Product((told.angle, told.axis)), value=vector, rule="rotation-vector")
+        work = work.line(r, told.angle * told.axis, value=vector, rule="rotation-vector")
     work = work.linked(but=("r",)).agrees(
         "exponential",
         problem.symbols,

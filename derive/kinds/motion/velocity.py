@@ -11,18 +11,7 @@ from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point, completed, number
 from derive.derivation import Derivation, PageFacts
 from derive.errors import NotDerivable
-from derive.expression import (
-    ONE,
-    Derivative,
-    Expr,
-    Product,
-    Symbol,
-    add,
-    free_symbols,
-    multiply,
-    symbols,
-    transpose,
-)
+from derive.expression import ONE, Derivative, Expr, Symbol, add, free_symbols, multiply, symbols, transpose
 from derive.kinds.fields import Name, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
@@ -65,7 +54,7 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
     shifting = tuple(name for name in varying if position.diff(name))
     work = Work(problem, uses=(problem.ask("transform" if shifting else "rotation-matrix"),))
     work = work.knowing({R: problem.readable_matrix(rotation), P: problem.readable_matrix(position)})
-    work = _rate(work, turning).line(S, Product((R_DOT, transpose(R))), rule="skew")
+    work = _rate(work, turning).line(S, R_DOT * transpose(R), rule="skew")
     turn, omega = work.value_matrix(S), Symbol(free(problem.taken, "omega", "w", "omega_R"))
     spin = ScalarMatrix.column((turn[2, 1], turn[0, 2], turn[1, 0]))
     work = work.line(omega, value=spin, rule="read-off", label="omega")

@@ -11,7 +11,7 @@ from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Result, Step
 from derive.errors import NotDerivable
-from derive.expression import Call, Expr, Matrix, Product, Symbol, number, transpose
+from derive.expression import Call, Expr, Matrix, Symbol, number, transpose
 from derive.kinds.checks import SECOND_ROUTE, close, law
 from derive.kinds.points._data import Data, Facts, RowsTold, point_table, rounded, rounded_matrix, shown
 from derive.kinds.problem import Problem
@@ -50,7 +50,7 @@ def fitted(pairs: PointPairs, problem: Problem) -> Derivation:
             for k, each in enumerate(scaled.lengths, 1)
         ),
         Step("R", (R, scaled.R), "normalised"),
-        Step("R R^T", (Product((R, transpose(R))), scaled.product), "law"),
+        Step("R R^T", (R * transpose(R), scaled.product), "law"),
         Step("det R", (Call("det", (R,)), scaled.det), "law"),
         Step("rms", (Symbol("rms"), rounded(rms)), "law"),
     )

@@ -8,15 +8,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import matrix_numbers, number
 from derive.derivation import Claim, Derivation, Result, Step
 from derive.errors import NotDerivable
-from derive.expression import (
-    Matrix,
-    Product,
-    Quotient,
-    Symbol,
-    column,
-    subtract,
-    transpose,
-)
+from derive.expression import Matrix, Product, Symbol, column, transpose
 from derive.expression import number as whole
 from derive.kinds.checks import SECOND_ROUTE, close, law
 from derive.kinds.points._data import Data, Facts, SvdTold, point_table, rounded, rounded_matrix, shown
@@ -97,7 +89,7 @@ def _means(data: Data, problem: Problem, means: list[Matrix]) -> Iterator[Step]:
         total = points[0]
         for point in points[1:]:
             total = total + point
-        over = Product((Quotient(whole(1), whole(len(points))), problem.readable_matrix(total)))
+        over = 1 / whole(len(points)) * problem.readable_matrix(total)
         yield Step(name.name, (name, over, mean), "centroid")
 
 
@@ -120,7 +112,7 @@ def _ends(fit: Fit, rotation: Matrix, position: Matrix) -> Iterator[Step]:
     """R and p; numbers in floating point are no links to compare exactly."""
     factors = (V, transpose(U)) if fit.det > 0 else (V, D, transpose(U))
     yield Step("R", (R, Product(factors), rotation), "law")
-    yield Step("p", (P, subtract(B_MEAN, Product((R, A_MEAN))), position), "law")
+    yield Step("p", (P, B_MEAN - R * A_MEAN, position), "law")
 
 
 def _claims(

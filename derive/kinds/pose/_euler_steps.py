@@ -27,7 +27,6 @@ from derive.expression import (
     add,
     cos,
     multiply,
-    negate,
     rebuild,
     replace,
     sin,
@@ -136,14 +135,14 @@ class Comparison:
         """The sum or difference of the outer angles that a singular case determines."""
         first, _, last = map(Symbol, self.euler.outer)
         if case.signs[0] < 0:
-            return add(last, negate(first))
-        return add(first, last if case.signs[1] > 0 else negate(last))
+            return last + -first
+        return first + (last if case.signs[1] > 0 else -last)
 
     def singular_matrix(self, case: Singular) -> Matrix:
         """The matrix of a singular case by the sine and cosine of what it determines."""
         angle = self.determined(case)
         parts = [(normal(part), part) for part in (sin(angle), cos(angle))]
-        known = [(s, t) for value, tree in parts for s, t in ((value, tree), (-value, negate(tree)))]
+        known = [(s, t) for value, tree in parts for s, t in ((value, tree), (-value, -tree))]
 
         def written(entry: Scalar) -> Expr:
             return next((tree for value, tree in known if value == entry), self.problem.readable(entry))
@@ -260,7 +259,7 @@ def _relations(direction: Direction, angle: Symbol, g: Expr) -> tuple[Equation, 
 
 
 def _signed(sign: Sign, expr: Expr) -> Expr:
-    return expr if sign > 0 else negate(expr)
+    return expr if sign > 0 else -expr
 
 
 def _short(expr: Expr, problem: Problem) -> Expr:
@@ -270,14 +269,14 @@ def _short(expr: Expr, problem: Problem) -> Expr:
             return Call("atan2", (shortened(y, problem), shortened(x, problem)))
         case Sum(terms):
             return add(*(_short(term, problem) for term in terms))
-    return expr if expr != negate(ZERO) else ZERO
+    return expr if expr != -ZERO else ZERO
 
 
 def _tidied(expr: Expr) -> Expr:
     """Zeros left out of sums, double signs resolved: what is left when entries were put in."""
     match expr:
         case Product((first, inner)) if first == MINUS_ONE:
-            return negate(_tidied(inner))
+            return -_tidied(inner)
         case Power(base, _) if base == ZERO:
             return ZERO
         case Sum(terms):

@@ -18,7 +18,7 @@ from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
-from derive.expression import Expr, Symbol, free_symbols, subtract
+from derive.expression import Expr, Symbol, free_symbols
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.pose._numbers import over
@@ -109,5 +109,5 @@ def given_pose(options: PoseOptions, problem: Problem, rotation_only: bool = Tru
 def lacking() -> tuple[Expr, Expr, Expr]:
     """The same in the names of the entries."""
     pairs = (("r_32", "r_23"), ("r_13", "r_31"), ("r_21", "r_12"))
-    one, two, three = (subtract(Symbol(plus), Symbol(minus)) for plus, minus in pairs)
+    one, two, three = (Symbol(plus) - Symbol(minus) for plus, minus in pairs)
     return one, two, three

@@ -11,7 +11,7 @@ from derive.algebra.numbers.floats import number
 from derive.algebra.rationals import as_fraction
 from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar
-from derive.expression import PI, ZERO, Call, Degrees, Expr, Product, Quotient, atan2, multiply, sqrt
+from derive.expression import PI, ZERO, Call, Degrees, Expr, Product, atan2, multiply, sqrt
 from derive.expression import number as exact
 from derive.kinds.problem import Problem
 
@@ -64,7 +64,7 @@ def over(part: Scalar, square: Scalar, problem: Problem) -> Expr:
     if is_plain(taken) or not part:
         return problem.readable(part / taken)
     below = math.lcm(*(as_fraction(each).denominator for each in part.numerator.coeffs()))
-    return Quotient(problem.readable(part * below), multiply(exact(below), size(square, problem)))
+    return problem.readable(part * below) / multiply(exact(below), size(square, problem))
 
 
 def shortened(expr: Expr, problem: Problem) -> Expr:

@@ -14,8 +14,6 @@ from derive.expression import (
     ZERO,
     Expr,
     Matrix,
-    Product,
-    Quotient,
     Symbol,
     add,
     atan2,
@@ -25,7 +23,6 @@ from derive.expression import (
     sin,
     sqrt,
     squared,
-    subtract,
     transpose,
 )
 from derive.kinds.pose._given import Given, given_pose, lacking
@@ -104,15 +101,15 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
 
 
 def _facts(given: Given, names: _Names) -> Facts:
-    twice = Product((number(2), names.axis, transpose(names.axis)))
+    twice = 2 * names.axis * transpose(names.axis)
     return Facts(
         rotation=given.rotation,
         angle=names.angle,
         axis=names.axis,
         zero=True,
         turned=names.turn,
-        twice=(names.turn, Product((number(2), sin(names.angle), names.axis))),
-        law=(given.rotation, subtract(twice, Symbol("I"))),
+        twice=(names.turn, 2 * sin(names.angle) * names.axis),
+        law=(given.rotation, twice - Symbol("I")),
     )
 
 
@@ -123,7 +120,7 @@ def _trace() -> Expr:
 
 def _nothing(work: Work, names: _Names, facts: Facts) -> Derivation:
     """The identity: the angle is zero, and every axis is as good as another."""
-    work = work.line(cos(names.angle), Quotient(_trace(), number(2)), value=ONE, label="cosine")
+    work = work.line(cos(names.angle), _trace() / 2, value=ONE, label="cosine")
     work = work.line(names.angle, value=ZERO, label="angle")
     results: dict[str, Result] = {"angle": ZERO, "axis": "any"}
     return work.answer("axis-angle", results, facts)
@@ -133,7 +130,7 @@ def _general(work: Work, given: Given, names: _Names) -> tuple[Work, Expr, Matri
     """w = 2 sin(angle) k, the trace is 1 + 2 cos(angle); with the values where these can be read. An angle is
     checked by its second route alone."""
     length = sqrt(add(*map(squared, names.components)))
-    angle_of, axis_of = atan2(length, _trace()), Quotient(names.turn, length)
+    angle_of, axis_of = atan2(length, _trace()), names.turn / length
     found = _value(given) if given.short else None
     if found is None or not given.shows(found[0]):
         angle, axis = _long(given)
@@ -169,13 +166,13 @@ def _long(given: Given) -> tuple[Expr, Matrix]:
     as a root of squares."""
     w = tuple(map(given.problem.readable, given.lacking))
     length = sqrt(add(*map(squared, w)))
-    return atan2(length, given.problem.readable(_cosine(given))), column(Quotient(part, length) for part in w)
+    return atan2(length, given.problem.readable(_cosine(given))), column(part / length for part in w)
 
 
 def _half_turn(work: Work, given: Given, names: _Names) -> tuple[Work, Expr, Matrix]:
     """R = 2 k k^T - 1: each column of (R + 1)/2 is a multiple of k."""
     outer, entries = given.half_turn()
     angle, axis = known_angle(atan2(ZERO, number(-1)), work.problem), column(entries)
-    work = work.line(Product((names.axis, transpose(names.axis))), value=outer, rule="given", label="outer")
+    work = work.line(names.axis * transpose(names.axis), value=outer, rule="given", label="outer")
     work = work.line(names.angle, value=angle, label="angle").line(names.axis, value=axis, label="axis")
     return work.linked(but=("outer", "angle", "axis")), angle, axis

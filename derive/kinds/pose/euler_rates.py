@@ -14,7 +14,6 @@ from derive.expression import (
     Call,
     Expr,
     Matrix,
-    Product,
     Relation,
     Symbol,
     column,
@@ -68,10 +67,10 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     work = work.line(T, Matrix((axes,)), rule="rate-matrix")
     det, inverse = Call("det", (T,)), Call("inverse", (T,))
     rates = column(Symbol(f"{name}_dot") for name in euler.names)
-    filled = Product((work[T], rates))
-    work = work.step(Step("omega", (OMEGA, Product((T, rates)), filled), "law"))
+    filled = work[T] * rates
+    work = work.step(Step("omega", (OMEGA, T * rates, filled), "law"))
     work = work.line(det, rule="determinant", label="det")
-    work = work.line(rates, Product((inverse, column(AXES))), rule="law", label="rates")
+    work = work.line(rates, inverse * column(AXES), rule="law", label="rates")
     middle, singular = euler.outer[1], [euler.singular(sign).middle for sign in SIGNS]
     where = Phrase("singular-where", {"zero": Relation(det, "=", ZERO)})
     results: dict[str, Result] = {

@@ -7,7 +7,7 @@ from typing import Any
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.derivation import Derivation, PageFacts
-from derive.expression import ONE, ZERO, Call, Matrix, Symbol, multiply, negate, symbols, transpose
+from derive.expression import ONE, ZERO, Call, Matrix, Symbol, multiply, symbols, transpose
 from derive.kinds.pose._given import PoseOptions as Options
 from derive.kinds.pose._given import given_pose
 from derive.kinds.problem import Problem
@@ -29,7 +29,7 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     work = Work(problem, uses=given.uses).knowing({NO_ROW: Matrix(((ZERO, ZERO, ZERO),))})
     work = work.knowing({name: problem.readable_matrix(value) for name, value in known.items()})
     turned, inverse = transpose(R), Call("inverse", (given.name,))
-    blocks = Matrix(((turned, negate(multiply(turned, P))), (NO_ROW, ONE)))
+    blocks = Matrix(((turned, -multiply(turned, P)), (NO_ROW, ONE)))
     work = work.line(inverse, blocks, value=inverse_pose(given.T), rule="inverse", label="T").closed(inverse)
     exact = work.steps[-1].result
     back = normal_matrix(exact, problem.names)

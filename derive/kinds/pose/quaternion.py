@@ -7,19 +7,7 @@ from typing import Any
 from derive.algebra.numbers.floats import Point, numbers
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts, Step
-from derive.expression import (
-    ONE,
-    ZERO,
-    Matrix,
-    Product,
-    Quotient,
-    Symbol,
-    add,
-    column,
-    multiply,
-    number,
-    sqrt,
-)
+from derive.expression import ONE, ZERO, Matrix, Symbol, add, column, multiply, number, sqrt
 from derive.kinds.pose._given import Given, given_pose, lacking
 from derive.kinds.pose._given import PoseOptions as Options
 from derive.kinds.pose._numbers import over, size
@@ -54,7 +42,7 @@ def _steps(given: Given, name: Symbol, scalar: Symbol, q: Matrix) -> tuple[Step,
     """By the names of the entries, and their values where these can be read."""
     trace = add(ONE, *(Symbol(f"r_{i}{i}") for i in (1, 2, 3)))
     root_of = multiply(number("1/2"), sqrt(trace))
-    formula = column((scalar, *(Quotient(each, Product((number(4), scalar))) for each in lacking())))
+    formula = column((scalar, *(each / (4 * scalar) for each in lacking())))
     shown = all(given.shows(entry) for (entry,) in q.rows)
     first, whole = ((q.rows[0][0],), (q,)) if shown else ((), ())
     return Step("q_0", (scalar, root_of, *first)), Step("q", (name, formula, *whole))

@@ -9,7 +9,7 @@ from typing import TypeAlias
 
 from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Claim, Phrase, Record, Step
-from derive.expression import Expr, Product, Quotient, Relation, Sum, Symbol, number, squared, symbols
+from derive.expression import Expr, Relation, Symbol, symbols
 from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
 from derive.kinds.problem import Problem
 from derive.kinds.profile._trapezoid import Given, Outcome, begun, shortest, timed
@@ -48,7 +48,7 @@ class Solved:
         """The shortest time that is possible; where the acceleration has no limit, what it stays above."""
         if self.axis.a_max is None:
             working = self.given.working
-            return self.problem.final(working.shown(Quotient(self.given.d, self.given.fastest)))
+            return self.problem.final(working.shown(self.given.d / self.given.fastest))
         return (self.fastest or self.outcomes)[0].working.final("t_3")
 
 
@@ -125,11 +125,11 @@ def told(each: Solved, prefix: str = "") -> AxisTold:
         fastest=v_M,
         strongest=a_M,
         t_3=t_3,
-        to_fastest=(t_1, Quotient(v_M, a_M)),
-        area=(d, Product((v_M, t_2))),
-        half=(Quotient(d, number(2)), Quotient(Product((a_M, squared(t_1))), number(2))),
-        peak=(v, Quotient(Product((number(2), d)), last)),
-        plateau_area=(d, Quotient(Product((v, Sum((last, t_m)))), number(2))),
+        to_fastest=(t_1, v_M / a_M),
+        area=(d, v_M * t_2),
+        half=(d / 2, a_M * t_1**2 / 2),
+        peak=(v, 2 * d / last),
+        plateau_area=(d, v * (last + t_m) / 2),
         open=each.open,
         infeasible=each.infeasible,
         least=(Symbol("t_min"), each.least),

@@ -13,18 +13,12 @@ from derive.expression import (
     MINUS_ONE,
     ZERO,
     Expr,
-    Product,
-    Quotient,
     Symbol,
-    add,
     free_symbols,
     is_negative,
-    negate,
     number,
     replace,
     sqrt,
-    squared,
-    subtract,
     symbols,
 )
 from derive.kinds.problem import Problem
@@ -52,7 +46,7 @@ class Blended:
 
     @property
     def way(self) -> Expr:
-        return subtract(self.end, self.start)
+        return self.end - self.start
 
     @property
     def open(self) -> bool:
@@ -61,22 +55,22 @@ class Blended:
 
     def laws(self) -> tuple[Expr, Expr, Expr]:
         """q as a function of t in the three pieces, as books print it (Spong et al., section 5.5.3)."""
-        half = Quotient(T_B, number(2))
+        half = T_B / 2
         return (
-            add(self.start, Quotient(Product((A, squared(t))), number(2))),
-            add(self.start, Product((V, add(t, _minus(half))))),
-            add(self.end, _minus(Quotient(Product((A, squared(subtract(self.T, t)))), number(2)))),
+            self.start + A * t**2 / 2,
+            self.start + V * (t + _minus(half)),
+            self.end + _minus(A * (self.T - t) ** 2 / 2),
         )
 
     def spans(self) -> tuple[Span, Span, Span]:
         """The same by the time since the beginning of each piece."""
-        ramp = Quotient(Product((V, T_B)), number(2))
-        push = Quotient(A, number(2))
-        later = subtract(self.T, T_B)
+        ramp = V * T_B / 2
+        push = A / 2
+        later = self.T - T_B
         return (
             Span(ZERO, T_B, (self.start, ZERO, push)),
-            Span(T_B, later, (add(self.start, ramp), V)),
-            Span(later, self.T, (subtract(self.end, ramp), V, negate(push))),
+            Span(T_B, later, (self.start + ramp, V)),
+            Span(later, self.T, (self.end - ramp, V, -push)),
         )
 
 
@@ -99,9 +93,9 @@ def blended(journey: Journey, profile: Profile, problem: Problem) -> Blended:
     if profile.time is None:
         raise NotDerivable("no time is given: add time: t_f, or v_max: and a_max: for the shortest")
     T = name("t_f", profile.time)
-    value = _same_way(dict(chosen)[by] or ZERO, by, subtract(end, start), Work(problem, values, angular))
+    value = _same_way(dict(chosen)[by] or ZERO, by, end - start, Work(problem, values, angular))
     given = name(by, value)
-    working = _solved(Work(problem, values, angular), by, given, subtract(end, start), T)
+    working = _solved(Work(problem, values, angular), by, given, end - start, T)
     return Blended(working, start, end, T, by, rates, given=given)
 
 
@@ -110,40 +104,36 @@ def _same_way(value: Expr, by: str, way: Expr, working: Work) -> Expr:
     signs = working.sign(value), working.sign(way)
     if signs[1] == 0:
         raise NotDerivable("start and end are the same: there is nowhere to go")
-    return (
-        working.shown(negate(value)) if by != "t_b" and None not in signs and signs[0] != signs[1] else value
-    )
+    return working.shown(-value) if by != "t_b" and None not in signs and signs[0] != signs[1] else value
 
 
 def _solved(working: Work, by: str, given: Symbol, way: Expr, T: Symbol) -> Work:
     """The other two of t_b, v and a."""
     if by == "v":
-        working = working.worked("v", given).worked("t_b", add(T, _minus(Quotient(way, given))))
+        working = working.worked("v", given).worked("t_b", T + _minus(way / given))
         _need(working, T, "the velocity must lie between the way over the time and twice that")
-        return working.worked("a", Quotient(given, T_B))
+        return working.worked("a", given / T_B)
     if by == "a":
         working = working.worked("a", given)
-        inside = add(Quotient(squared(T), number(4)), _minus(Quotient(way, given)))
+        inside = T**2 / 4 + _minus(way / given)
         if working.sign(inside) == -1:
             raise NotDerivable("the acceleration must be at least four times the way over the time squared")
-        working = working.worked("t_b", subtract(Quotient(T, number(2)), sqrt(inside)))
+        working = working.worked("t_b", T / 2 - sqrt(inside))
         duration = working.known[T_B]
-        return working.worked(
-            "v", Product((given, T_B)), Product((given, duration)) if free_symbols(duration) else None
-        )
+        return working.worked("v", given * T_B, given * duration if free_symbols(duration) else None)
     working = working.worked("t_b", given)
     _need(working, T, "the two blends cannot last longer than the whole")
-    return working.worked("v", Quotient(way, subtract(T, T_B))).worked("a", Quotient(V, T_B))
+    return working.worked("v", way / (T - T_B)).worked("a", V / T_B)
 
 
 def _minus(expr: Expr) -> Expr:
     """The opposite, its sign in front of the whole fraction."""
-    return negate(expr) if is_negative(expr) else Product((MINUS_ONE, expr))
+    return -expr if is_negative(expr) else MINUS_ONE * expr
 
 
 def _need(working: Work, T: Symbol, why: str) -> None:
     """0 < t_b <= t_f/2. Raises NotDerivable."""
-    if working.sign(T_B) in (0, -1) or working.sign(subtract(Quotient(T, number(2)), T_B)) == -1:
+    if working.sign(T_B) in (0, -1) or working.sign(T / 2 - T_B) == -1:
         raise NotDerivable(f"this cannot be done in the time: {why}")
 
 
@@ -159,7 +149,7 @@ def _by_limits(
     base = problem.ask("trapezoidal-profile")
     if base.results["case"] not in ("trapezoidal", "triangular"):
         raise NotDerivable(f"the profile is {base.results['case']}: its pieces cannot be written down")
-    sign = number(Work(problem, values).sign(subtract(end, start)) or 1)
+    sign = number(Work(problem, values).sign(end - start) or 1)
     T = Symbol("t_f")
     found: dict[Symbol, Any] = {
         Symbol(key): base.results[name]
@@ -167,7 +157,7 @@ def _by_limits(
     }
     working = Work(problem, values, angular)
     for symbol, value in found.items():
-        signed = value if symbol in (T, T_B) or sign == number(1) else negate(value)
+        signed = value if symbol in (T, T_B) or sign == number(1) else -value
         working = working.knowing({symbol: working.shown(signed)})
         rates[symbol] = RATES[symbol.name]
     return Blended(working, start, end, T, "limits", rates, (base,))
@@ -190,13 +180,13 @@ def filled_laws(found: Blended, working: Work) -> tuple[Expr, ...]:
     """q of t in the three pieces, with numbers where there are."""
     if found.open:
         return tuple(with_values(tree, working) for tree in found.laws())
-    push = Quotient(A, number(2))
-    through = subtract(found.start, Quotient(Product((V, T_B)), number(2)))
-    left = subtract(worked_out(found.T, working), t)
+    push = A / 2
+    through = found.start - V * T_B / 2
+    left = worked_out(found.T, working) - t
     return (
-        add(worked_out(found.start, working), term(worked_out(push, working), t, 2)),
-        add(worked_out(through, working), term(worked_out(V, working), t, 1)),
-        add(worked_out(found.end, working), term(worked_out(negate(push), working), left, 2)),
+        worked_out(found.start, working) + term(worked_out(push, working), t, 2),
+        worked_out(through, working) + term(worked_out(V, working), t, 1),
+        worked_out(found.end, working) + term(worked_out(-push, working), left, 2),
     )
 
 

@@ -9,24 +9,7 @@ from math import factorial, perm
 from typing import Any
 
 from derive.derivation import Step
-from derive.expression import (
-    ONE,
-    ZERO,
-    Degrees,
-    Expr,
-    Matrix,
-    Power,
-    Product,
-    Quotient,
-    Symbol,
-    add,
-    column,
-    multiply,
-    negate,
-    number,
-    squared,
-    subtract,
-)
+from derive.expression import ONE, ZERO, Degrees, Expr, Matrix, Symbol, add, column, multiply, number
 from derive.kinds.problem import Problem
 from derive.mechanics.profile import Journey, Profile
 from derive.names import named
@@ -53,7 +36,7 @@ class Ends:
     @property
     def way(self) -> Expr:
         """From the start to the end."""
-        return subtract(self.end[0], self.start[0])
+        return self.end[0] - self.start[0]
 
     @property
     def at_rest(self) -> bool:
@@ -83,7 +66,7 @@ def ends_of(journey: Journey, profile: Profile, order: int, problem: Problem) ->
 
 
 def power(k: int) -> Expr:
-    return ONE if k == 0 else t if k == 1 else Power(t, number(k))
+    return ONE if k == 0 else t if k == 1 else t ** number(k)
 
 
 def term(coefficient: Expr, k: int) -> Expr:
@@ -94,7 +77,7 @@ def term(coefficient: Expr, k: int) -> Expr:
 
 
 def _raised(base: Expr, k: int) -> Expr:
-    return ONE if k == 0 else base if k == 1 else Power(base, number(k))
+    return ONE if k == 0 else base if k == 1 else base ** number(k)
 
 
 def laws(order: int) -> Iterator[Step]:
@@ -118,9 +101,9 @@ def system(ends: Ends) -> Step:
             multiply(number(Fraction(perm(k, rate), factorial(k))), ends.start[k], _raised(T, k - rate))
             for k in range(rate, order)
         ]
-        right.append(add(ends.end[rate], *(negate(term) for term in known if term != ZERO)))
+        right.append(add(ends.end[rate], *(-term for term in known if term != ZERO)))
     unknown = column(Symbol(f"a_{k}") for k in range(order, 2 * order))
-    return Step("system", (Product((Matrix(tuple(rows)), unknown)), column(right)))
+    return Step("system", (Matrix(tuple(rows)) * unknown, column(right)))
 
 
 def upper(ends: Ends) -> tuple[Expr, ...]:
@@ -135,7 +118,7 @@ def upper(ends: Ends) -> tuple[Expr, ...]:
     a_0, a_f = ends.start[2], ends.end[2]
     if ends.at_rest:
         return _over(T, 3, (10, way)), _over(T, 4, (-15, way)), _over(T, 5, (6, way))
-    T2 = squared(T)
+    T2 = T**2
     return (
         _over(T, 3, (20, way), (-12, v_0, T), (-8, v_f, T), (-3, a_0, T2), (1, a_f, T2), half=True),
         _over(T, 4, (-30, way), (16, v_0, T), (14, v_f, T), (3, a_0, T2), (-2, a_f, T2), half=True),
@@ -149,4 +132,4 @@ def _over(T: Symbol, k: int, *terms: tuple[Any, ...], half: bool = False) -> Exp
     top = add(*kept)
     if top == ZERO:
         return ZERO
-    return Quotient(top, multiply(number(2), _raised(T, k)) if half else _raised(T, k))
+    return top / (multiply(number(2), _raised(T, k)) if half else _raised(T, k))

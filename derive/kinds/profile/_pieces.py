@@ -10,19 +10,7 @@ from derive.algebra.numbers.floats import number as value_of
 from derive.algebra.scalar import Scalar
 from derive.derivation import Branch, Claim, Phrase
 from derive.errors import NotDerivable
-from derive.expression import (
-    ONE,
-    ZERO,
-    Degrees,
-    Expr,
-    Power,
-    Relation,
-    Symbol,
-    add,
-    multiply,
-    number,
-    subtract,
-)
+from derive.expression import ONE, ZERO, Degrees, Expr, Relation, Symbol, add, multiply, number
 from derive.kinds.checks import law
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
@@ -45,7 +33,7 @@ class Span:
     @property
     def law(self) -> Expr:
         """q as a function of t."""
-        tau = t if self.start == ZERO else subtract(t, self.start)
+        tau = t if self.start == ZERO else t - self.start
         return add(*(term(c, tau, k) for k, c in enumerate(self.coefficients))) or ZERO
 
     def derivative(self, working: Work, tau: Scalar, order: int) -> Scalar:
@@ -61,7 +49,7 @@ class Span:
 
 def term(coefficient: Expr, tau: Expr, k: int) -> Expr:
     """c tau^k, a minus sign in front of all."""
-    power = ONE if k == 0 else tau if k == 1 else Power(tau, number(k))
+    power = ONE if k == 0 else tau if k == 1 else tau ** number(k)
     if isinstance(coefficient, Degrees) and coefficient.value < 0:
         return multiply(number(-1), Degrees(-coefficient.value), power)
     return multiply(coefficient, power)
@@ -78,7 +66,7 @@ def joined(spans: Sequence[Span], working: Work, orders: int) -> Iterator[Claim]
     for order in range(orders):
         holds = True
         for before, after in pairwise(spans):
-            length = working.scalar(subtract(before.end, before.start))
+            length = working.scalar(before.end - before.start)
             left = before.derivative(working, length, order)
             holds &= left == after.derivative(working, Scalar.of(0), order)
         yield law(CONTINUOUS[order], holds)

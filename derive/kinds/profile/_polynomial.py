@@ -9,19 +9,7 @@ from math import factorial, perm
 from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
-from derive.expression import (
-    ONE,
-    ZERO,
-    Expr,
-    Quotient,
-    Symbol,
-    add,
-    free_symbols,
-    multiply,
-    number,
-    sqrt,
-    squared,
-)
+from derive.expression import ONE, ZERO, Expr, Symbol, add, free_symbols, multiply, number, sqrt
 from derive.kinds.checks import SECOND_ROUTE, close, random_points
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
@@ -59,9 +47,7 @@ def polynomial(
     ends = ends_of(journey, profile, order, problem)
     work = Work(problem, ends.values, profile.sort == "angle" and problem.style.degrees)
     names = [f"a_{k}" for k in range(2 * order)]
-    lower = (
-        s if k < 2 else multiply(Quotient(ONE, number(factorial(k))), s) for k, s in enumerate(ends.start)
-    )
+    lower = (s if k < 2 else multiply(ONE / number(factorial(k)), s) for k, s in enumerate(ends.start))
     for name, formula in zip(names, (*lower, *upper(ends)), strict=True):
         work = work.worked(name, formula)
     law = add(*(term(work[name], k) for k, name in enumerate(names)))
@@ -104,11 +90,11 @@ def _peaks(work: Work, ends: Ends, order: int) -> tuple[Work, tuple[str, ...]]:
         return work, ()
     way, T = ends.way, ends.T
     if order == 2:
-        fast = Quotient(multiply(number(3), way), multiply(number(2), T))
-        strong = Quotient(multiply(number(6), way), squared(T))
+        fast = multiply(number(3), way) / multiply(number(2), T)
+        strong = multiply(number(6), way) / T**2
     else:
-        fast = Quotient(multiply(number(15), way), multiply(number(8), T))
-        strong = Quotient(multiply(number(10), way), multiply(sqrt(number(3)), squared(T)))
+        fast = multiply(number(15), way) / multiply(number(8), T)
+        strong = multiply(number(10), way) / multiply(sqrt(number(3)), T**2)
     return work.worked("v_peak", fast).worked("a_peak", strong), ("v_peak", "a_peak")
 
 

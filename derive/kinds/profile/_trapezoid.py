@@ -6,22 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from derive.derivation import Step
-from derive.expression import (
-    Expr,
-    Product,
-    Quotient,
-    Relation,
-    Symbol,
-    free_symbols,
-    is_negative,
-    negate,
-    number,
-    sqrt,
-    squared,
-    subtract,
-    symbols,
-)
-from derive.expression import add as plus
+from derive.expression import Expr, Relation, Symbol, free_symbols, is_negative, sqrt, symbols
 from derive.expression import replace as replaced
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
@@ -67,7 +52,7 @@ def begun(problem: Problem, axis: Axis, time: Expr | None, angular: bool) -> Giv
     bare = Work(problem, {}, angular)
     sign = bare.sign(axis.distance)
     backwards = sign == -1 or (sign is None and is_negative(axis.distance))
-    size = bare.shown(negate(axis.distance)) if backwards else axis.distance
+    size = bare.shown(-axis.distance) if backwards else axis.distance
     d = named("d", size, problem.taken)
     values: dict[Expr, Expr] = {d: size}
     v_M = named("v_M", axis.v_max, problem.taken)
@@ -89,10 +74,10 @@ def begun(problem: Problem, axis: Axis, time: Expr | None, angular: bool) -> Giv
 def shortest(given: Given) -> tuple[Outcome, ...]:
     """With a plateau where there is room for it, else a triangle."""
     d, v_M, a_M, working = given.d, given.fastest, given.strongest, given.working
-    ramps = Quotient(squared(v_M), a_M)
+    ramps = v_M**2 / a_M
     probe = working.worked("ramps", ramps).steps[-1]
     probe = replace(probe, chain=probe.chain[1:])
-    room = working.sign(subtract(d, ramps))
+    room = working.sign(d - ramps)
     left, right = (_condition(working, side) for side in (ramps, d))
     with_plateau = Outcome("trapezoidal", _fast_trapezoid(given), (Relation(left, "<=", right),), probe)
     without = Outcome(
@@ -104,10 +89,10 @@ def shortest(given: Given) -> tuple[Outcome, ...]:
 
 
 def _fast_trapezoid(given: Given) -> Work:
-    working = given.working.worked("t_1", Quotient(given.fastest, given.strongest))
-    working = working.worked("t_2", Quotient(given.d, given.fastest))
-    total = plus(working.known[T_2], working.known[T_1]) if free_symbols(working.final("t_2")) else None
-    working = working.worked("t_3", plus(T_1, T_2), total)
+    working = given.working.worked("t_1", given.fastest / given.strongest)
+    working = working.worked("t_2", given.d / given.fastest)
+    total = working.known[T_2] + working.known[T_1] if free_symbols(working.final("t_2")) else None
+    working = working.worked("t_3", T_1 + T_2, total)
     return working.worked("v", given.fastest).worked("a", given.strongest)
 
 
@@ -115,21 +100,17 @@ def _fast_triangle(given: Given) -> Work:
     """d = a_M t_1^2; with symbols the roots are written as a person writes them."""
     d, a_M, working = given.d, given.strongest, given.working
     full, half, peak = (
-        sqrt(Quotient(Product((number(4), d)), a_M)),
-        Quotient(Symbol("t_3"), number(2)),
-        Product((a_M, T_1)),
+        sqrt(4 * d / a_M),
+        Symbol("t_3") / 2,
+        a_M * T_1,
     )
-    if not free_symbols(working.problem.final(working.shown(Quotient(d, a_M)))):
+    if not free_symbols(working.problem.final(working.shown(d / a_M))):
         working = working.worked("t_3", full).worked("t_1", half).worked("t_2", T_1)
         return working.worked("v", peak).worked("a", a_M)
-    root = sqrt(working.shown(Quotient(d, a_M)))
-    working = (
-        working.worked("t_3", full, Product((number(2), root)))
-        .worked("t_1", half, root)
-        .worked("t_2", T_1, root)
-    )
+    root = sqrt(working.shown(d / a_M))
+    working = working.worked("t_3", full, 2 * root).worked("t_1", half, root).worked("t_2", T_1, root)
     # a sqrt(d/a) is sqrt(a d) for a > 0 only, which the normal form does not know: the search checks it
-    working = working.worked("v", peak, sqrt(working.shown(Product((a_M, d)))), rule="law")
+    working = working.worked("v", peak, sqrt(working.shown(a_M * d)), rule="law")
     return working.worked("a", a_M)
 
 
@@ -139,13 +120,13 @@ def _fast_triangle(given: Given) -> Work:
 def timed(given: Given) -> tuple[Outcome, ...]:
     """With the least acceleration: a triangle unless its peak is too fast, then a plateau at v_M."""
     d, v_M, t_3, working = given.d, given.fastest, given.t_3, given.working
-    peak = Quotient(Product((number(2), d)), t_3)
+    peak = 2 * d / t_3
     probe = working.worked("peak", peak).steps[-1]
     probe = replace(probe, chain=probe.chain[1:])
     triangle, trapezoid = _slow_triangle(given), _slow_trapezoid(given)
     left, right = (_condition(working, side) for side in (peak, v_M))
     found = {1: (trapezoid,), 0: (triangle,), -1: (triangle,)}.get(
-        2 if (s := working.sign(subtract(peak, v_M))) is None else s, (triangle, trapezoid)
+        2 if (s := working.sign(peak - v_M)) is None else s, (triangle, trapezoid)
     )
     relation = {"triangular": "<=", "trapezoidal": ">"}
     outcomes = []
@@ -157,9 +138,9 @@ def timed(given: Given) -> tuple[Outcome, ...]:
 
 
 def _slow_triangle(given: Given) -> Outcome:
-    working = given.working.worked("t_1", Quotient(given.t_3, number(2))).worked("t_2", T_1)
+    working = given.working.worked("t_1", given.t_3 / 2).worked("t_2", T_1)
     working = _keep_time(working, given.t_3)
-    working = working.worked("v", Quotient(given.d, T_1)).worked("a", Quotient(working.symbol("v"), T_1))
+    working = working.worked("v", given.d / T_1).worked("a", working.symbol("v") / T_1)
     return Outcome("triangular", working, plateau=False)
 
 
@@ -167,15 +148,13 @@ def _slow_trapezoid(given: Given) -> Outcome:
     """The plateau follows from the area, d = v (t_3 + t_m)/2."""
     d, v_M, t_3 = given.d, given.fastest, given.t_3
     working = given.working.worked("v", v_M)
-    working = working.worked("t_m", subtract(Quotient(Product((number(2), d)), working.symbol("v")), t_3))
-    working = working.worked("t_1", Quotient(subtract(t_3, T_M), number(2)))
+    working = working.worked("t_m", 2 * d / working.symbol("v") - t_3)
+    working = working.worked("t_1", (t_3 - T_M) / 2)
     room = working.sign(T_1)
     if room is not None and room <= 0:
         return Outcome("infeasible", working, too_fast=True)
-    working = _keep_time(working.worked("t_2", subtract(t_3, T_1)), t_3).worked(
-        "a", Quotient(working.symbol("v"), T_1)
-    )
-    limit = _condition(working, Quotient(d, v_M))
+    working = _keep_time(working.worked("t_2", t_3 - T_1), t_3).worked("a", working.symbol("v") / T_1)
+    limit = _condition(working, d / v_M)
     when = () if room else (Relation(_condition(working, t_3), ">", limit),)
     return Outcome("trapezoidal", working, when)
 
@@ -190,7 +169,7 @@ def _checked(outcome: Outcome, given: Given) -> Outcome:
     """Infeasible where the acceleration is beyond its limit; a condition where symbols leave that open."""
     if outcome.case == "infeasible" or given.strongest not in given.working.known:
         return outcome
-    beyond = outcome.working.sign(subtract(outcome.working.symbol("a"), given.strongest))
+    beyond = outcome.working.sign(outcome.working.symbol("a") - given.strongest)
     if beyond is None:
         limit = Relation(
             _condition(outcome.working, outcome.working.symbol("a")),

@@ -8,16 +8,7 @@ from dataclasses import replace
 from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
-from derive.expression import (
-    Expr,
-    Product,
-    Quotient,
-    Symbol,
-    free_symbols,
-    number,
-    squared,
-    subtract,
-)
+from derive.expression import Expr, Symbol, free_symbols
 from derive.kinds.checks import SECOND_ROUTE, close, law, random_points
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
@@ -134,13 +125,13 @@ def _facts(found: Blended, lines: tuple[str, ...], profile: Profile, drawn: Draw
         by=found.by,
         lines=lines,
         name=found.given,
-        area=(way, Product((V, subtract(T, T_B)))),
-        between=(Quotient(way, T), Quotient(Product((number(2), way)), T)),
-        least=Quotient(Product((number(4), way)), squared(T)),
-        half=Quotient(T, number(2)),
+        area=(way, V * (T - T_B)),
+        between=(way / T, 2 * way / T),
+        least=4 * way / T**2,
+        half=T / 2,
         open=found.open,
         bounds=tuple((each.start, each.end) for each in found.spans()),
-        plateau=working.sign(subtract(T, Product((number(2), T_B)))) != 0,
+        plateau=working.sign(T - 2 * T_B) != 0,
         drawn=drawn.course is not None,
         limits=drawn.limits(),
     )

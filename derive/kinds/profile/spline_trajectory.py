@@ -20,12 +20,10 @@ from derive.expression import (
     Expr,
     Matrix,
     Number,
-    Product,
     Symbol,
     column,
     free_symbols,
     number,
-    subtract,
     symbols,
 )
 from derive.kinds.checks import SECOND_ROUTE, close, law, random_points
@@ -171,7 +169,7 @@ def _span(knots: Knots, velocities: Sequence[Scalar], k: int) -> Span:
 def _steps(knots: Knots, A: ScalarMatrix, b: ScalarMatrix, written: Sequence[Expr]) -> Iterator[Step]:
     unknown = column(Symbol(f"v_{k}") for k in range(knots.spans + 1))
     right = column(knots.working.readable(entry) for entry in b.entries)
-    yield Step("system", (Product((_plain(A, knots), unknown)), right))
+    yield Step("system", (_plain(A, knots) * unknown, right))
     shown = column(_read(each, knots.working.problem.style.decimals) for each in written)
     yield Step("velocities", (unknown, shown))
 
@@ -216,7 +214,7 @@ def _facts(knots: Knots, spans: Sequence[Span], profile: Profile, drawn: Drawn, 
 def _passes(knots: Knots, spans: Sequence[Span]) -> Iterator[Claim]:
     """Through every point; at the ends as it should."""
     working = knots.working
-    lengths = [working.scalar(subtract(span.end, span.start)) for span in spans]
+    lengths = [working.scalar(span.end - span.start) for span in spans]
     places = knots.scalars(knots.places)
     holds = all(span.derivative(working, Scalar.of(0), 0) == places[k] for k, span in enumerate(spans))
     holds &= spans[-1].derivative(working, lengths[-1], 0) == places[-1]

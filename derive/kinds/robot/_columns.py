@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.derivation import Step
-from derive.expression import ZERO, Expr, Matrix, Product, Sum, Symbol, add, cross, subtract
+from derive.expression import ZERO, Expr, Matrix, Product, Symbol, add, cross
 from derive.kinds.naming import pose_entries
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL, axis_names, end_frame, pose_name
@@ -36,7 +36,7 @@ def blocks(
             return nothing, nothing
         if o is None:
             return axis, nothing
-        return add(cross(axis, subtract(point, o)) if point else cross(o, axis), *along), axis
+        return add(cross(axis, point - o) if point else cross(o, axis), *along), axis
 
     return tuple(block(*each) for each in _axes(problem, found))
 
@@ -50,7 +50,7 @@ def _axes(problem: Problem, found: Chain) -> Iterator[tuple[int, Symbol, Symbol 
         return
     for i, joint in found.moving:
         z, o = axis_names(found, problem.subject, i)
-        along = (Product((problem.readable(joint.pitch), z)),) if joint.pitch else ()
+        along = (problem.readable(joint.pitch) * z,) if joint.pitch else ()
         yield i, z, None if joint.type == "prismatic" else o, along
 
 
@@ -71,14 +71,14 @@ def jacobian_lines(
         rigid = Symbol(f"{name.name}_r")
         work = jacobian_lines(work, found, replace(point, drift=None), rigid, at, "rigid-jacobian")
         own = ScalarMatrix.stacked([point.drift, ScalarMatrix.zeros(*point.drift.shape)])
-        return work.line(name, Sum((rigid, problem.readable_matrix(own))), value=J, rule="jacobian")
+        return work.line(name, rigid + problem.readable_matrix(own), value=J, rule="jacobian")
     columns = blocks(problem, found, at, point.last)
     J_phi = motions_jacobian(coupling, point.position, point.last) if coupling else J
     if J_phi == J:  # no coupling before this point
         return _by_columns(work, J, name, columns, rule)
     motions = Symbol(f"{name.name}_{phi_of(problem).name}")
     work = _by_columns(work, J_phi, motions, columns, "motions-jacobian")
-    return work.line(name, Product((motions, gamma_of(problem))), value=J, rule=rule or "jacobian")
+    return work.line(name, motions * gamma_of(problem), value=J, rule=rule or "jacobian")
 
 
 def _by_columns(work: Work, J: ScalarMatrix, name: Symbol, columns: tuple[Block, ...], rule: str) -> Work:
@@ -103,7 +103,7 @@ def pose_lines(work: Work, found: Chain, last: int) -> Work:
     rows = len(found.T_local) + (end_frame(work.problem.subject) == TOOL)
     for i in range(2, min(last + 1, rows)):
         written = work.problem.readable_matrix(found.T[i])
-        product = Product((pose_name(i - 1), pose_name(i, i - 1)))
+        product = pose_name(i - 1) * pose_name(i, i - 1)
         work = work.line(pose_name(i), product, value=written, rule="compose", spare=(written,))
     return work
 

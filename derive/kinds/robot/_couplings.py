@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from derive.derivation import Step
-from derive.expression import Product, Symbol, column
+from derive.expression import Symbol, column
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
@@ -28,7 +28,7 @@ def gamma_of(problem: Problem) -> Symbol:
 def motion_lines(work: Work, coupling: Coupling) -> Work:
     """phi (m), phi_dot = Gamma qdot, and Gamma = dphi/dq (m by n)."""
     phi, gamma = phi_of(work.problem), gamma_of(work.problem)
-    rates = (Symbol(f"{phi.name}_dot"), Product((gamma, Symbol("q_dot"))))
+    rates = (Symbol(f"{phi.name}_dot"), gamma * Symbol("q_dot"))
     work = work.line(phi, value=column(drive.by for drive in coupling.drives), rule="motions", label="phi")
     work = work.step(Step("motion-rates", rates, "law"))
     return work.line(gamma, value=coupling.gamma, rule="motion-rates", label="Gamma")

@@ -21,9 +21,7 @@ from derive.expression import (
     factors_of,
     is_negative,
     multiply,
-    negate,
     number,
-    squared,
     terms_of,
 )
 from derive.kinds.problem import Problem
@@ -70,12 +68,12 @@ def product_tree(problem: Problem, det: Factored) -> Expr:
         tree = problem.readable(factor)
         if mostly_negative(tree):
             tree, sign = opposite(tree), sign * (-1) ** power
-        (sums if isinstance(tree, Sum) else front).append(Power(tree, number(power)) if power > 1 else tree)
+        (sums if isinstance(tree, Sum) else front).append(tree ** number(power) if power > 1 else tree)
     constant = problem.readable(det.constant)
     if is_negative(constant):
-        constant, sign = negate(constant), -sign
+        constant, sign = -constant, -sign
     tree = multiply(*factors_of(constant), *(f for each in front for f in factors_of(each)), *sums)
-    return negate(tree) if sign < 0 else tree
+    return -tree if sign < 0 else tree
 
 
 def _place(pair: tuple[Scalar, int]) -> tuple[int, bool]:
@@ -112,4 +110,4 @@ def _square(tree: Expr) -> Expr:
 def _squared(factor: Expr) -> Expr:
     if isinstance(factor, Number):
         return number(factor.value**2)
-    return Power(factor.base, number(4)) if isinstance(factor, Power) else squared(factor)
+    return factor.base**4 if isinstance(factor, Power) else factor**2

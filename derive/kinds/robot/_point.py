@@ -9,7 +9,7 @@ from pydantic import Field
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Expr, Product, Sum, Symbol, column
+from derive.expression import ZERO, Expr, Symbol, column
 from derive.kinds.fields import OptionsModel, Point
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
@@ -61,7 +61,7 @@ class Tracked:
         if not self.carried:
             return work.line(self.name, value=self.position, rule="extract")
         o, R, T = Symbol(f"o_{self.frame}"), Symbol(f"R_{self.frame}^0"), chain.T[self.frame]
-        route = Sum((o, Product((R, column(self.offset)))))
+        route = o + R * column(self.offset)
         known = {o: position_part(T), R: rotation_part(T)}
         work = work.knowing({name: work.problem.readable_matrix(value) for name, value in known.items()})
         return work.line(self.name, route, value=self.position, rule="carry")

@@ -8,7 +8,7 @@ from fractions import Fraction
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts
-from derive.expression import Derivative, Expr, Number, Sum, Symbol, add, multiply, negate, number
+from derive.expression import Derivative, Expr, Number, Sum, Symbol, add, multiply, number
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
@@ -70,7 +70,7 @@ def _line(work: Work, arm: Arm, ijk: Index, value: Scalar) -> Work:
         (_partial(arm, k, i, j), 1),
         (_partial(arm, i, j, k), -1),
     ]
-    whole = multiply(HALF, Sum(tuple(negate(d) if n < 0 else d for d, n in raw)))
+    whole = multiply(HALF, Sum(tuple((-d if n < 0 else d for d, n in raw))))
     formulas = (*([_name((j, i, k))] if i != j else []), whole, *_collected(raw), work.readable(value))
     return work.line(_name(ijk), *formulas, value=arm.final(value), rule="christoffel")
 

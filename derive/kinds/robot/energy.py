@@ -91,7 +91,7 @@ def _link(work: Work, arm: Arm, body: Weighted) -> Work:
     v, omega, R = Symbol(f"v_c{body.i}"), Symbol(f"omega_{body.i}"), Symbol(f"R_{body.i}^0")
     linear = multiply(HALF, body.body.mass, transpose(v), v)
     angular = HALF * transpose(omega) * R * body.I * transpose(R) * omega
-    formula = add(linear, angular) if body.turns else linear
+    formula = linear + angular if body.turns else linear
     written = work.readable(kinetic_energy(D, rate_column(arm.variables)))
     return work.line(f"K_{body.i}", formula, written, value=arm.final(written), rule="kinetic-energy")
 

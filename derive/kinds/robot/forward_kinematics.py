@@ -8,7 +8,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.readable.form import readable_matrix
 from derive.derivation import Derivation, PageFacts, Step
 from derive.errors import NotDerivable
-from derive.expression import Product, Symbol, symbols
+from derive.expression import Symbol, symbols
 from derive.kinds.checks import is_rotation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -66,7 +66,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     if robot.base:
         poses = (pose_name(1), *rows[1:])
         work = work.line(T_BASE, value=composed(robot.base), rule="motion")
-        work = work.line(poses[0], Product((T_BASE, A_1)), value=found.T[1], rule="compose")
+        work = work.line(poses[0], T_BASE * A_1, value=found.T[1], rule="compose")
     results = {pose.name: problem.final(work[pose]) for pose in poses}
     tool = (f"T_{TOOL}^{last}",) if robot.tool and whole else ()
     for each in tool:

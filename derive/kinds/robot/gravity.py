@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from derive.algebra.normal import normal_matrix
 from derive.derivation import Derivation
-from derive.expression import ZERO, Derivative, Product, Symbol, add, column, negate, symbols, transpose
+from derive.expression import ZERO, Derivative, Symbol, add, column, symbols, transpose
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
@@ -44,6 +44,6 @@ def _energy(work: Work, body: Weighted) -> Work:
     name, mass = Symbol(f"P_{body.i}"), body.body.mass
     if mass == ZERO:
         return work.line(name, ZERO, rule="potential-energy")
-    formula = negate(Product((mass, transpose(G_0), Symbol(f"o_c{body.i}"))))
+    formula = -(mass * transpose(G_0) * Symbol(f"o_c{body.i}"))
     value = potential_energy([body.motion], work.value_matrix(G_0))
     return work.line(name, formula, value=value, rule="potential-energy")

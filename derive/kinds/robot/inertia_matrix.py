@@ -6,7 +6,7 @@ from derive.algebra.normal import normal_matrix
 from derive.algebra.readable.matrix_factor import factored_matrix
 from derive.algebra.readable.operation_count import operations
 from derive.derivation import Derivation, PageFacts
-from derive.expression import ZERO, Expr, Matrix, Product, Sum, Symbol, add, children, free_symbols, transpose
+from derive.expression import ZERO, Expr, Matrix, Product, Symbol, add, children, free_symbols, transpose
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
@@ -129,11 +129,11 @@ def _formula(body: Weighted, big: bool) -> Expr:
     frame = f"{body.i}^{body.i}" if big else str(body.i)
     J_v, J_w, R = Symbol(f"J_v{frame}"), Symbol(f"J_w{frame}"), Symbol(f"R_{body.i}^0")
     turned = (body.I,) if big else (R, body.I, transpose(R))
-    linear = Product((body.body.mass, transpose(J_v), J_v))
+    linear = body.body.mass * transpose(J_v) * J_v
     angular = Product((transpose(J_w), *turned, J_w))
     if not body.turns:
         return linear
-    return angular if body.body.mass == ZERO else Sum((linear, angular))
+    return angular if body.body.mass == ZERO else linear + angular
 
 
 def _entries(D: Matrix) -> dict[tuple[int, int], Expr]:

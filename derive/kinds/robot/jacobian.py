@@ -11,7 +11,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Derivation, PageFacts
-from derive.expression import ZERO, Expr, Indexed, Matrix, Product, Symbol, free_symbols, symbols, transpose
+from derive.expression import ZERO, Expr, Indexed, Matrix, Symbol, free_symbols, symbols, transpose
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import Name, OptionsModel
 from derive.kinds.pose.euler_angles import known_convention
@@ -106,7 +106,7 @@ def _restated(options: Options, problem: Problem) -> Derivation:
     value = normal_matrix(work[J])
     if options.frame == "tool":
         head, value = J_E, ScalarMatrix.stacked([R_now.T @ half for half in halves(value)])
-        turn = Product((Matrix(((transpose(R), ZERO), (ZERO, transpose(R)))), J))
+        turn = Matrix(((transpose(R), ZERO), (ZERO, transpose(R)))) * J
         work = work.line(J_E, turn, value=value, rule="other-frame")
     if options.rows:
         head, value = Indexed("J", tuple(map(Symbol, options.rows))), rows_of(value, options.rows)

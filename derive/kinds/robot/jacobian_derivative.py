@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from derive.derivation import Derivation, PageFacts
-from derive.expression import Derivative, Product, Symbol, add, column, symbols
+from derive.expression import Derivative, Symbol, add, column, symbols
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._point import PointOn
@@ -37,8 +37,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     J qddot + J_dot qdot (Siciliano et al., eq. 3.99)."""
     linear, angular = moving_rows(task_of(problem, ROWS, options.point).J)
     task = task_of(problem, options.rows or (*linear, *angular), options.point)
-    total = add(*(Product((Derivative(J, Symbol(n)), Symbol(f"{n}_dot"))) for n in task.found.variables))
-    bias = Product((J_DOT, Q_DOT))
+    total = add(*(Derivative(J, Symbol(n)) * Symbol(f"{n}_dot") for n in task.found.variables))
+    bias = J_DOT * Q_DOT
     work = task.board().knowing({Q_DOT: column(task.rates)}).line(J_DOT, total, rule="chain-rule")
     work = work.line(bias, label="bias", rule="product")
     work = work.agrees(

@@ -20,20 +20,13 @@ from derive.expression import (
     Symbol,
     is_negative,
     multiply,
-    negate,
     sqrt,
     transpose,
 )
 from derive.kinds.evaluation import Evaluation, Place
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._determinants import (
-    as_product,
-    determinant,
-    gram_determinant,
-    natural,
-    product_tree,
-)
+from derive.kinds.robot._determinants import as_product, determinant, gram_determinant, natural, product_tree
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._singular.ways import seen_from_middle
 from derive.kinds.robot._velocity.ellipsoids import PointTold, at_point, decided
@@ -152,7 +145,7 @@ def _root(problem: Problem, det: Factored) -> Expr | None:
 def _absolute(problem: Problem, det: Factored) -> Expr:
     """|det|: what is positive by its nature, or known to be, stands outside."""
     tree = product_tree(problem, det)
-    tree = negate(tree) if is_negative(tree) else tree
+    tree = -tree if is_negative(tree) else tree
     factors = tree.factors if isinstance(tree, Product) else (tree,)
     outside = tuple(f for f in factors if _positive(problem, f))
     inside = tuple(f for f in factors if f not in outside)

@@ -10,7 +10,7 @@ from derive.algebra.numbers.floats import Point, numbers
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts
 from derive.errors import NotDerivable
-from derive.expression import ONE, Call, Expr, Matrix, Product, symbols, transpose
+from derive.expression import ONE, Call, Expr, Matrix, symbols, transpose
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
@@ -53,10 +53,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     inertia, det, adjugate = normal_matrix(work[D]), jacobian.det(), jacobian.adjugate()
     whole = adjugate.T @ inertia @ adjugate  # Lambda times the square of det J
     written = _over(problem, whole, det * det)
-    over = Product((ONE / DET, work.readable(adjugate)))
+    over = ONE / DET * work.readable(adjugate)
     work = work.line(DET, value=det, label="det", rule="determinant")
     work = work.line(INVERSE, value=over, label="J_inv", rule="inverse")
-    product, result = Product((transpose(INVERSE), D, INVERSE)), problem.final(written)
+    product, result = transpose(INVERSE) * D * INVERSE, problem.final(written)
     work = work.line(LAMBDA, product, value=result, rule="operational", spare=(result,))
     work = work.law("symmetric", whole == whole.T)
     work = work.law("kinetic-energy", jacobian.T @ whole @ jacobian == inertia.scaled(det * det))

@@ -9,7 +9,7 @@ from pydantic import Field
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Derivation, PageFacts
-from derive.expression import ZERO, Expr, Indexed, Matrix, Product, Symbol, column, negate, symbols, transpose
+from derive.expression import ZERO, Expr, Indexed, Matrix, Symbol, column, symbols, transpose
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, joint_numbers, oracle_of
@@ -75,7 +75,7 @@ def _space(problem: Problem, found: Chain) -> Work:
         motions = Symbol(f"J_s_{phi_of(problem).name}")
         J_phi = motions_jacobian(found.coupling, ORIGIN, len(found.T))
         work = work.line(motions, formula, value=J_phi, rule="motion-twists")
-        formula = Product((motions, gamma_of(problem)))
+        formula = motions * gamma_of(problem)
     return work.line(J_S, formula, value=J, rule="twists")
 
 
@@ -85,13 +85,13 @@ def _body(problem: Problem, found: Chain) -> Work:
     R, S, none = rotation_part(T), skew(position_part(T)), ScalarMatrix.zeros(3, 3)
     adjoint = ScalarMatrix.stacked([ScalarMatrix.beside([R.T, -(R.T @ S)]), ScalarMatrix.beside([none, R.T])])
     turned = transpose(R_E)
-    formula = Matrix(((turned, negate(Product((turned, S_O)))), (NO_BLOCK, turned)))
+    formula = Matrix(((turned, -(turned * S_O)), (NO_BLOCK, turned)))
     work = Work(problem).resting_on(problem.ask("space-jacobian"))
     work = work.knowing({NO_BLOCK: problem.readable_matrix(none)}).line(R_E, value=R, rule="extract")
     work = work.line(O_E, value=position_part(T), rule="extract").line(S_O, value=S, rule="skew", label="S")
     work = work.knowing({S_O: work.steps[-1].result})
     value = adjoint @ jacobian(found, ORIGIN, len(found.T))
-    return work.line(J_B, Product((formula, J_S)), value=value, rule="adjoint")
+    return work.line(J_B, formula * J_S, value=value, rule="adjoint")
 
 
 def _are_twists(found: Chain, J: ScalarMatrix, body: bool) -> bool:

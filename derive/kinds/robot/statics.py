@@ -11,7 +11,7 @@ from derive.algebra.normal import normal
 from derive.algebra.numbers import floats as numeric
 from derive.derivation import Derivation, PageFacts
 from derive.errors import NotDerivable
-from derive.expression import Expr, Product, Symbol, column, free_symbols, transpose
+from derive.expression import Expr, Symbol, column, free_symbols, transpose
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of
@@ -54,8 +54,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         which = f"the {len(task.rows)} rows {', '.join(task.rows)}"
         raise NotDerivable(f"{len(force)} components of the force for {which}; give one for each")
     work = task.board(Work(problem).given(F, column(force)))
-    written = Product((work.matrix(J).T, work[F]))
-    work = work.line(TAU, Product((transpose(J), F)), written, rule="virtual-work")
+    written = work.matrix(J).T * work[F]
+    work = work.line(TAU, transpose(J) * F, written, rule="virtual-work")
     work = work.agrees(
         "work-done",
         task.symbols.union(*map(free_symbols, force)),

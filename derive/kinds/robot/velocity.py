@@ -5,7 +5,7 @@ from __future__ import annotations
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts
-from derive.expression import Matrix, Product, Symbol, column, symbols
+from derive.expression import Matrix, Symbol, column, symbols
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of
@@ -32,8 +32,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     rates = tuple(Symbol(f"{name}_dot") for name in robot.variables)
     work = Work(problem).resting_on(problem.ask("jacobian", point=options.point))
     work = work.knowing({Q_DOT: column(rates)})
-    product, J_now = Product((J, Q_DOT)), work.matrix(J)
-    filled = Product((J_now, column(rates)))
+    product, J_now = J * Q_DOT, work.matrix(J)
+    filled = J_now * column(rates)
     twist = work.value_matrix(product)
     v, omega = halves(twist)
     work = work.knowing({V: problem.readable_matrix(v), OMEGA: problem.readable_matrix(omega)})

@@ -4,11 +4,7 @@ from __future__ import annotations
 
 from derive.algebra.numbers import floats as numeric
 from derive.derivation import Derivation, PageFacts, Phrase, Plot, Step
-from derive.expression import (
-    ZERO,
-    Expr,
-    Symbol,
-)
+from derive.expression import ZERO, Expr, Symbol
 from derive.figures.workspaces import cross_section, from_above
 from derive.kinds.chains import closing
 from derive.kinds.evaluation import Evaluation

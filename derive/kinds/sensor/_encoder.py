@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from derive.expression import ONE, PI, Expr, Power, Product, Quotient, Symbol, free_symbols, number, symbols
+from derive.expression import ONE, PI, Expr, Power, Product, Symbol, free_symbols, number, symbols
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.sensing import Absolute, Encoder, Incremental
 
 DELTA_M, DELTA = symbols("Delta_m Delta")
-TURN = Product((number(2), PI))
+TURN = 2 * PI
 
 
 def counted(problem: Problem, encoder: Encoder) -> tuple[Work, Symbol | None]:
@@ -18,18 +18,18 @@ def counted(problem: Problem, encoder: Encoder) -> tuple[Work, Symbol | None]:
     N = work.symbol("N")
     open_ = isinstance(work[N], Power)
     if encoder.gear is None:
-        return work.worked("Delta", Quotient(TURN, N), Quotient(TURN, work[N]) if open_ else None), None
+        return work.worked("Delta", TURN / N, TURN / work[N] if open_ else None), None
     work, (gear,) = work.naming(G=encoder.gear)
-    work = work.worked("Delta_m", Quotient(TURN, N), Quotient(TURN, work[N]) if open_ else None)
-    last = Quotient(TURN, Product((encoder.gear, work[N]))) if open_ else None
-    return work.worked("Delta", Quotient(DELTA_M, gear), last), gear
+    work = work.worked("Delta_m", TURN / N, TURN / work[N] if open_ else None)
+    last = TURN / (encoder.gear * work[N]) if open_ else None
+    return work.worked("Delta", DELTA_M / gear, last), gear
 
 
 def _power(encoder: Encoder, problem: Problem) -> Expr | None:
     """2^b stays a power where b is a symbol; None for what is worked out."""
     disc = encoder.disc
     bits = disc.bits if isinstance(disc, Absolute) else ONE
-    return Power(number(2), bits) if free_symbols(problem.final(bits)) else None
+    return number(2) ** bits if free_symbols(problem.final(bits)) else None
 
 
 def _counts(work: Work, encoder: Encoder) -> tuple[Work, Expr]:
@@ -39,4 +39,4 @@ def _counts(work: Work, encoder: Encoder) -> tuple[Work, Expr]:
         work, names = work.naming(k=disc.edges, N_l=disc.lines)
         return work, Product(names)
     work, (bits,) = work.naming(b=disc.bits)
-    return work, Power(number(2), bits)
+    return work, number(2) ** bits

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from derive.algebra.numbers.floats import number as at
 from derive.derivation import Claim, Derivation, PageFacts
-from derive.expression import ONE, ZERO, Expr, Product, Quotient, Symbol, add, subtract, symbols
+from derive.expression import ONE, ZERO, Expr, Symbol, symbols
 from derive.kinds.checks import SECOND_ROUTE, close, random_points
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
@@ -43,7 +43,7 @@ def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivatio
     results = {"mean": work.final(mean), "duty": work.final(duty)}
     if voltage.frequency is not None:
         work, (f,) = work.naming(f=voltage.frequency)
-        work = work.worked("t_on", Quotient(duty, f))
+        work = work.worked("t_on", duty / f)
         results["t_on"] = work.final("t_on")
     sampled = _sampled(voltage, problem, results)
     work = work.claim(Claim("sampled-mean", SECOND_ROUTE, sampled))
@@ -55,8 +55,8 @@ def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivatio
 
 
 def _mean(high: Expr, low: Expr, duty: Expr, bipolar: bool) -> Expr:
-    on = Product((duty, high))
-    return add(on, Product((subtract(ONE, duty), low))) if bipolar else on
+    on = duty * high
+    return on + (ONE - duty) * low if bipolar else on
 
 
 def _solved(
@@ -65,8 +65,8 @@ def _solved(
     high, low, mean, duty = names
     if voltage.duty is not None:
         return work.worked(mean.name, _mean(high, low, duty, bipolar))
-    above = subtract(mean, low) if bipolar else mean
-    return work.worked(duty.name, Quotient(above, subtract(high, low) if bipolar else high))
+    above = mean - low if bipolar else mean
+    return work.worked(duty.name, above / (high - low if bipolar else high))
 
 
 def _sampled(voltage: PulseWidth, problem: Problem, results: dict[str, Expr]) -> bool:

@@ -10,7 +10,7 @@ from pydantic import field_validator
 from derive.algebra.formulas.quantities import rational
 from derive.algebra.numbers.floats import number as at
 from derive.derivation import Claim, Derivation, PageFacts
-from derive.expression import ONE, Call, Expr, Product, Quotient, Symbol, free_symbols
+from derive.expression import ONE, Call, Expr, Symbol, free_symbols
 from derive.kinds.checks import SECOND_ROUTE, close, random_points
 from derive.kinds.fields import Formula, OptionsModel, Time
 from derive.kinds.problem import Problem
@@ -55,17 +55,17 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
     work, gear = counted(problem, encoder)
     told = len(work.steps)
     work, (n, T) = work.naming(n=options.counts, T=options.period)
-    work = work.worked("omega", Quotient(Product((n, DELTA)), T))
+    work = work.worked("omega", n * DELTA / T)
     if gear:
-        work = work.worked("omega_m", Product((gear, OMEGA)))
+        work = work.worked("omega_m", gear * OMEGA)
     backwards = (rational(problem.final(options.counts)) or 0) < 0
     size, speed = (Call("abs", (each,)) if backwards else each for each in (n, OMEGA))
-    work = work.worked("delta_omega", Quotient(DELTA, T)).worked("relative", Quotient(ONE, size))
+    work = work.worked("delta_omega", DELTA / T).worked("relative", ONE / size)
     results: dict[str, Expr] = {"omega": work.final("omega")}
     if gear:
         results["omega_motor"] = work.final("omega_m")
     results |= {"quantum": work.final("delta_omega"), "relative": work.final("relative")}
-    share = Quotient(Symbol("delta_omega"), speed)
+    share = Symbol("delta_omega") / speed
     last = work.steps[-1]
     so_far = _so_far(encoder, options, problem, results)
     work = replace(

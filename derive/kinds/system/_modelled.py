@@ -14,7 +14,7 @@ from derive.control.rational import Rational
 from derive.control.ratios import Ratio, total
 from derive.control.roots import roots
 from derive.errors import NotDerivable
-from derive.expression import ONE, Expr, Quotient, Sum, Symbol, add, multiply
+from derive.expression import ONE, Expr, Symbol, add, multiply
 from derive.figures.block_diagram import Wired, drawn, filter_name, gain_names
 from derive.kinds.system._plant import Plant, verdict
 
@@ -75,7 +75,7 @@ def _ratio(solved: Plant, controller: Controller, filter_constant: Expr) -> Rati
 
 def _filtered(terms: tuple[Expr, ...], constant: Expr) -> tuple[Expr, ...]:
     """The terms of a controller, the last, its derivative, behind a filter."""
-    return (*terms[:-1], Quotient(terms[-1], Sum((multiply(constant, S), ONE))))
+    return (*terms[:-1], terms[-1] / (multiply(constant, S) + ONE))
 
 
 def _round_below(size: float) -> Scalar:

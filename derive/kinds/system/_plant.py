@@ -18,19 +18,7 @@ from derive.control.signals import signals
 from derive.control.system import System
 from derive.derivation import Claim, Derivation, Record, Step
 from derive.errors import NotDerivable
-from derive.expression import (
-    Approximate,
-    Expr,
-    Number,
-    Power,
-    Product,
-    Sum,
-    Symbol,
-    free_symbols,
-    negate,
-    number,
-    walk,
-)
+from derive.expression import Approximate, Expr, Number, Symbol, free_symbols, number, walk
 from derive.kinds.checks import law
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
@@ -131,7 +119,7 @@ class AtPoint(Record):
 def delay_steps(system: System) -> Iterator[Step]:
     """The fractions that stand for delays."""
     for place, delay in enumerate(system.delays, 1):
-        facts = Delayed(typed=delay.typed, order=delay.order, last=Power(S, number(2 * delay.order)))
+        facts = Delayed(typed=delay.typed, order=delay.order, last=S ** number(2 * delay.order))
         yield Step(f"delay_{place}", (delay.fraction,), "delay", facts)
 
 
@@ -190,9 +178,9 @@ def root_tree(root: complex) -> Expr:
     re, im = rounded(root.real), rounded(abs(root.imag))
     if root.imag == 0:
         return re
-    imaginary = J if im == number(1) else Product((im, J))
-    signed = negate(imaginary) if root.imag < 0 else imaginary
-    return signed if root.real == 0 else Sum((re, signed))
+    imaginary = J if im == number(1) else im * J
+    signed = -imaginary if root.imag < 0 else imaginary
+    return signed if root.real == 0 else re + signed
 
 
 def rounded(value: float) -> Expr:

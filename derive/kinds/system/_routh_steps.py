@@ -20,15 +20,12 @@ from derive.expression import (
     Indexed,
     Matrix,
     Number,
-    Power,
     Product,
     Quotient,
     Symbol,
     is_negative,
     multiply,
     number,
-    squared,
-    subtract,
     walk,
 )
 from derive.kinds.chains import distinct
@@ -162,8 +159,8 @@ def put_in(trees: Sequence[Sequence[Expr]], i: int, j: int) -> Expr | None:
     parts = (below[0], above[j + 1], above[0], below[j + 1])
     if any(isinstance(node, Quotient) for part in parts for node in walk(part)):
         return None
-    inside = subtract(_times(parts[0], parts[1]), _times(parts[2], parts[3]))
-    return inside if parts[0] == ONE else Quotient(inside, parts[0])
+    inside = _times(parts[0], parts[1]) - _times(parts[2], parts[3])
+    return inside if parts[0] == ONE else inside / parts[0]
 
 
 def _formula(array: Array, i: int, j: int) -> Expr:
@@ -175,13 +172,7 @@ def _formula(array: Array, i: int, j: int) -> Expr:
     if not below[j]:
         return array.name(i - 2, j + 1)
     pivot = array.name(i - 1, 1)
-    return Quotient(
-        subtract(
-            Product((pivot, array.name(i - 2, j + 1))),
-            Product((array.name(i - 2, 1), array.name(i - 1, j + 1))),
-        ),
-        pivot,
-    )
+    return (pivot * array.name(i - 2, j + 1) - array.name(i - 2, 1) * array.name(i - 1, j + 1)) / pivot
 
 
 class Vanishing(Record):
@@ -207,7 +198,7 @@ def _powers(row: Row) -> list[int]:
 def _times(left: Expr, right: Expr) -> Expr:
     """A product of values, numbers first."""
     if left == right and left != ONE:
-        return squared(left)
+        return left**2
     parts = (
         each.factors if isinstance(each, Product) and not is_negative(each) else (each,)
         for each in (left, right)
@@ -221,4 +212,4 @@ def _tree(value: Scalar | int, style: Style) -> Expr:
 
 
 def _power(power: int) -> Expr:
-    return ONE if power == 0 else multiply(S) if power == 1 else Power(S, number(power))
+    return ONE if power == 0 else multiply(S) if power == 1 else S ** number(power)

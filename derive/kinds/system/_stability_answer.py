@@ -15,14 +15,10 @@ from derive.control.roots import roots
 from derive.control.routh import routh, sign_changes
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
-from derive.expression import Expr, Product, Relation, Sum, add, free_symbols, multiply
+from derive.expression import Expr, Relation, Sum, add, free_symbols, multiply
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
-from derive.kinds.system._plant import (
-    Plant,
-    asked,
-    plant,
-)
+from derive.kinds.system._plant import Plant, asked, plant
 from derive.kinds.system._routh_steps import Array, trees_of
 from derive.kinds.system.closed_loop import closed
 from derive.names import free
@@ -62,7 +58,7 @@ def answered(problem: Problem, controller: Controller | None, point: Place | Non
     base, solved, found, shown, beside = _characteristic(problem, controller, point)
     whole = times(beside, shown)
     if len(beside) > 1:
-        found = (Product((collected(beside, solved.style), collected(shown, solved.style))),)
+        found = (collected(beside, solved.style) * collected(shown, solved.style),)
     final = Rational((), whole).at(problem.names).den
     if len(final) < 2:
         raise NotDerivable("there are no poles, for the denominator has no s in it: nothing can be unstable")

@@ -17,16 +17,9 @@ from derive.control.signals import signals
 from derive.derivation import Claim
 from derive.expression import Expr, Symbol, number
 from derive.kinds.checks import SECOND_ROUTE, law, random_points
-from derive.kinds.system._plant import (
-    verdict,
-)
+from derive.kinds.system._plant import verdict
 from derive.kinds.system._stability_answer import Answer, right_of_axis
-from derive.kinds.system._stability_limit import (
-    frequency_squared,
-    is_marginal,
-    limiting,
-    possible,
-)
+from derive.kinds.system._stability_limit import frequency_squared, is_marginal, limiting, possible
 
 POINTS = 40
 POINTS_OF_MOTION, NEARLY = 2, 1e-7

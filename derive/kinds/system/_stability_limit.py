@@ -6,9 +6,7 @@ from derive.algebra.readable.form import readable
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.polynomials import known_sign, numerator
 from derive.control.hurwitz import is_impossible, is_never
-from derive.expression import (
-    Expr,
-)
+from derive.expression import Expr
 from derive.kinds.system._stability_answer import Answer
 
 MOST_TERMS = 10  # of a frequency squared

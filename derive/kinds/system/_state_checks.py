@@ -14,9 +14,7 @@ from derive.control.routh import remainder
 from derive.control.signals import signals
 from derive.control.system import System
 from derive.derivation import Claim
-from derive.expression import (
-    Symbol,
-)
+from derive.expression import Symbol
 from derive.kinds.checks import SECOND_ROUTE, law, random_points
 from derive.kinds.system._states import MATRICES, Answer
 

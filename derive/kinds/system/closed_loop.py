@@ -14,7 +14,7 @@ from derive.control.signals import signals
 from derive.control.system import System
 from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
-from derive.expression import ONE, ZERO, Expr, Product, Quotient, Sum, Symbol, free_symbols, walk
+from derive.expression import ONE, ZERO, Expr, Symbol, free_symbols, walk
 from derive.kinds.chains import distinct
 from derive.kinds.checks import law
 from derive.kinds.evaluation import Evaluation, Place
@@ -125,9 +125,9 @@ def _steps(found: Closed) -> Iterator[Step]:
     over_one = found.controller.ratio(solved.decimals).expr(solved.decimals)
     chain = (C, found.controller.sum, over_one) if found.controller.integrates else (C, found.controller.sum)
     yield Step("C", chain, "controller")
-    product = Product((C, G))
+    product = C * G
     collected = found.transfer.expr(solved.style)
-    formula = Quotient(product, Sum((ONE, product)))
+    formula = product / (ONE + product)
     yield Step("T", distinct((T, formula, _unexpanded(found), collected)), "feedback")
     if found.reduced is not found.transfer:
         yield Step("reduced", (T, found.reduced.expr(solved.style)), "cancel")
@@ -150,7 +150,7 @@ def _facts(found: Closed, at: LoopAtPoint | None) -> Facts:
     solved, loop = found.plant, found.loop
     return Facts(
         family=found.controller.family,
-        through=Product((solved.named("C"), solved.named("G"))),
+        through=solved.named("C") * solved.named("G"),
         origin=(Symbol("s"), ZERO),
         input=solved.system.input,
         output=solved.system.output,

@@ -14,18 +14,7 @@ from derive.control.scripts.programs import Model, python_control, simulink
 from derive.control.system import System
 from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
-from derive.expression import (
-    ONE,
-    Expr,
-    Quotient,
-    Symbol,
-    add,
-    factors_of,
-    free_symbols,
-    is_negative,
-    multiply,
-    subtract,
-)
+from derive.expression import ONE, Expr, Symbol, add, factors_of, free_symbols, is_negative, multiply
 from derive.figures.block_diagram import Wired
 from derive.kinds.checks import SECOND_ROUTE, random_points
 from derive.kinds.evaluation import Evaluation
@@ -140,12 +129,12 @@ def _steps(answer: Answer) -> Iterator[Step]:
         ]
         below = written(each.den, style)
         inside = add(*sorted(branches, key=is_negative))
-        chain = (Symbol(_head(wired)), inside if below == ONE else Quotient(inside, below))
+        chain = (Symbol(_head(wired)), inside if below == ONE else inside / below)
         if chain[0] != chain[1]:
             yield Step(f"{_head(wired)}_block", chain, "block")
         for after, before in zip(wired.stages, (*wired.stages[1:], _head(wired)), strict=True):
             if after not in (before, _head(wired)):
-                yield Step(f"{after}_block", (Symbol(after), Quotient(Symbol(before), S)), "integrator")
+                yield Step(f"{after}_block", (Symbol(after), Symbol(before) / S), "integrator")
 
 
 def _head(wired: Wired) -> str:
@@ -176,7 +165,7 @@ def _facts(answer: Answer, options: Options) -> Facts:
         input=solved.system.input,
         output=solved.system.output,
         reference=Symbol(diagram.input),
-        error=(Symbol("e"), subtract(Symbol(diagram.input), solved.system.output)),
+        error=(Symbol("e"), Symbol(diagram.input) - solved.system.output),
         disturbances=tuple(map(Symbol, diagram.disturbances)),
         controller=controller_formula(answer),
         filter=answer.filter,

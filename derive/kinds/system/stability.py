@@ -18,20 +18,12 @@ from derive.control.rational import written as collected
 from derive.control.roots import roots
 from derive.control.system import System
 from derive.derivation import Derivation, PageFacts, Result, Step, Table
-from derive.expression import ZERO, Expr, Quotient, Relation, Sum, Symbol, number, squared, walk
+from derive.expression import ZERO, Expr, Quotient, Relation, Sum, Symbol, number, walk
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._options import ControllerField
-from derive.kinds.system._plant import (
-    AtPoint,
-    mixed,
-    point_chains,
-    poles_json,
-    root_tree,
-    rounded,
-    verdict,
-)
+from derive.kinds.system._plant import AtPoint, mixed, point_chains, poles_json, root_tree, rounded, verdict
 from derive.kinds.system._routh_steps import entry_steps
 from derive.kinds.system._stability_answer import Answer, answered, right_of_axis
 from derive.kinds.system._stability_checks import claims_of, signs_at
@@ -148,9 +140,9 @@ def _limit_steps(answer: Answer) -> Iterator[Step]:
         return
     row = len(array.rows) - 2
     below, value = array.value(row, 1), readable(square, answer.plant.style)
-    filled = Quotient(array.value(row, 2), below)
+    filled = array.value(row, 2) / below
     value = value if isinstance(below, Quotient) or operations(value) < operations(filled) else filled
-    chain: tuple[Expr, ...] = (squared(_omega(answer)), Quotient(array.name(row, 2), array.name(row, 1)))
+    chain: tuple[Expr, ...] = (_omega(answer) ** 2, array.name(row, 2) / array.name(row, 1))
     yield Step("limit", (*chain, value), "limit", spare=(value,))
 
 

@@ -18,15 +18,7 @@ from derive.control.states import written as written_form
 from derive.control.system import System
 from derive.derivation import Derivation, PageFacts, Step
 from derive.errors import NotDerivable
-from derive.expression import (
-    Expr,
-    Product,
-    Quotient,
-    Symbol,
-    add,
-    column,
-    multiply,
-)
+from derive.expression import Expr, Symbol, add, column, multiply
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -130,7 +122,7 @@ def _canonical_steps(answer: Answer) -> Iterator[Step]:
     den = tuple(k / lead for k in transfer.den)
     num = answer.space.C.rows[0][::-1]
     apart = collected(num, style)
-    fraction = Quotient(apart, collected(den, style)) if any(num) else None
+    fraction = apart / collected(den, style) if any(num) else None
     parts = [readable(through, style)] if through else []
     yield Step("G", (answer.plant.named("G"), add(*parts, *([fraction] if fraction else []))), "canonical")
 
@@ -172,7 +164,7 @@ def _facts(answer: Answer, at: AtPoint | None) -> Facts:
 def _equation(answer: Answer, left: Symbol, state: str, drive: str) -> tuple[Expr, ...]:
     """dx/dt = A x + B u."""
     named = answer.plant.named
-    terms = (Product((named(state), answer.letter)), Product((named(drive), answer.plant.system.input)))
+    terms = (named(state) * answer.letter, named(drive) * answer.plant.system.input)
     return left, add(*terms)
 
 

@@ -17,7 +17,7 @@ from derive.control.roots import roots
 from derive.control.system import System
 from derive.derivation import Claim, Curve, Derivation, Label, PageFacts, Phrase, Plot, Result, Step
 from derive.errors import NotDerivable
-from derive.expression import Expr, Number, Quotient, Symbol, number
+from derive.expression import Expr, Number, Symbol, number
 from derive.kinds.checks import SECOND_ROUTE, law
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import OptionsModel
@@ -109,7 +109,7 @@ def _steady(solved: Plant, numeric: Rational, response: StepResponse) -> Expr | 
 def _steps(answer: Answer, name: Symbol) -> Iterator[Step]:
     yield Step("transfer", (name, answer.numeric.expr(answer.plant.style)), "substitute")
     output = answer.plant.system.output
-    yield Step("transform", (output, Quotient(name, S)), "unit-step")
+    yield Step("transform", (output, name / S), "unit-step")
     if answer.final is not None:
         middle = _at_zero(answer)
         worked = () if _same(middle, answer.final) else (middle,)
@@ -122,7 +122,7 @@ def _same(fraction: Expr, value: Expr) -> bool:
 
 
 def _fraction(value: Number) -> Expr:
-    return Quotient(number(value.value.numerator), number(value.value.denominator))
+    return number(value.value.numerator) / number(value.value.denominator)
 
 
 def _last(answer: Answer) -> Symbol:
@@ -134,12 +134,12 @@ def _at_zero(answer: Answer) -> Expr:
     """num(0) / den(0), before it is worked out."""
     num, den = answer.numeric.num, answer.numeric.den
     style = answer.plant.style
-    return Quotient(readable(num[-1], style) if num else number(0), readable(den[-1], style))
+    return (readable(num[-1], style) if num else number(0)) / readable(den[-1], style)
 
 
 def _definitions(answer: Answer, name: Symbol) -> dict[Expr, Expr]:
     transfer = answer.numeric.expr(answer.plant.style)
-    definitions: dict[Expr, Expr] = {name: transfer, answer.plant.system.output: Quotient(transfer, S)}
+    definitions: dict[Expr, Expr] = {name: transfer, answer.plant.system.output: transfer / S}
     if answer.final is not None:
         definitions[_last(answer)] = answer.final
     return definitions
@@ -167,7 +167,7 @@ def _facts(answer: Answer, options: Options) -> Facts:
     return Facts(
         start=(Symbol("t"), number(0)),
         origin=(S, number(0)),
-        step=Quotient(number(1), S),
+        step=1 / S,
         closed=options.controller is not None,
         input=answer.plant.system.input,
         point=point_chains(options.evaluate, answer.plant.problem.where),

@@ -13,7 +13,7 @@ from derive.control.elimination import Elimination, without
 from derive.control.roots import roots
 from derive.control.system import System
 from derive.derivation import Claim, Derivation, PageFacts, Record, Step
-from derive.expression import ZERO, Expr, Quotient, Symbol, free_symbols, walk
+from derive.expression import ZERO, Expr, Symbol, free_symbols, walk
 from derive.kinds.checks import law
 from derive.kinds.evaluation import Evaluation
 from derive.kinds.fields import Name, OptionsModel
@@ -103,7 +103,7 @@ def _elimination(step: Elimination, solved: Plant, name: str) -> Step:
 
 def _transfer(solved: Plant) -> Iterator[Step]:
     """G, as the elimination leaves it and as it is reported."""
-    G, head = solved.named("G"), Quotient(solved.system.output, solved.solution.source)
+    G, head = solved.named("G"), solved.system.output / solved.solution.source
     unexpanded, collected = _forms(solved)
     chain: tuple[Expr, ...] = (G, head, unexpanded)
     apart = operations(unexpanded) <= operations(collected)

@@ -10,7 +10,7 @@ from pydantic import Discriminator, Field, Tag
 from derive.algebra.function import Constraint
 from derive.control.system import Equation
 from derive.errors import SheetError
-from derive.expression import ZERO, Expr, Symbol, add, free_symbols, multiply, negate, number, squared
+from derive.expression import ZERO, Expr, Symbol, add, free_symbols, multiply, number
 from derive.kinds.fields import (
     TREES,
     Angle,
@@ -91,7 +91,7 @@ def build(given: Given, at: At, known: Known) -> LagrangianSystem:
 
 def _viscous(name: str, b: Expr) -> Expr:
     """Rayleigh's function b x_dot^2/2."""
-    return multiply(number("1/2"), b, squared(Symbol(f"{name}_dot")))
+    return multiply(number("1/2"), b, Symbol(f"{name}_dot") ** 2)
 
 
 def _gravity(given: Given) -> tuple[Expr, ...]:
@@ -99,7 +99,7 @@ def _gravity(given: Given) -> tuple[Expr, ...]:
     if not given.bodies:
         return ()
     size = len(given.bodies[0].position)
-    return tuple(given.gravity) if given.gravity else (*[ZERO] * (size - 1), negate(Symbol("g")))
+    return tuple(given.gravity) if given.gravity else (*[ZERO] * (size - 1), -Symbol("g"))
 
 
 # -- faults ----------------------------------------------------------------------------------------------

@@ -6,14 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated, Any, TypeAlias
 
-from pydantic import (
-    BaseModel,
-    Discriminator,
-    Field,
-    GetCoreSchemaHandler,
-    Tag,
-    ValidationInfo,
-)
+from pydantic import BaseModel, Discriminator, Field, GetCoreSchemaHandler, Tag, ValidationInfo
 from pydantic_core import CoreSchema, core_schema
 
 from derive.algebra.formulas.grammar import parse
@@ -22,18 +15,7 @@ from derive.algebra.formulas.units import TIME as SECONDS
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import scalar_number
 from derive.errors import FormulaError, NotDerivable, SheetError
-from derive.expression import (
-    PI,
-    ZERO,
-    Degrees,
-    Expr,
-    free_symbols,
-    multiply,
-    number,
-    rebuild,
-    subtract,
-    walk,
-)
+from derive.expression import PI, ZERO, Degrees, Expr, free_symbols, multiply, number, rebuild, walk
 from derive.kinds.fields import TREES, OptionsModel, Time, declared, text_of
 from derive.mechanics.profile import NO_UNITS, Axis, Journey, Profile, Sort, Units, Via
 from derive.sheet.checked import values_in
@@ -177,7 +159,7 @@ def build(given: Given, at: At, known: Known) -> Profile:
         journey = _journey(given)
         axes: tuple[Axis, ...] = ()
         if journey.v_max is not None and journey.a_max is not None:
-            axes = (Axis(subtract(journey.end, journey.start), journey.v_max, journey.a_max),)
+            axes = (Axis(journey.end - journey.start, journey.v_max, journey.a_max),)
         return Profile(axes, journey, given.time, sort, _units(given, sort, known))
     if isinstance(given, GivenOne):
         axis = _axis(given)

@@ -8,20 +8,7 @@ from fractions import Fraction
 from derive.algebra.formulas.quantities import rational
 from derive.algebra.numbers.floats import number as value
 from derive.algebra.rationals import decimal_places
-from derive.expression import (
-    Degrees,
-    Expr,
-    Number,
-    Product,
-    Quotient,
-    add,
-    atan2,
-    free_symbols,
-    number,
-    sqrt,
-    squared,
-    walk,
-)
+from derive.expression import Degrees, Expr, Number, add, atan2, free_symbols, number, sqrt, walk
 
 NEARLY = 1e-12
 
@@ -31,7 +18,7 @@ def turn_of(quaternion: tuple[Expr, Expr, Expr, Expr]) -> tuple[tuple[Expr, Expr
     whole number of them (Siciliano et al., eqs. 2.30, 2.31); the length of the quaternion plays no part."""
     w, *vector = quaternion
     x, y, z = vector
-    square = add(*(squared(part) for part in vector))
+    square = add(*(part**2 for part in vector))
     known = rational(square)
     length = sqrt(square if known is None else number(known))
     if not any(map(free_symbols, quaternion)):
@@ -40,7 +27,7 @@ def turn_of(quaternion: tuple[Expr, Expr, Expr, Expr]) -> tuple[tuple[Expr, Expr
         degrees = Fraction(round(2 * math.degrees(math.atan2(value(length, {}), value(w, {})))))
         if _is_half_of(degrees, quaternion):
             return (x, y, z), Degrees(degrees)
-    return (x, y, z), Product((number(2), atan2(length, w)))
+    return (x, y, z), 2 * atan2(length, w)
 
 
 def length_of(quaternion: tuple[Expr, Expr, Expr, Expr]) -> float | None:
@@ -61,8 +48,8 @@ def _is_half_of(degrees: Fraction, quaternion: tuple[Expr, Expr, Expr, Expr]) ->
     from derive.expression import cos
 
     w = normal(quaternion[0])
-    whole = normal(add(*(squared(part) for part in quaternion)))
-    half = normal(cos(Quotient(Degrees(degrees), number(2))))
+    whole = normal(add(*(part**2 for part in quaternion)))
+    half = normal(cos(Degrees(degrees) / 2))
     return (
         w * w == half * half * whole and value(quaternion[0], {}) * math.cos(math.radians(degrees / 2)) >= 0
     )

@@ -11,7 +11,7 @@ from derive.algebra.formulas.grammar import parse
 from derive.algebra.formulas.quantities import rational
 from derive.algebra.formulas.units import PLAIN
 from derive.errors import SheetError
-from derive.expression import ONE, ZERO, Expr, Quotient, number
+from derive.expression import ONE, ZERO, Expr, number
 from derive.kinds.fields import TREES, Formula, OptionsModel, Quantity, declared, text_of
 from derive.mechanics.sensing import Absolute, Encoder, Incremental, PulseWidth
 from derive.sheet.faults import NO_FORM
@@ -36,7 +36,7 @@ def _share(typed: Any, info: ValidationInfo) -> Expr:
         return parse(text, dimension=PLAIN, names=declared(info))
     percent = parse(text.removesuffix("%"), dimension=PLAIN, names=declared(info))
     value = rational(percent)
-    return Quotient(percent, number(100)) if value is None else number(value / 100, decimal=True)
+    return percent / 100 if value is None else number(value / 100, decimal=True)
 
 
 Share: TypeAlias = Annotated[

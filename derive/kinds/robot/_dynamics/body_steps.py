@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.derivation import Step
-from derive.expression import Expr, Indexed, Matrix, Product, Sum, Symbol, negate, transpose
+from derive.expression import Expr, Indexed, Matrix, Symbol, transpose
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import pose_name
 from derive.kinds.robot._columns import jacobian_steps
@@ -23,7 +23,7 @@ def com_steps(problem: Problem, body: Weighted) -> tuple[Step, ...]:
     pose = problem.readable_matrix(homogeneous(body.motion.R, body.motion.com.entries))
     o = Step(origin.name, (origin, problem.readable_matrix(body.motion.com)), "extract")
     shift = _shift(problem, body.com)
-    route = pose_name(body.i) if shift is None else Product((pose_name(body.i), shift))
+    route = pose_name(body.i) if shift is None else pose_name(body.i) * shift
     return Step(name.name, (name, route, pose), "com-pose", spare=(pose,)), o
 
 
@@ -42,7 +42,7 @@ def local_steps(problem: Problem, bodies: tuple[Weighted, ...]) -> Iterator[Step
     for body in bodies:
         for part, J in (("v", body.motion.J_v), ("w", body.motion.J_w)):
             name = Symbol(f"J_{part}{body.i}^{body.i}")
-            route = Product((transpose(Symbol(f"R_{body.i}^0")), Symbol(f"J_{part}{body.i}")))
+            route = transpose(Symbol(f"R_{body.i}^0")) * Symbol(f"J_{part}{body.i}")
             local = problem.readable_matrix(body.motion.R.T @ J)
             yield Step(name.name, (name, route, local), "local-jacobian")
 
@@ -65,7 +65,7 @@ def _moved(problem: Problem, bodies: tuple[Weighted, ...]) -> Iterator[Step]:
     for body in bodies:
         if body.body.about == "origin" and body.turns:
             shift = tuple(problem.readable(normal(part)) for part in steiner(body.body))
-            route = Sum((_square(given_moments(body.body)), negate(_square(shift))))
+            route = _square(given_moments(body.body)) + -_square(shift)
             yield Step(body.I.name, (body.I, route, body.matrix), "parallel-axes")
 
 

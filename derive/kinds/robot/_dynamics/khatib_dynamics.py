@@ -6,20 +6,7 @@ from collections.abc import Iterable
 
 from derive.algebra.normal import normal_matrix
 from derive.derivation import Derivation
-from derive.expression import (
-    ZERO,
-    Expr,
-    Product,
-    Sum,
-    Symbol,
-    add,
-    column,
-    multiply,
-    negate,
-    symbols,
-    terms_of,
-    transpose,
-)
+from derive.expression import ZERO, Expr, Sum, Symbol, add, column, multiply, symbols, terms_of, transpose
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._dynamics.arm import Arm
@@ -73,5 +60,5 @@ def khatib_dynamics(problem: Problem) -> Derivation:
 
 def _weights(bodies: Iterable[Weighted]) -> Expr:
     """G = -(J_v1^T m_1 g_0 + J_v2^T m_2 g_0 + ...)."""
-    terms = (Product((transpose(Symbol(f"J_v{each.i}")), Product((each.body.mass, G_0)))) for each in bodies)
-    return negate(Sum(tuple(terms)))
+    terms = (transpose(Symbol(f"J_v{each.i}")) * (each.body.mass * G_0) for each in bodies)
+    return -Sum(tuple(terms))

@@ -14,7 +14,7 @@ from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Step
 from derive.errors import NotDerivable
-from derive.expression import ONE, ZERO, Call, Expr, Matrix, Quotient, Symbol, free_symbols
+from derive.expression import ONE, ZERO, Call, Expr, Matrix, Symbol, free_symbols
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.drives import diagonal, moving
 from derive.kinds.work import Work
@@ -144,7 +144,7 @@ def _blocks(linear: Linear) -> Iterator[Step]:
     routes = (-(INVERSE * Symbol("K_0")), -(INVERSE * Symbol("B_f")), INVERSE)
     for name, route, top in zip(("A_21", "A_22", "B_2"), routes, linear.tops, strict=True):
         if top:
-            yield Step(name, (Symbol(name), route, Quotient(ONE, DET) * readable(top)), "blocks")
+            yield Step(name, (Symbol(name), route, (ONE / DET) * readable(top)), "blocks")
 
 
 def _viscous(problem: Problem) -> ScalarMatrix:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
-from derive.expression import ZERO, Expr, Product, Symbol, add, cross, multiply, number, transpose
+from derive.expression import ZERO, Expr, Symbol, add, cross, multiply, transpose
 from derive.kinds.robot._dynamics.bodies import Weighted
 from derive.mechanics.drives import reflected, resistance
 from derive.mechanics.newton_euler import NewtonEuler, Swept
@@ -66,7 +66,7 @@ class Recursion:
             yield _line(i, f"mu_{i}", self._moment(i), found.mu, "inward")
             if found.tau is not None:
                 hand = Symbol(f"mu_{i}" if link.joint == "revolute" else f"f_{i}")
-                formula = add(Product((transpose(Symbol(f"e_{i}")), hand)), *_drive(link))
+                formula = add(transpose(Symbol(f"e_{i}")) * hand, *_drive(link))
                 whole = sum((normal(term) for term in _drive(link)), found.tau)
                 yield Line(Symbol(f"tau_{self._number(i)}"), formula, whole, "torque", i)
 
@@ -82,12 +82,12 @@ class Recursion:
         """A vector of the link before, in frame i; zero of the base."""
         if i == 1 and name != "o_{}_ddot":
             return ZERO
-        return Product((transpose(rotation(i)), Symbol(name.format(i - 1))))
+        return transpose(rotation(i)) * Symbol(name.format(i - 1))
 
     def _omega(self, i: int) -> Expr:
         link = self.links[i - 1]
         own = multiply(_rate(link), Symbol(f"e_{i}")) if link.joint == "revolute" else ZERO
-        return add(self._carried(i, "omega_{}"), own)
+        return self._carried(i, "omega_{}") + own
 
     def _alpha(self, i: int) -> Expr:
         link, before = self.links[i - 1], self._carried(i, "omega_{}")
@@ -103,12 +103,12 @@ class Recursion:
         turns_before = any(row.out) and i > 1
         turning = _of_point(f"omega_{i - 1}", f"p_{i}") if turns_before else ()
         before = add(Symbol(f"o_{i - 1}_ddot"), *turning)
-        terms: list[Expr] = [Product((transpose(rotation(i)), before))]
+        terms: list[Expr] = [transpose(rotation(i)) * before]
         if link.joint == "prismatic":
             terms.append(multiply(_rise(link), Symbol(f"e_{i}")))
             if i > 1:
                 spin = cross(self._carried(i, "omega_{}"), multiply(_rate(link), Symbol(f"e_{i}")))
-                terms.append(Product((number(2), spin)))
+                terms.append(2 * spin)
         if any(row.arm):
             terms += _of_point(f"omega_{i}", f"r_{i}")
         return add(*terms)
@@ -125,13 +125,13 @@ class Recursion:
 
     def _force(self, i: int) -> Expr:
         own = Symbol(f"F_{i}") if self._heavy(i) else ZERO
-        return add(self._handed(i, "f_{}"), own)
+        return self._handed(i, "f_{}") + own
 
     def _handed(self, i: int, name: str) -> Expr:
         """What the next link hands down, in frame i."""
         if i == len(self.swept):
             return ZERO
-        return Product((rotation(i + 1), Symbol(name.format(i + 1))))
+        return rotation(i + 1) * Symbol(name.format(i + 1))
 
     def _moment(self, i: int) -> Expr:
         """About the point of the axis of joint i."""

@@ -9,7 +9,7 @@ from math import prod
 from typing import Literal
 
 from derive.derivation import Derivation, Step
-from derive.expression import ZERO, Expr, Number, Product, Symbol, add, multiply, number, squared
+from derive.expression import ZERO, Expr, Number, Product, Symbol, add, multiply, number
 from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
@@ -66,7 +66,7 @@ def _velocities(speed: Derivation, arm: Arm, k: int) -> list[Term]:
     for i, p in enumerate(arm.rates, 1):
         for j, q in enumerate(arm.rates[i - 1 :], i):
             name = entry_symbol("c", i, j, k)
-            factors = (squared(p),) if i == j else (number(2), p, q)
+            factors = (p**2,) if i == j else (number(2), p, q)
             value = speed.scalar(name.name)
             if value != ZERO:
                 found.append(Term(_product(name, factors), _product(value, factors), "velocity"))

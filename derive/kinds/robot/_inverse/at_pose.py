@@ -20,14 +20,7 @@ from derive.kinds.robot._inverse.branches import Solutions
 from derive.kinds.robot._inverse.subproblem import Definition, Solved, Taken
 from derive.kinds.robot._inverse.target import Values
 from derive.mechanics.inverse.plan import Planned
-from derive.mechanics.inverse.subproblems import (
-    Elbow,
-    OneEquation,
-    Reach,
-    Slide,
-    TrigEquation,
-    TwoEquations,
-)
+from derive.mechanics.inverse.subproblems import Elbow, OneEquation, Reach, Slide, TrigEquation, TwoEquations
 
 USABLE = 1e-4  # of a determinant or a coefficient: above, other equations determine an angle
 MEETING = 1e-9  # of a^2 + b^2 - c^2 against a^2 + b^2: below, the two solutions are one

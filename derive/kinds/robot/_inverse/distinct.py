@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 
 from derive.algebra.infix import text
 from derive.derivation import Condition, Phrase
-from derive.expression import Expr, Symbol, add
+from derive.expression import Expr, Symbol
 from derive.kinds.robot._inverse.at_pose import Configuration
 from derive.kinds.robot._inverse.signs import signed
 from derive.kinds.robot._inverse.target import SAME, Target, Values, gap
@@ -192,7 +192,7 @@ class Distinct:
             for sign in (1, -1):
                 before, after = (each[one] + sign * each[other] for each in (here, there))
                 if abs(gap(after, before)) < SAME + 2 * self.tolerance:
-                    yield add(Symbol(one), signed(sign, Symbol(other))), rounder(wrapped(before))
+                    yield Symbol(one) + signed(sign, Symbol(other)), rounder(wrapped(before))
 
 
 def lowest(value: Callable[[float], float], low: float, high: float) -> float:

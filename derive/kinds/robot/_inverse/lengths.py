@@ -21,12 +21,9 @@ from derive.expression import (
     add,
     cos,
     multiply,
-    negate,
     number,
     sin,
     sqrt,
-    squared,
-    subtract,
     terms_of,
 )
 from derive.kinds.robot._inverse.facts import Method
@@ -66,23 +63,23 @@ def reach(solving: Solving, found: Reach) -> None:
     progress, d = solving.progress, Symbol(found.unknown)
     squares = [square(side) for side in _known_sides(solving, found.coordinates)]
     P, Q, D = (solving.problem.readable(v) for v in (found.square, found.linear, found.constant))
-    solving.add("squares", total(squares), add(times(P, squared(d)), times(Q, d), *terms_of(D)))
+    solving.add("squares", total(squares), add(times(P, d**2), times(Q, d), *terms_of(D)))
     rest = total((*squares, *map(opposite, terms_of(D))))
     values: tuple[Expr, Expr]
     signed_part: Expr
     if not found.linear:
         size, signed_part = sqrt(over(rest, P)), d
-        values = (size, negate(size))
+        values = (size, -size)
     else:
         half, middle = found.linear / 2, found.square * Scalar.symbol(d.name) + found.linear / 2
         h = solving.problem.readable(half)
         known = reduce(add_values, (each.known * each.known for each in found.coordinates))
         rest = min(
-            add(square(h), multiply(P, rest)),
+            square(h) + multiply(P, rest),
             progress.tree(half * half + found.square * (known - found.constant)),
             key=leaves,
         )
-        values = (over(ordered(add(opposite(h), sqrt(rest))), P), over(subtract(opposite(h), sqrt(rest)), P))
+        values = (over(ordered(opposite(h) + sqrt(rest)), P), over(opposite(h) - sqrt(rest), P))
         signed_part = progress.tree(middle)
         progress.sums.append((middle, len(progress.solved)))
     choices = [Choice(v, sign, of_sign(signed_part, sign)) for v, sign in zip(values, SIGNS, strict=True)]

@@ -21,7 +21,6 @@ from derive.expression import (
     atan2,
     cos,
     is_negative,
-    negate,
     sin,
     sqrt,
     subtract,
@@ -65,7 +64,7 @@ def _as_read(progress: Progress, found: OneEquation, trees: Trees) -> tuple[Expr
     if any(equation.left.diff(atom) for atom, _ in found.unknown.parts):
         return progress.tree(equation.left), progress.tree(equation.right)
     q = progress.angle(found.unknown)
-    return c, add(times(a, cos(q)), times(b, sin(q)))
+    return c, times(a, cos(q)) + times(b, sin(q))
 
 
 def _length(solving: Solving, row: TrigEquation, stage: Stage) -> Expr | None:
@@ -107,7 +106,7 @@ def _both(solving: Solving, angle: Form, trees: Trees, row: TrigEquation) -> Non
         method = Method(name="zero", unless=(unsigned(b), unsigned(a)))
     else:
         values = _general(x, y, c, by_sines)
-        form = (add(times(a, cos(q)), times(b, sin(q))), c) if isinstance(solving.found, Elbow) else None
+        form = (times(a, cos(q)) + times(b, sin(q)), c) if isinstance(solving.found, Elbow) else None
         method = Method(name="general", least=_squares(x, y), c=square(c), form=form)
     choices = [Choice(v, sign, _side(progress, q, row, sign)) for v, sign in zip(values, SIGNS, strict=True)]
     solving.solved(q, choices, method)
@@ -126,7 +125,7 @@ def _alone(solving: Solving, angle: Form, trees: Trees, row: TrigEquation, lengt
     trig: dict[int, dict[Expr, Expr]] = {}
     for sign in SIGNS:
         when = of_sign(q if even else cos(q), sign)
-        value, page = (signed(sign, length or sqrt(subtract(ONE, square(each)))) for each in (u, own))
+        value, page = (signed(sign, length or sqrt(ONE - square(each))) for each in (u, own))
         whole = list(_without_fraction(solving.progress, row, trees, sign, when))
         choices += whole or [Choice(_angle(u, value, even), sign, when)]
         shown.append(Choice(_angle(own, page, even), sign, when))
@@ -147,7 +146,7 @@ def _without_fraction(
     positive, earlier = progress.sign_of(row.a if even else row.b)
     if not positive or isinstance(a, Number):
         return
-    root = signed(sign, sqrt(subtract(square(a), square(c))))
+    root = signed(sign, sqrt(square(a) - square(c)))
     for each in SIGNS if earlier else (1,):
         value = _angle(c if positive * each > 0 else opposite(c), root, even)
         yield Choice(value, sign, when, earlier, each)
@@ -161,12 +160,12 @@ def _general(x: Expr, y: Expr, c: Expr, by_sines: bool) -> tuple[Expr, Expr]:
     """By the sine of a difference, as Craig does, or by its cosine."""
     squares = _squares(x, y)
     whole = isinstance(squares, Number)
-    root = sqrt(subtract(squares, square(c)) if whole else total((square(x), square(y), negate(square(c)))))
+    root = sqrt(squares - square(c) if whole else total((square(x), square(y), -square(c))))
     if by_sines:
         join = add if is_negative(c) else subtract
         plus, less = (join(direction(y, x), atan2(unsigned(c), signed(sign, root))) for sign in SIGNS)
     else:
-        plus, less = (add(direction(y, x), signed(sign, atan2(root, c))) for sign in SIGNS)
+        plus, less = (direction(y, x) + signed(sign, atan2(root, c)) for sign in SIGNS)
     return plus, less
 
 

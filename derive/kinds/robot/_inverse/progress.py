@@ -9,7 +9,7 @@ from derive.algebra.infix import text
 from derive.algebra.normal import normal, trig_of
 from derive.algebra.scalar import Scalar
 from derive.derivation import Step
-from derive.expression import Call, Expr, Symbol, add, free_symbols, is_negative, negate
+from derive.expression import Call, Expr, Symbol, add, free_symbols, is_negative
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.signs import leaves, opposite, ordered, signed, unsigned
 from derive.kinds.robot._inverse.subproblem import Definition, Item, Solved, shares
@@ -65,7 +65,7 @@ class Progress:
             if known == value:
                 return symbol
             if known == -value:
-                return negate(symbol)
+                return -symbol
         return None
 
     def minuses(self, *values: Scalar) -> int:

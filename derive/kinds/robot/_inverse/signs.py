@@ -11,14 +11,11 @@ from derive.expression import (
     Expr,
     Number,
     Product,
-    Quotient,
     Sum,
     add,
     children,
     is_negative,
     multiply,
-    negate,
-    squared,
     terms_of,
     walk,
 )
@@ -45,7 +42,7 @@ def opposite(tree: Expr) -> Expr:
     """-tree, each term of a sum with its sign turned."""
     if isinstance(tree, Sum):
         return ordered(Sum(tuple(map(opposite, tree.terms))))
-    return negate(tree)
+    return -tree
 
 
 def ordered(tree: Expr) -> Expr:
@@ -68,11 +65,11 @@ def unsigned(tree: Expr) -> Expr:
 def times(factor: Expr, other: Expr) -> Expr:
     """A product with the sign of its first factor in front."""
     if factor == MINUS_ONE:
-        return negate(other)
+        return -other
     if isinstance(factor, Product) and factor.factors[0] == MINUS_ONE:
-        return negate(multiply(*factor.factors[1:], other))
+        return -multiply(*factor.factors[1:], other)
     if isinstance(factor, Sum) and all_negative(factor):
-        return negate(multiply(opposite(factor), other))
+        return -multiply(opposite(factor), other)
     return multiply(factor, other)
 
 
@@ -82,14 +79,14 @@ def over(top: Expr, bottom: Expr) -> Expr:
         return top
     if all_negative(bottom):
         return over(opposite(top), opposite(bottom))
-    return Quotient(top, bottom)
+    return top / bottom
 
 
 def square(tree: Expr) -> Expr:
     """The square; of a short number the number."""
     if isinstance(tree, Number) and not (tree.decimal and len(str(float(tree.value**2))) > LONG_DECIMAL):
         return Number(tree.value**2, tree.decimal)
-    return squared(unsigned(tree))
+    return unsigned(tree) ** 2
 
 
 def total(terms: Iterable[Expr]) -> Expr:
@@ -104,4 +101,4 @@ def total(terms: Iterable[Expr]) -> Expr:
 
 def signed(sign: int, tree: Expr) -> Expr:
     """The tree or its opposite."""
-    return tree if sign > 0 else negate(tree)
+    return tree if sign > 0 else -tree

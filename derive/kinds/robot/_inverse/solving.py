@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from derive.algebra.angles import Form
 from derive.algebra.scalar import Scalar
 from derive.derivation import Step
-from derive.expression import Expr, Symbol, negate
+from derive.expression import Expr, Symbol
 from derive.kinds.robot._inverse.compared import Poses
 from derive.kinds.robot._inverse.facts import Method, SolvedFacts
 from derive.kinds.robot._inverse.progress import Progress
@@ -32,7 +32,7 @@ class Solving:
         negative = begins_negative(self.progress.tree(value))
         symbol = self.progress.define(self.progress.next_name(), -value if negative else value)
         self.steps.append(Step(symbol.name, (symbol, self.progress.value_of(symbol)), "name"))
-        return negate(symbol) if negative else symbol
+        return -symbol if negative else symbol
 
     def name(self, value: Expr) -> Symbol:
         """A name for a tree, said aside."""

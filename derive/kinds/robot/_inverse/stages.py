@@ -8,7 +8,7 @@ from itertools import product
 
 from derive.algebra.scalar import Scalar
 from derive.derivation import Step
-from derive.expression import Matrix, Product, Symbol, add, column, multiply, transpose
+from derive.expression import Matrix, Symbol, column, multiply, transpose
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL
 from derive.kinds.robot._inverse import lengths, one_equation, two_equations
@@ -86,7 +86,7 @@ class Stages:
         """p_w = p + R (centre in the end-effector's frame)."""
         names = [progress.define(name, value) for name, value in decoupling.centre.items()]
         p = column(self.problem.readable(part or Scalar.of(0)) for part in self.goal.p)
-        whole = add(p, multiply(Symbol("R"), self.problem.readable_matrix(decoupling.wrist.centre)))
+        whole = p + multiply(Symbol("R"), self.problem.readable_matrix(decoupling.wrist.centre))
         values = column(map(progress.value_of, names))
         return Step("p_w", (Symbol("p_w"), column(names), whole, values), "centre")
 
@@ -99,7 +99,7 @@ class Stages:
         rows = names or tuple(Symbol(f"r{i}{j}") for i, j in product((1, 2, 3), repeat=2))
         entries = Matrix(tuple(rows[k : k + 3] for k in (0, 3, 6)))
         name, before = self._poses(hand=True).wanted, Symbol(f"R_{base}^0")
-        wanted = Step("turn", (name, Product((transpose(before), Symbol("R"))), entries), "turn")
+        wanted = Step("turn", (name, transpose(before) * Symbol("R"), entries), "turn")
         return Orientation(
             entries, (wanted,) if names else (), Step("turn_made", (name, made), "turn"), made, before
         )

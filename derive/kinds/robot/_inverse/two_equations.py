@@ -8,22 +8,7 @@ from fractions import Fraction
 
 from derive.algebra.normal import trig_of
 from derive.algebra.scalar import Scalar
-from derive.expression import (
-    ZERO,
-    Degrees,
-    Expr,
-    Number,
-    Quotient,
-    Symbol,
-    add,
-    atan2,
-    cos,
-    multiply,
-    negate,
-    number,
-    sin,
-    subtract,
-)
+from derive.expression import ZERO, Degrees, Expr, Number, Symbol, atan2, cos, multiply, number, sin
 from derive.kinds.robot._inverse.facts import Method
 from derive.kinds.robot._inverse.progress import Progress
 from derive.kinds.robot._inverse.signs import opposite, over, times, unsigned
@@ -65,7 +50,7 @@ def _plainest(progress: Progress, found: TwoEquations) -> TwoEquations:
 def _collected(solving: Solving, row: TrigEquation, angle: Expr) -> Sides:
     """(a, b, c) as trees, with a step c = a cos q + b sin q."""
     c, a, b = (solving.short(value) for value in (row.c, row.a, row.b))
-    solving.equation(c, add(times(a, cos(angle)), times(b, sin(angle))))
+    solving.equation(c, times(a, cos(angle)) + times(b, sin(angle)))
     return a, b, c
 
 
@@ -81,7 +66,7 @@ def _direction(solving: Solving, found: TwoEquations, first: Sides, second: Side
     given = _given_angle(progress, found)
     if given is not None:
         return [Choice(given)], Method(name="direction", by_name=True)
-    sine = c2 if abs(ratio) == 1 else Quotient(c2, number(abs(ratio)))
+    sine = c2 if abs(ratio) == 1 else c2 / number(abs(ratio))
     choices = _turned(sine if ratio > 0 else opposite(sine), c1, sign, earlier)
     if not earlier:  # a factor of known sign does not vanish
         return choices, Method(name="direction")
@@ -106,8 +91,8 @@ def _given_angle(progress: Progress, found: TwoEquations) -> Expr | None:
         for quarters in (0, 1, 2, -1):
             turned = Scalar.symbol(name) * sign + Scalar.symbol("pi") * Fraction(quarters, 2)
             if trig_of(turned) == (c, s):
-                given = Symbol(name) if sign > 0 else negate(Symbol(name))
-                return add(given, _quarters(quarters, progress))
+                given = Symbol(name) if sign > 0 else -Symbol(name)
+                return given + _quarters(quarters, progress)
     return None
 
 
@@ -123,7 +108,7 @@ def _quarters(n: int, progress: Progress) -> Expr:
 def _difference(solving: Solving, found: TwoEquations, first: Sides, second: Sides) -> Answer:
     """c1 = k1 cos - k2 sin, c2 = k2 cos + k1 sin."""
     (k1, _, c1), (k2, _, c2) = first, second
-    value = subtract(atan2(c2, c1), atan2(k2, k1))
+    value = atan2(c2, c1) - atan2(k2, k1)
     fixed = isinstance(k1, Number) or isinstance(k2, Number)
     return [Choice(value)], Method(name="difference", unless=() if fixed else (unsigned(k1), unsigned(k2)))
 
@@ -132,7 +117,7 @@ def _cramer(solving: Solving, found: TwoEquations, first: Sides, second: Sides) 
     """By the determinant of the coefficients."""
     (a1, b1, c1), (a2, b2, c2) = first, second
     D = solving.short(found.determinant)
-    cosine, sine = subtract(multiply(c1, b2), times(c2, b1)), subtract(multiply(a1, c2), times(a2, c1))
+    cosine, sine = multiply(c1, b2) - times(c2, b1), multiply(a1, c2) - times(a2, c1)
     sign, earlier = solving.progress.sign_of(found.determinant)
     unless = solving.progress.may_vanish(D)
     if sign:

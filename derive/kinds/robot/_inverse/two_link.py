@@ -12,24 +12,7 @@ from derive.algebra.numbers.floats import number as value_of
 from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.scalar import Scalar
 from derive.derivation import Branch, Condition, Derivation, Phrase, Step
-from derive.expression import (
-    ONE,
-    PI,
-    Expr,
-    Quotient,
-    Sum,
-    Symbol,
-    add,
-    atan2,
-    cos,
-    multiply,
-    negate,
-    number,
-    sin,
-    sqrt,
-    squared,
-    subtract,
-)
+from derive.expression import ONE, PI, Expr, Symbol, atan2, cos, multiply, number, sin, sqrt
 from derive.kinds.checks import random_points
 from derive.kinds.evaluation import Place
 from derive.kinds.problem import Problem
@@ -86,15 +69,13 @@ class _Writing:
         self.problem, self.arm, self.x, self.y = problem, arm, x, y
         self.theta_1, self.theta_2 = Symbol(arm.theta_1), Symbol(arm.theta_2)
         self.a_1, self.a_2 = problem.readable(arm.a_1), problem.readable(arm.a_2)
-        self.square = add(squared(x), squared(y))
+        self.square = x**2 + y**2
 
     def position(self) -> dict[Expr, Expr]:
         """x and y by forward kinematics."""
-        elbow = Sum((self.theta_1, self.theta_2))
+        elbow = self.theta_1 + self.theta_2
         parts = zip((self.x, self.y), (cos, sin), strict=True)
-        return {
-            name: add(multiply(self.a_1, f(self.theta_1)), multiply(self.a_2, f(elbow))) for name, f in parts
-        }
+        return {name: multiply(self.a_1, f(self.theta_1)) + multiply(self.a_2, f(elbow)) for name, f in parts}
 
     def steps(self) -> tuple[Step, ...]:
         """The position, the triangle, c_2, and for each elbow theta_2; then theta_1."""
@@ -104,9 +85,9 @@ class _Writing:
             if isinstance(name, Symbol)
         ]
         cosine, length = cos(self.theta_2), multiply(number(2), self.a_1, self.a_2)
-        sides = add(squared(self.a_1), squared(self.a_2), negate(squared(self.x)), negate(squared(self.y)))
-        inside = cos(subtract(PI, self.theta_2))
-        triangle = Step("triangle", (inside, Quotient(sides, length)), "law-of-cosines")
+        sides = self.a_1**2 + self.a_2**2 + -(self.x**2) + -(self.y**2)
+        inside = cos(PI - self.theta_2)
+        triangle = Step("triangle", (inside, sides / length), "law-of-cosines")
         solved = Step("c_2", (cosine, self.cosine()), "law-of-cosines")
         elbows = [
             Step(elbow.replace("-", "_"), (self.theta_2, atan2(self.sine(sign, cosine), cosine)), "branch")
@@ -122,25 +103,25 @@ class _Writing:
         top, bottom = x * x + y * y - a_1 * a_1 - a_2 * a_2, 2 * a_1 * a_2
         if bottom.constant is not None:
             return self.problem.readable(top / bottom)
-        return Quotient(self.problem.readable(top), self.problem.readable(bottom))
+        return self.problem.readable(top) / self.problem.readable(bottom)
 
     @staticmethod
     def sine(sign: int, cosine: Expr) -> Expr:
-        return signed(sign, sqrt(subtract(ONE, squared(cosine))))
+        return signed(sign, sqrt(ONE - cosine**2))
 
     def shoulder(self, c_2: Expr, s_2: Expr) -> Expr:
         """atan2(y, x) - atan2(a_2 s_2, a_1 + a_2 c_2)."""
-        inner = atan2(multiply(self.a_2, s_2), add(self.a_1, multiply(self.a_2, c_2)))
-        return subtract(atan2(self.y, self.x), inner)
+        inner = atan2(multiply(self.a_2, s_2), self.a_1 + multiply(self.a_2, c_2))
+        return atan2(self.y, self.x) - inner
 
     def values(self, sign: int) -> dict[str, Expr]:
         """Both angles in the given coordinates alone."""
         u = self.problem.final(self.cosine())
-        along = add(self.a_1, multiply(self.a_2, self.cosine()))  # a_1 + a_2 c_2
+        along = self.a_1 + multiply(self.a_2, self.cosine())  # a_1 + a_2 c_2
         along = self.problem.readable(normal(along, self.problem.names))
         across = signed(sign, multiply(self.problem.final(self.a_2), self.sine(1, u)))
         return {
-            self.arm.theta_1: subtract(atan2(self.y, self.x), atan2(across, along)),
+            self.arm.theta_1: atan2(self.y, self.x) - atan2(across, along),
             self.arm.theta_2: atan2(self.sine(sign, u), u),
         }
 
@@ -148,7 +129,7 @@ class _Writing:
         """For the words."""
         return Triangle(
             r=sqrt(self.square),
-            elbow=subtract(PI, self.theta_2),
+            elbow=PI - self.theta_2,
             theta_1=self.theta_1,
             theta_2=self.theta_2,
             same=self.a_1 == self.a_2,

@@ -9,7 +9,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix, trig_of
 from derive.algebra.scalar import Scalar
 from derive.derivation import Step
-from derive.expression import Degrees, Expr, Matrix, Symbol, add, atan2, negate, number
+from derive.expression import Degrees, Expr, Matrix, Symbol, atan2, number
 from derive.kinds.robot._inverse.facts import SingularWrist
 from derive.kinds.robot._inverse.signs import signed
 
@@ -24,7 +24,7 @@ def singular(made: Matrix, known: Matrix, joints: tuple[str, ...], even: bool) -
         found = _combination(normal_matrix(made, {between: middle}), known, joints)
         if found:
             count += 1
-            chain = (add(first, signed(found[0], last)), found[1])
+            chain = (first + signed(found[0], last), found[1])
             yield SingularWrist(middle=(between, middle), step=Step(f"singular_{count}", chain, "singular"))
 
 
@@ -45,4 +45,4 @@ def _entries(R: ScalarMatrix, known: Matrix, value: Scalar) -> Iterator[tuple[Ex
         if R[i, j] == value:
             yield known.rows[i][j], 0
         elif R[i, j] == -value:
-            yield negate(known.rows[i][j]), 1
+            yield -known.rows[i][j], 1

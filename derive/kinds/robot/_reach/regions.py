@@ -9,7 +9,7 @@ from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
 from derive.derivation import Record
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Call, Expr, Symbol, add, number, sqrt, squared, subtract
+from derive.expression import ZERO, Call, Expr, Symbol, add, number, sqrt
 from derive.kinds.problem import Problem
 from derive.kinds.robot._point import Tracked
 from derive.mechanics.chain import Chain
@@ -95,7 +95,7 @@ def _aside(distance: tuple[Expr, ...], side: Expr) -> tuple[Expr, ...]:
     """The same distance to a point that lies to the side of it."""
     if side == ZERO:
         return distance
-    return (side,) if distance[-1] == ZERO else (sqrt(add(squared(_bare(distance[-1])), squared(side))),)
+    return (side,) if distance[-1] == ZERO else (sqrt(_bare(distance[-1]) ** 2 + side**2),)
 
 
 def _bare(tree: Expr) -> Expr:
@@ -114,7 +114,7 @@ def _difference(problem: Problem, lengths: tuple[Scalar, ...]) -> tuple[Expr, ..
     """|l1 - l2|."""
     one, two = map(problem.readable, lengths)
     value = lengths[0] - lengths[1]
-    written = Call("abs", (subtract(one, two),))
+    written = Call("abs", (one - two,))
     if value.constant is None:
         return (written,)
     return written, problem.readable(value if value.constant >= 0 else -value)
@@ -144,13 +144,13 @@ def _overreach(problem: Problem, lengths: tuple[Scalar, ...]) -> tuple[Expr, ...
 
 def secondary(problem: Problem, region: Region) -> Secondary:
     *others, last = region.lengths
-    far = problem.readable(normal(subtract(add(*others), last)))
+    far = problem.readable(normal(add(*others) - last))
     scalars = tuple(map(normal, others))
     chain = (
         _difference(problem, scalars) if len(others) == 2 else _holes(problem, _overreach(problem, scalars))
     )
     gap = chain[-1]  # the radius of the hole in the workspace of these links
-    return Secondary(far=far, gap=gap, inside=Call("abs", (subtract(Symbol("r"), last),)))
+    return Secondary(far=far, gap=gap, inside=Call("abs", (Symbol("r") - last,)))
 
 
 def final_distance(problem: Problem, tree: Expr) -> Expr:

@@ -8,8 +8,7 @@ from typing import Any, Literal
 from derive.algebra.matrix import ScalarMatrix
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Expr, free_symbols, negate, sqrt, squared
-from derive.expression import add as total
+from derive.expression import ZERO, Expr, free_symbols, sqrt
 from derive.expression import atan2 as direction
 from derive.kinds.pose._numbers import known_angle
 from derive.kinds.problem import Memo, Problem
@@ -54,10 +53,10 @@ def _angles(R: ScalarMatrix, problem: Problem) -> tuple[Expr, Expr, Expr]:
     if any(free_symbols(entry) for row in r for entry in row):
         raise NotDerivable("the end-effector is turned against the last joint by an angle that is no number")
     if not R[0, 0] and not R[1, 0]:
-        yaw = direction(negate(r[0][1]), r[1][1])
-        pitch = direction(negate(r[2][0]), ZERO)
+        yaw = direction(-r[0][1], r[1][1])
+        pitch = direction(-r[2][0], ZERO)
         return known_angle(yaw, problem), known_angle(pitch, problem), ZERO
     yaw = direction(r[1][0], r[0][0])
-    pitch = direction(negate(r[2][0]), sqrt(total(squared(r[0][0]), squared(r[1][0]))))
+    pitch = direction(-r[2][0], sqrt(r[0][0] ** 2 + r[1][0] ** 2))
     roll = direction(r[2][1], r[2][2])
     return known_angle(yaw, problem), known_angle(pitch, problem), known_angle(roll, problem)

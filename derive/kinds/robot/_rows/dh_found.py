@@ -8,7 +8,7 @@ from derive.algebra.normal import trig_of
 from derive.algebra.scalar import Scalar
 from derive.derivation import Record
 from derive.errors import NotDerivable
-from derive.expression import Degrees, Expr, Sum, Symbol, add, atan2, cross, negate
+from derive.expression import Degrees, Expr, Sum, Symbol, add, atan2, cross
 from derive.kinds.pose._numbers import fixed_angle, known_angle
 from derive.kinds.problem import Problem
 from derive.kinds.robot._rows.dh_rows import Rows
@@ -69,7 +69,7 @@ def angle_of(pair: Pair, problem: Problem) -> Expr:
             for quarter in QUARTERS:
                 angle = sum((Scalar.symbol(a) * n * sign for a, n in form.parts), Scalar.of(0))
                 if trig_of(angle + Scalar.symbol("pi") * quarter) == (c, s):
-                    return add(problem.readable(angle), fixed_angle(quarter, problem))
+                    return problem.readable(angle) + fixed_angle(quarter, problem)
     return atan2(problem.readable(s), problem.readable(c))
 
 
@@ -111,7 +111,7 @@ def _reason(i: int, found: Assignment, pair: tuple[int, int]) -> tuple[Expr, ...
         if (-product if frame.turned else product) != frame.x:
             return ()
         formula = cross(Symbol(f"z_{a}"), Symbol(f"z_{b}"))
-        return (negate(formula) if frame.turned else formula,)
+        return (-formula if frame.turned else formula,)
     if i and frame.x == found.frames[i - 1].x and frame.kind in ("coincident", "last"):
         return (Symbol(f"x_{i - 1}"),)
     return ()

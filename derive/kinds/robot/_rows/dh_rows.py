@@ -11,7 +11,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import number
 from derive.derivation import Table
-from derive.expression import MINUS_ONE, Expr, Indexed, Matrix, Sum, Symbol, replace
+from derive.expression import MINUS_ONE, Expr, Indexed, Matrix, Symbol, replace
 from derive.expression import number as tree
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
@@ -114,7 +114,7 @@ def values(row: DHRow) -> tuple[Expr, Expr, Expr, Expr]:
 
 
 def _index(before: bool) -> Expr:
-    return Sum((Symbol("i"), MINUS_ONE)) if before else Symbol("i")
+    return Symbol("i") + MINUS_ONE if before else Symbol("i")
 
 
 def _starred(row: DHRow, variable: str | None, joint: JointType) -> tuple[Expr, Expr, Expr, Expr]:

@@ -10,18 +10,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import Point, matrix_numbers, number
 from derive.derivation import Record
-from derive.expression import (
-    ZERO,
-    Call,
-    Expr,
-    Indexed,
-    Matrix,
-    Symbol,
-    column,
-    cross,
-    free_symbols,
-    multiply,
-)
+from derive.expression import ZERO, Call, Expr, Indexed, Matrix, Symbol, column, cross, free_symbols, multiply
 from derive.expression import add as total
 from derive.kinds.problem import Problem
 from derive.kinds.robot._columns import product_lines

@@ -12,17 +12,7 @@ from derive.algebra.scalar import Scalar
 from derive.algebra.solving.factors import Factored, TooLong, effort
 from derive.derivation import Phrase, Step
 from derive.errors import NotDerivable
-from derive.expression import (
-    Expr,
-    Indexed,
-    Matrix,
-    Product,
-    Symbol,
-    add,
-    squared,
-    subtract,
-    transpose,
-)
+from derive.expression import Expr, Indexed, Matrix, Product, Symbol, add, transpose
 from derive.kinds.problem import Problem
 from derive.kinds.robot._determinants import determinant, gram_determinant, natural, product_tree
 from derive.kinds.robot._singular.geometry import Seeing
@@ -133,7 +123,7 @@ def by_minors(task: Task) -> Way:
     trees = [product_tree(problem, natural(problem, minor.value, variables)) for minor in found]
     pairs = list(zip(names, trees, strict=True))
     tree = gram_determinant(problem, [minor.value for minor in found], trees)
-    chain = (determinant(_gram(task, name)), add(*(squared(each) for each in names)), tree)
+    chain = (determinant(_gram(task, name)), add(*(each**2 for each in names)), tree)
     det = _closed(problem, "det", chain)
     work = _resting_on(task, frame).knowing(dict[Expr, Expr](pairs))
     if sum(len(minor.value.numerator) for minor in found) > MOST_LINKED:
@@ -176,7 +166,7 @@ def _two_by_two(J: Matrix) -> tuple[Expr, ...]:
     if J.shape != (2, 2):
         return ()
     (a, b), (c, d) = J.rows
-    return (subtract(Product((a, d)), Product((b, c))),)
+    return (Product((a, d)) - Product((b, c)),)  # a minus sign of b stays inside
 
 
 def _closed(problem: Problem, name: str, chain: Iterable[Expr]) -> Step:

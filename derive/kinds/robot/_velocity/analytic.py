@@ -12,7 +12,7 @@ from derive.algebra.numbers import floats as numeric
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
-from derive.expression import Call, Indexed, Matrix, Product, Symbol, is_negative, negate, symbols
+from derive.expression import Call, Indexed, Matrix, Symbol, is_negative, symbols
 from derive.kinds.checks import random_points
 from derive.kinds.evaluation import Place
 from derive.kinds.pose import euler_rates
@@ -49,7 +49,7 @@ def analytic(options: Any, problem: Problem) -> Derivation:
     J_v, J_omega = map(problem.readable_matrix, (linear, angular))
     angular_rates = rate_matrix(euler).inverse() @ angular
     found = ScalarMatrix.stacked([linear, angular_rates])
-    block = Matrix(((J_V,), (Product((Call("inverse", (T,)), J_OMEGA)),)))
+    block = Matrix(((J_V,), (Call("inverse", (T,)) * J_OMEGA,)))
     work = Work(problem, uses=(base, rates)).knowing({J_V: J_v, J_OMEGA: J_omega, T: rates.definitions[T]})
     work = work.line(J_A, block, value=found, rule="analytic")
     head: Symbol | Indexed = J_A
@@ -66,7 +66,7 @@ def analytic(options: Any, problem: Problem) -> Derivation:
             analytic=True,
             numbers=("J",),
             angles=tuple(map(Symbol, euler.names)),
-            det=negate(det) if is_negative(det) else det,
+            det=-det if is_negative(det) else det,
         ),
         evaluated=_evaluated(problem, options.evaluate, found, euler, frame),
         matrices=frozenset({"J"}),

@@ -17,13 +17,11 @@ from derive.expression import (
     Expr,
     Matrix,
     Product,
-    Quotient,
     Symbol,
     add,
     column,
     is_negative,
     multiply,
-    negate,
     squared,
     symbols,
     transpose,
@@ -70,18 +68,18 @@ def by_inverse(task: Task) -> Solved:
     qdot = column(quotient(problem, entry, det, variables) for entry in exact.entries)
     work = task.board().knowing({V: velocity})
     work = work.line(determinant(J), value=tree, rule="determinant", label="det")
-    work = work.line(inverse, Quotient(ADJ, determinant(J)), value=shown, rule="adjugate", label="adj")
-    work = work.line(RATES, Product((inverse, V)), value=qdot, rule="solve", label="qdot").closed(RATES)
+    work = work.line(inverse, ADJ / determinant(J), value=shown, rule="adjugate", label="adj")
+    work = work.line(RATES, inverse * V, value=qdot, rule="solve", label="qdot").closed(RATES)
     return Solved("adjugate", work, qdot, exact, det, (_unsigned(tree), ZERO))
 
 
 def _unsigned(tree: Expr) -> Expr:
-    return negate(tree) if is_negative(tree) else tree
+    return -tree if is_negative(tree) else tree
 
 
 def _over(det: Expr, adjugate: Matrix) -> Expr:
     """adjugate / det, the sign in front."""
-    factor = Quotient(ONE, _unsigned(det))
+    factor = ONE / _unsigned(det)
     return Product((MINUS_ONE, factor, adjugate) if is_negative(det) else (factor, adjugate))
 
 
@@ -102,7 +100,7 @@ def by_pseudo_inverse(task: Task) -> Solved:
     work = task.board().knowing({V: column(task.velocities), PLUS: plus})
     work = work.line(A, Product((J, turned) if task.redundant else (turned, J)), value=gram, rule="gram")
     work = work.step(*made.steps)
-    formulas = Product((PLUS, V)), Product((*plus.factors, V))
+    formulas = PLUS * V, Product((*plus.factors, V))
     work = work.line(RATES, *formulas, value=qdot, rule="solve", label="qdot")
     minors_named = {step.chain[0]: step.result for step in work.steps if step.rule == "minor"}
     return Solved("pseudo-inverse", work, replaced(qdot, minors_named), exact, det, (determinant(A), ZERO))
@@ -130,7 +128,7 @@ def _by_minors(task: Task) -> tuple[Work, Matrix, ScalarMatrix]:
             if joint in minor.lines
         ]
         total = add(*(multiply(name, problem.readable(value)) for name, _, value in terms if value))
-        rows.append(Quotient(total, squares))
+        rows.append(total / squares)
         exact.append(sum((minor * value for _, minor, value in terms), Scalar.of(0)))
     return work, column(rows), ScalarMatrix.column(exact)
 
@@ -143,7 +141,7 @@ def _by_gram(task: Task, gram: ScalarMatrix, det: Scalar) -> tuple[Work, Matrix,
     qdot = column(quotient(problem, entry, det, variables) for entry in exact.entries)
     tree = as_product(problem, det, variables)
     work = Work(problem).line(determinant(A), value=tree, rule="determinant", label="det")
-    shown = Product((Quotient(ONE, determinant(A)), problem.readable_matrix(adjugate)))
+    shown = ONE / determinant(A) * problem.readable_matrix(adjugate)
     return work.line(Call("inverse", (A,)), value=shown, rule="adjugate", label="A_inv"), qdot, exact
 
 
@@ -159,8 +157,8 @@ def quotient(problem: Problem, top: Scalar, bottom: Scalar, variables: tuple[str
         return problem.readable(top / bottom)
     below = as_product(problem, bottom, variables)
     if is_negative(below):
-        top, below = -top, negate(below)
-    return Quotient(problem.readable(top), below)
+        top, below = -top, -below
+    return problem.readable(top) / below
 
 
 def _shared_number(problem: Problem, value: Scalar, variables: tuple[str, ...]) -> Scalar:

@@ -8,19 +8,7 @@ from dataclasses import dataclass
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.errors import NotDerivable
-from derive.expression import (
-    ZERO,
-    Call,
-    Expr,
-    Matrix,
-    Product,
-    Symbol,
-    column,
-    cross,
-    subtract,
-    symbols,
-    transpose,
-)
+from derive.expression import ZERO, Call, Expr, Matrix, Symbol, column, cross, symbols, transpose
 from derive.expression import replace as replaced
 from derive.kinds.robot._determinants import as_product, determinant
 from derive.kinds.robot._velocity.solving import quotient
@@ -80,11 +68,11 @@ def _at_center(work: Work, task: Task, wrist: Wrist) -> Work:
     known = {o_e: task.point.position, o_c: wrist.center, R: rotation_part(task.found.T[wrist.arm])}
     work = work.knowing({name: problem.readable_matrix(value) for name, value in known.items()})
     offset = bool(task.point.position - wrist.center)
-    route = subtract(V, cross(OMEGA, subtract(o_e, o_c))) if offset else V
+    route = V - cross(OMEGA, o_e - o_c) if offset else V
     work = work.line(CENTER, route, rule="center")
     velocity = work.matrix(CENTER)
     work = work.knowing({CENTER: column(_components(CENTER))})
-    work = work.line(U, Product((transpose(R), CENTER)), rule="frame")
+    work = work.line(U, transpose(R) * CENTER, rule="frame")
     return _by_component(_by_component(work, CENTER, velocity), U, work.matrix(U))
 
 
@@ -94,8 +82,8 @@ def _left_over(work: Work, task: Task, wrist: Wrist) -> Work:
     _, J_w = halves(jacobian(task.found, wrist.center, len(task.found.T_local)))
     work = work.knowing({R: task.problem.readable_matrix(R_h)})
     work = work.line(J_21, value=R_h.T @ J_w.columns(0, 1, 2), rule="block")
-    by_arm = Product((J_21, column(task.rates[:3])))
-    work = work.line(N, subtract(Product((transpose(R), OMEGA)), by_arm), rule="rest")
+    by_arm = J_21 * column(task.rates[:3])
+    work = work.line(N, transpose(R) * OMEGA - by_arm, rule="rest")
     return _by_component(work, N, work.matrix(N))
 
 
@@ -118,7 +106,7 @@ def _half(
     work = work.line(block, value=J, rule="block")
     tree = as_product(problem, det, variables)
     work = work.line(determinant(block), value=tree, rule="determinant", label=f"det_{name}")
-    formula = Product((Call("inverse", (block,)), vector))
+    formula = Call("inverse", (block,)) * vector
     work = work.line(column(rates), formula, value=column(found), rule="law", label=f"rates_{name}")
     return work.law("split", J @ exact == known.scaled(det), block=name, vector=vector.name), found
 
