@@ -30,7 +30,8 @@ def test_a_sum_may_take_so_many_lines(terms: int, lines: int, room: bool) -> Non
 def test_a_matrix_does_not_break() -> None:
     assert fits(Matrix(((long(10), long(10)),)), PRINTER)
     assert not fits(Matrix(((long(15), long(15)),)), PRINTER)
-    assert not fits(Matrix(((long(12),), (long(12),), (long(12),))), PRINTER, lines=9)  # as long, if narrow
+    assert fits(Matrix(((long(12),),) * 3), PRINTER)
+    assert not fits(Matrix(((long(12),),) * 6), PRINTER, lines=9)  # as long, if narrow
 
 
 def test_only_spare_links_are_left_out() -> None:
