@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import lru_cache
 
 TOKEN = re.compile(r"\\[A-Za-z]+|\\.|[^\s]")
 SCRIPT_SCALE = 0.76
@@ -30,6 +31,7 @@ CHARACTERS = {
 SIMPLE_GROUPS = {r"\mathrm": 0.53, r"\operatorname": 0.55, r"\text": 0.5}
 
 
+@lru_cache(maxsize=4096)  # what stands on a page is measured for its room, its entries and its line
 def width(latex: str) -> float:
     """The printed width in em."""
     return _Reader(TOKEN.findall(latex)).sequence()
