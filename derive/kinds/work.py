@@ -19,7 +19,7 @@ from derive.algebra.normal import normal, walk_over
 from derive.algebra.numbers.floats import Point, completed, numbers, scalar_number
 from derive.algebra.scalar import Scalar
 from derive.algebra.signs import sign_of
-from derive.algebra.values import Value, matrix_of, scalar_of
+from derive.algebra.values import Value, matrix_of
 from derive.derivation import Claim, Derivation, PageFacts, Record, Result, Said, Step, as_matrix
 from derive.errors import FormulaError, NotDerivable
 from derive.expression import Degrees, Expr, Indexed, Matrix, Symbol, free_symbols
@@ -90,10 +90,6 @@ class Work:
             names = {**self.aside, **self.definitions}
             return walk_over([expr], names, self.values).value(expr)
         return value
-
-    def value_scalar(self, expr: Expr) -> Scalar:
-        """The normal form of a formula that is a scalar, as g^T o. Raises NotDerivable for a matrix."""
-        return scalar_of(self.value(expr))
 
     def value_matrix(self, expr: Expr) -> ScalarMatrix:
         """The normal form of a formula that is a matrix; one entry where it is a scalar."""
