@@ -47,3 +47,20 @@ def require_free(taken: Collection[str], *names: str) -> None:
     """Raises NotDerivable where the author means something else by one of the names of an answer."""
     if clash := sorted({*names} & {*taken}):
         raise NotDerivable(NAMESAKE.format(clash[0]))
+
+
+def entry_symbol(letter: str, *indices: int) -> Symbol:
+    """d_12, c_121; with an index of two digits d_1,11: without commas c_1111 would be three symbols."""
+    between = "" if all(index < 10 for index in indices) else ","
+    return Symbol(f"{letter}_{between.join(map(str, indices))}")
+
+
+def pose_entries(taken: Collection[str]) -> dict[tuple[int, int], Symbol]:
+    """The rotation r_11, ... and the position p_x, p_y, p_z of a pose, by row and column from 0; by other
+    letters where these stand for something else."""
+    turn = {(i, j): f"_{i + 1}{j + 1}" for i in range(3) for j in range(3)}
+    shift = {(i, 3): f"_{axis}" for i, axis in enumerate("xyz")}
+    r, p = free(taken, "r", "R", indices=turn.values()), free(taken, "p", "P", indices=shift.values())
+    named = [(place, r + end) for place, end in turn.items()]
+    named += [(place, p + end) for place, end in shift.items()]
+    return {place: Symbol(name) for place, name in named}

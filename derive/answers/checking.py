@@ -16,9 +16,8 @@ from derive.answers.moved import moved, same, transposed, turned
 from derive.answers.points import shown, unknowns
 from derive.answers.published import Published
 from derive.answers.solutions import put_in
-from derive.answers.spoken import heard, is_spoken
 from derive.answers.terms import Finding, Solution, Terms, Verdict
-from derive.answers.typed import is_branches, read_typed
+from derive.answers.typed import heard, is_branches, is_spoken, read_typed
 from derive.derivation import Branch
 from derive.expression import ZERO, Expr, Matrix, Symbol, free_symbols
 from derive.expression import replace as replaced

@@ -10,16 +10,25 @@ from typing import Any, TypeAlias
 from derive.algebra.formulas.functions import ARGUMENTS
 from derive.algebra.formulas.grammar import parse
 from derive.algebra.formulas.tokens import tokens
-from derive.algebra.formulas.units import ANY, UNITS
+from derive.algebra.formulas.units import ANY, INSTEAD, UNITS
 from derive.answers.chains import read_published
 from derive.answers.latex.letters import Letters
 from derive.answers.latex.matrices import MAX_ENTRIES
 from derive.answers.latex.parser import NUMBERED
 from derive.answers.latex.tokens import MAX_TEXT
-from derive.answers.latex.units import measured
 from derive.answers.published import Published, gathered
 from derive.errors import FormulaError, Place, SheetError, SheetErrors
 from derive.expression import PI, Call, Expr, Matrix, Product, Symbol, multiply, rebuild, walk
+
+_SPACE = r"(?:\s|~|\\[,;:! ])*"
+_MEASURED = re.compile(
+    rf"{_SPACE}(?:[\w\\{{}}^()]+{_SPACE}(?:=|\\approx|≈){_SPACE})?"
+    rf"(?P<number>-?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?){_SPACE}"
+    rf"(?:\\(?:text|textrm|mathrm|mbox)\s*\{{{_SPACE}(?P<set>[^{{}}]*){_SPACE}\}}"
+    r"|(?P<plain>%|[A-Za-z][\w/^ ]*))[\s.]*"
+)
+_LONGEST = 200
+_NAME = re.compile(r"[A-Za-z]+")
 
 Route: TypeAlias = tuple[str | int, ...]
 Locate: TypeAlias = Callable[[Route, int], Place]
@@ -202,3 +211,21 @@ def _worked_out(tree: Expr) -> Expr:
     except (NotDerivable, ValueError, ZeroDivisionError) as error:
         raise FormulaError(f"these matrices cannot be combined: {error}", 0) from error
     return found.rows[0][0] if found.shape == (1, 1) else found
+
+
+def measured(text: str) -> Expr | None:
+    """What a text stands for that is nothing but a number and a unit, or per cent; None for any other."""
+    plain = text.replace(r"\%", "%").replace("$", "")
+    found = _MEASURED.fullmatch(plain) if len(plain) <= _LONGEST else None
+    if not found:
+        return None
+    unit = (found["set"] or found["plain"] or "").strip()
+    if unit == "%":
+        return parse(f"{found['number']}/100")
+    unit = _NAME.sub(lambda name: INSTEAD.get(name[0], name[0]), unit)
+    if not set(_NAME.findall(unit)) <= UNITS.keys():
+        return None
+    try:
+        return parse(f"{found['number']} {unit}", dimension=ANY)
+    except FormulaError:
+        return None

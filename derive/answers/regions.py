@@ -8,6 +8,7 @@ wants more asks around several points.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -21,6 +22,7 @@ from derive.algebra.exact_values import multiple
 from derive.algebra.formulas.quantities import rational
 from derive.algebra.multivariate import factored
 from derive.algebra.normal import Names, Walk
+from derive.algebra.numbers.floats import generator_numbers
 from derive.algebra.rationals import as_fraction
 from derive.algebra.ring import Ring, ring
 from derive.algebra.roots_and_functions import root
@@ -28,9 +30,10 @@ from derive.algebra.scalar import Scalar
 from derive.algebra.values import Value
 from derive.answers.budget import affordable, parts_of
 from derive.answers.points import Point
-from derive.answers.signs import sign_at
 from derive.errors import FormulaError, NotDerivable
 from derive.expression import Call, Expr, Number, Product, Quotient, Sum, Symbol, is_negative, walk
+
+ZERO = 1e-9  # as against the size of the terms: a sign that rounding could turn is none
 
 NO_PROOF = (NotDerivable, FormulaError, ValueError, ArithmeticError, RecursionError, KeyError)
 INVERSE = ("atan2", "atan", "acos", "asin")
@@ -248,3 +251,21 @@ def _stands(signs: Iterable[tuple[Scalar, int]], point: Mapping[str, float]) -> 
         return all(sign_at(value, point) == sign for value, sign in signs)
     except NO_PROOF:
         return False
+
+
+def sign_at(of: Scalar, point: Mapping[str, float]) -> int:
+    """1 or -1. Raises NotDerivable for what is as good as zero, KeyError for what has no value there."""
+    generators = generator_numbers(of, point)
+    total = 1
+    for polynomial in (of.numerator, of.denominator):
+        if polynomial is not None:
+            terms = [
+                float(as_fraction(k))
+                * math.prod(value ** int(e) for value, e in zip(generators, powers, strict=True) if e)
+                for powers, k in polynomial.terms()
+            ]
+            value = math.fsum(terms)
+            if abs(value) <= ZERO * math.fsum(map(abs, terms)):
+                raise NotDerivable("a sign that is not known")
+            total *= 1 if value > 0 else -1
+    return total

@@ -9,11 +9,12 @@ from typing import Any, TypeGuard
 from derive.answers.asked import Asked
 from derive.answers.reading import Reader
 from derive.answers.solutions import Solutions
-from derive.answers.spoken import is_spoken
-from derive.answers.terms import Solution
+from derive.answers.terms import Finding, Solution
 from derive.derivation import Branch
 from derive.errors import SheetError
 from derive.kinds.problem import TREES
+
+AS_THEY_STAND = "words are compared as they stand"
 
 
 def read_typed(asked: Asked) -> dict[str, Any]:
@@ -75,3 +76,24 @@ class _Named:
         return [
             found for each, route in zip(listed, at, strict=True) for found in solutions.read(each, route)
         ]
+
+
+def is_spoken(result: Any) -> TypeGuard[str | tuple[str, ...]]:
+    """Whether a result is a text or a list of texts."""
+    return isinstance(result, str) or (
+        isinstance(result, tuple) and bool(result) and all(isinstance(part, str) for part in result)
+    )
+
+
+def heard(published: Any, derived: str | tuple[str, ...]) -> Finding:
+    """Equal where the texts are the same; one word that is another differs, and more is not judged."""
+    theirs, ours = _words(published), _words(derived)
+    if theirs == ours:
+        return Finding("equal")
+    single = len(ours) == len(theirs) == 1 and " " not in ours[0] + theirs[0]
+    return Finding("differs" if single else "undecided", note="" if single else AS_THEY_STAND)
+
+
+def _words(spoken: Any) -> list[str]:
+    listed = spoken if isinstance(spoken, list | tuple) else [spoken]
+    return sorted(" ".join(str(text).lower().split()) for text in listed)

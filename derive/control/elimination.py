@@ -11,12 +11,18 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 
-from derive.control.linear import Form, combined, one_side, term, tree
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.scalar import Scalar
+from derive.control.exact import divided
+from derive.control.linear import Form, cleared, combined, one_side, term, tree
+from derive.control.rational import Polynomial, polynomial, scalar, shared
 from derive.control.ratios import Ratio
 from derive.control.signals import signals, unknowns
 from derive.control.system import Equation, System
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Product, Symbol, add, multiply, rebuild
+
+MOST = 12  # equations whose determinant is taken
 
 
 @dataclass(frozen=True, slots=True)
@@ -209,3 +215,21 @@ def _solved_for(signal: Symbol, form: Form, decimals: bool) -> Form:
 def _distinct(chain: tuple[Expr, ...]) -> tuple[Expr, ...]:
     """Without links that repeat the one before."""
     return tuple(expr for place, expr in enumerate(chain) if place == 0 or expr != chain[place - 1])
+
+
+def hidden(system: System, den: Polynomial, decimals: bool) -> Polynomial:
+    """What the determinant of the equations has beyond a denominator; (1,) where there is nothing.
+
+    Equations with more than MOST unknown signals are not looked into.
+    """
+    found = signals(system)
+    columns = unknowns(system, found)
+    if len(columns) > MOST:
+        return (Scalar.of(1),)
+    rows = [cleared(one_side(equation, found, decimals)) for equation in system.equations]
+    entries = ([scalar(row.get(signal, ())) for signal in columns] for row in rows)
+    determinant = polynomial(ScalarMatrix.of(entries).det())
+    beside, rest = divided(determinant, den)
+    if rest or len(beside) < 2:
+        return (Scalar.of(1),)
+    return tuple(k / shared(beside) for k in beside)

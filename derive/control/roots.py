@@ -7,9 +7,11 @@ approximated, with a precision that is raised until the balls are apart and clea
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator, Sequence
+import random
+from collections.abc import Collection, Hashable, Iterator, Sequence
 from dataclasses import dataclass
 from dataclasses import field as field_of
+from fractions import Fraction
 from functools import lru_cache
 from typing import Any
 
@@ -19,6 +21,8 @@ from derive.algebra.numbers.balls import FEWEST_BITS, MOST_BITS, number_ball
 from derive.algebra.scalar import Scalar
 from derive.control.exact import Coefficients, field, square_free, symmetric
 from derive.errors import NotDerivable
+
+PARTS = 16  # values are whole multiples of 1/PARTS, so that coefficients are exact
 
 ACCURATE = 64  # bits of a root, in its real and in its imaginary part
 
@@ -198,3 +202,14 @@ def _paired(balls: Sequence[acb]) -> list[acb] | None:
         elif not ball.imag < 0:
             return None
     return found
+
+
+def points(names: Sequence[str], positive: Collection[str], count: int) -> Iterator[dict[str, Fraction]]:
+    """Values anyone gets again; every second point has negative ones too, `positive` names apart."""
+    draw = random.Random(" ".join(names))
+    for k in range(count):
+        yield {
+            name: Fraction(draw.randint(1, 6 * PARTS), PARTS)
+            * (1 if name in positive or k % 2 else draw.choice((1, -1)))
+            for name in names
+        }

@@ -40,8 +40,7 @@ from derive.expression import (
     transpose,
 )
 from derive.kinds.checks import agreement, close, is_rotation, law, links, random_points
-from derive.kinds.evaluation import Evaluation
-from derive.kinds.fields import NoOptions, OptionsModel, Quantity
+from derive.kinds.fields import Evaluation, NoOptions, OptionsModel, Quantity
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.names import free, named

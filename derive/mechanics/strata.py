@@ -14,12 +14,14 @@ from dataclasses import dataclass, field, replace
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
-from derive.algebra.solving.factors import TooLong, common_factor
+from derive.algebra.solving.factors import Factored, TooLong, common_factor, factored
 from derive.errors import NotDerivable
 from derive.mechanics.budget import Budget
+from derive.mechanics.chain import Chain
 from derive.mechanics.minors import maximal_minors, minor_of
 from derive.mechanics.sampling import vanishes_on
 from derive.mechanics.vanishing import Locus, Vanishing, divides, with_signs
+from derive.mechanics.zeros import Write
 
 MOST_PRODUCTS = 400_000  # of terms, for all that follows the first sets
 MOST_LOCI = 120
@@ -257,3 +259,22 @@ class Inclusion:
 def _signs_agree(one: Locus, other: Locus) -> bool:
     known = dict(one.signs)
     return all(known.get(name) == sign for name, sign in other.signs)
+
+
+def searching(chain: Chain, write: Write) -> Vanishing:
+    """For zeros in the joint variables of an arm."""
+    turning = frozenset(joint.variable for _, joint in chain.moving if joint.type != "prismatic")
+    return Vanishing(chain.variables, turning, write)
+
+
+def of_determinant(det: Factored, search: Vanishing) -> tuple[Locus, ...]:
+    """Factor by factor, the shortest first."""
+    factors = sorted(det.factors, key=lambda pair: len(pair[0].numerator))
+    return tuple(place for factor, _ in factors for place in search.solve([factor], Locus()))
+
+
+def of_minors(values: Sequence[Scalar], search: Vanishing) -> tuple[Locus, ...]:
+    """First their common factor, then the rest together."""
+    factor, rest = common_factor([value for value in values if value], search.variables)
+    shared = of_determinant(factored(factor, search.variables), search)
+    return (*shared, *search.solve(rest, Locus()))

@@ -22,8 +22,7 @@ from derive.algebra.multivariate import grouped
 from derive.algebra.ring import ring
 from derive.algebra.scalar import Scalar, common_ring
 from derive.algebra.solving.factors import TooLong, depends, effort, factored
-from derive.algebra.solving.half_angles import half_angles
-from derive.algebra.solving.resultants import resultant
+from derive.algebra.solving.half_angles import half_angles, resultant
 from derive.algebra.substitution import pinned
 from derive.errors import NotDerivable
 from derive.mechanics.budget import Budget

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from derive.expression import MINUS_ONE, ONE, ZERO, Expr, Indexed, Matrix, Symbol
-from derive.kinds.naming import entry_symbol
+from derive.names import entry_symbol
 from derive.render.latex import Printer
 from derive.render.layout import LINE
 from derive.render.width import width

@@ -12,7 +12,7 @@ from derive.render.document import Document
 from derive.render.failures import NoGlyphs, PdfFailed
 from derive.render.page import render_markdown
 from derive.render.pandoc import pandoc
-from derive.render.resources import templates
+from derive.render.skin import templates
 
 TIMESTAMP = 0  # the same sheet makes the same bytes
 LATEX_MODES = ["-interaction=nonstopmode", "-halt-on-error", "-file-line-error"]

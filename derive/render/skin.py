@@ -14,7 +14,8 @@ from jinja2 import ChoiceLoader, Environment, FileSystemLoader, FunctionLoader, 
 from jinja2.runtime import Context
 
 from derive.render.layout import Display
-from derive.render.resources import templates
+
+PACKAGE = Path(__file__).resolve().parent.parent
 
 HELD_LINE = "\x1e"  # ends a line of a listing until the page is laid out, which may move other lines
 
@@ -118,3 +119,9 @@ class Skin:
     def _macro(self, name: str, *arguments: Any) -> str:
         module = environment().get_template(f"{self.name}/skin.j2").module
         return str(getattr(module, name)(*arguments))
+
+
+def templates() -> Path:
+    """The folder that holds `words`, `markdown`, `latex`, `typst` and `html`."""
+    installed = PACKAGE / "templates"
+    return installed if installed.is_dir() else PACKAGE.parent / "templates"

@@ -13,7 +13,7 @@ from derive.render.figures import draw
 from derive.render.page import render_markdown
 from derive.render.pandoc import pandoc
 from derive.render.pdf import metadata
-from derive.render.resources import templates
+from derive.render.skin import templates
 
 CELL = re.compile(r"<mtd\b[^>]*>")
 THIN = '<mspace width="0.17em"></mspace>'

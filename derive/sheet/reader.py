@@ -7,10 +7,14 @@ from pathlib import Path
 from stat import S_ISREG
 from typing import TYPE_CHECKING, Any
 
+from ruamel.yaml.composer import Composer, ComposerError
+
 from derive.errors import Place, SheetError, SheetErrors
-from derive.sheet.characters import QUOTES, taken_by_quotes, unprintable
 from derive.sheet.source import Faults, Route, Source, Spot
-from derive.sheet.yaml_faults import explain
+from derive.sheet.yaml_faults import QUOTES, explain, taken_by_quotes, unprintable
+
+MAX_VALUES = 40_000  # of a sheet
+TOO_MANY = "too many values"
 
 if TYPE_CHECKING:
     from ruamel.yaml.nodes import MappingNode, Node, SequenceNode
@@ -59,7 +63,7 @@ def _compose(text: str, path: Path, lines: tuple[str, ...]) -> Node:
     from ruamel.yaml import YAML
     from ruamel.yaml.error import YAMLError
 
-    from derive.sheet.counting import Counting
+    from derive.sheet.reader import Counting
 
     yaml = YAML(typ="safe", pure=True)
     yaml.Composer = Counting
@@ -90,7 +94,7 @@ class _Reading:
     def value(self, node: Node, route: Route, key: tuple[int, int] | None = None) -> Any:
         from ruamel.yaml.nodes import MappingNode, SequenceNode
 
-        from derive.sheet.counting import MAX_VALUES
+        from derive.sheet.reader import MAX_VALUES
 
         self.count += 1  # as they expand: an alias counts each time
         if self.count == MAX_VALUES or (self.count < MAX_VALUES and len(route) > MAX_DEPTH):
@@ -156,3 +160,19 @@ def _style(node: Node) -> str:
     style = getattr(node, "style", None) or ""
     lines = node.end_mark.line > node.start_mark.line
     return "-" if lines and style in ("", "'", '"') else style
+
+
+class Counting(Composer):
+    """Raises ComposerError at the first node that is too many; a key is one, its value another."""
+
+    def __init__(self, loader: Any = None) -> None:
+        super().__init__(loader=loader)
+        self.warn_double_anchors = False
+        self.nodes = 0
+
+    def compose_node(self, parent: Any, index: Any) -> Any:
+        """The node, counted. Raises ComposerError where there are too many."""
+        self.nodes += 1
+        if self.nodes > 2 * MAX_VALUES:
+            raise ComposerError(None, None, TOO_MANY, self.parser.peek_event().start_mark)
+        return super().compose_node(parent, index)

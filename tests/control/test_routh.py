@@ -14,7 +14,7 @@ from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import number, scalar_number
 from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
-from derive.control.hidden import hidden
+from derive.control.elimination import hidden
 from derive.control.hurwitz import conditions, is_impossible, written
 from derive.control.motor import motor
 from derive.control.rational import polynomial

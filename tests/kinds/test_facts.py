@@ -10,8 +10,7 @@ import pytest
 from jinja2 import nodes
 
 from derive.derivation import PageFacts
-from derive.render.resources import templates
-from derive.render.skin import environment
+from derive.render.skin import environment, templates
 from derive.render.words import QUESTION
 
 WORDS = templates() / "words"

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from derive.render.phrases import lines_of, shared_lines
-from derive.render.resources import templates
+from derive.render.skin import templates
 
 WORDS = templates() / "words"
 DERIVE = Path(__file__).parents[2] / "derive"

@@ -12,8 +12,7 @@ from derive.derivation import Branch, Claim, Derivation, PageFacts, Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import PI, ZERO, Expr, Symbol, free_symbols, walk
 from derive.kinds.checks import SECOND_ROUTE, law, random_points
-from derive.kinds.evaluation import Evaluation
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.lagrange._angles_found import Found, solved
 from derive.kinds.lagrange._model import Model
 from derive.kinds.lagrange._oracle import Differences

@@ -15,8 +15,7 @@ from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable, NotReal
 from derive.expression import ZERO, Expr, Matrix, Symbol, column, free_symbols
 from derive.kinds.checks import SECOND_ROUTE, close, random_points
-from derive.kinds.evaluation import Evaluation
-from derive.kinds.fields import Name, OptionsModel
+from derive.kinds.fields import Evaluation, Name, OptionsModel
 from derive.kinds.lagrange._equations import written_fraction
 from derive.kinds.lagrange._model import Model
 from derive.kinds.lagrange._oracle import Differences

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from derive.algebra.numbers.floats import Point, number, numbers
 from derive.derivation import Branch
 from derive.expression import Expr, free_symbols
-from derive.kinds.evaluation import Place
+from derive.kinds.fields import Place
 from derive.kinds.pose._euler_steps import Comparison
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work

@@ -19,8 +19,7 @@ from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol, free_symbols
-from derive.kinds.evaluation import Evaluation
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.pose._numbers import over
 from derive.kinds.problem import Problem
 from derive.mechanics.poses import rotation_part

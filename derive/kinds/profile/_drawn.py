@@ -12,7 +12,7 @@ from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Figure, Record
 from derive.expression import Approximate, Degrees, Expr
 from derive.figures.courses import panels
-from derive.kinds.evaluation import Place
+from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.profile._pieces import Span, in_floats
 from derive.kinds.values_at import point_of

@@ -12,7 +12,7 @@ from derive.derivation import Branch, Claim, Phrase
 from derive.errors import NotDerivable
 from derive.expression import ONE, ZERO, Degrees, Expr, Relation, Symbol, add, multiply, number
 from derive.kinds.checks import law
-from derive.kinds.evaluation import Place
+from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work

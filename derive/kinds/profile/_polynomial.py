@@ -11,7 +11,7 @@ from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import ONE, ZERO, Expr, Symbol, add, free_symbols, multiply, number, sqrt
 from derive.kinds.checks import SECOND_ROUTE, close, random_points
-from derive.kinds.evaluation import Place
+from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.profile._drawn import Drawn, LimitTold
 from derive.kinds.profile._ends import Ends, ends_of, laws, system, t, term, upper

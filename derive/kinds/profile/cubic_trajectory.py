@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from derive.derivation import Derivation
-from derive.kinds.evaluation import Evaluation
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.profile._polynomial import Facts as Facts
 from derive.kinds.profile._polynomial import polynomial

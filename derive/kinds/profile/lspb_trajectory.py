@@ -10,8 +10,7 @@ from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol, free_symbols
 from derive.kinds.checks import SECOND_ROUTE, close, law, random_points
-from derive.kinds.evaluation import Evaluation
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.profile._blends import T_B, Blended, V, blended, filled_laws, filled_span
 from derive.kinds.profile._drawn import Drawn, LimitTold

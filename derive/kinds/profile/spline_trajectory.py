@@ -27,8 +27,7 @@ from derive.expression import (
     symbols,
 )
 from derive.kinds.checks import SECOND_ROUTE, close, law, random_points
-from derive.kinds.evaluation import Evaluation
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.profile._drawn import Drawn, LimitTold
 from derive.kinds.profile._pieces import Span, branch, joined

@@ -12,8 +12,7 @@ from derive.derivation import Branch, Derivation, Figure, Label, PageFacts, Phra
 from derive.errors import NotDerivable
 from derive.expression import Expr, is_negative
 from derive.figures.courses import panels
-from derive.kinds.evaluation import Evaluation
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.profile._axis import AxisTold, Solved, claims_of, solved, steps_of, told
 from derive.kinds.profile._together import TogetherTold, together

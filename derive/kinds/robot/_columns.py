@@ -8,13 +8,13 @@ from dataclasses import replace
 from derive.algebra.matrix import ScalarMatrix
 from derive.derivation import Step
 from derive.expression import ZERO, Expr, Matrix, Product, Symbol, add, cross
-from derive.kinds.naming import pose_entries
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL, axis_names, end_frame, pose_name
 from derive.kinds.robot._couplings import drive_names, gamma_of, phi_of
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.jacobian import MovingPoint, motions_jacobian
+from derive.names import pose_entries
 
 MOST_BLOCKS = 3  # columns; more would not stand side by side
 Block = tuple[Expr, Expr]  # the linear and the angular part of a column

@@ -10,13 +10,13 @@ from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts
 from derive.expression import Derivative, Expr, Number, Sum, Symbol, add, multiply, number
 from derive.kinds.fields import NoOptions as Options
-from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot.inertia_matrix import Facts as InertiaFacts
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import Christoffel
 from derive.mechanics.robot import Robot
+from derive.names import entry_symbol
 
 NEEDS = ("bodies",)
 Index = tuple[int, int, int]

@@ -9,13 +9,12 @@ from derive.algebra.normal import normal_matrix
 from derive.derivation import Derivation, PageFacts, Record
 from derive.expression import ZERO, Derivative, Expr, Matrix, Symbol, add, column, multiply, number, squared
 from derive.kinds.fields import NoOptions as Options
-from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import Christoffel, christoffel, rate_column, velocity_terms
 from derive.mechanics.robot import Robot
-from derive.names import require_free
+from derive.names import entry_symbol, require_free
 
 NEEDS = ("bodies",)
 MOST_SHOWN = 3  # joints; with more, the symbols that vanish are only counted

@@ -7,13 +7,12 @@ from collections.abc import Callable
 from derive.derivation import Derivation, PageFacts, Step
 from derive.expression import ZERO, Expr, Matrix, Symbol, add, column, multiply
 from derive.kinds.fields import NoOptions as Options
-from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import coriolis_matrix, rate_column, velocity_terms
 from derive.mechanics.robot import Robot
-from derive.names import require_free
+from derive.names import entry_symbol, require_free
 
 NEEDS = ("bodies",)
 C = Symbol("C")

@@ -12,12 +12,12 @@ from derive.derivation import Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Matrix, Symbol, add, children, column, multiply, replace
 from derive.kinds.fields import NoOptions as Options
-from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.terms import Term, equation, equations
 from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
+from derive.names import entry_symbol
 
 NEEDS = ("bodies",)
 MOST_JOINTS = 3

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from derive.algebra.normal import normal_matrix
-from derive.algebra.readable.matrix_factor import factored_matrix
+from derive.algebra.readable.form import factored_matrix
 from derive.algebra.readable.operation_count import operations
 from derive.derivation import Derivation, PageFacts
 from derive.expression import ZERO, Expr, Matrix, Product, Symbol, add, children, free_symbols, transpose
 from derive.kinds.fields import NoOptions as Options
-from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
@@ -25,7 +24,7 @@ from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.dynamics import inertia_matrix, link_inertia
 from derive.mechanics.robot import Robot
-from derive.names import require_free
+from derive.names import entry_symbol, require_free
 
 NEEDS = ("bodies",)
 MOST_IN_THE_BASE = (

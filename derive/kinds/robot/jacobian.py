@@ -12,8 +12,7 @@ from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Derivation, PageFacts
 from derive.expression import ZERO, Expr, Indexed, Matrix, Symbol, free_symbols, symbols, transpose
-from derive.kinds.evaluation import Evaluation
-from derive.kinds.fields import Name, OptionsModel
+from derive.kinds.fields import Evaluation, Name, OptionsModel
 from derive.kinds.pose.euler_angles import known_convention
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL, chain_of, joint_numbers, oracle_of

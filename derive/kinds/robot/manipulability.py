@@ -23,8 +23,7 @@ from derive.expression import (
     sqrt,
     transpose,
 )
-from derive.kinds.evaluation import Evaluation, Place
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import Evaluation, OptionsModel, Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._determinants import as_product, determinant, gram_determinant, natural, product_tree
 from derive.kinds.robot._point import PointOn

@@ -15,8 +15,7 @@ from derive.derivation import Claim, Derivation, PageFacts, Phrase, Plot, Result
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Symbol, add, column, number
 from derive.kinds.checks import SECOND_ROUTE
-from derive.kinds.evaluation import Place, read
-from derive.kinds.fields import OptionsModel, Quantity
+from derive.kinds.fields import OptionsModel, Place, Quantity, read_point
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._velocity.task import Task, task_of
@@ -30,7 +29,7 @@ NOTHING = 1e-16  # an error too small for a logarithm
 J, R, F, H = map(Symbol, ("J", "r_d", "f", "H"))
 
 
-Start = Annotated[Place, PlainValidator(read), WithJsonSchema({"type": "object"})]
+Start = Annotated[Place, PlainValidator(read_point), WithJsonSchema({"type": "object"})]
 
 
 class Options(OptionsModel):
@@ -44,7 +43,7 @@ class Options(OptionsModel):
     method: Literal["newton", "gradient"] = "newton"
     iterations: int = Field(10, ge=1, le=200)
     step: Quantity | None = None
-    evaluate: Annotated[Place | None, PlainValidator(read), WithJsonSchema({"type": "object"})] = None
+    evaluate: Annotated[Place | None, PlainValidator(read_point), WithJsonSchema({"type": "object"})] = None
 
 
 class Facts(PageFacts):

@@ -17,8 +17,7 @@ from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.coupling import out_of_proportion
 from derive.mechanics.robot import Robot
 from derive.mechanics.seen import easiest
-from derive.mechanics.singular import searching
-from derive.mechanics.strata import Strata
+from derive.mechanics.strata import Strata, searching
 from derive.mechanics.wrist import wrist_of
 
 WHOLE = ("vx", "vy", "vz", "wx", "wy", "wz")

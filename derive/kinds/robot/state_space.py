@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from derive.derivation import Derivation, PageFacts, Step
 from derive.expression import Expr, Symbol, children, column
-from derive.kinds.evaluation import Evaluation
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.drives import friction_sorts

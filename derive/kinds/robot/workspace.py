@@ -7,8 +7,7 @@ from derive.derivation import Derivation, PageFacts, Phrase, Plot, Step
 from derive.expression import ZERO, Expr, Symbol
 from derive.figures.workspaces import cross_section, from_above
 from derive.kinds.chains import closing
-from derive.kinds.evaluation import Evaluation
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._point import PointOn, Tracked, tracked

@@ -11,7 +11,7 @@ from derive.control.controllers import FAMILIES, GAINS, Controller, Family
 from derive.control.rational import S
 from derive.errors import FormulaError
 from derive.expression import Expr, Symbol, free_symbols
-from derive.kinds.evaluation import formula
+from derive.kinds.fields import formula
 
 AS_WRITTEN = "write it as {PID: {K_p: 20, K_i: 5, K_d: 10}}, or PID for symbolic gains"
 

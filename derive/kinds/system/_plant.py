@@ -20,7 +20,7 @@ from derive.derivation import Claim, Derivation, Record, Step
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Number, Symbol, free_symbols, number, walk
 from derive.kinds.checks import law
-from derive.kinds.evaluation import Place
+from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.names import free
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from derive.algebra.numbers.balls import number_sign
 from derive.algebra.scalar import Scalar
 from derive.control.controllers import Controller
-from derive.control.hidden import hidden
+from derive.control.elimination import hidden
 from derive.control.hurwitz import conditions, written
 from derive.control.rational import Polynomial, Rational, names_in, shared, times
 from derive.control.rational import written as collected
@@ -16,7 +16,7 @@ from derive.control.routh import routh, sign_changes
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
 from derive.expression import Expr, Relation, Sum, add, free_symbols, multiply
-from derive.kinds.evaluation import Place
+from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.system._plant import Plant, asked, plant
 from derive.kinds.system._routh_steps import Array, trees_of

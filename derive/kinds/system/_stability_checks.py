@@ -8,10 +8,9 @@ from functools import partial
 
 from derive.algebra.numbers.balls import number_sign
 from derive.algebra.scalar import Scalar
-from derive.control.axis import points
 from derive.control.laplace import Numeric
 from derive.control.rational import at
-from derive.control.roots import roots
+from derive.control.roots import points, roots
 from derive.control.routh import remainder, sign_changes
 from derive.control.signals import signals
 from derive.derivation import Claim

@@ -10,7 +10,7 @@ from derive.control.rational import Rational
 from derive.control.states import MOST, StateSpace, canonical, physical, symbols_of
 from derive.errors import NotDerivable
 from derive.expression import Matrix, Symbol
-from derive.kinds.evaluation import Place
+from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.system._plant import Plant, plant
 

@@ -17,8 +17,7 @@ from derive.errors import NotDerivable
 from derive.expression import ONE, ZERO, Expr, Symbol, free_symbols, walk
 from derive.kinds.chains import distinct
 from derive.kinds.checks import law
-from derive.kinds.evaluation import Evaluation, Place
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import Evaluation, OptionsModel, Place
 from derive.kinds.problem import Problem
 from derive.kinds.system._options import ControllerField
 from derive.kinds.system._oracle import agrees

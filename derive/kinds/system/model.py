@@ -17,8 +17,7 @@ from derive.errors import NotDerivable
 from derive.expression import ONE, Expr, Symbol, add, factors_of, free_symbols, is_negative, multiply
 from derive.figures.block_diagram import Wired
 from derive.kinds.checks import SECOND_ROUTE, random_points
-from derive.kinds.evaluation import Evaluation
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._modelled import Answer, controller_formula, modelled
 from derive.kinds.system._options import ControllerField

@@ -19,8 +19,7 @@ from derive.control.roots import roots
 from derive.control.system import System
 from derive.derivation import Derivation, PageFacts, Result, Step, Table
 from derive.expression import ZERO, Expr, Quotient, Relation, Sum, Symbol, number, walk
-from derive.kinds.evaluation import Evaluation
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._options import ControllerField
 from derive.kinds.system._plant import AtPoint, mixed, point_chains, poles_json, root_tree, rounded, verdict

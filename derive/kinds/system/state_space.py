@@ -8,8 +8,7 @@ from typing import Any
 
 from derive.algebra.normal import normal_matrix
 from derive.algebra.readable.form import readable, readable_matrix
-from derive.control.elimination import without
-from derive.control.hidden import hidden
+from derive.control.elimination import hidden, without
 from derive.control.rational import names_in
 from derive.control.rational import written as collected
 from derive.control.roots import as_json, roots
@@ -19,8 +18,7 @@ from derive.control.system import System
 from derive.derivation import Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol, add, column, multiply
-from derive.kinds.evaluation import Evaluation
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._plant import (
     AtPoint,

@@ -19,8 +19,7 @@ from derive.derivation import Claim, Curve, Derivation, Label, PageFacts, Phrase
 from derive.errors import NotDerivable
 from derive.expression import Expr, Number, Symbol, number
 from derive.kinds.checks import SECOND_ROUTE, law
-from derive.kinds.evaluation import Evaluation
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._options import ControllerField
 from derive.kinds.system._plant import Plant, point_chains, root_tree, rounded, verdict

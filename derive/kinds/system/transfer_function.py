@@ -15,8 +15,7 @@ from derive.control.system import System
 from derive.derivation import Claim, Derivation, PageFacts, Record, Step
 from derive.expression import ZERO, Expr, Symbol, free_symbols, walk
 from derive.kinds.checks import law
-from derive.kinds.evaluation import Evaluation
-from derive.kinds.fields import Name, OptionsModel
+from derive.kinds.fields import Evaluation, Name, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._oracle import agrees
 from derive.kinds.system._plant import (

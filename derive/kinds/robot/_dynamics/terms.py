@@ -10,10 +10,10 @@ from typing import Literal
 
 from derive.derivation import Derivation, Step
 from derive.expression import ZERO, Expr, Number, Product, Symbol, add, multiply, number
-from derive.kinds.naming import entry_symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.drives import friction_terms
+from derive.names import entry_symbol
 
 Sort = Literal["acceleration", "velocity", "gravity", "friction"]
 

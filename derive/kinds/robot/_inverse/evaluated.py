@@ -12,7 +12,7 @@ from derive.algebra.numbers.floats import Point, number
 from derive.derivation import Branch, Condition
 from derive.errors import NotDerivable
 from derive.expression import Expr, Number, Symbol, free_symbols, rebuild
-from derive.kinds.evaluation import Place
+from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.at_pose import AtPose, InNumbers
 from derive.kinds.robot._inverse.branches import Solutions, plain

@@ -9,7 +9,7 @@ from functools import partial
 
 from derive.derivation import Derivation, Result
 from derive.errors import NotDerivable
-from derive.kinds.evaluation import Place
+from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._inverse.branches import Solutions

@@ -14,7 +14,7 @@ from derive.algebra.scalar import Scalar
 from derive.derivation import Branch, Condition, Derivation, Phrase, Step
 from derive.expression import ONE, PI, Expr, Symbol, atan2, cos, multiply, number, sin, sqrt
 from derive.kinds.checks import random_points
-from derive.kinds.evaluation import Place
+from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.at_pose import Configuration
 from derive.kinds.robot._inverse.checks import reaches

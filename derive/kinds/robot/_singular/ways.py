@@ -24,7 +24,7 @@ from derive.mechanics.jacobian import jacobian
 from derive.mechanics.minors import Minor, minors
 from derive.mechanics.poses import position_part, rotation_part
 from derive.mechanics.seen import seen_shortest
-from derive.mechanics.singular import of_determinant, of_minors, searching
+from derive.mechanics.strata import of_determinant, of_minors, searching
 from derive.mechanics.vanishing import Locus
 from derive.mechanics.wrist import Wrist
 

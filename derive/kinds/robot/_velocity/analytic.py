@@ -14,7 +14,7 @@ from derive.derivation import Derivation
 from derive.errors import NotDerivable
 from derive.expression import Call, Indexed, Matrix, Symbol, is_negative, symbols
 from derive.kinds.checks import random_points
-from derive.kinds.evaluation import Place
+from derive.kinds.fields import Place
 from derive.kinds.pose import euler_rates
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of

@@ -13,7 +13,7 @@ from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Matrix, Symbol, column
 from derive.figures.ellipses import at_the_tip
 from derive.kinds.checks import SECOND_ROUTE, close
-from derive.kinds.evaluation import Place
+from derive.kinds.fields import Place
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._velocity.task import Task
 from derive.kinds.values_at import point_of
