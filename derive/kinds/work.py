@@ -254,9 +254,10 @@ class Work:
         return replace(self, claims=(*self.claims, *claims))
 
     def linked(self, but: Iterable[str] = ()) -> Work:
-        """With the claim that each chain is equal from end to end; `but` names steps that are left out.
+        """With the claim that each chain so far is equal from end to end, but for the steps named in `but`.
 
-        `answer` makes this claim first of all where no one has made it before.
+        `answer` makes this claim of all chains, first of all, where no one has made it before. Lines that are
+        put there after it are in no link: for these a kind needs a law or a route, and a reason.
         """
         steps = [step for step in self.steps if step.name not in {*but}]
         found = links(steps, {**self.problem.names, **self.aside, **self.definitions})
