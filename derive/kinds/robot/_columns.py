@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.derivation import Step
+from derive.derivation import PageFacts, Step
 from derive.expression import ZERO, Expr, Matrix, Product, Symbol, add, cross
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL, axis_names, end_frame, pose_name
@@ -18,6 +18,23 @@ from derive.names import pose_entries
 
 MOST_BLOCKS = 3  # columns; more would not stand side by side
 Block = tuple[Expr, Expr]  # the linear and the angular part of a column
+
+
+class Facts(PageFacts):
+    """What the words need to know of a Jacobian, geometric or analytic."""
+
+    analytic: bool = False
+    angles: tuple[Symbol, ...] = ()  # of the analytic one
+    det: Expr | None = None  # that of their rates
+    restated: bool = False
+    point: Symbol | None = None
+    link: int = 0  # that carries the point
+    carried: bool = False
+    revolute: tuple[int, ...] = ()
+    helical: tuple[int, ...] = ()
+    prismatic: tuple[int, ...] = ()
+    coupled: bool = False
+    still: tuple[int, ...] = ()  # joints after the point
 
 
 def blocks(

@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import Literal
 
 from derive.algebra.numbers.compiled import compiled
-from derive.derivation import Derivation, PageFacts
+from derive.derivation import Derivation
 from derive.expression import add, column
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
+from derive.kinds.robot._dynamics.drives import Facts as Facts
 from derive.kinds.robot._dynamics.drives import friction_sorts
 from derive.kinds.robot._dynamics.terms import equation, equations
 from derive.kinds.robot.inertia_matrix import Facts as InertiaFacts
@@ -23,14 +24,6 @@ class Options(OptionsModel):
     """`notation`: spong (D, c_ijk, g by Euler and Lagrange) or khatib (M, v, G)."""
 
     notation: Literal["spong", "khatib"] = "spong"
-
-
-class Facts(PageFacts):
-    big: bool
-    notation: str
-    friction: bool = False  # in the notation of Khatib
-    viscous: bool = False
-    coulomb: bool = False
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:

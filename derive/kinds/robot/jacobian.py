@@ -10,12 +10,13 @@ from pydantic import AfterValidator, Field
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point
-from derive.derivation import Derivation, PageFacts
-from derive.expression import ZERO, Expr, Indexed, Matrix, Symbol, free_symbols, symbols, transpose
+from derive.derivation import Derivation
+from derive.expression import ZERO, Indexed, Matrix, Symbol, free_symbols, symbols, transpose
 from derive.kinds.fields import Evaluation, Name, OptionsModel
 from derive.kinds.pose.euler_angles import known_convention
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL, chain_of, joint_numbers, oracle_of
+from derive.kinds.robot._columns import Facts as Facts
 from derive.kinds.robot._columns import jacobian_lines
 from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.kinds.robot._velocity.task import RowName
@@ -44,21 +45,6 @@ class Options(OptionsModel):
     convention: Annotated[str, AfterValidator(known_convention)] = "ZYX"
     angles: tuple[Name, Name, Name] | None = None
     evaluate: Evaluation = None
-
-
-class Facts(PageFacts):
-    analytic: bool = False
-    angles: tuple[Symbol, ...] = ()  # of the analytic one
-    det: Expr | None = None  # that of their rates
-    restated: bool = False
-    point: Symbol | None = None
-    link: int = 0  # that carries the point
-    carried: bool = False
-    revolute: tuple[int, ...] = ()
-    helical: tuple[int, ...] = ()
-    prismatic: tuple[int, ...] = ()
-    coupled: bool = False
-    still: tuple[int, ...] = ()  # joints after the point
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:

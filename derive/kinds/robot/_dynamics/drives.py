@@ -7,11 +7,22 @@ from dataclasses import replace
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
+from derive.derivation import PageFacts
 from derive.expression import ZERO, Expr, Matrix, Symbol
 from derive.mechanics.drives import reflected, resistance
 from derive.mechanics.robot import Link, Robot
 
 ROTORS = Symbol("D_m")
+
+
+class Facts(PageFacts):
+    """What the words need to know of equations of motion, in either notation."""
+
+    big: bool
+    notation: str
+    friction: bool = False  # in the notation of Khatib
+    viscous: bool = False
+    coulomb: bool = False
 
 
 def moving(robot: Robot) -> tuple[Link, ...]:

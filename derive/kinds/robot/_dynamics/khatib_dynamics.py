@@ -11,8 +11,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
-from derive.kinds.robot._dynamics.drives import friction_terms
-from derive.kinds.robot.dynamics import Facts
+from derive.kinds.robot._dynamics.drives import Facts, friction_terms
 from derive.kinds.work import Work
 from derive.mechanics.robot import gravity_of
 from derive.names import require_free

@@ -18,8 +18,8 @@ from derive.kinds.fields import Place
 from derive.kinds.pose import euler_rates
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
+from derive.kinds.robot._columns import Facts
 from derive.kinds.robot._point import tracked
-from derive.kinds.robot.jacobian import Facts
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
 from derive.mechanics.euler import Convention, Euler, rate_matrix
