@@ -40,6 +40,7 @@ class InDecimals:
         self.known: dict[int, tuple[Derivation, Derivation]] = {}
 
     def __call__(self, value: Any) -> Any:
+        """A derivation, or anything that holds some, in decimals."""
         if isinstance(value, Derivation):
             if id(value) not in self.known:
                 self.known[id(value)] = value, self._part(value)

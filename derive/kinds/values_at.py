@@ -34,6 +34,7 @@ class Here:
 
     @staticmethod
     def of(at: Mapping[str, Expr], where: Mapping[str, Expr], style: Style) -> Here:
+        """The point with the values of `where`; decimals are kept where it has any."""
         given = {**where, **at}
         values: dict[Expr, Expr] = {Symbol(name): value for name, value in given.items()}
         nodes = (node for value in at.values() for node in walk(value))

@@ -251,6 +251,7 @@ class Work:
         return self.claim(agreement(claim, symbols, mine, another, tolerance, points, **about))
 
     def claim(self, *claims: Claim) -> Work:
+        """With claims that were made elsewhere."""
         return replace(self, claims=(*self.claims, *claims))
 
     def linked(self, but: Iterable[str] = ()) -> Work:

@@ -1,0 +1,1 @@
+"""A motor behind a gear: reflected inertia, and the gear that accelerates the load most."""

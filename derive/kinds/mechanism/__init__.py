@@ -1,0 +1,1 @@
+"""The degrees of freedom of mechanisms, in `mobility`."""

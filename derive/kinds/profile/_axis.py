@@ -10,7 +10,7 @@ from typing import TypeAlias
 from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Claim, Phrase, Record, Step
 from derive.expression import Expr, Relation, Symbol, symbols
-from derive.kinds.checks import SECOND_ROUTE, close, links, random_points
+from derive.kinds.checks import SECOND_ROUTE, close, random_points
 from derive.kinds.problem import Problem
 from derive.kinds.profile._trapezoid import Given, Outcome, begun, shortest, timed
 from derive.mechanics import trapezoid
@@ -154,8 +154,7 @@ def _name(each: Solved, outcome: Outcome, step: Step, prefix: str) -> str:
 def claims_of(each: Solved) -> Iterator[Claim]:
     """The lines by normal form; the answer against a search that knows no formula."""
     for outcome in each.outcomes:
-        names = {**each.problem.names, **outcome.working.definitions}
-        for claim in links(outcome.working.steps, names):
+        for claim in outcome.working.linked().claims:
             yield claim.within("in-case", case=Phrase(outcome.case))
     key = "no-time-is-shorter" if each.time is None else "no-acceleration-is-smaller"
     yield Claim("too-short" if each.infeasible else key, SECOND_ROUTE, _found_by_search(each))

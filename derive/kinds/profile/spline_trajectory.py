@@ -62,9 +62,11 @@ class Knots:
 
     @property
     def spans(self) -> int:
+        """How many pieces there are."""
         return len(self.times) - 1
 
     def scalars(self, trees: Sequence[Expr]) -> list[Scalar]:
+        """Their normal forms in the symbols of the sheet."""
         return [self.working.scalar(tree) for tree in trees]
 
 
