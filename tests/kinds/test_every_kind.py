@@ -59,7 +59,6 @@ NOT_YET_REFUSED = {
     "robot.gravity": ("value", GIVEN),
     "robot.inertia_matrix": ("J_v? J_w? value", INNER),
     "robot.inverse_kinematics": ("elbow_* theta_1", BRANCHES),
-    "robot.numerical_inverse_kinematics": ("matrix", NO_CHAIN),
     "robot.properties": ("value y_?", GIVEN),
     "robot.regressor": ("y_?", NO_CHAIN),
     "robot.singularities": ("matrix", NO_CHAIN),

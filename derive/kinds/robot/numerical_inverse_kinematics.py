@@ -11,17 +11,17 @@ from pydantic import Field, PlainValidator, WithJsonSchema
 
 from derive.algebra.numbers.floats import matrix_numbers, scalar_number
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Claim, Derivation, PageFacts, Phrase, Plot, Result, Step, Table
+from derive.derivation import Derivation, PageFacts, Phrase, Plot, Result, Step, Table
 from derive.errors import NotDerivable
-from derive.expression import Approximate, Expr, Symbol, add, column, number
-from derive.kinds.checks import SECOND_ROUTE
+from derive.expression import Approximate, Expr, Matrix, Symbol, add, column, number
 from derive.kinds.fields import OptionsModel, Place, Quantity, read_point
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
+from derive.kinds.robot._velocity.repeated import Repeated
 from derive.kinds.robot._velocity.task import Task, task_of
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
-from derive.mechanics.iteration import CLOSE, Iteration, Row, iterate
+from derive.mechanics.iteration import CLOSE, Iteration, Row, Verdict, iterate
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import ROWS, moving_rows
 
@@ -52,7 +52,7 @@ class Facts(PageFacts):
     method: str
     square: bool
     table: Table
-    verdict: str
+    verdict: Verdict
     steps: int
     error: Expr
     best: bool  # no step is given
@@ -73,23 +73,24 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     fixed = None if options.step is None else _value(options.step, arm.here)
     start = [arm.here[name] for name in arm.variables]
     run = iterate(arm.pose, target, start, options.method, options.iterations, fixed)
-    evaluated = {
-        "iterations": [[k, *map(float, row.q), row.error, row.H] for k, row in enumerate(run.rows)],
-        "solution": list(map(float, run.rows[-1].q)),
-    }
+    listed = [[k, *map(float, row.q), row.error, row.H] for k, row in enumerate(run.rows)]
+    evaluated = {"iterations": listed, "solution": list(map(float, run.rows[-1].q))}
+    rows = tuple(_row(k, row) for k, row in enumerate(run.rows))
+    facts, forward = _facts(arm, options, run, rows), arm.forward()
     results: dict[str, Result] = {
-        "iterations": tuple(_row(k, row) for k, row in enumerate(run.rows)),
-        "solution": column(map(Approximate, run.rows[-1].q)),
+        "iterations": rows,
+        "solution": column(value for _, value in facts.solution),
     }
-    known: dict[Expr, Expr] = {J: task.written, F: arm.forward(), R: column(options.target)}
-    given = Step("r_d", (R, column(options.target)), "given")
-    work = Work(problem, uses=(task.base,), known=known)
-    work = work.showing(given, Step("f", (F, arm.forward()), "forward"), task.step)
-    work = work.claim(Claim("errors", SECOND_ROUTE, _errors_agree(arm, target, run)))
+    again = Repeated(task, arm.here, arm.turning, target, options.method, fixed)
+    work = Work(problem, uses=(task.base,), known={F: forward, R: column(options.target)})
+    work = work.showing(Step("r_d", (R, work[R]), "given"), Step("f", (F, forward), "forward"))
+    work = task.proved(work.line(J, value=task.J, rule="rows"))
+    work = work.agrees("place", problem.symbols, forward, again.place)
+    told = {name.name: value_of(value, {}) for name, value in facts.solution}
+    work = work.claim(*again.claims(facts.table, listed, arm.here, facts.verdict, told))
     return work.answer(
-        "numerical-inverse-kinematics", results, _facts(arm, options, run),
-        evaluated=evaluated, plots=(_plot(run),),
-    )  # fmt: skip
+        "numerical-inverse-kinematics", results, facts, evaluated=evaluated, plots=(_plot(run),)
+    )
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,7 +125,7 @@ class Arm:
         turn = sum(at[name] for name in self.turning)
         return [turn if row == "wz" else p[ROWS.index(row)] for row in self.task.rows]
 
-    def forward(self) -> Expr:
+    def forward(self) -> Matrix:
         """f(q) as it is written."""
         position = self.task.problem.readable_matrix(self.task.point.position)
         rows = [position.rows[ROWS.index(row)][0] for row in self.task.rows if row[0] == "v"]
@@ -182,9 +183,8 @@ def _value(tree: Expr, here: Mapping[str, float]) -> float:
         raise NotDerivable(f"no value is known for {error.args[0]} in the target", "target") from error
 
 
-def _facts(arm: Arm, options: Options, run: Iteration) -> Facts:
+def _facts(arm: Arm, options: Options, run: Iteration, rows: tuple[tuple[Expr, ...], ...]) -> Facts:
     variables = [Symbol(name) for name in arm.variables]
-    rows = tuple(_row(k, row) for k, row in enumerate(run.rows))
     last = run.rows[-1]
     return Facts(
         method=options.method,
@@ -219,13 +219,3 @@ def _plot(run: Iteration) -> Plot:
     counts = tuple(float(k) for k in range(len(run.rows)))
     powers = tuple(math.log10(max(row.error, NOTHING)) for row in run.rows)
     return Plot("error", Phrase("iteration"), Phrase("power-of-ten"), {Phrase("error"): (counts, powers)})
-
-
-def _errors_agree(arm: Arm, target: list[float], run: Iteration) -> bool:
-    """Every error of the table by the poses in NumPy."""
-    oracle, holds = oracle_of(arm.task.problem), True
-    for row in run.rows:
-        at = arm.at(row.q)
-        there = arm.place(at, oracle.tool(at)[:3, 3].tolist())
-        holds &= abs(math.dist(target, there) - row.error) < 1e-7
-    return holds

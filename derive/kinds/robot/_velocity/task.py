@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.derivation import Derivation, Step
+from derive.derivation import Derivation
 from derive.errors import NotDerivable
 from derive.expression import Matrix, Symbol, free_symbols
 from derive.kinds.problem import Problem
@@ -18,6 +18,7 @@ from derive.mechanics.chain import Chain
 from derive.mechanics.task import ROWS, rows_of, task_rows
 
 J = Symbol("J")
+DIFFERENCES = 1e-6
 RowName = Literal["vx", "vy", "vz", "wx", "wy", "wz"]
 
 
@@ -59,9 +60,9 @@ class Task:
         """A board of work that rests on the whole Jacobian, with a line for the rows asked for."""
         return replace(work or Work(self.problem), uses=(self.base,)).line(J, value=self.J, rule="rows")
 
-    @property
-    def step(self) -> Step:
-        return Step("J", (J, self.written), "rows")
+    def proved(self, work: Work) -> Work:
+        """With the claim that these rows as they stand on the board agree with differences of the poses."""
+        return work.agrees("rows-in-numbers", self.symbols, work[J], self.numbers, DIFFERENCES)
 
     @property
     def velocities(self) -> tuple[Symbol, ...]:

@@ -1,0 +1,154 @@
+"""A table of iterations done again in NumPy, from the table as it is printed: with poses and Jacobians of the
+oracle each row has to follow from the one before."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+from derive.algebra.numbers.floats import number
+from derive.derivation import Claim, Table
+from derive.expression import Symbol
+from derive.kinds.checks import SECOND_ROUTE, close
+from derive.kinds.robot._chain import oracle_of
+from derive.kinds.robot._velocity.task import Task
+from derive.mechanics.iteration import Verdict
+from derive.mechanics.task import ROWS
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+NEAR = 1e-7  # of an error, a step, relative to their sizes
+REACHED = 1e-9  # an error that is none: a table has zero below 1e-10
+RANK, LEVEL = 1e-7, 1e-8  # a singular value, a slope that is none
+ROUNDING = 1e-14  # of an error
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One line of the table: its number, every name with the joint variables under their headings, the error
+    and half its square."""
+
+    k: float
+    at: dict[str, float]
+    error: float
+    H: float
+
+
+@dataclass(frozen=True)
+class Repeated:
+    """`here` holds a value for every name of the arm, `turning` the joints whose sum the angle is, `step` the
+    fixed one of the gradient method (None: the best)."""
+
+    task: Task
+    here: Mapping[str, float]
+    turning: Sequence[str]
+    target: Sequence[float]
+    method: str
+    step: float | None
+
+    def claims(
+        self,
+        table: Table,
+        listed: Sequence[Sequence[float]],
+        start: Mapping[str, float],
+        verdict: Verdict,
+        told: Mapping[str, float],
+    ) -> Iterator[Claim]:
+        """About the table and the same rows as the JSON has them, how it is said to have ended, and the joint
+        variables `told` beside it."""
+        rows = [self._row(table, row) for row in table.rows]
+        first, last, names = rows[0], rows[-1], self.task.found.variables
+        numbered = [row.k for row in rows] == list(range(len(rows)))
+        begun = numbered and all(first.at[name] == start[name] for name in names)
+        yield Claim("begun", SECOND_ROUTE, begun)
+        yield Claim("errors", SECOND_ROUTE, all(map(self._measured, rows)))
+        if len(rows) > 1:
+            yield Claim("steps-repeated", SECOND_ROUTE, all(self._follows(*pair) for pair in pairwise(rows)))
+        yield Claim("ended", SECOND_ROUTE, self._ended(first, last, verdict))
+        yield Claim(
+            "as-listed",
+            SECOND_ROUTE,
+            close([[each.k, *map(each.at.get, names), each.error, each.H] for each in rows], listed, NEAR),
+        )
+        yield Claim("last-row", SECOND_ROUTE, {name: last.at[name] for name in names} == told)
+
+    def _row(self, table: Table, row: Sequence[Any]) -> Row:
+        """By the headings: k, the joint variables, the error, H."""
+        k, *q, error, H = (number(cell, {}) for cell in row)
+        names = [heading.name for heading in table.headings[1:-2] if isinstance(heading, Symbol)]
+        return Row(k, {**self.here, **dict(zip(names, q, strict=True))}, error, H)
+
+    def place(self, at: Mapping[str, float]) -> NDArray[Any]:
+        """f(q)."""
+        import numpy as np
+
+        p = oracle_of(self.task.problem).tool(at)[:3, 3]
+        return np.array([self._turn(at) if row == "wz" else p[ROWS.index(row)] for row in self.task.rows])
+
+    def _gap(self, at: Mapping[str, float]) -> NDArray[Any]:
+        """r - f(q)."""
+        import numpy as np
+
+        return np.array(self.target - self.place(at))
+
+    def _turn(self, at: Mapping[str, float]) -> float:
+        """How far the end-effector has turned from where the joints are at zero; whole turns are counted by
+        the joints."""
+        tool = oracle_of(self.task.problem).tool
+        R = tool(at)[:3, :3] @ tool({**at, **dict.fromkeys(self.turning, 0.0)})[:3, :3].T
+        angle, counted = math.atan2(R[1, 0], R[0, 0]), sum(at[name] for name in self.turning)
+        return angle + 2 * math.pi * round((counted - angle) / (2 * math.pi))
+
+    def _measured(self, row: Row) -> bool:
+        """Whether the error and H are those of its joint variables."""
+        error = math.hypot(*self._gap(row.at))
+        return abs(error - row.error) < NEAR and abs(error**2 / 2 - row.H) < NEAR * max(1.0, error)
+
+    def _follows(self, row: Row, after: Row) -> bool:
+        """Newton: the least step with J dq = e, or nearest to it. Gradient: along J^T e, by the fixed step or
+        as far as |e - J dq| falls."""
+        import numpy as np
+
+        J, e = self.task.numbers(row.at), self._gap(row.at)
+        dq = np.array([after.at[name] - row.at[name] for name in self.task.found.variables])
+        if self.method == "newton":
+            return _nearest(J, e, dq)
+        down = J.T @ e
+        if self.step is not None:
+            return close(dq, self.step * down, NEAR)
+        length, slope, moved = np.linalg.norm(dq), np.linalg.norm(down), J @ dq
+        along = min(length, slope) > 0 and close(dq / length, down / slope, NEAR)
+        most = NEAR * float(moved @ moved) + ROUNDING * length
+        return bool(along and abs((e - moved) @ moved) <= most)
+
+    def _ended(self, first: Row, last: Row, verdict: Verdict) -> bool:
+        """Whether that is how the table ends."""
+        import numpy as np
+
+        J, e = self.task.numbers(last.at), self._gap(last.at)
+        error = np.linalg.norm(e)
+        sizes = np.linalg.svd(J, compute_uv=False)
+        match verdict:
+            case "converged":
+                return bool(error < REACHED)
+            case "singular":
+                return bool(error > REACHED and sizes[-1] <= RANK * sizes[0])
+            case "stuck":
+                return bool(error > REACHED and np.linalg.norm(J.T @ e) <= LEVEL * error)
+        return last.error > REACHED / 10 and (verdict == "diverging") == (last.error > first.error)
+
+
+def _nearest(J: NDArray[Any], e: NDArray[Any], dq: NDArray[Any]) -> bool:
+    """Whether J dq = e, or as near to it as it comes, and dq has no part that moves nothing."""
+    import numpy as np
+
+    most = NEAR * float(np.linalg.norm(J) * np.linalg.norm(dq) + np.linalg.norm(e))
+    left, (m, n) = J @ dq - e, J.shape
+    if m > n:
+        left, most = J.T @ left, most * float(np.linalg.norm(J))
+    idle = np.linalg.svd(J)[2][m:] @ dq
+    return bool(np.linalg.norm(left) <= most and np.linalg.norm(idle) <= NEAR * np.linalg.norm(dq))
