@@ -17,11 +17,12 @@ from typing import Any
 import pytest
 
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.numbers.floats import number
 from derive.algebra.scalar import Scalar
 from derive.build import derive_all
 from derive.derivation import Step
-from derive.errors import SheetErrors
-from derive.expression import ZERO, Approximate, Expr, Matrix, negate
+from derive.errors import NotDerivable, SheetErrors
+from derive.expression import ZERO, Approximate, Call, Expr, Matrix, free_symbols, negate
 from derive.kinds.problem import Problem
 from derive.render.questions import example_of
 from derive.sheet.load import load_sheet
@@ -141,7 +142,15 @@ def turned(expr: Expr) -> Expr | None:
         case Approximate():
             return None
         case _:
-            return None if expr == ZERO else negate(expr)
+            return None if _is_zero(expr) else negate(expr)
+
+
+def _is_zero(expr: Expr) -> bool:
+    """Whether it is zero, as cos 90 deg is: of that any sign is right."""
+    if isinstance(expr, Call) and not free_symbols(expr):
+        with suppress(NotDerivable):
+            return abs(number(expr, {})) < 1e-12
+    return expr == ZERO
 
 
 def _turned(value: ScalarMatrix, place: tuple[int, int]) -> ScalarMatrix:

@@ -39,11 +39,7 @@ NOT_YET_REFUSED = {
     "lagrange.equations_of_motion": ("L M T value r_? v_?", BODIES),
     "lagrange.equilibria": ("solutions value matrix E K r v", BRANCHES),
     "lagrange.linearisation": ("A B value r_? v_?", TWICE),
-    "motion.rotation_vector": ("R_1 angle r", NO_CHAIN),
     "points.fit_transform": ("matrix H", NO_CHAIN),
-    "pose.axis_angle": ("R_1 angle", NO_CHAIN),
-    "pose.euler_angles": ("phi_* psi_* theta_minus", BRANCHES),
-    "pose.quaternion": ("R_1 q q_0", NO_CHAIN),
     "profile.lspb_trajectory": ("value a v t_? ramps piece_?", RENAMED),
     "profile.trapezoidal_profile": (
         "case solutions a v t_? ramps peak alone_* axis_* trapezoidal_* triangular_*",

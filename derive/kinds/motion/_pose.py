@@ -5,7 +5,7 @@ from __future__ import annotations
 from derive.expression import Symbol
 from derive.kinds.pose._given import Given, PoseOptions
 from derive.kinds.problem import Problem
-from derive.mechanics.oracle import compose
+from derive.mechanics.oracle import made
 from derive.mechanics.poses import composed
 from derive.mechanics.sequences import in_product_order
 
@@ -15,4 +15,4 @@ def given(options: PoseOptions, problem: Problem, rotation_only: bool) -> Given:
     moves = in_product_order(problem.subject.moves)
     uses = problem.ask("rotation-matrix" if rotation_only else "transform")
     T = composed(moves)
-    return Given(problem, Symbol("T"), Symbol("R"), T, (uses,), lambda at: compose(moves, at))
+    return Given(problem, Symbol("T"), Symbol("R"), T, (uses,), lambda at: made(problem.subject.moves, at))

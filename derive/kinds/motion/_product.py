@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import Any, Literal
 
 from derive.algebra.matrix import ScalarMatrix
@@ -10,7 +11,9 @@ from derive.algebra.numbers.floats import completed, numbers
 from derive.derivation import Claim, Derivation, PageFacts, Phrase, Result
 from derive.expression import Expr, Matrix, Symbol
 from derive.kinds.checks import is_rotation, law
+from derive.kinds.meanings import as_told
 from derive.kinds.motion._factors import Factors, Placed, factors_of, product_of, rounded_matrix, value_of
+from derive.kinds.motion._meanings import meant, placed_chains
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.motion import Move
@@ -42,6 +45,7 @@ def composed(
     parts = _factor_results(factors, problem)
     work = work.claim(*_laws(problem.exact(value), name.name))
     work = motion_made(work, name.name, moves, exact, *parts.values())
+    work = as_told(work, partial(meant, factors, name), placed_chains(factors))
     results: dict[str, Result] = {name.name: exact, **parts}
     facts, point = _facts(factors, numeric, name), completed({}, problem.where)
     evaluated: dict[str, Any] = {}

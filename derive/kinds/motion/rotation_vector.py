@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 from derive.algebra.normal import normal
@@ -10,7 +11,9 @@ from derive.derivation import Derivation, PageFacts, Phrase
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Call, Expr, Matrix, Symbol, column, multiply, walk
 from derive.kinds.fields import NoOptions as Options
+from derive.kinds.meanings import Names, as_told, column_of
 from derive.kinds.pose import axis_angle
+from derive.kinds.pose._meanings import printed, turn_of
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.motion import Motion
@@ -44,7 +47,14 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
         lambda at: made(motion.moves, at)[:3, :3],
         1e-8,
     )
+    work = as_told(work, partial(_meant, motion, told, work.matrix(r)))
     return work.answer("rotation-vector", {"r": work[r]}, Facts(numeric=told.numeric, zero=told.zero))
+
+
+def _meant(motion: Motion, told: axis_angle.Facts, r: Matrix, at: Point) -> Names:
+    """The vector, the angle and the axis of the motion made in numbers."""
+    angle, axis = turn_of(made(motion.moves, at)[:3, :3], printed(r, at))
+    return {told.angle: angle, told.axis: column_of(axis), Symbol("r"): column_of(angle * axis)}
 
 
 def _entry(angle: Expr, entry: Expr, problem: Problem) -> Expr:

@@ -13,11 +13,12 @@ from derive.derivation import Derivation, PageFacts
 from derive.errors import NotDerivable
 from derive.expression import ONE, Derivative, Expr, Symbol, add, free_symbols, multiply, symbols, transpose
 from derive.kinds.fields import Name, OptionsModel
+from derive.kinds.meanings import Names, as_told, column_of
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.lagrangian import TIME
 from derive.mechanics.motion import Motion, Move
-from derive.mechanics.oracle import compose, slope
+from derive.mechanics.oracle import made, slope, vee
 from derive.mechanics.poses import composed, position_part, rotation_part, skew
 from derive.mechanics.sequences import in_product_order
 from derive.names import free
@@ -45,8 +46,7 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
     Raises NotDerivable where nothing changes.
     """
     varying = _varying(motion, options, problem)
-    moves = in_product_order(motion.moves)
-    T = composed(moves)
+    T = composed(in_product_order(motion.moves))
     rotation, position = rotation_part(T), position_part(T)
     turning = tuple(name for name in varying if rotation.diff(name))
     if not turning:
@@ -65,8 +65,11 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
     names = problem.symbols.union(f"{name}_dot" for name in varying if name != TIME)
     S_told, omega_told = normal_matrix(results["S"]), normal_matrix(results["omega"])
     work = work.law("skew-symmetric", S_told == skew(omega_told))
-    route = partial(_differences, problem, moves, varying)
-    work = work.agrees("differences", names, turn, route, DIFFERENCES)
+    means = partial(_meant, problem, motion.moves, varying, omega)
+    as_printed = [
+        (name, results[key]) for key, name in (("omega", omega), ("S", S), ("v", V)) if key in results
+    ]
+    work = as_told(work, means, as_printed, "differences", DIFFERENCES, names)
     return work.answer("velocity", results, Facts(rates=tuple(map(Symbol, turning)), shifted=bool(shifting)))
 
 
@@ -96,11 +99,20 @@ def _rate(work: Work, turning: Sequence[str]) -> Work:
     return work.line(R_DOT, formula, value=value, rule="chain-rule", spare=(value,))
 
 
-def _differences(problem: Problem, moves: tuple[Move, ...], varying: Sequence[str], at: Point) -> Any:
-    """S by differences of rotations composed in numbers, where the names of `where` move along."""
+def _meant(
+    problem: Problem, moves: tuple[Move, ...], varying: Sequence[str], omega: Symbol, at: Point
+) -> Names:
+    """Everything by differences of the motion made in numbers, where the names of `where` move along."""
 
-    def rotation(point: Point) -> Any:
-        return compose(moves, completed(point, problem.where))[:3, :3]
+    def pose(point: Point) -> Any:
+        return made(moves, completed(point, problem.where))
 
     rates = {name: number(rate_of(name), at) for name in varying}
-    return slope(rotation, at, rates) @ rotation(at).T
+    T, change = pose(at), slope(pose, at, rates)
+    names: dict[Expr, Any] = {R: T[:3, :3], P: T[:3, 3:], R_DOT: change[:3, :3], V: change[:3, 3:]}
+    for name in varying:
+        alone = slope(pose, at, {name: 1.0})
+        names[Derivative(R, Symbol(name))] = alone[:3, :3]
+        names[Derivative(P, Symbol(name))] = alone[:3, 3:]
+    spin = change[:3, :3] @ T[:3, :3].T
+    return {**names, S: spin, omega: column_of(vee(spin))}

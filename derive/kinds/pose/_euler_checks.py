@@ -3,38 +3,42 @@ another route."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import math
+from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from derive.algebra.numbers.floats import Point, number, numbers
-from derive.derivation import Branch
-from derive.expression import Expr, free_symbols
+from derive.derivation import Branch, Claim, Condition, Phrase
+from derive.expression import ZERO, Call, Expr, Relation, Symbol, column, cos, free_symbols, sin
 from derive.kinds.fields import Place
-from derive.kinds.pose._euler_steps import Comparison
+from derive.kinds.meanings import Chain, Names, told
+from derive.kinds.pose._euler_steps import Case, Comparison, Facts
+from derive.kinds.pose._meanings import entries_of
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
-from derive.mechanics.euler import SIGNS, Euler
+from derive.mechanics.euler import Euler
 from derive.mechanics.oracle import made
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-Route: TypeAlias = "Callable[[Point], NDArray[Any]]"
+Route: TypeAlias = Callable[[Point], list[Any]]
 NEARLY_SINGULAR = 1e-9
 FREE = 0.7  # rad, an angle that may be chosen
 
 
-def put_back(work: Work, compared: Comparison, solutions: tuple[Branch, ...]) -> Work:
-    """The formulas at random rotations, singular ones at singular rotations; then the answer itself."""
-    euler = compared.euler
-    for sign in SIGNS if compared.regular else ():
-        routes = _again(euler, euler.regular(sign), {})
-        work = work.agrees("branch-again", euler.names, *routes, sign="+" if sign > 0 else "-")
-    for case in compared.singular_cases:
-        name, value = euler.outer[1], number(case.middle, {})
-        routes = _again(euler, euler.singular_angles(case), {name: value})
-        work = work.agrees("singular-again", euler.names, *routes, angle=name, value=f"{value:.3g}")
-    return _answers(work, compared, solutions)
+def put_back(work: Work, compared: Comparison, solutions: tuple[Branch, ...], facts: Facts) -> Work:
+    """The formulas as they are written at random rotations, singular ones at singular rotations; then the
+    answer itself."""
+    euler, steps = compared.euler, {step.name: step.chain for step in work.steps}
+    for branch in facts.branches:
+        values = {name: steps[step][1] for name, step in zip(euler.names, branch.steps, strict=True)}
+        routes, sign = _again(compared, values, branch.sign, facts.g), "+" if branch.sign > 0 else "-"
+        work = work.agrees("branch-again", euler.names, *routes, sign=sign)
+    for case, told_of in zip(compared.singular_cases, facts.cases, strict=True):
+        work = work.claim(_singular(compared, euler.singular_angles(case), told_of, facts, steps))
+    work = work.claim(*_entries(compared, facts, steps))
+    return _answers(work, compared, solutions, facts)
 
 
 def rotation_at(euler: Euler, at: Point) -> NDArray[Any]:
@@ -42,25 +46,77 @@ def rotation_at(euler: Euler, at: Point) -> NDArray[Any]:
     return made(euler.moves, at)[:3, :3]
 
 
-def _again(euler: Euler, values: Mapping[str, Expr], fixed: Point) -> tuple[Route, Route]:
-    """The rotation of the angles found at a rotation, and the rotation itself."""
+def _again(compared: Comparison, values: Mapping[str, Expr], sign: int, g: Expr) -> tuple[Route, Route]:
+    """The rotation of the angles found at a rotation, and the sign of g there; and what they should be."""
+    euler = compared.euler
 
-    def there(at: Point) -> NDArray[Any]:
-        return rotation_at(euler, {**at, **fixed})
+    def back(at: Point) -> list[Any]:
+        known = _named(entries_of(rotation_at(euler, at)))
+        angles = {name: number(value, known) for name, value in values.items()}
+        return [*rotation_at(euler, angles).ravel(), _sign_of(number(g, angles))]
 
-    def back(at: Point) -> NDArray[Any]:
-        R = there(at)
-        known = {f"r_{i + 1}{j + 1}": float(R[i, j]) for i in range(3) for j in range(3)}
-        return _of_values(euler, values, {**known, euler.outer[2]: FREE})
-
-    return back, there
+    return back, lambda at: [*rotation_at(euler, at).ravel(), float(sign)]
 
 
-def _of_values(euler: Euler, values: Mapping[str, Expr], at: Point) -> NDArray[Any]:
-    return rotation_at(euler, {name: number(value, at) for name, value in values.items()})
+def _sign_of(value: float) -> float:
+    """1 or -1, and 0 within what floats leave."""
+    return 0.0 if abs(value) < NEARLY_SINGULAR else 1.0 if value > 0 else -1.0
 
 
-def _answers(work: Work, compared: Comparison, solutions: tuple[Branch, ...]) -> Work:
+def _named(values: Mapping[Expr, Any]) -> dict[str, float]:
+    return {name.name: value for name, value in values.items() if isinstance(name, Symbol)}
+
+
+def _entries(compared: Comparison, facts: Facts, steps: Mapping[str, Chain]) -> Iterator[Claim]:
+    """What is said of single entries, at random angles; and the chains of the angles, where numbers are put
+    in, at the rotation that is given."""
+    if not facts.regular:
+        return
+    said = (facts.middle_entry, *(pair for pairs in facts.pairs for pair in pairs))
+    size = (facts.size, Call("abs", (facts.g,)))
+    euler, given = compared.euler, compared.given
+    yield told((*said, size), lambda at: entries_of(rotation_at(euler, at)), euler.names, {}, "entries")
+    chains = [_around(steps[name][1:]) for branch in facts.branches for name in branch.steps]
+    if any(len(chain) > 1 for chain in chains):
+        problem = given.problem
+        written = [each for branch in facts.branches for name in branch.steps for each in steps[name][1:]]
+        chains += [(each, Call("abs", (each,))) for each in written if _is_half_turn(each)]
+        yield told(chains, lambda at: entries_of(given.turns(at)), problem.symbols, problem.where)
+
+
+def _is_half_turn(angle: Expr) -> bool:
+    """Whether it is half a turn from either side; 180 deg is said, and never -180 deg."""
+    return not free_symbols(angle) and abs(abs(number(angle, {})) - math.pi) < NEARLY_SINGULAR
+
+
+def _around(chain: Chain) -> Chain:
+    """Angles by their cosine and sine, so that half a turn is the same from either side."""
+    return tuple(column((cos(angle), sin(angle))) for angle in chain)
+
+
+def _singular(
+    compared: Comparison, angles: Mapping[str, Expr], case: Case, facts: Facts, steps: Mapping[str, Chain]
+) -> Claim:
+    """All that is said of a singular case, where its middle angle is as it is written: the matrix, what its
+    entries are, what they determine, and the angles put back."""
+    euler, (name, value) = compared.euler, case.middle
+    determined = (case.sum, steps[case.determined][1])
+    again = Symbol("angles put back")
+    chains = (steps[case.matrix], case.entry, *case.relations, _around(determined), (facts.g, ZERO))
+
+    def meant(at: Point) -> Names:
+        there = {**at, str(getattr(name, "name", "")): number(value, {})}
+        R = rotation_at(euler, there)
+        known = {**_named(entries_of(R)), euler.outer[2]: FREE}
+        back = rotation_at(euler, {each: number(angle, known) for each, angle in angles.items()})
+        letters: dict[Expr, Any] = {Symbol(each): angle for each, angle in there.items()}
+        return {**letters, **entries_of(R), facts.rotation: R, again: back}
+
+    every = (*chains, (again, facts.rotation))
+    return told(every, meant, euler.names, {}, "singular-again", at=Relation(name, "=", value))
+
+
+def _answers(work: Work, compared: Comparison, solutions: tuple[Branch, ...], facts: Facts) -> Work:
     """The solutions of the subject itself, at random values of its symbols where it is regular."""
     euler, given = compared.euler, compared.given
     for branch in solutions:
@@ -68,12 +124,26 @@ def _answers(work: Work, compared: Comparison, solutions: tuple[Branch, ...]) ->
         if euler.outer[2] in needed and not (given.numeric or not compared.regular):
             continue
 
-        def back(at: Point, values: Mapping[str, Expr] = branch.values) -> NDArray[Any]:
-            return _of_values(euler, values, {euler.outer[2]: FREE, **at})
+        def back(at: Point, branch: Branch = branch) -> list[Any]:
+            known = {euler.outer[2]: FREE, **at}
+            angles = {name: number(value, known) for name, value in branch.values.items()}
+            return [*rotation_at(euler, angles).ravel(), *(_gap(each, angles) for each in branch.when)]
 
-        symbols = given.problem.symbols
-        work = work.agrees("orientation-again", symbols, back, given.turns, when=branch.when)
+        def there(at: Point, count: int = len(branch.when)) -> list[Any]:
+            return [*given.turns(at).ravel(), *[0.0] * count]
+
+        work = work.agrees("orientation-again", given.problem.symbols, back, there, when=branch.when)
     return work
+
+
+def _gap(condition: Condition, angles: Point) -> float:
+    """0 where a condition of a branch holds, as it is told."""
+    at = condition.about.get("at") if isinstance(condition, Phrase) else condition
+    if not isinstance(at, Relation) or isinstance(at.left, Relation):
+        return 1.0
+    left, right = number(at.left, angles), number(at.right, angles)
+    holds = {">": left > right, "<": left < right, "=": abs(left - right) < NEARLY_SINGULAR}
+    return 0.0 if holds.get(at.sign, False) else 1.0
 
 
 def branches_at(place: Place | None, compared: Comparison, solutions: tuple[Branch, ...]) -> dict[str, Any]:

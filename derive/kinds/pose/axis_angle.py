@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
+from derive.algebra.numbers.floats import Point
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts, Result
 from derive.expression import (
@@ -25,8 +27,10 @@ from derive.expression import (
     squared,
     transpose,
 )
+from derive.kinds.meanings import Names, as_told, column_of
 from derive.kinds.pose._given import Given, given_pose, lacking
 from derive.kinds.pose._given import PoseOptions as Options
+from derive.kinds.pose._meanings import entries_of, printed, turn_of
 from derive.kinds.pose._numbers import known_angle, over, size
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
@@ -77,7 +81,7 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     given, names = given_pose(options, problem), _Names.of(problem)
     work, facts = Work(problem, given.entries, uses=given.uses), _facts(given, names)
     if ScalarMatrix.identity(3) == given.R:
-        return _nothing(work, names, facts)
+        return _nothing(work, given, names, facts)
     half = given.R == given.R.T
     work, angle, axis = (_half_turn if half else _general)(work, given, names)
     if given.numeric:
@@ -87,6 +91,10 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     turn = Move("rotate", (x, y, z), angle)
     work = work.agrees(
         "orientation-again", problem.symbols, lambda at: elementary(turn, at)[:3, :3], given.turns, 1e-8
+    )
+    told = facts.law if half else facts.twice
+    work = as_told(
+        work, partial(_meant, given, names, axis), (told, (names.angle, angle), (names.axis, axis))
     )
     facts = replace(
         facts,
@@ -98,6 +106,19 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
         page_names={"angle": names.angle, "axis": names.axis},
     )
     return work.answer("axis-angle", {"angle": angle, "axis": axis}, facts)
+
+
+def _meant(given: Given, names: _Names, axis: Matrix | None, at: Point) -> Names:
+    """The rotation by its other route; its angle and axis by what it does."""
+    import numpy as np
+
+    R = given.turns(at)
+    angle, k = turn_of(R, None if axis is None else printed(axis, at))
+    w = 2 * np.sin(angle) * k
+    return {
+        **entries_of(R), given.rotation: R, Symbol("I"): np.eye(3), names.angle: angle,
+        names.axis: column_of(k), names.turn: column_of(w), **dict(zip(names.components, w, strict=True)),
+    }  # fmt: skip
 
 
 def _facts(given: Given, names: _Names) -> Facts:
@@ -118,10 +139,11 @@ def _trace() -> Expr:
     return add(*(Symbol(f"r_{i}{i}") for i in (1, 2, 3)), number(-1))
 
 
-def _nothing(work: Work, names: _Names, facts: Facts) -> Derivation:
+def _nothing(work: Work, given: Given, names: _Names, facts: Facts) -> Derivation:
     """The identity: the angle is zero, and every axis is as good as another."""
     work = work.line(cos(names.angle), _trace() / 2, value=ONE, label="cosine")
     work = work.line(names.angle, value=ZERO, label="angle")
+    work = as_told(work, partial(_meant, given, names, None))
     results: dict[str, Result] = {"angle": ZERO, "axis": "any"}
     return work.answer("axis-angle", results, facts)
 

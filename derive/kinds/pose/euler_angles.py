@@ -52,11 +52,11 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     work = work.line(rotation, Product(tuple(factors)), value=E, rule="sequence", label="R").linked()
     work = replace(work, steps=(*work.steps, *compared.steps()))  # the names of angles stand for no one value
     work = work.claim(*compared.laws(), *is_rotation(normal_matrix(E)))
-    solutions = compared.solutions()
-    return put_back(work, compared, solutions).answer(
+    solutions, facts = compared.solutions(), compared.facts()
+    return put_back(work, compared, solutions, facts).answer(
         "euler-angles",
         {"R": E, "solutions": solutions},
-        compared.facts(),
+        facts,
         evaluated=branches_at(options.evaluate, compared, solutions) if options.evaluate is not None else {},
     )
 

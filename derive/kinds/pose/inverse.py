@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
+from derive.algebra.numbers.floats import Point
 from derive.derivation import Derivation, PageFacts
 from derive.expression import ONE, ZERO, Call, Matrix, Symbol, multiply, symbols, transpose
+from derive.kinds.meanings import Names, as_told
+from derive.kinds.pose._given import Given, given_pose
 from derive.kinds.pose._given import PoseOptions as Options
-from derive.kinds.pose._given import given_pose
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.poses import inverse_pose, position_part, rotation_part
@@ -35,7 +38,15 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     back = normal_matrix(exact, problem.names)
     work = work.law("inverse", problem.exact(given.T) @ back == ScalarMatrix.identity(4))
     work = work.agrees("in-numbers", problem.symbols, exact, lambda at: _inverted(given.oracle(at)))
+    work = as_told(work, partial(_meant, given))
     return work.answer("inverse", {"T": exact}, Facts(pose=given.name))
+
+
+def _meant(given: Given, at: Point) -> Names:
+    import numpy as np
+
+    T = given.oracle(at)
+    return {given.name: T, R: T[:3, :3], P: T[:3, 3:], NO_ROW: np.zeros((1, 3))}
 
 
 def _inverted(T: Any) -> Any:

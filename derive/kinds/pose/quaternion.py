@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
 from derive.algebra.numbers.floats import Point, numbers
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts, Step
 from derive.expression import ONE, ZERO, Matrix, Symbol, add, column, multiply, number, sqrt
+from derive.kinds.meanings import Names, as_told, column_of
 from derive.kinds.pose._given import Given, given_pose, lacking
 from derive.kinds.pose._given import PoseOptions as Options
+from derive.kinds.pose._meanings import entries_of, printed, turn_of
 from derive.kinds.pose._numbers import over, size
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
@@ -35,7 +38,18 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     steps = (Step("q_0", (scalar, ZERO)), Step("q", (name, q))) if half else _steps(given, name, scalar, q)
     work = Work(problem, {**given.entries, name: q}, uses=given.uses, steps=steps).linked(but=("q_0", "q"))
     work = work.agrees("turns-the-axes", problem.symbols, lambda at: _turned(q, at), given.turns, 1e-8)
+    work = as_told(work, partial(_meant, given, name, scalar, q), ((name, q),))
     return work.answer("quaternion", {"q": q}, Facts(rotation=given.rotation, half=half, scalar=scalar))
+
+
+def _meant(given: Given, name: Symbol, scalar: Symbol, q: Matrix, at: Point) -> Names:
+    """cos(angle/2), and the axis times sin(angle/2), of the rotation by its other route."""
+    import numpy as np
+
+    R = given.turns(at)
+    angle, axis = turn_of(R, printed(q, at)[1:])
+    parts = np.array([np.cos(angle / 2), *(np.sin(angle / 2) * axis)])
+    return {**entries_of(R), name: column_of(parts), scalar: parts[0]}
 
 
 def _steps(given: Given, name: Symbol, scalar: Symbol, q: Matrix) -> tuple[Step, ...]:
