@@ -20,7 +20,7 @@ from derive.kinds.checks import agreement, flat
 if TYPE_CHECKING:
     from derive.kinds.work import Work
 
-Names: TypeAlias = Mapping[Expr, Any]  # floats and arrays: a matrix has two axes, a column one entry a row
+Names: TypeAlias = Mapping[Expr, Any]  # floats, and arrays with two axes: a column is n by 1
 Meanings: TypeAlias = Callable[[Point], Names]
 Chain: TypeAlias = tuple[Expr, ...]
 TOLERANCE = 1e-8
@@ -86,7 +86,7 @@ def valued(tree: Expr, names: Names) -> Any:
     import numpy as np
 
     if tree in names:
-        return names[tree]
+        return np.array(names[tree]) if isinstance(names[tree], list) else names[tree]
     match tree:
         case Sum(terms):
             return reduce(np.add, [valued(term, names) for term in terms])

@@ -1,10 +1,7 @@
-"""What the kinds of frames share: names, the local poses as steps, and the second route in numbers."""
+"""What the kinds of frames share: names, and the local poses as steps."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
-
-from derive.algebra.numbers.floats import Point, number
 from derive.derivation import Record, Step
 from derive.expression import (
     Expr,
@@ -21,13 +18,10 @@ from derive.expression import (
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.elementary import factor_name, homogeneous
-from derive.mechanics.frame_tree import Way, local
+from derive.mechanics.frame_tree import local
 from derive.mechanics.frames import ByMatrix, Frame, Observed
-from derive.mechanics.motion import Motion
+from derive.mechanics.motion import Motion, Move
 from derive.mechanics.poses import pose
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 
 def pose_name(number: int, reference: int) -> Symbol:
@@ -69,7 +63,7 @@ def local_steps(frame: Frame, problem: Problem) -> tuple[Step, ...]:
             Step(name.name, (name, local_matrix(frame, problem)), "observed", facts),
         )
     if isinstance(source, Motion):
-        factors = tuple(_factor(move) for move in source.moves)
+        factors = tuple(factor(move) for move in source.moves)
         product = Product(factors) if len(factors) > 1 else factors[0]
         return (Step(name.name, (name, product, local_matrix(frame, problem)), "motion"),)
     return (Step(name.name, (name, local_matrix(frame, problem)), "given"),)
@@ -98,7 +92,7 @@ def local_definitions(frame: Frame, problem: Problem) -> dict[Expr, Expr]:
         found[origin_name(frame.number, frame.parent)] = column(frame.source.origin)
     if isinstance(frame.source, Motion):
         for move in frame.source.moves:
-            found[_factor(move)] = problem.readable_matrix(pose(move))
+            found[factor(move)] = problem.readable_matrix(pose(move))
     return found
 
 
@@ -127,42 +121,8 @@ def read_axes(T: Matrix, number: int, reference: int) -> tuple[tuple[Expr, Expr]
     )
 
 
-def numeric_local(frame: Frame, point: Point) -> NDArray[Any]:
-    """The pose of a frame in its parent in NumPy, straight from what was given."""
-    import numpy as np
-
-    from derive.mechanics.oracle import compose
-
-    T, source = np.eye(4), frame.source
-    if isinstance(source, Motion):
-        return compose(source.moves, point)
-    if isinstance(source, ByMatrix):
-        rows = np.array([[number(entry, point) for entry in row] for row in source.matrix.rows])
-        T[: len(rows), : len(rows)] = rows
-        return T
-    for j, axis in enumerate((source.x, source.y, source.z, source.origin)):
-        T[:3, j] = [number(part, point) for part in axis]
-    return T
-
-
-def numeric_pose(path: tuple[Frame, ...], point: Point) -> NDArray[Any]:
-    """The product along a path."""
-    import numpy as np
-
-    T = np.eye(4)
-    for frame in path:
-        T = T @ numeric_local(frame, point)
-    return T
-
-
-def numeric_way(path: Way, point: Point) -> NDArray[Any]:
-    """One frame in another over the frame both stand in (4 by 4)."""
-    import numpy as np
-
-    return np.linalg.solve(numeric_pose(path.down, point), numeric_pose(path.up, point))
-
-
-def _factor(move: Any) -> Indexed:
+def factor(move: Move) -> Indexed:
+    """Rot_{z, phi} or Trans_{x, a}, as a move of a frame is called."""
     axis = Symbol(move.axis) if isinstance(move.axis, str) else column(move.axis)
     return factor_name(move, axis, ("Rot", "Trans"))
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from derive.kinds.frames._frames import is_given, numeric_way, pose_name, rotation_name
+from derive.kinds.frames._frames import is_given, pose_name, rotation_name
 from derive.kinds.pose._given import Given, PoseOptions
 from derive.kinds.problem import Problem
+from derive.mechanics.frame_places import seen
 from derive.mechanics.frame_tree import relative, require_closed, way
 
 
@@ -21,5 +22,5 @@ def given(options: PoseOptions, problem: Problem, rotation_only: bool) -> Given:
         rotation_name(source, target),
         relative(frames, source, target),
         () if plain else (problem.ask("transform", source=source, target=target),),
-        lambda at: numeric_way(path, at),
+        lambda at: seen(frames, source, target, at),
     )

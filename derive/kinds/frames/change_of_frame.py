@@ -15,11 +15,13 @@ from derive.derivation import Derivation, PageFacts, Step
 from derive.expression import ZERO, Expr, Indexed, Matrix, Symbol, column
 from derive.kinds.checks import is_rotation
 from derive.kinds.fields import OptionsModel, Quantity
-from derive.kinds.frames._frames import is_given, numeric_way, origin_name, pose_name, rotation_name
+from derive.kinds.frames._frames import is_given, origin_name, pose_name, rotation_name
+from derive.kinds.frames._meanings import frames_told
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.elementary import skew
-from derive.mechanics.frame_tree import Way, relative, require_closed, way
+from derive.mechanics.frame_places import seen
+from derive.mechanics.frame_tree import relative, require_closed, way
 from derive.mechanics.frames import Frames
 from derive.mechanics.poses import position_part, rotation_part
 
@@ -70,7 +72,9 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     }
     work, name = _board(Work(wide, known), options, source, column(given), R, o)
     work = work.claim(*is_rotation(normal_matrix(known[R], problem.names), R.name))
-    work = work.agrees("in-numbers", wide.symbols, work.final(name), partial(_moved, path, options))
+    there = partial(_coordinates, frames, source, options)
+    printed = ((name, work.final(name)), (pose_name(source, options.target),) * 2)
+    work = frames_told(work, frames, printed, there, lambda at: {NO_BLOCK: numbers(NOTHING, at)})
     if not (len(path.up) == 1 and not path.down and is_given(path.up[0])):
         work = replace(work, uses=(problem.ask("transform", source=source, target=options.target),))
     facts = Facts(
@@ -99,11 +103,11 @@ def _board(
     return work.line(name, *formulas, rule="change-of-frame").closed(name), name
 
 
-def _moved(path: Way, options: Options, at: Point) -> object:
-    """The second route, in NumPy."""
+def _coordinates(frames: Frames, source: int, options: Options, target: int, at: Point) -> Any:
+    """Those of the quantity in a frame, in NumPy."""
     import numpy as np
 
-    T = numeric_way(path, at)
+    T = seen(frames, source, target, at)
     if options.twist:
         return moved(T, options.twist, at)
     last = 0.0 if options.vector is not None else 1.0

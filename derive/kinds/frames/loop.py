@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from functools import partial
+from itertools import chain
 from typing import Any
 
 from derive.algebra.normal import normal_matrix
@@ -10,12 +13,17 @@ from derive.derivation import Derivation, PageFacts, Record, Result
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Product, Symbol
 from derive.kinds.fields import NoOptions as Options
-from derive.kinds.frames._frames import local_definitions, local_matrix, numeric_local, numeric_way, pose_name
+from derive.kinds.frames._frames import local_definitions, local_matrix, pose_name
+from derive.kinds.frames._meanings import frames_told
+from derive.kinds.meanings import Chain, Names
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
+from derive.mechanics.frame_places import in_its_parent, seen
 from derive.mechanics.frame_tree import local, mismatch, relative, way
 from derive.mechanics.frames import Frame, Frames
 from derive.mechanics.poses import inverse_pose
+
+NEARLY = 1e-9
 
 
 class LoopTold(Record):
@@ -50,11 +58,25 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     for loop in loops:
         work = loop.on(work)
     results: dict[str, Result] = {"closes": ", ".join("yes" if loop.closes else "no" for loop in loops)}
-    results |= {loop.E.name: problem.final(problem.readable_matrix(loop.error)) for loop in loops}
-    for loop in loops:
-        exact = problem.readable_matrix(loop.error)
-        work = work.agrees("around-the-loop", problem.symbols, exact, loop.around, E=loop.E.name)
-    return work.answer("loop", results, Facts(loops=tuple(loop.facts() for loop in loops)))
+    errors = {loop.E.name: problem.final(problem.readable_matrix(loop.error)) for loop in loops}
+    results |= errors
+    told = tuple(loop.facts() for loop in loops)
+    chains: list[Chain] = [(loop.E, errors[loop.E.name]) for loop in loops]
+    chains += [(each.first, pose_name(each.number, each.parent)) for each in told]
+    work = frames_told(work, frames, chains, others=partial(_around, loops))
+    for loop, each in zip(loops, told, strict=True):
+        said = [float(each.closes), float(each.turned), float(each.shifted)]
+        work = work.agrees("verdict", problem.symbols, partial(_said, said), loop.verdict, E=loop.E.name)
+    return work.answer("loop", results, Facts(loops=told))
+
+
+def _around(loops: Sequence[_Loop], at: Point) -> Names:
+    return dict(chain.from_iterable(loop.around(at) for loop in loops))
+
+
+def _said(verdict: list[float], at: Point) -> list[float]:
+    """What is told, wherever it is tried."""
+    return verdict
 
 
 class _Loop:
@@ -100,11 +122,25 @@ class _Loop:
         back = (Call("inverse", (pose_name(f.number, f.parent),)) for f in reversed(self.path.down))
         return (*back, *(pose_name(frame.number, frame.parent) for frame in self.path.up))
 
-    def around(self, at: Point) -> Any:
-        """The product around the loop in numbers."""
+    def around(self, at: Point) -> tuple[tuple[Symbol, Any], ...]:
+        """The second pose and the product around the loop in numbers, by their names."""
         import numpy as np
 
-        return np.linalg.inv(numeric_way(self.path, at)) @ numeric_local(self.frame, at)
+        again = in_its_parent(self.frame, at)
+        first = seen(self.frames, self.frame.number, self.frame.parent, at)
+        return (self.second, again), (self.E, np.linalg.solve(first, again))
+
+    def verdict(self, at: Point) -> list[float]:
+        """1 or 0: whether it closes, whether the axes of the second are turned, whether its origin is
+        elsewhere."""
+        import numpy as np
+
+        _, (_, E) = self.around(at)
+        turned, shifted = (
+            not np.allclose(E[:, columns], np.eye(4)[:, columns], atol=1e-9)
+            for columns in (slice(3), slice(3, 4))
+        )
+        return [float(not (turned or shifted)), float(turned), float(shifted)]
 
     def facts(self) -> LoopTold:
         identity = self.error @ inverse_pose(self.error)

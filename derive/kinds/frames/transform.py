@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
 
 from pydantic import Field
 
@@ -13,7 +12,8 @@ from derive.derivation import Derivation, PageFacts
 from derive.expression import Call, Expr, Product, Symbol
 from derive.kinds.checks import is_rotation
 from derive.kinds.fields import OptionsModel
-from derive.kinds.frames._frames import is_given, local_definitions, local_matrix, numeric_way, pose_name
+from derive.kinds.frames._frames import is_given, local_definitions, local_matrix, pose_name
+from derive.kinds.frames._meanings import frames_told
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.frame_tree import Way, along, relative, require_closed, way
@@ -48,7 +48,8 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     work = _board(path, name, T, problem)
     R = rotation_part(normal_matrix(work[name], problem.names))
     work = work.claim(*is_rotation(R, f"R_{source}^{options.target}"))
-    work = work.agrees("composed", problem.symbols, work.final(name), partial(numeric_way, path), T=name.name)
+    asked = pose_name(source, options.target)
+    work = frames_told(work, frames, ((asked, name), (name, work.final(name))))
     lines = work.steps[:-1]
     facts = Facts(
         name=name.name,

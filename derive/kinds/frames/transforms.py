@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from derive.algebra.normal import normal_matrix
 from derive.derivation import Derivation, PageFacts
-from derive.expression import Expr, Product
+from derive.expression import Expr, Product, Symbol
 from derive.kinds.checks import is_rotation
 from derive.kinds.fields import NoOptions as Options
-from derive.kinds.frames._frames import numeric_pose, pose_name, read_axes, with_local
+from derive.kinds.frames._frames import Axes, pose_name, read_axes, with_local
+from derive.kinds.frames._meanings import frames_told
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.frame_tree import along, ancestry, require_closed
@@ -35,9 +36,8 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     for frame, name in zip(frames.frames, names, strict=True):
         T = normal_matrix(work[name], problem.names)
         work = work.claim(*is_rotation(rotation_part(T), f"R_{frame.number}^{frame.parent}"))
-    if len(path) > 1:
-        work = work.agrees(
-            "composed", problem.symbols, results[whole.name], lambda at: numeric_pose(path, at), T=whole.name
-        )
     facts = Facts(product=whole.name, read=read_axes(work.matrix(whole), len(frames.frames), 0))
+    observed = (step.facts.axes for step in work.steps if isinstance(step.facts, Axes))
+    printed = ((Symbol(name), value) for name, value in results.items())
+    work = frames_told(work, frames, (*printed, *facts.read, *(axis for axes in observed for axis in axes)))
     return work.answer("transforms", results, facts if len(path) > 1 else Facts(product="", read=()))
