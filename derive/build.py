@@ -25,6 +25,7 @@ from derive.writing import Progress, render, write
 ODD = re.compile(r"[^\w.-]+")
 NAMESAKES = "rename one, or build them into different folders with --output"
 Warn = Callable[[SheetError], None]
+Audit = Callable[[Sequence[Sheet], Sequence[Document]], object]
 
 
 def build(
@@ -35,10 +36,12 @@ def build(
     pdf_engine: str = "typst",
     progress: Progress = lambda _: None,
     warn: Warn = lambda _: None,
+    audit: Audit = lambda sheets, documents: None,
 ) -> tuple[Path | str, ...]:
     """Builds every sheet and says what was written; without `output` it gives the pages as texts.
 
-    `warn` is told what is strange about a sheet, though it can be built. Raises SheetErrors, before
+    `warn` is told what is strange about a sheet, though it can be built; `audit` sees the documents before
+    anything is written, and may raise. Raises SheetErrors, before
     anything is written, with the faults of all the sheets; PagesFailed where some pages were written.
     """
     if faults := _namesakes(paths):
@@ -47,6 +50,7 @@ def build(
     for warning in (found for sheet in sheets for found in sheet.warnings):
         warn(warning)
     documents = derive_all(sheets, not problems, progress, warn)
+    audit(sheets, documents)
     if output is None:
         return tuple(render(document, kind) for document in documents for kind in formats)
     return write(sheets, documents, formats, output, pdf_engine, progress)

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from derive.errors import SheetErrors
 from derive.messages import guarded, page, progress, report, say, warn
+
+if TYPE_CHECKING:
+    from derive.build import Audit
+    from derive.render.document import Document
+    from derive.sheet.model import Sheet
+    from derive.writing import Progress
 
 FORMATS = ("md", "tex", "pdf", "html", "docx", "json")
 
@@ -85,6 +91,9 @@ def _build_options(command: Callable[..., Any]) -> Callable[..., Any]:
         ),
         click.option("--output", default="output", show_default=True, help=where),
         click.option("--problems", is_flag=True, help="Leave the solutions out: SHEET-problems.md, ..."),
+        click.option(
+            "--audit", is_flag=True, help="Have SymPy derive every answer again, from the sheet alone."
+        ),
         click.option("--pdf-engine", type=engines, default="typst", show_default=True, help=engine),
     )
     for option in reversed(options):
@@ -96,7 +105,12 @@ def _build_options(command: Callable[..., Any]) -> Callable[..., Any]:
 @SHEETS
 @_build_options
 def build(
-    sheets: tuple[Path, ...], formats: tuple[str, ...], output: str, problems: bool, pdf_engine: str
+    sheets: tuple[Path, ...],
+    formats: tuple[str, ...],
+    output: str,
+    problems: bool,
+    audit: bool,
+    pdf_engine: str,
 ) -> None:
     """Build solution sheets (the default command). A directory stands for the sheets in it."""
     target = None if output == "-" else Path(output)
@@ -105,12 +119,19 @@ def build(
     if target is None and len(sheets) > 1:
         raise click.UsageError("--output - prints one sheet")
     with guarded():
-        _build(sheets, formats, target, problems, pdf_engine)
+        _build(sheets, formats, target, problems, audit, pdf_engine)
 
 
 def _build(
-    sheets: tuple[Path, ...], formats: tuple[str, ...], target: Path | None, problems: bool, pdf_engine: str
+    sheets: tuple[Path, ...],
+    formats: tuple[str, ...],
+    target: Path | None,
+    problems: bool,
+    audit: bool,
+    pdf_engine: str,
 ) -> None:
+    if audit and problems:
+        raise click.UsageError("--problems leaves out the answers that --audit is about")
     import gc
 
     from derive.build import build as build_sheets
@@ -119,7 +140,8 @@ def _build(
     gc.set_threshold(100_000, 50, 50)  # trees are many and hold no cycles
     try:
         with progress() as step:
-            made = build_sheets(sheets, formats, target, problems, pdf_engine, step, warn)
+            asked = (_audit(step),) if audit else ()
+            made = build_sheets(sheets, formats, target, problems, pdf_engine, step, warn, *asked)
     except PagesFailed as failed:
         _say_pages(failed.files, target)
         raise
@@ -127,6 +149,17 @@ def _build(
         if isinstance(text, str):
             page(text)
     _say_pages(made, target)
+
+
+def _audit(step: Progress) -> Audit:
+    """The auditor of a build, who says what came of it."""
+    from derive.auditing import audited, report
+
+    def audit(sheets: Sequence[Sheet], documents: Sequence[Document]) -> None:
+        for line in report(audited(sheets, documents, step)):
+            say(line)
+
+    return audit
 
 
 def _say_pages(files: tuple[Path | str, ...], folder: Path | None) -> None:
@@ -198,7 +231,9 @@ def schema() -> None:
 @main.command()
 @click.argument("sheet", type=click.Path(exists=True, dir_okay=False, path_type=Path))
 @_build_options
-def watch(sheet: Path, formats: tuple[str, ...], output: str, problems: bool, pdf_engine: str) -> None:
+def watch(
+    sheet: Path, formats: tuple[str, ...], output: str, problems: bool, audit: bool, pdf_engine: str
+) -> None:
     """Rebuild a sheet whenever it, or a YAML file beside it, is saved. Ctrl-C ends it."""
     from watchfiles import watch as changes
 
@@ -208,7 +243,7 @@ def watch(sheet: Path, formats: tuple[str, ...], output: str, problems: bool, pd
     def again() -> None:
         try:
             with guarded():
-                _build((sheet,), formats, Path(output), problems, pdf_engine)
+                _build((sheet,), formats, Path(output), problems, audit, pdf_engine)
         except SystemExit:  # the faults are printed already
             pass
         say(f"watching {sheet}; Ctrl-C ends it")

@@ -1,0 +1,12 @@
+"""The audit: every answer derived a second time by SymPy, from the sheet's subject alone.
+
+An auditor reads the frozen records of a subject and nothing else of the house: no normal form, no kind, no
+formula of mechanics or control (an import contract in pyproject.toml says so). It says what each result
+should be at an exact random point by the textbook's definition, and the engine puts the text that leaves the
+house, the strings of the JSON, to the test there.
+
+- `engine` says what is audited and what came of it;
+- `text` reads a result (JSON text) and `trees` a record (typed tree) as SymPy expressions;
+- `points` draws exact random points and evaluates SymPy expressions at them;
+- `registry` finds the auditors of a subject: `subjects/SUBJECT.py`, or a package of that name, with `KINDS`.
+"""

@@ -1,0 +1,34 @@
+"""The arm: poses by the matrices of the textbook, velocities as derivatives of poses, dynamics from energies.
+
+Everything is found in numbers at one configuration: a pose is a power series in the joint variables there
+(`series`), so that an arm of six joints costs no more than its numbers do.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from derive.audit.subjects.robot.kinematics import forward_kinematics
+from derive.expression import Expr, free_symbols
+from derive.mechanics.robot import DHRow, FreeRow, Robot, ScrewRow
+
+KINDS = {
+    "forward-kinematics": forward_kinematics,
+}
+
+
+def angles(robot: Robot) -> frozenset[str]:
+    """The names in the angles of rows and moves."""
+    return frozenset().union(*map(free_symbols, _angles(robot)))
+
+
+def _angles(robot: Robot) -> Iterator[Expr]:
+    for link in robot.links:
+        match link.row:
+            case DHRow(theta=theta, alpha=alpha):
+                yield from (theta, alpha)
+            case FreeRow(moves):
+                yield from (move.by for move in moves if move.kind == "rotate")
+            case ScrewRow(by=by, slide=False):
+                yield by
+    yield from (move.by for move in (*robot.base, *robot.tool) if move.kind == "rotate")
