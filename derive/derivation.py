@@ -48,7 +48,8 @@ class Step:
 
     `chain` holds expressions each equal to the next, the answer of the step last. `rule` is the
     law that justifies it, by name. `facts` is the record of what the words read of it (an index, a name),
-    `steps` are the smaller moves inside this one.
+    `steps` are the smaller moves inside this one. A step of rule "law" holds in general; `instance` says what
+    its names stand for in the case in which it is tried.
 
     How much of it fits on a page, the page decides: links that are `spare` are left out where they are long,
     and entries of a matrix at the end, by row and column from 0, get the names in `entries`.
@@ -61,6 +62,7 @@ class Step:
     steps: tuple[Step, ...] = ()
     spare: tuple[Expr, ...] = ()
     entries: Mapping[tuple[int, int], Symbol] = field(default_factory=dict)
+    instance: Mapping[Expr, Expr] = field(default_factory=dict)
 
     def all(self) -> Iterator[Step]:
         """This step, then those inside it."""
@@ -95,7 +97,8 @@ class Claim:
     """Something verified about a derivation: what, as a phrase, by which means, and whether it holds.
 
     A `link` says that a chain is equal from end to end. That holds of any formula, right or wrong, whose
-    value is computed from it: it proves no answer.
+    value is computed from it: it proves no answer. `tried` counts the places, points or entries at which it
+    was looked at: what was looked at nowhere does not hold.
     """
 
     key: str
@@ -103,6 +106,10 @@ class Claim:
     holds: bool
     about: Mapping[str, Said] = field(default_factory=dict)
     link: bool = False
+    tried: int = 1
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "holds", bool(self.holds) and self.tried > 0)
 
     def within(self, key: str, **about: Said) -> Claim:
         """The same claim as part of another phrase, whose field `claim` it fills."""

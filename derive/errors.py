@@ -65,6 +65,10 @@ class NotDerivable(Exception):
         self.about = about
 
 
+class NotAsWritten(Exception):
+    """A check that failed: the tree that was made of a value is not equal to it."""
+
+
 class NotReal(NotDerivable, ValueError):
     """A number that is not real: the square root of -4."""
 

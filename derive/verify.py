@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from derive.derivation import Claim, Derivation, Phrase
-from derive.errors import NotDerivable, Place, SheetError, SheetErrors
+from derive.errors import NotAsWritten, NotDerivable, Place, SheetError, SheetErrors
 from derive.kinds.checks import SECOND_ROUTE, far_apart
 from derive.kinds.problem import Problem
 from derive.kinds.registry import words_folder
@@ -17,6 +17,10 @@ if TYPE_CHECKING:
     from derive.render.phrases import Speech
 
 UNPROVED = "nothing proves the answer of '{}': links from line to line hold of a wrong formula too"
+AS_WRITTEN = (
+    "the answer failed its own check: a formula of it, read as it is written, is not the value it stands for"
+)
+REPORT = "please report this with the sheet"
 PROVE = "its author must claim a law or an independent route: see 'What proves an answer' in CONTRIBUTING.md"
 
 
@@ -27,6 +31,8 @@ def answered(question: Question, working: Problem) -> Derivation:
     except NotDerivable as error:
         place = _place_of(error.about, question, working)
         raise SheetErrors([SheetError(str(error), place)]) from error
+    except NotAsWritten as error:
+        raise SheetErrors([SheetError(AS_WRITTEN, question.place, REPORT)]) from error
     except (OverflowError, ZeroDivisionError) as error:
         message = f"a number of this answer is too large, or divided by zero ({error})"
         raise SheetErrors([SheetError(message, question.place, "check the values of the sheet")]) from error
@@ -51,7 +57,7 @@ def _failure(derivation: Derivation, failed: Claim, question: Question, working:
     speech = speech_of(derivation, working)
     claim, means = speech.claim(failed), speech.say(Phrase(failed.by))
     message = f"the answer failed its own check: {claim} (by {means})"
-    return SheetError(message, question.place, "please report this with the sheet")
+    return SheetError(message, question.place, REPORT)
 
 
 def speech_of(derivation: Derivation, working: Problem) -> Speech:

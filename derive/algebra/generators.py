@@ -49,6 +49,9 @@ class Opaque(str, Generic[A]):
         return self
 
 
+ONE_ALONE = (((), Fraction(1)),)
+
+
 @dataclass(frozen=True, slots=True)
 class Root:
     """A root, square unless its degree says otherwise; `radicand` is a polynomial as sorted text-keyed terms,
@@ -57,6 +60,11 @@ class Root:
     name: str
     radicand: tuple[tuple[tuple[tuple[str, int], ...], Fraction], ...]
     degree: int = 2
+
+    @property
+    def is_sign(self) -> bool:
+        """Whether it is 1 or -1, left open, and bears a name of its own."""
+        return self.radicand == ONE_ALONE
 
 
 def letters_of(name: str) -> frozenset[str]:

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import replace as fields_replaced
 from itertools import pairwise
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, Walk, walk_over
+from derive.algebra.numbers.floats import Point, completed, numbers
 from derive.algebra.values import Value
 from derive.derivation import Claim, Said, Step
-from derive.errors import NotReal
-from derive.expression import Approximate, Expr, Indexed, Number, Symbol, walk
+from derive.errors import NotDerivable, NotReal
+from derive.expression import Approximate, Expr, Indexed, Matrix, Number, Symbol, free_symbols, replace, walk
 from derive.kinds.problem import expressions
 
 NORMAL_FORM = "normal-form"
@@ -25,18 +28,52 @@ TRIES = 40  # points drawn for those that count
 def links(steps: Iterable[Step], names: Names) -> tuple[Claim, ...]:
     """Each chain equal from end to end; one claim a step, inner steps included.
 
-    A step by rule "law" states what holds in general and has nothing to compare.
+    A step by rule "law" states what holds in general: it is compared in the case that is its instance.
     """
-    every = (inner for step in steps for inner in step.all() if inner.rule != "law")
-    chains = {step.name: _exact(step, names) for step in every}
+    inner = [each for step in steps for each in step.all()]
+    chains = {step.name: _exact(step, names) for step in inner if step.rule != "law"}
     walk_of = walk_over([expr for chain in chains.values() for expr in chain], names)
-    return tuple(_link(name, chain, walk_of) for name, chain in chains.items() if len(chain) > 1)
+    found = tuple(_link(name, chain, walk_of) for name, chain in chains.items() if len(chain) > 1)
+    return (*found, *(in_its_instance(step, names) for step in inner if step.rule == "law" and step.instance))
 
 
-def law(key: str, holds: bool, **about: Said) -> Claim:
-    """A law decided by normal form: `law("orthogonal", R.T @ R == identity, R="R_AB")`. The words of the kind
-    have a line for the key, `orthogonal: {R}^T {R} = 1`."""
-    return Claim(key, NORMAL_FORM, holds, about)
+def in_its_instance(law: Step, names: Names) -> Claim:
+    """A law that holds in general, compared in one case: by normal form, in numbers where it has none."""
+    chain = tuple(replace(expr, law.instance) for expr in law.chain)
+    with suppress(NotDerivable):
+        claim = _link(law.name, chain, walk_over(chain, names))
+        if claim.holds or any(isinstance(node, Matrix) for expr in chain for node in walk(expr)):
+            return fields_replaced(claim, tried=len(chain) - 1)
+    return fields_replaced(_in_numbers(law.name, chain, names), link=True)
+
+
+def _in_numbers(name: str, chain: tuple[Expr, ...], names: Names) -> Claim:
+    """A chain compared at random points of what its names rest on."""
+    where = {each.name: value for each, value in names.items() if isinstance(each, Symbol)}
+    needed = frozenset().union(*map(free_symbols, (*chain, *where.values()))) - where.keys()
+
+    def ends(side: slice) -> Callable[[Point], list[Any]]:
+        return lambda at: [numbers(expr, completed(at, where)) for expr in chain[side]]
+
+    return agreement("links", needed, ends(slice(None, -1)), ends(slice(1, None)), step=name)
+
+
+def law(key: str, holds: bool | Iterable[bool], **about: Said) -> Claim:
+    """A law decided by normal form: `law("orthogonal", R.T @ R == identity, R="R_AB")`, or of each of several
+    things, `law("symmetric", (each == each.T for each in tensors))`. The words of the kind have a line for
+    the key, `orthogonal: {R}^T {R} = 1`."""
+    return every(key, holds, NORMAL_FORM, **about)
+
+
+def route(key: str, holds: bool | Iterable[bool], **about: Said) -> Claim:
+    """A second route, taken here and found to agree at each of its places."""
+    return every(key, holds, SECOND_ROUTE, **about)
+
+
+def every(key: str, holds: bool | Iterable[bool], by: str, **about: Said) -> Claim:
+    """That something holds of each of several things, which are counted; of nothing it does not hold."""
+    found = [bool(each) for each in holds] if isinstance(holds, Iterable) else [bool(holds)]
+    return Claim(key, by, all(found), about, tried=len(found))
 
 
 def agreement(
@@ -61,7 +98,7 @@ def agreement(
             break
     if not met:
         raise NotReal("no values of the symbols were found for which this is real, so nothing was verified")
-    return Claim(key, SECOND_ROUTE, holds, about)
+    return Claim(key, SECOND_ROUTE, holds, about, tried=met)
 
 
 def random_points(names: Iterable[str], count: int) -> Iterator[dict[str, float]]:

@@ -11,12 +11,13 @@ from typing import Any, get_args
 from derive.algebra.bounds import count, one_answer
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, normal, normal_matrix
-from derive.algebra.readable.form import readable, readable_matrix
+from derive.algebra.readable.form import as_written, readable, readable_matrix
 from derive.algebra.readable.terms import Style
 from derive.algebra.readable.writing import opposite
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation
 from derive.expression import Degrees, Expr, Indexed, Matrix, Number, Symbol, free_symbols, walk
+from derive.kinds.declared import with_all_claims
 from derive.kinds.registry import load
 from derive.names import require_free
 
@@ -59,11 +60,12 @@ class Problem:
         """The same with the options as the kind's own model."""
         key = (kind, options)
         if key not in self.memo.answers:
+            module = load(self.name, kind)
             with one_answer():
-                derivation = load(self.name, kind).derive(self.subject, options, self)
+                derivation = module.derive(self.subject, options, self)
             own = {name.name for name in derivation.definitions if isinstance(name, Symbol)}
             require_free(self.symbols - getattr(self.subject, "defines", frozenset()), *own)
-            self.memo.answers[key] = derivation
+            self.memo.answers[key] = with_all_claims(derivation, module, self.subject, options)
         return self.memo.answers[key]
 
     @cached_property
@@ -109,7 +111,7 @@ class Problem:
         if len(value.numerator) > LONG:
             known = self.memo.written.get((-value).key())
             if known is not None:
-                return opposite(known)
+                return as_written(opposite(known), value)
         return readable(value, self.style)
 
     def readable_matrix(self, value: ScalarMatrix) -> Matrix:

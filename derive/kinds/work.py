@@ -159,12 +159,19 @@ class Work:
         label: str = "",
         spare: tuple[Expr, ...] = (),
         entries: Mapping[tuple[int, int], Symbol] | None = None,
+        instance: Mapping[Expr, Expr] | None = None,
     ) -> Work:
         """A line more, `name = formula = formula = value`: the value of the first formula, or one that was
         computed in another way, which the chain is then checked against. The words know the step by its
         `label`, or else by the name. What has the value may be no name but a formula, as det(J), which no
-        other need follow; it needs a label. `spare` and `entries` are those of the step."""
+        other need follow; it needs a label. `spare` and `entries` are those of the step. With an
+        `instance` the line is a law: its names are none of the board, and stand for these in a case."""
         head = self.symbol(name) if isinstance(name, str) else name
+        if instance is not None:
+            law_of = Step(
+                label or text(head), (head, *formulas), "law", facts or Record(), steps, instance=instance
+            )
+            return replace(self, steps=(*self.steps, law_of))
         found = self.value(formulas[0] if formulas else head) if value is None else value
         exact: dict[Expr, Value] = {head: found} if isinstance(found, Scalar | ScalarMatrix) else {}
         written = self.readable(found) if isinstance(found, Scalar | ScalarMatrix) else found
@@ -229,8 +236,8 @@ class Work:
 
     # -- what is claimed of it --------------------------------------------------------------------
 
-    def law(self, claim: str, holds: bool, **about: Said) -> Work:
-        """What the answer must obey, decided by normal form."""
+    def law(self, claim: str, holds: bool | Iterable[bool], **about: Said) -> Work:
+        """What the answer must obey, decided by normal form, of each of several things."""
         return self.claim(law(claim, holds, **about))
 
     def agrees(

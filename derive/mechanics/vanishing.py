@@ -10,13 +10,12 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from fractions import Fraction
 from itertools import product
 from math import prod
 from typing import Any
 
 from derive.algebra.exact_values import Pair
-from derive.algebra.generators import Root
+from derive.algebra.generators import ONE_ALONE, Root
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.multivariate import grouped
 from derive.algebra.ring import ring
@@ -30,7 +29,6 @@ from derive.mechanics.sampling import vanishes_on
 from derive.mechanics.zeros import Write, Zero, zeros
 
 SIGN = "sign("
-UNIT = (((), Fraction(1)),)  # the square of a sign
 SIMPLE = ("sine", "cosine", "sum", "turn")
 LONG = 40  # terms; the zeros of a longer factor are not looked for before others
 SEVERAL = 3  # resultants with one equation
@@ -280,7 +278,7 @@ def _signed(solved: tuple[Zero, ...]) -> Pair | Scalar:
 
 
 def _sign_of(variable: str) -> Scalar:
-    home = ring().with_root(Root(f"{SIGN}{variable})", UNIT))
+    home = ring().with_root(Root(f"{SIGN}{variable})", ONE_ALONE))
     return Scalar(home, home.gen(f"{SIGN}{variable})"))
 
 

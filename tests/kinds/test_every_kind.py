@@ -64,6 +64,36 @@ NOT_YET_REFUSED = {
     "system.state_space": ("equation_1", GIVEN),
     "system.transfer_function": ("equation_1", GIVEN),
 }
+# Kinds that do not declare their claims yet, and laws that are tried in no instance yet, by folder; these
+# lists too can only grow shorter.
+NOT_YET_DECLARED = {
+    "drive": "gear_ratio reflected_inertia",
+    "frames": "change_of_frame loop transform transforms",
+    "function": "gradient hessian jacobian lagrange_multipliers stationary_points",
+    "lagrange": "equations_of_motion equilibria linearisation",
+    "mechanism": "mobility",
+    "motion": "equivalent_sequences rotation_matrix rotation_vector transform velocity",
+    "points": "fit_transform",
+    "pose": "axis_angle euler_angles euler_rates inverse quaternion",
+    "profile": "cubic_trajectory lspb_trajectory quintic_trajectory spline_trajectory trapezoidal_profile",
+    "robot": """
+        christoffel coriolis_matrices coriolis_matrix dynamics energy forward_dynamics forward_kinematics
+        gravity inertia_matrix jacobian jacobian_derivative joint_axes newton_euler
+        operational_space_inertia properties regressor state_space velocity
+
+        dh_table inverse_kinematics inverse_velocity manipulability numerical_inverse_kinematics
+        product_of_exponentials singularities space_jacobian statics workspace
+        """,
+    "sensor": "mean_voltage resolution speed",
+    "system": "closed_loop model stability state_space step_response transfer_function",
+}
+NOT_YET_TRIED = {
+    "lagrange": "equation_? rate_* constraint_? rest_?",
+    "points": "R p rms length_? R?R^T det?R",
+    "pose": "omega rates",
+    "profile": "law_? v",
+    "robot": "A_i w det motion-rates rates_*",
+}
 WORDS = Path(__file__).parents[2] / "templates" / "words"
 
 
@@ -112,6 +142,27 @@ def test_the_example_is_of_this_kind_and_its_claims_hold(document, kind: str) ->
 def test_a_law_or_an_independent_route_of_its_own_proves_it(document, kind: str) -> None:
     own = [question.derivation for _, question in document.questions() if question.derivation.kind == kind]
     assert any(not claim.link for derivation in own for claim in derivation.claims)
+
+
+@pytest.mark.parametrize("module", MODULES)
+def test_it_declares_its_claims(module: str) -> None:
+    loaded = import_module(module)
+    folder, _, stem = module.removeprefix("derive.kinds.").partition(".")
+    declares = hasattr(loaded, "CLAIMS") or hasattr(loaded, "claims_of")
+    assert declares != (stem in NOT_YET_DECLARED.get(folder, "").split())
+
+
+@every_kind
+def test_its_laws_are_tried_in_an_instance(document, subject: str, kind: str) -> None:
+    known = NOT_YET_TRIED.get(registry.words_folder(subject, kind), "").split()
+    untried = {
+        step.name
+        for _, question in document.questions()
+        for step in question.derivation.all_steps()
+        if question.derivation.kind == kind and step.rule == "law" and len(step.chain) > 1
+        if not step.instance and not any(fnmatch(step.name, each) for each in known)
+    }
+    assert untried == set()
 
 
 @pytest.mark.parametrize("planting", [values, lines])

@@ -15,8 +15,10 @@ from math import lcm
 from flint import fmpq_mpoly
 
 from derive.algebra.angles import Form, combination
+from derive.algebra.bounds import no_charge
 from derive.algebra.generators import ITSELF, Opaque
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import walk_over
 from derive.algebra.rationals import as_fraction, measure
 from derive.algebra.readable.angle_sums import contracted
 from derive.algebra.readable.by_mass import nested
@@ -24,6 +26,8 @@ from derive.algebra.readable.terms import Alphabet, Style, Terms, terms_of
 from derive.algebra.readable.writing import Writing
 from derive.algebra.ring import Ring, ring
 from derive.algebra.scalar import Scalar
+from derive.algebra.values import Value
+from derive.errors import NotAsWritten
 from derive.expression import (
     ONE,
     Call,
@@ -46,13 +50,24 @@ MOST_EXPANDED = 500  # terms in another basis: the cosine of a sum of 12 angles 
 def readable(scalar: Scalar, style: Style = Style()) -> Expr:
     """A short expression equal to the scalar, in the style of the sheet. Raises NotDerivable where reading it
     takes more work than an answer may."""
-    return Reading(style).scalar(scalar)
+    return as_written(Reading(style).scalar(scalar), scalar)
+
+
+def as_written(tree: Expr, scalar: Scalar) -> Expr:
+    """The tree, read again and found to be the scalar it was made of. Raises NotAsWritten."""
+    home = scalar.ring
+    signs = [root.name for root in home.roots if root.is_sign]
+    still_open: dict[Expr, Value] = {Symbol(name): Scalar(home, home.gen(name)) for name in signs}
+    with no_charge():
+        if walk_over([tree], {}, still_open).scalar(tree) != scalar:
+            raise NotAsWritten("a value was written down as another one")
+    return tree
 
 
 def readable_matrix(matrix: ScalarMatrix, style: Style = Style()) -> Matrix:
     """The matrix of short expressions, of the same shape, entry by entry."""
     reading = Reading(style)
-    return Matrix(tuple(tuple(map(reading.scalar, row)) for row in matrix.rows))
+    return Matrix(tuple(tuple(as_written(reading.scalar(e), e) for e in row) for row in matrix.rows))
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,9 +92,11 @@ class Reading:
 
     def generator(self, home: Ring, name: str) -> Expr:
         """The tree of a symbol, a root or a function of a ring; arguments are made readable too."""
-        if not isinstance(name, Opaque):  # a symbol, or the root of a number
-            inside = next((root.radicand for root in home.roots if root.name == name), None)
-            return Symbol(name) if inside is None else sqrt(self._polynomial(home, home.polynomial(inside)))
+        if not isinstance(name, Opaque):  # a symbol, a sign, or the root of a number
+            found = next((root for root in home.roots if root.name == name), None)
+            if found is None or found.is_sign:
+                return Symbol(name)
+            return sqrt(self._polynomial(home, home.polynomial(found.radicand)))
         arguments = tuple(map(self.scalar, name.arguments))
         if name.function == ITSELF:
             return arguments[0]

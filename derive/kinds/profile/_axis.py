@@ -151,7 +151,7 @@ def _name(each: Solved, outcome: Outcome, step: Step, prefix: str) -> str:
 # -- what it is held to -------------------------------------------------------------------------------
 
 
-def claims_of(each: Solved) -> Iterator[Claim]:
+def claims_about(each: Solved) -> Iterator[Claim]:
     """The lines by normal form; the answer against a search that knows no formula."""
     for outcome in each.outcomes:
         for claim in outcome.working.linked().claims:

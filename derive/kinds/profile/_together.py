@@ -10,7 +10,7 @@ from derive.derivation import Cell, Claim, Phrase, Record, Result, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol, column, number
 from derive.kinds.problem import Problem
-from derive.kinds.profile._axis import AxisTold, Equation, Solved, claims_of, solved, steps_of, told
+from derive.kinds.profile._axis import AxisTold, Equation, Solved, claims_about, solved, steps_of, told
 from derive.kinds.profile._trapezoid import NAMES
 from derive.mechanics.profile import Profile
 
@@ -54,7 +54,7 @@ class Together:
             claim.within(key, axis=k)
             for key, axes in (("axis-alone", self.alone), ("on-axis", self.axes))
             for k, axis in enumerate(axes, 1)
-            for claim in claims_of(axis)
+            for claim in claims_about(axis)
         ]
 
     def results(self) -> dict[str, Result]:

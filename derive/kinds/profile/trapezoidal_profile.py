@@ -14,7 +14,7 @@ from derive.expression import Expr, is_negative
 from derive.figures.courses import panels
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.profile._axis import AxisTold, Solved, claims_of, solved, steps_of, told
+from derive.kinds.profile._axis import AxisTold, Solved, claims_about, solved, steps_of, told
 from derive.kinds.profile._together import TogetherTold, together
 from derive.kinds.profile._trapezoid import NAMES, Outcome
 from derive.kinds.values_at import point_of
@@ -53,7 +53,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
         "trapezoidal-profile",
         tuple(steps_of(each)),
         _results(each),
-        tuple(claims_of(each)),
+        tuple(claims_about(each)),
         each.outcomes[0].working.definitions,
         _evaluated(found, options),
         plots=_plots(profile, found, problem),

@@ -25,7 +25,7 @@ POINTS_OF_MOTION, NEARLY = 2, 1e-7
 MARGINAL = ("integrator", "oscillator")
 
 
-def claims_of(answer: Answer) -> Iterator[Claim]:
+def claims_about(answer: Answer) -> Iterator[Claim]:
     """Auxiliary polynomials divide, sign changes count roots, conditions hold where all roots lie left."""
     array = answer.array
     if "epsilon" not in array.mended:

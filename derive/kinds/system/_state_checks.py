@@ -21,7 +21,7 @@ from derive.kinds.system._states import MATRICES, Answer
 POINTS = 3
 
 
-def claims_of(answer: Answer) -> Iterator[Claim]:
+def claims_about(answer: Answer) -> Iterator[Claim]:
     """The matrices make up the transfer function, and have its poles as eigenvalues."""
     space, n = answer.space, len(answer.state)
     s, x = Scalar.symbol("s"), ScalarMatrix.column(_responses(answer))

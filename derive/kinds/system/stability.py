@@ -25,7 +25,7 @@ from derive.kinds.system._options import ControllerField
 from derive.kinds.system._plant import AtPoint, mixed, point_chains, poles_json, root_tree, rounded, verdict
 from derive.kinds.system._routh_steps import entry_steps
 from derive.kinds.system._stability_answer import Answer, answered, right_of_axis
-from derive.kinds.system._stability_checks import claims_of, signs_at
+from derive.kinds.system._stability_checks import claims_about, signs_at
 from derive.kinds.system._stability_limit import (
     frequency_squared,
     is_marginal,
@@ -89,7 +89,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
         results["unstable_poles"] = number(answer.changes)
     evaluated, numbers = _evaluated(answer, options)
     work = Work(problem, _definitions(answer), uses=(answer.base,), steps=tuple(_steps(answer)))
-    return work.claim(*claims_of(answer)).answer(
+    return work.claim(*claims_about(answer)).answer(
         "stability",
         results,
         _facts(answer, options, numbers),

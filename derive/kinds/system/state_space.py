@@ -31,7 +31,7 @@ from derive.kinds.system._plant import (
     root_tree,
     verdict,
 )
-from derive.kinds.system._state_checks import characteristic_of, claims_of
+from derive.kinds.system._state_checks import characteristic_of, claims_about
 from derive.kinds.system._states import MATRICES, Answer, answered, readable_form
 from derive.kinds.work import Work
 
@@ -70,7 +70,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     results = {name: problem.final(readable_form(answer, name)) for name in MATRICES}
     evaluated, numbers = _evaluated(answer, options)
     work = Work(problem, _definitions(answer), uses=base, steps=tuple(_steps(answer)))
-    return work.claim(*delay_claims(system), *claims_of(answer)).answer(
+    return work.claim(*delay_claims(system), *claims_about(answer)).answer(
         "state-space",
         results,
         _facts(answer, numbers),
