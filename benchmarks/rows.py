@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from derive.algebra.infix import text
-from derive.mechanics.bodies import Body, moments
-from derive.mechanics.robot import DHRow, JointType, Link, Robot, gravity_of
+from derive.mechanics.bodies import Body
+from derive.mechanics.dynamics import gravity_of
+from derive.mechanics.moments import moments
+from derive.mechanics.robot import DHRow, JointType, Link, Robot
 
 
 @dataclass(frozen=True, slots=True)

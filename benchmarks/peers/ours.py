@@ -12,12 +12,13 @@ from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.scalar import Scalar
 from derive.expression import Expr
-from derive.mechanics.bodies import Body, moments
+from derive.mechanics.bodies import Body
 from derive.mechanics.chain import Chain, chain
-from derive.mechanics.dynamics import LinkMotion, christoffel, inertia_matrix, potential_energy
+from derive.mechanics.dynamics import LinkMotion, christoffel, gravity_of, inertia_matrix, potential_energy
 from derive.mechanics.jacobian import jacobian
+from derive.mechanics.moments import moments
 from derive.mechanics.poses import position_part, rotation_part
-from derive.mechanics.robot import Robot, gravity_of
+from derive.mechanics.robot import Robot
 
 
 @dataclass(frozen=True, slots=True)

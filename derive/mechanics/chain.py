@@ -16,15 +16,17 @@ from derive.algebra.ring import Ring, ring
 from derive.algebra.scalar import Scalar
 from derive.algebra.trigonometry import linear_form
 from derive.expression import Symbol, walk
-from derive.mechanics.bodies import coordinates, moments
+from derive.mechanics.bodies import coordinates
 from derive.mechanics.coupling import Coupling, angle_sums, coupling
 from derive.mechanics.dh import moves
-from derive.mechanics.drives import reflected
+from derive.mechanics.dynamics import gravity_of
 from derive.mechanics.frame_tree import pose_of
+from derive.mechanics.joint_loads import reflected
 from derive.mechanics.lines import Line
+from derive.mechanics.moments import moments
 from derive.mechanics.motion import Move
 from derive.mechanics.poses import composed, position_part, rotation_part, unit_vector
-from derive.mechanics.robot import JointType, Link, Robot, ScrewRow, gravity_of
+from derive.mechanics.robot import JointType, Link, Robot, ScrewRow
 
 Part = TypeVar("Part")
 ZERO_PITCH = Scalar.of(0)

@@ -1,10 +1,10 @@
-"""What a joint adds to the mechanics of its links: the rotor of its motor, and friction."""
+"""The motor and the friction of a joint as an exercise gives them."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-from derive.expression import ONE, ZERO, Call, Expr, Symbol, add, multiply
+from derive.expression import ONE, ZERO, Expr
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,26 +27,3 @@ class Friction:
 
     viscous: Expr = ZERO
     coulomb: Expr = ZERO
-
-
-def reflected(motor: Motor | None) -> Expr:
-    """G^2 J: the rotor as its joint feels it (kg m^2; kg for a prismatic joint)."""
-    return ZERO if motor is None else multiply(_square(motor.ratio), motor.inertia)
-
-
-def resistance(friction: Friction | None, variable: str) -> tuple[Expr, ...]:
-    """The terms of friction in the equation of a joint."""
-    if friction is None:
-        return ()
-    rate = Symbol(f"{variable}_dot")
-    terms = multiply(friction.viscous, rate), multiply(friction.coulomb, Call("sign", (rate,)))
-    return tuple(term for term in terms if term != ZERO)
-
-
-def friction_force(friction: Friction | None, variable: str) -> Expr:
-    """Their sum, zero without friction."""
-    return add(*resistance(friction, variable))
-
-
-def _square(ratio: Expr) -> Expr:
-    return ONE if ratio == ONE else ratio**2

@@ -10,6 +10,8 @@ from typing import TypeAlias
 
 from derive.algebra.matrix import ScalarMatrix, dot
 from derive.algebra.scalar import Scalar
+from derive.expression import ZERO, Expr, Symbol
+from derive.mechanics.robot import Robot
 
 HALF = Fraction(1, 2)
 Christoffel: TypeAlias = Mapping[tuple[int, int, int], Scalar]  # c_ijk, indices from 1
@@ -87,6 +89,11 @@ def _derivative(D: ScalarMatrix, name: str) -> list[list[Scalar]]:
     n = D.shape[0]
     lower = [[D[i, j].diff(name) for j in range(i + 1)] for i in range(n)]
     return [[lower[max(i, j)][min(i, j)] for j in range(n)] for i in range(n)]
+
+
+def gravity_of(robot: Robot) -> tuple[Expr, Expr, Expr]:
+    """The acceleration of gravity in the base frame; g downwards along z where the sheet is silent."""
+    return robot.gravity or (ZERO, ZERO, -Symbol("g"))
 
 
 def potential_energy(links: Sequence[LinkMotion], gravity: ScalarMatrix) -> Scalar:

@@ -10,7 +10,8 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, normal
 from derive.algebra.scalar import Scalar
 from derive.algebra.signs import sign_of
-from derive.mechanics.bodies import Body, moments
+from derive.mechanics.bodies import Body
+from derive.mechanics.moments import moments
 
 AXES = ("xx", "yy", "zz")
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
 from derive.expression import ZERO, Expr, Symbol, free_symbols, walk
-from derive.mechanics.bodies import Body, coordinates, moments
+from derive.mechanics.bodies import Body, coordinates, extent
 from derive.mechanics.drives import Friction, Motor
 from derive.mechanics.frames import ByMatrix
 from derive.mechanics.motion import Axis, Motion, Move
@@ -99,7 +99,7 @@ class Robot:
     def shifting(self) -> bool:
         """Whether a joint variable stands in the com or the inertia of a body."""
         bodies = [link.body for link in self.links if link.body]
-        trees = (tree for body in bodies for tree in (*moments(body), *coordinates(body)))
+        trees = (tree for body in bodies for tree in (*extent(body.inertia), *coordinates(body)))
         return any(not free_symbols(tree).isdisjoint(self.variables) for tree in trees)
 
     def _motions(self) -> Iterator[Expr]:
@@ -113,8 +113,3 @@ class Robot:
                 case ScrewRow(by=by):
                     yield by
         yield from (move.by for move in (*self.base, *self.tool))
-
-
-def gravity_of(robot: Robot) -> tuple[Expr, Expr, Expr]:
-    """The acceleration of gravity in the base frame; g downwards along z where the sheet is silent."""
-    return robot.gravity or (ZERO, ZERO, -Symbol("g"))

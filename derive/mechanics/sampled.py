@@ -7,7 +7,8 @@ from collections.abc import Iterator, Mapping
 
 from derive.algebra.numbers.floats import number
 from derive.expression import Expr, free_symbols
-from derive.mechanics.bodies import Body, Moments, given_moments, moments
+from derive.mechanics.bodies import Body, Moments
+from derive.mechanics.moments import given_moments, moments
 from derive.mechanics.oracle import Oracle
 
 Range = tuple[float, float]

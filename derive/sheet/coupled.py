@@ -10,7 +10,7 @@ from derive.errors import SheetError
 from derive.expression import Expr, Symbol, free_symbols
 from derive.expression import replace as replaced
 from derive.kinds.problem import expressions
-from derive.mechanics.bodies import given_moments
+from derive.mechanics.moments import given_moments
 from derive.mechanics.motion import Axis, Move
 from derive.mechanics.robot import FreeRow, Robot, ScrewRow
 from derive.sheet.source import At, Route

@@ -19,10 +19,10 @@ from derive.kinds.checks import random_points
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.mechanics.chain import Chain, chain
-from derive.mechanics.dynamics import christoffel, inertia_matrix, potential_energy
+from derive.mechanics.dynamics import christoffel, gravity_of, inertia_matrix, potential_energy
 from derive.mechanics.newton_euler import LinkBody, NewtonEuler
 from derive.mechanics.oracle import Oracle
-from derive.mechanics.robot import Robot, gravity_of
+from derive.mechanics.robot import Robot
 from tests.mechanics.robots import symbols
 
 Dynamics = tuple[ScalarMatrix, dict[tuple[int, int, int], Scalar], tuple[Scalar, ...]]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Literal
 
-from derive.algebra.numbers.compiled import compiled
 from derive.derivation import Derivation
 from derive.expression import add, column
 from derive.kinds.fields import OptionsModel
@@ -40,13 +39,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         lines = (equation(f"tau_{k}", terms, "euler-lagrange") for k, terms in enumerate(found, 1))
         work = work.showing(*lines)
     tau = column(add(*(term.written for term in terms)) for terms in found)
-    torques = [compiled(entry) for (entry,) in tau.rows]
-    work = work.agrees(
-        "motion-of-each-body",
-        arm.moving,
-        lambda at: [torque(at) for torque in torques],
-        arm.rubbing.torques,
-    )
+    work = arm.moved(work, tau)
     results = {"D": arm.inertia.results["D"], **speed.results, **weight.results, "tau": tau}
     viscous, coulomb = friction_sorts(robot)
     facts = Facts(big=big, notation="spong", viscous=viscous, coulomb=coulomb)

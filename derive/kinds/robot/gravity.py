@@ -10,8 +10,8 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.work import Work
-from derive.mechanics.dynamics import potential_energy
-from derive.mechanics.robot import Robot, gravity_of
+from derive.mechanics.dynamics import gravity_of, potential_energy
+from derive.mechanics.robot import Robot
 from derive.names import require_free
 
 NEEDS = ("bodies",)

@@ -17,9 +17,9 @@ from derive.kinds.robot._dynamics.body_steps import inertia_steps
 from derive.kinds.robot._dynamics.drives import with_rotors
 from derive.kinds.robot._dynamics.recursion import Line, Recursion, rotation
 from derive.kinds.work import Work
-from derive.mechanics.dynamics import rate_column
+from derive.mechanics.dynamics import gravity_of, rate_column
 from derive.mechanics.newton_euler import LinkBody, NewtonEuler
-from derive.mechanics.robot import Robot, gravity_of
+from derive.mechanics.robot import Robot
 
 NEEDS = ("bodies",)
 BASE = Symbol("o_0_ddot")
@@ -65,7 +65,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         levers=any(any(row.arm) for row in sweeping.rows),
         offsets=any(any(row.out) for row in sweeping.rows),
     )
-    return _same_as_lagrange(work, arm, sweeping).answer("newton-euler", {"tau": tau}, facts)
+    work = arm.moved(_same_as_lagrange(work, arm, sweeping), tau)
+    return work.answer("newton-euler", {"tau": tau}, facts)
 
 
 def _sweeping(arm: Arm, bodies: tuple[Weighted, ...]) -> NewtonEuler:

@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.numbers.compiled import compiled
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation
-from derive.expression import Expr, Symbol
+from derive.expression import Expr, Matrix, Symbol
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._dynamics.drives import rigid
@@ -102,6 +103,16 @@ class Arm:
     def moving(self) -> frozenset[str]:
         """Those of a point in motion: rates and accelerations too."""
         return self.still | {f"{name}_{dots}" for name in self.variables for dots in DOTS}
+
+    def moved(self, work: Work, tau: Matrix) -> Work:
+        """Torques as printed (n by 1) against those of the motion of each body."""
+        torques = [compiled(entry) for (entry,) in tau.rows]
+        return work.agrees(
+            "motion-of-each-body",
+            self.moving,
+            lambda at: [torque(at) for torque in torques],
+            self.rubbing.torques,
+        )
 
     def agrees(self, work: Work, name: str, ours: Expr) -> Work:
         """`ours` (n by 1) against the torques at those rates less the torques at rest."""

@@ -11,10 +11,11 @@ from derive.algebra.scalar import Scalar
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Matrix, Symbol
 from derive.kinds.problem import Problem
-from derive.mechanics.bodies import Body, Moments, PointMass, moments
+from derive.mechanics.bodies import Body, Moments, PointMass
 from derive.mechanics.chain import Chain
 from derive.mechanics.dynamics import LinkMotion
 from derive.mechanics.jacobian import MovingPoint, drift
+from derive.mechanics.moments import moments
 from derive.mechanics.poses import position_part, rotation_part
 from derive.names import free
 

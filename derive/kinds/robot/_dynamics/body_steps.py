@@ -12,8 +12,8 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import pose_name
 from derive.kinds.robot._columns import jacobian_steps
 from derive.kinds.robot._dynamics.bodies import Weighted
-from derive.mechanics.bodies import given_moments, steiner
 from derive.mechanics.chain import Chain
+from derive.mechanics.moments import given_moments, steiner
 from derive.mechanics.poses import homogeneous
 
 

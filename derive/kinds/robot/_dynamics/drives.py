@@ -9,7 +9,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.derivation import PageFacts
 from derive.expression import ZERO, Expr, Matrix, Symbol
-from derive.mechanics.drives import reflected, resistance
+from derive.mechanics.joint_loads import reflected, resistance
 from derive.mechanics.robot import Link, Robot
 
 ROTORS = Symbol("D_m")

@@ -13,7 +13,7 @@ from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._dynamics.drives import Facts, friction_terms
 from derive.kinds.work import Work
-from derive.mechanics.robot import gravity_of
+from derive.mechanics.dynamics import gravity_of
 from derive.names import require_free
 
 M, V, G, F, ACCELERATION, TAU, G_0 = symbols("M v G F q_ddot tau g_0")
@@ -47,7 +47,7 @@ def khatib_dynamics(problem: Problem) -> Derivation:
         work = work.line(f"tau_{k}", value=entry, rule="equation", spare=(entry,))
     made = normal_matrix(_weights(bodies), {**problem.names, **work.definitions})
     work = work.law("gradient", made == normal_matrix(g))
-    work = work.agrees("motion-of-each-body", arm.moving, tau, arm.rubbing.torques)
+    work = arm.moved(work, tau)
     parts = {name: value for name, value in speed.results.items() if name in ("C", "B", "v")}
     return work.answer(
         "dynamics",

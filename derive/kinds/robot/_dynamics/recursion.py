@@ -10,7 +10,7 @@ from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
 from derive.expression import ZERO, Expr, Symbol, add, cross, multiply, transpose
 from derive.kinds.robot._dynamics.bodies import Weighted
-from derive.mechanics.drives import reflected, resistance
+from derive.mechanics.joint_loads import reflected, resistance
 from derive.mechanics.newton_euler import NewtonEuler, Swept
 from derive.mechanics.robot import Link
 

@@ -16,10 +16,12 @@ from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._dynamics.drives import friction_terms, moving
 from derive.mechanics.chain import Chain
-from derive.mechanics.drives import Friction, reflected
+from derive.mechanics.drives import Friction
+from derive.mechanics.dynamics import gravity_of
+from derive.mechanics.joint_loads import reflected
 from derive.mechanics.poses import rotation_part
 from derive.mechanics.regressor import NAMES, columns, parameters_of, reference
-from derive.mechanics.robot import Link, gravity_of
+from derive.mechanics.robot import Link
 
 
 @dataclass(frozen=True, slots=True)

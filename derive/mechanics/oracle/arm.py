@@ -1,0 +1,194 @@
+"""An arm in numbers: where its frames are, how they move, and what forces its joints need."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, get_args
+
+from flint import arb
+
+from derive.algebra.ball_arithmetic import precise
+from derive.algebra.numbers.floats import Point, completed, number
+from derive.expression import Expr
+from derive.mechanics.frames import ByMatrix
+from derive.mechanics.motion import Motion
+from derive.mechanics.oracle.bodies import com_of, inertia_of
+from derive.mechanics.oracle.displacements import (
+    Configuration,
+    Placed,
+    joint_forces,
+    many_digits,
+    velocities,
+)
+from derive.mechanics.oracle.poses import compose
+from derive.mechanics.oracle.rows import local
+from derive.mechanics.oracle.sweep import Axis, axis_of, torques_of_bodies
+from derive.mechanics.oracle.values import Array, Value
+from derive.mechanics.robot import Link, Robot
+
+TREES = get_args(Expr)
+
+
+@dataclass(frozen=True, slots=True)
+class Oracle:
+    """A robot in numbers; `where` gives the names the sheet defines."""
+
+    robot: Robot
+    where: Mapping[str, Expr]
+    value: Value = number  # or one that gives more digits
+
+    def at(self, point: Point) -> Point:
+        """The point with the values of `where` added; those the point does not decide are left out."""
+        return completed(point, self.where)
+
+    # -- where it is --------------------------------------------------------------------------------
+
+    def local(self, point: Any) -> list[Array]:
+        """T from each row to the one before."""
+        return [self._row(link, point) for link in self.robot.links]
+
+    def poses(self, point: Any) -> list[Array]:
+        """T_00, T_01, ..., T_0n, base motion included."""
+        found = [compose(self.robot.base, point, self.value)]
+        for T in self.local(point):
+            found.append(found[-1] @ T)
+        return found
+
+    def tool(self, point: Any) -> Array:
+        """T (4 by 4) of the end-effector."""
+        return self.poses(point)[-1] @ self.in_hand(point)
+
+    def in_hand(self, point: Any) -> Array:
+        """T (4 by 4) of the end-effector in the last row's frame; of screws, the base while joints are at
+        zero."""
+        return self.home(point) @ compose(self.robot.tool, point, self.value)
+
+    def home(self, point: Any) -> Array:
+        """T (4 by 4) of the end-effector of a chain of screws while its joints are at zero."""
+        import numpy as np
+
+        match self.robot.home:
+            case None:
+                return np.eye(4)
+            case Motion(made):
+                return compose(made, point, self.value)
+            case ByMatrix(matrix):
+                entries = np.array([[self.value(entry, point) for entry in row] for row in matrix.rows])
+                T, size = np.eye(4, dtype=entries.dtype), len(matrix.rows)
+                T[:size, :size] = entries
+                return T
+
+    def _row(self, link: Link, point: Any) -> Array:
+        return local(link.row, self.robot.convention, point, self.value)
+
+    # -- how it moves -------------------------------------------------------------------------------
+
+    def jacobian(self, point: Point, frame: int, offset: Sequence[float | Expr]) -> Array:
+        """J (6 by n) by central differences: of a point given in a frame (n+1: the tool's)."""
+        import numpy as np
+
+        precisely = replace(self, value=precise)
+
+        def pose(at: Configuration) -> Array:
+            """That of the frame, moved on to the point."""
+            T = precisely.tool(at) if frame > len(self.robot.links) else precisely.poses(at)[frame]
+            there = [precise(x, at) if isinstance(x, TREES) else arb(x) for x in offset]
+            return np.column_stack([T[:3, :3], T[:3, :3] @ there + T[:3, 3]])
+
+        with many_digits(point) as at:
+            return velocities(pose, at, self.robot.variables)
+
+    def axes(self, point: Point) -> list[Axis | None]:
+        """Those of the joints in the frames before them, None of a fixed row; where each variable moves its
+        own row alone."""
+        return [self._axis(link, point) for link in self.robot.links]
+
+    def _axis(self, link: Link, point: Point) -> Axis | None:
+        name = link.variable
+        if name is None:
+            return None
+        return axis_of(
+            lambda by: self._row(link, {**point, name: point[name] + by}), link.joint == "revolute"
+        )
+
+    # -- what it needs ------------------------------------------------------------------------------
+
+    def gravity(self, point: Any) -> Array:
+        """The acceleration (3) of what falls, in the base frame: as given, else g down along z."""
+        import numpy as np
+
+        if self.robot.gravity is None:
+            return np.array([0, 0, -point["g"]])
+        return np.array([self.value(part, point) for part in self.robot.gravity])
+
+    def torques(self, point: Point) -> Array:
+        """tau (n) by the motion of each body; rates and accelerations in the point by their names."""
+        import numpy as np
+
+        at = self.at(point)
+        return np.array(
+            [_of_joint(link, at) for link in self.robot.links if link.variable]
+        ) + self._of_bodies(at)
+
+    def inertia_matrix(self, point: Point) -> Array:
+        """D (n by n): row by row the torques of a unit acceleration from rest, less those of rest."""
+        import numpy as np
+
+        still, names = self._still(point), self.robot.variables
+        rest = self.torques(still)
+        return np.array([self.torques({**still, f"{name}_ddot": 1.0}) - rest for name in names])
+
+    def torques_at_rest(self, point: Point) -> Array:
+        """tau (n) that holds the arm still."""
+        return self.torques(self._still(point))
+
+    def torques_of_rates(self, point: Point) -> Array:
+        """tau (n) at the rates of the point without accelerations, less that of rest."""
+        even = {f"{name}_ddot": 0.0 for name in self.robot.variables}
+        return self.torques({**point, **even}) - self.torques_at_rest(point)
+
+    def _still(self, point: Point) -> Point:
+        names = self.robot.variables
+        return {**point, **{f"{name}_{dots}": 0.0 for name in names for dots in ("dot", "ddot")}}
+
+    def _of_bodies(self, at: Point) -> Array:
+        """tau (n) without rotors and friction."""
+        if self.robot.coupled or self.robot.shifting:
+            return self._by_displacements(at)
+        poses = self.poses(at)
+        bodies = self._bodies(poses, at)
+        return torques_of_bodies(self.robot.links, poses, self.axes(at), bodies, self.gravity(at), at)
+
+    def _by_displacements(self, point: Point) -> Array:
+        """The same where a variable moves more than its own row."""
+        precisely = replace(self, value=precise)
+        with many_digits(point) as at:
+            return joint_forces(precisely.placed, at, self.robot.variables, precisely.gravity(at))
+
+    def placed(self, point: Any) -> list[Placed]:
+        """Where the bodies are."""
+        return [body for body in self._bodies(self.poses(point), point) if body]
+
+    def _bodies(self, poses: Sequence[Array], point: Any) -> list[Placed | None]:
+        """Those of the links, None where one has none."""
+        found: list[Placed | None] = []
+        for link, before, T in zip(self.robot.links, poses, poses[1:], strict=False):
+            if (body := link.body) is None:
+                found.append(None)
+                continue
+            c, I = com_of(body, before, T, point, self.value), inertia_of(body, point, self.value)
+            found.append(Placed(self.value(body.mass, point), c, T[:3, :3], I))
+        return found
+
+
+def _of_joint(link: Link, at: Point) -> float:
+    """What rotor and friction need: the rotor G times as fast as its joint, its torque felt G times."""
+    tau, rate, rise = 0.0, at[f"{link.variable}_dot"], at[f"{link.variable}_ddot"]
+    if link.motor:
+        G = number(link.motor.ratio, at)
+        tau += G * (number(link.motor.inertia, at) * (G * rise))
+    if link.friction:
+        against = (rate > 0) - (rate < 0)
+        tau += number(link.friction.viscous, at) * rate + number(link.friction.coulomb, at) * against
+    return tau
