@@ -76,12 +76,6 @@ class Mechanism:
         freedoms = sum(FREEDOMS[each.name] * each.pairs for each in self.joints)
         return freedoms - LAMBDA[space] * self.loops
 
-    @property
-    def by_loops(self) -> int:
-        """All freedoms of the joints, less lambda for each closed loop (Euler's formula put in)."""
-        size = LAMBDA[self.space]
-        return sum((size - each.constraints) * each.pairs for each in self.joints) - size * self.loops
-
 
 def leg_joints(chain: str, count: int, space: Space) -> tuple[Joints, ...]:
     """The joints of `count` legs such as UPS in space or RRR in the plane."""

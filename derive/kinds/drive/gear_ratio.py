@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from itertools import islice
 from math import copysign
 
+from derive.algebra.numbers.floats import Point
 from derive.algebra.numbers.floats import number as at
-from derive.derivation import Claim, Derivation, PageFacts, Step
+from derive.derivation import Derivation, PageFacts, Step
 from derive.errors import NotDerivable
-from derive.expression import ONE, Derivative, Expr, Symbol, add, free_symbols, number, replace, sqrt, symbols
-from derive.kinds.checks import SECOND_ROUTE, close, random_points
+from derive.expression import ONE, ZERO, Derivative, Expr, Symbol, add, free_symbols, replace, sqrt, symbols
+from derive.kinds.checks import close, random_points, route
+from derive.kinds.drive._oracle import Turning
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
@@ -20,6 +22,8 @@ from derive.names import free
 ALPHA, BEST = symbols("alpha G_opt")
 GEARS = ("G", "r", "n", "G_r")  # what it is called, the first that means nothing else
 NEAR = (0.9, 1.1)  # gears beside the best
+GEARS_TRIED = (0.7, 2.3)
+STEP, ROUGH = 1e-4, 1e-6  # of differences, and how closely they tell a slope
 DRAWS = 200  # points among which some have positive inertias
 
 
@@ -54,7 +58,9 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
         given=work.typed, tau_m=tau_m, tau_l=tau_l, top=top, G=G,
         balance=(BEST ** 2 * J_m, J_l),
     )  # fmt: skip
-    return work.claim(_second_route(drive, problem, results)).answer("gear-ratio", results, facts)
+    work = work.claim(route("gears-beside", _is_best(drive, problem, results)))
+    work = work.claim(route("as-written", _as_written(drive, work, facts, results["G"])))
+    return work.answer("gear-ratio", results, facts)
 
 
 def _gear(drive: Drive, problem: Problem) -> Symbol:
@@ -98,26 +104,50 @@ def _best(work: Work, J_m: Expr, J_l: Expr, tau_m: Expr, tau_l: Expr | None) -> 
     return work.worked("alpha_max", force, put_in(force) if open_ else None)
 
 
-def _second_route(drive: Drive, problem: Problem, results: Mapping[str, Expr]) -> Claim:
-    """At numbers: the acceleration there is what is claimed, and gears beside it give less, the way the motor
-    pushes. Raises NotDerivable where no numbers make both inertias positive and leave the motor a torque."""
-    torque = problem.final(drive.torque or Symbol("tau_m"))
-    trees = [problem.final(drive.rotor), problem.final(drive.load), torque]
-    trees.append(number(0) if drive.load_torque is None else problem.final(drive.load_torque))
+def _points(drive: Drive, problem: Problem) -> Iterator[tuple[Point, Turning]]:
+    """Numbers for the symbols, and the drive they make. Raises NotDerivable where none make both inertias
+    positive and leave the motor a torque."""
+    given = (drive.rotor, drive.load, ONE, drive.torque or Symbol("tau_m"), drive.load_torque or ZERO)
+    trees = [problem.final(tree) for tree in given]
     symbols = sorted(frozenset().union(*map(free_symbols, trees)))
-    drawn = random_points(symbols, DRAWS)
-    with_values = ((point, [at(tree, point) for tree in trees]) for point in drawn)
-    real = ((point, values) for point, values in with_values if values[0] > 0 < values[1] and values[2])
+    drawn = (
+        (point, Turning(*(at(tree, point) for tree in trees))) for point in random_points(symbols, DRAWS)
+    )
+    real = ((point, each) for point, each in drawn if each.rotor > 0 < each.load and each.push)
     points = list(islice(real, 3))
     if not points:
         raise NotDerivable("no values make both inertias positive and leave the motor a torque")
-    holds = True
-    for point, (rotor, load, push, pull) in points:
+    yield from points
 
-        def gives(gear: float, now: tuple[float, ...] = (rotor, load, push, pull)) -> float:
-            return (gear * now[2] - now[3]) / (gear**2 * now[0] + now[1])
 
-        best = at(results["G"], point)
-        holds &= close(gives(best), at(results["alpha"], point))
-        holds &= all(copysign(1, push) * (gives(best) - gives(near * best)) > 0 for near in NEAR)
-    return Claim("gears-beside", SECOND_ROUTE, holds)
+def _is_best(drive: Drive, problem: Problem, results: Mapping[str, Expr]) -> Iterator[bool]:
+    """The acceleration there is what is claimed, and gears beside it give less, the way the motor pushes."""
+    for point, turning in _points(drive, problem):
+        best, alpha = (at(results[name], point) for name in ("G", "alpha"))
+        found = turning.with_gear(best).acceleration
+        yield close(found, alpha)
+        yield from (
+            copysign(1, turning.push) * (found - turning.with_gear(k * best).acceleration) > 0 for k in NEAR
+        )
+
+
+def _as_written(drive: Drive, work: Work, told: Facts, best: Expr) -> Iterator[bool]:
+    """The acceleration by energies, its slope by differences, where that is zero, and what is equal there."""
+    problem = work.problem
+    (_, alpha), (_, slope) = (step.chain for step in work.steps[:2])
+    for point, turning in _points(drive, problem):
+
+        def worth(tree: Expr, gear: float, here: Point = point) -> float:
+            return at(problem.final(replace(tree, work.definitions)), {**here, told.G.name: gear})
+
+        for gear in GEARS_TRIED:
+            near = [turning.with_gear(gear * (1 + side * STEP)).acceleration for side in (1, -1)]
+            yield close(worth(alpha, gear), turning.with_gear(gear).acceleration)
+            yield close(worth(slope, gear), (near[0] - near[1]) / (2 * STEP * gear), ROUGH)
+        top = at(best, point)
+        below, above = (worth(told.top, k * top) for k in NEAR)
+        rises = 1.0 if told.tau_l is None else copysign(1, turning.push)
+        yield rises * below > 0 > rises * above
+        yield told.tau_l is not None or close(*(worth(side, top) for side in told.balance))
+        yield close(worth(told.tau_m, top), turning.push)
+        yield told.tau_l is None or close(worth(told.tau_l, top), turning.pull)

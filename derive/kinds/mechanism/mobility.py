@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from derive.derivation import Cell, Claim, Derivation, PageFacts, Phrase, Result, Table
+from derive.algebra.numbers.floats import number as at
+from derive.derivation import Cell, Derivation, Phrase, Table
 from derive.expression import Expr, Symbol, add, number
-from derive.kinds.checks import SECOND_ROUTE
 from derive.kinds.fields import NoOptions as Options
+from derive.kinds.mechanism._checks import claims_of
+from derive.kinds.mechanism._facts import Facts as Facts
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.mobility import FREEDOMS, LAMBDA, Joints, Mechanism, Space
@@ -16,24 +18,6 @@ HEADINGS = ("joint", "number", "freedoms", "constraints-of-each", "constraints-t
 OTHERS: dict[Space, tuple[Space, ...]] = {"spatial": ("planar", "spherical"), "planar": (), "spherical": ()}
 
 
-class Facts(PageFacts):
-    space: Space
-    bodies: Expr
-    pairs: Expr
-    loops: Expr
-    closed: bool
-    table: Table
-    coincident: tuple[tuple[Phrase | None, Expr, Expr, Expr], ...]  # joints: name, count, bodies, pairs
-    legs: tuple[tuple[str, Expr, Expr], ...]  # chain, count, bodies between
-    sign: int  # of the degrees of freedom
-    missing: Expr
-    idle: Expr | None
-    effective: Expr
-    may_spin: bool
-    others: tuple[tuple[Space, Expr], ...]
-    known: bool  # whether the formula does not see moving loops of so many revolute joints
-
-
 def derive(mechanism: Mechanism, options: Options, problem: Problem) -> Derivation:
     """dof = lambda (n - 1) - sum c_i (Lynch and Park, section 2.2)."""
     size = LAMBDA[mechanism.space]
@@ -42,12 +26,14 @@ def derive(mechanism: Mechanism, options: Options, problem: Problem) -> Derivati
     formulas = (free - C, number(size * (mechanism.bodies - 1)) - taken)
     work = Work(problem).line(C, _total(mechanism), value=taken, label="constraints")
     work = work.line(DOF, *formulas, value=number(mechanism.dof))
-    work = work.claim(Claim("loop-freedoms", SECOND_ROUTE, mechanism.by_loops == mechanism.dof))
-    return work.answer("mobility", _results(mechanism), _facts(mechanism, size))
+    told, results = _facts(mechanism, size), _results(mechanism)
+    dof, idle = (round(at(results[name], {})) if name in results else 0 for name in ("dof", "idle"))
+    work = work.claim(*claims_of(mechanism, work.steps, told, dof, idle))
+    return work.answer("mobility", results, told)
 
 
-def _results(mechanism: Mechanism) -> dict[str, Result]:
-    found: dict[str, Result] = {"dof": number(mechanism.dof)}
+def _results(mechanism: Mechanism) -> dict[str, Expr]:
+    found: dict[str, Expr] = {"dof": number(mechanism.dof)}
     if mechanism.rods:
         found |= {"idle": number(mechanism.rods), "effective": number(mechanism.dof - mechanism.rods)}
     return found

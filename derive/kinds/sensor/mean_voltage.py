@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from itertools import islice
+
+from derive.algebra.numbers.floats import Point
 from derive.algebra.numbers.floats import number as at
-from derive.derivation import Claim, Derivation, PageFacts
+from derive.derivation import Derivation, PageFacts, Step
+from derive.errors import NotDerivable
 from derive.expression import ONE, ZERO, Expr, Symbol, symbols
-from derive.kinds.checks import SECOND_ROUTE, close, random_points
+from derive.expression import replace as put_in
+from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
+from derive.kinds.sensor._oracle import mean_of_wave
 from derive.kinds.work import Work
 from derive.mechanics.sensing import PulseWidth
-from derive.names import named
 
 NEEDS = ("voltage",)
 MEAN, DUTY, PERIOD = symbols("U_m D T")
-SAMPLES = 1000
+DRAWS, POINTS = 200, 3
 
 
 class Facts(PageFacts):
@@ -25,13 +31,13 @@ class Facts(PageFacts):
     high: Expr
     low: Expr
     duty: Expr
-    law: tuple[Expr, Expr]
 
 
 def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivation:
     """The area under one period over its length."""
     work, (high,) = Work(problem).naming(U=voltage.high)
-    low, mean, duty = named("U_0", voltage.low, problem.taken), MEAN, DUTY
+    low: Expr = ZERO
+    mean, duty = MEAN, DUTY
     bipolar = problem.final(voltage.low) != ZERO
     if bipolar:
         work, (low,) = work.naming(U_0=voltage.low)
@@ -45,12 +51,13 @@ def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivatio
         work, (f,) = work.naming(f=voltage.frequency)
         work = work.worked("t_on", duty / f)
         results["t_on"] = work.final("t_on")
-    sampled = _sampled(voltage, problem, results)
-    work = work.claim(Claim("sampled-mean", SECOND_ROUTE, sampled))
+    work = work.showing(Step("mean_law", (mean, _mean(high, low, duty, bipolar)), "area"))
     facts = Facts(
         given=work.typed, bipolar=bipolar, inverse=voltage.duty is None, high=high, low=low, duty=duty,
-        timed=voltage.frequency is not None, law=(mean, _mean(high, low, duty, bipolar)),
+        timed=voltage.frequency is not None,
     )  # fmt: skip
+    work = work.claim(route("sampled-mean", _sampled(voltage, problem, results)))
+    work = work.claim(route("as-said", _said(voltage, work, facts)))
     return work.answer("mean-voltage", results, facts)
 
 
@@ -60,7 +67,7 @@ def _mean(high: Expr, low: Expr, duty: Expr, bipolar: bool) -> Expr:
 
 
 def _solved(
-    work: Work, voltage: PulseWidth, names: tuple[Symbol, Symbol, Symbol, Symbol], bipolar: bool
+    work: Work, voltage: PulseWidth, names: tuple[Symbol, Expr, Symbol, Symbol], bipolar: bool
 ) -> Work:
     high, low, mean, duty = names
     if voltage.duty is not None:
@@ -69,13 +76,42 @@ def _solved(
     return work.worked(duty.name, above / (high - low if bipolar else high))
 
 
-def _sampled(voltage: PulseWidth, problem: Problem, results: dict[str, Expr]) -> bool:
-    """In floats: switched sample by sample, with a part of a sample at the edge."""
-    for point in random_points(problem.symbols, 2):
-        high, low = (at(problem.final(level), point) for level in (voltage.high, voltage.low))
-        duty, mean = at(results["duty"], point), at(results["mean"], point)
-        shares = [min(1.0, max(0.0, duty * SAMPLES - k)) for k in range(SAMPLES)]
-        total = sum(share * high + (1 - share) * low for share in shares) / SAMPLES
-        if 0 <= duty <= 1 and not close(total, mean):
-            return False
-    return True
+def _sampled(voltage: PulseWidth, problem: Problem, results: dict[str, Expr]) -> Iterator[bool]:
+    """The wave switched in floats, for the duty and for the time on that are found; a given mean is that one.
+    Raises NotDerivable for a duty that no wave has."""
+    for point in islice(_points(problem, results["duty"]), POINTS):
+
+        def worth(tree: Expr, here: Point = point) -> float:
+            return at(problem.final(tree), here)
+
+        high, low, duty, mean = map(worth, (voltage.high, voltage.low, results["duty"], results["mean"]))
+        yield close(mean_of_wave(high, low, duty, 1.0), mean)
+        yield all(close(worth(given), duty) for given in (voltage.duty,) if given is not None)
+        yield all(close(worth(given), mean) for given in (voltage.mean,) if given is not None)
+        if voltage.frequency is not None:
+            frequency = worth(voltage.frequency)
+            yield close(frequency * at(results["t_on"], point), duty)
+            yield close(mean_of_wave(high, low, at(results["t_on"], point), 1 / frequency), mean)
+
+
+def _points(problem: Problem, duty: Expr) -> Iterator[Point]:
+    """Those at which the duty is one. Raises NotDerivable where there are none."""
+    found = [each for each in random_points(problem.symbols, DRAWS) if 0 <= at(duty, each) <= 1]
+    if not found:
+        raise NotDerivable("a duty is between 0 and 1, and no values make this one so", "duty")
+    yield from found
+
+
+def _said(voltage: PulseWidth, work: Work, told: Facts) -> Iterator[bool]:
+    """The names in the sentences stand for what is given, and the law for the area under the wave."""
+    problem, names = work.problem, work.definitions
+    typed = [(told.high, voltage.high), (told.low, voltage.low)]
+    typed += [] if voltage.duty is None else [(told.duty, voltage.duty)]
+    yield from (work.scalar(name) == work.scalar(tree) for name, tree in typed)
+    law = work.steps[-1].chain
+    for point in islice(_points(problem, problem.final(put_in(told.duty, names))), POINTS):
+        left, right, high, low, duty = (
+            at(problem.final(put_in(each, names)), point) for each in (*law, told.high, told.low, told.duty)
+        )
+        yield close([left, right], [mean_of_wave(high, low, duty, 1.0)] * 2)
+        yield told.bipolar == (told.low != ZERO)

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from math import tau
 
 from derive.algebra.numbers.floats import number as at
-from derive.derivation import Claim, Derivation, PageFacts
+from derive.derivation import Derivation, PageFacts
 from derive.expression import ONE, Expr, Symbol
-from derive.kinds.checks import SECOND_ROUTE, close, random_points
+from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.sensor._encoder import counted
+from derive.kinds.sensor._oracle import turned
 from derive.mechanics.sensing import Encoder, Incremental
 
 NEEDS = ("encoder",)
@@ -29,17 +31,26 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
     if gear:
         results["resolution_motor"] = work.final("Delta_m")
     results["resolution"] = work.final("Delta")
-    whole = _whole_turn(encoder, problem, results)
-    work = work.claim(Claim("whole-turn", SECOND_ROUTE, whole))
+    work = work.claim(route("whole-turn", _whole_turn(encoder, problem, results)))
+    if seen := [*_edge_by_edge(encoder, problem, results)]:
+        work = work.claim(route("edge-by-edge", seen))
     edges = encoder.disc.edges if isinstance(encoder.disc, Incremental) else None
     facts = Facts(edges=edges, gear=gear, gear_value=work[gear] if gear else None)
     return work.answer("resolution", results, facts)
 
 
-def _whole_turn(encoder: Encoder, problem: Problem, results: dict[str, Expr]) -> bool:
+def _whole_turn(encoder: Encoder, problem: Problem, results: dict[str, Expr]) -> Iterator[bool]:
     """In floats: counts of the disc, turns of the motor, and the angle of one make a full turn."""
     gear = problem.final(encoder.gear or ONE)
-    return all(
-        close(at(results["counts"], point) * at(gear, point) * at(results["resolution"], point), tau)
-        for point in random_points(problem.symbols, 3)
-    )
+    for point in random_points(problem.symbols, 3):
+        counts, angle = (at(results[name], point) for name in ("counts", "resolution"))
+        yield close(counts * at(gear, point) * angle, tau)
+
+
+def _edge_by_edge(encoder: Encoder, problem: Problem, results: dict[str, Expr]) -> Iterator[bool]:
+    """The disc turned once; none where its sizes are no whole numbers whatever the symbols."""
+    at_motor = results["resolution_motor"] if encoder.gear else results["resolution"]
+    for point, counts, gear in turned(encoder, problem.symbols, problem.final):
+        yield close(at(results["counts"], point), counts)
+        yield close(at(at_motor, point) * counts, tau)
+        yield close(at(results["resolution"], point) * gear * counts, tau)

@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from math import tau
 
 from pydantic import field_validator
 
 from derive.algebra.formulas.quantities import rational
+from derive.algebra.numbers.floats import Point
 from derive.algebra.numbers.floats import number as at
 from derive.derivation import Claim, Derivation, PageFacts
 from derive.expression import ONE, Call, Expr, Symbol, free_symbols
-from derive.kinds.checks import SECOND_ROUTE, close, random_points
+from derive.expression import replace as put_in
+from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import Formula, OptionsModel, Time
 from derive.kinds.problem import Problem
 from derive.kinds.sensor._encoder import DELTA, counted
+from derive.kinds.sensor._oracle import turned
+from derive.kinds.work import Work
 from derive.mechanics.sensing import Encoder
 
 NEEDS = ("encoder",)
@@ -67,13 +72,14 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
     results |= {"quantum": work.final("delta_omega"), "relative": work.final("relative")}
     share = Symbol("delta_omega") / speed
     last = work.steps[-1]
-    so_far = _so_far(encoder, options, problem, results)
     work = replace(
         work,
         uses=(base,),
         steps=(*work.steps[told:-1], replace(last, chain=(share, *last.chain[1:]))),
-        claims=(Claim("turned-so-far", SECOND_ROUTE, so_far),),
+        claims=(),
     )
+    work = work.claim(*_claims(encoder, options, problem, results, base))
+    work = work.claim(route("as-given", _as_given(work, options, n, T)))
     facts = Facts(
         given=tuple((name, value) for name, value in work.typed if name in (n, T)),
         n=n, T=T, gear=gear, numbers=("omega", "omega_motor", "quantum", "relative"),
@@ -81,16 +87,37 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
     return work.answer("speed", results, facts)
 
 
-def _so_far(encoder: Encoder, options: Options, problem: Problem, results: dict[str, Expr]) -> bool:
-    """In floats: the speed times the period is that share of a turn; one count more is a quantum more."""
-    turn = counted(problem, encoder)[0].final("N")
-    trees = [problem.final(e) for e in (options.counts, options.period, encoder.gear or ONE)]
-    trees += [turn, results["omega"], results["quantum"]]
-    symbols = sorted(frozenset().union(*map(free_symbols, trees)))
-    for point in random_points(symbols, 3):
-        n, T, gear, counts, omega, quantum = (at(tree, point) for tree in trees)
-        if not close(
-            [omega * T * gear * counts, omega + quantum], [tau * n, tau * (n + 1) / (counts * gear * T)]
-        ):
-            return False
-    return True
+def _claims(
+    encoder: Encoder, options: Options, problem: Problem, results: dict[str, Expr], base: Derivation
+) -> Iterator[Claim]:
+    """The encoder driven as fast as that for so long; by the counts of a turn where it cannot be built."""
+    counts, period, gear = (problem.final(e) for e in (options.counts, options.period, encoder.gear or ONE))
+    symbols = sorted(problem.symbols | free_symbols(counts) | free_symbols(period))
+    turn = base.scalar("counts")
+    built = [*turned(encoder, symbols, problem.final)]
+    driven = built or [(at_, at(turn, at_), at(gear, at_)) for at_ in random_points(symbols, 3)]
+    found = [
+        each
+        for point, edges, ratio in driven
+        for each in _driven(results, point, at(counts, point), at(period, point), edges, ratio)
+    ]
+    yield route("edge-by-edge" if built else "turned-so-far", found)
+
+
+def _driven(
+    results: dict[str, Expr], point: Point, n: float, T: float, edges: float, gear: float
+) -> Iterator[bool]:
+    """What is counted within T at the speed found and at a quantum more; what the motor does meanwhile."""
+    omega, quantum, relative = (at(results[name], point) for name in ("omega", "quantum", "relative"))
+    per_turn = edges * gear
+    yield close(omega * T * per_turn / tau, n)
+    yield close((omega + quantum) * T * per_turn / tau, n + 1)
+    yield close(relative * abs(n), 1.0)
+    if "omega_motor" in results:
+        yield close(at(results["omega_motor"], point) * T * edges / tau, n)
+
+
+def _as_given(work: Work, options: Options, n: Symbol, T: Symbol) -> Iterator[bool]:
+    """The names of what was counted, and in which time, stand for what is given."""
+    for name, typed in ((n, options.counts), (T, options.period)):
+        yield work.value(put_in(name, work.definitions)) == work.value(typed)

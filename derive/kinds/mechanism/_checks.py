@@ -1,0 +1,168 @@
+"""What a count of freedoms is held to: a mechanism built at random, and all that is said about it."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from derive.algebra.numbers.floats import number as at
+from derive.derivation import Claim, Phrase, Step, Table
+from derive.expression import number as _tree
+from derive.kinds.checks import route
+from derive.kinds.fields import TREES
+from derive.kinds.mechanism._facts import Facts
+from derive.mechanics.mobility import Mechanism, Space
+
+if TYPE_CHECKING:
+    from derive.kinds.mechanism._instance import Instance, Pair, Sort
+
+CLOSED_OUTSIDE: dict[Space, tuple[Space, ...]] = {
+    "spatial": ("planar", "spherical"),
+    "planar": (),
+    "spherical": (),
+}
+FLAT: dict[Space, set[str]] = {  # joints that are possible there
+    "planar": {"revolute", "prismatic"},
+    "spherical": {"revolute", "universal"},
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Built:
+    """A mechanism by its sorts of joints, and an instance of it where that is not too large."""
+
+    space: Space
+    bodies: int
+    sorts: tuple[Sort, ...]
+    instance: Instance | None
+    legs: tuple[tuple[Pair, ...], ...]
+    index: int
+
+    @staticmethod
+    def of(mechanism: Mechanism) -> Built:
+        """By its legs, where it is given by them, or else by its joints."""
+        from derive.kinds.mechanism import _instance as made
+
+        legs: tuple[tuple[Pair, ...], ...] = ()
+        size = len(made.COORDINATES[mechanism.space])
+        if mechanism.legs:
+            bodies = 2 + sum(count * (len(chain) - 1) for chain, count in mechanism.legs)
+            letters = [(made.LETTERS[x], count) for chain, count in mechanism.legs for x in chain]
+            sorts = tuple(made.Sort(name, count) for name, count in letters)
+        else:
+            bodies = mechanism.bodies
+            sorts = tuple(made.Sort(j.name, j.count, j.joining, j.constraints) for j in mechanism.joints)
+        instance = None
+        if size * bodies <= made.LARGEST:
+            if mechanism.legs:
+                instance, legs = made.of_legs(mechanism.space, mechanism.legs)
+            else:
+                instance = made.assembled(mechanism.space, bodies, sorts)
+        index = made.index(mechanism.space, bodies, sorts)
+        return Built(mechanism.space, bodies, sorts, instance, legs, index)
+
+    @property
+    def pairs(self) -> Counter[str]:
+        """How many there are of each sort."""
+        found = Counter[str]()
+        for each in self.sorts:
+            found[each.name] += each.count * (each.joining - 1)
+        return found
+
+    @property
+    def loops(self) -> int:
+        """Pairs beyond a tree of the bodies; of an instance by following it."""
+        return self.instance.loops if self.instance else self.pairs.total() - (self.bodies - 1)
+
+    def lying(self, space: Space) -> int | None:
+        """The index of the same joints in a plane or about a point; None where they cannot lie so."""
+        from derive.kinds.mechanism import _instance as made
+
+        possible = self.pairs.keys() <= FLAT[space]
+        return made.index(space, self.bodies, self.sorts) if possible else None
+
+
+def claims_of(
+    mechanism: Mechanism, steps: tuple[Step, ...], told: Facts, dof: int, idle: int
+) -> Iterator[Claim]:
+    """`dof` and `idle` are the results as they are printed, `told` is what the words say."""
+    built = Built.of(mechanism)
+    yield route("constraints-of-a-joint", (_is_counted(row, built) for row in told.table.rows))
+    yield route("as-written", _lines(steps, built, dof))
+    if built.instance is None:
+        yield route("random-joints", (dof == built.index,))
+    else:
+        yield route("random-instance", (dof == built.instance.motions - built.instance.repeated,))
+        if built.instance.motions == max(built.index, 0):
+            yield route("moves", (told.sign == _sign(built.instance.motions - built.instance.repeated),))
+    yield route("as-said", _said(mechanism, told, built))
+    if mechanism.legs and built.instance is not None:
+        yield route("idle-rods", (idle == sum(map(built.instance.spins, built.legs)),))
+
+
+def _lines(steps: tuple[Step, ...], built: Built, dof: int) -> Iterator[bool]:
+    """Each formula of the two lines in numbers; a line without one says nothing."""
+    from derive.kinds.mechanism import _instance as made
+
+    taken = len(made.COORDINATES[built.space]) * (built.bodies - 1) - built.index
+    for step, worth in zip(steps, (taken, dof), strict=True):
+        yield len(step.chain) > 1
+        yield from (at(expr, {"C": float(taken)}) == worth for expr in step.chain[1:])
+
+
+def _is_counted(row: tuple[object, ...], built: Built) -> bool:
+    """A row of the table: joint, number, freedoms, constraints of each, constraints together."""
+    from derive.kinds.mechanism import _instance as made
+
+    sort, *told = row
+    if not isinstance(sort, Phrase):
+        return False
+    count, freedoms, each, together = (round(at(cell, {})) for cell in told if isinstance(cell, TREES))
+    if sort.key == "other":
+        known = {s.constraints for s in built.sorts if not s.name}
+        right = each in known
+    else:
+        right = each == made.constraints_of(built.space, made.Sort(sort.key, 1))
+    return right and freedoms + each == len(made.COORDINATES[built.space]) and together == count * each
+
+
+def _sign(value: int) -> int:
+    return (value > 0) - (value < 0)
+
+
+def _said(mechanism: Mechanism, told: Facts, built: Built) -> Iterator[bool]:
+    """Everything the words tell, worked out again."""
+    pairs = built.pairs
+    yield told.space == built.space
+    yield [told.bodies, told.pairs, told.loops] == [*map(_tree, (built.bodies, pairs.total(), built.loops))]
+    yield told.closed == (built.loops > 0)
+    yield _totals(told.table) == {name or "other": count for name, count in pairs.items()}
+    yield told.sign == _sign(built.index) and told.missing == _tree(-built.index)
+    rods = mechanism.rods
+    yield told.idle == (_tree(rods) if rods else None) and told.effective == _tree(built.index - rods)
+    yield told.legs == tuple((chain, _tree(n), _tree(len(chain[1:]))) for chain, n in mechanism.legs)
+    several = [each for each in built.sorts if each.joining > 2]
+    yield told.coincident == tuple(
+        (Phrase(s.name) if s.name else None, *map(_tree, (s.count, s.joining, s.joining - 1)))
+        for s in several
+    )
+    others = [(space, built.lying(space)) for space in CLOSED_OUTSIDE[built.space] if built.loops > 0]
+    yield told.others == tuple(
+        (space, _tree(n)) for space, n in others if n is not None and n > 0 and n > built.index
+    )
+    spatial = built.space == "spatial" and built.loops > 0
+    yield told.may_spin == (spatial and not rods and pairs["spherical"] > 1)
+    yield told.known == (
+        spatial and built.loops == 1 and pairs.keys() == {"revolute"} and 3 < pairs.total() < 7
+    )
+
+
+def _totals(table: Table) -> dict[str, int]:
+    """The pairs of each sort by a table."""
+    found = Counter[str]()
+    for sort, count, *_ in table.rows:
+        if isinstance(sort, Phrase) and isinstance(count, TREES):
+            found[sort.key] += round(at(count, {}))
+    return dict(found)

@@ -1,0 +1,25 @@
+"""What the words read of a count of freedoms."""
+
+from __future__ import annotations
+
+from derive.derivation import PageFacts, Phrase, Table
+from derive.expression import Expr
+from derive.mechanics.mobility import Space
+
+
+class Facts(PageFacts):
+    space: Space
+    bodies: Expr
+    pairs: Expr
+    loops: Expr
+    closed: bool
+    table: Table
+    coincident: tuple[tuple[Phrase | None, Expr, Expr, Expr], ...]  # joints: name, count, bodies, pairs
+    legs: tuple[tuple[str, Expr, Expr], ...]  # chain, count, bodies between
+    sign: int  # of the degrees of freedom
+    missing: Expr
+    idle: Expr | None
+    effective: Expr
+    may_spin: bool
+    others: tuple[tuple[Space, Expr], ...]
+    known: bool  # whether the formula does not see moving loops of so many revolute joints
