@@ -27,6 +27,9 @@ STEP, ROUGH = 1e-4, 1e-6  # of differences, and how closely they tell a slope
 DRAWS = 200  # points among which some have positive inertias
 
 
+CLAIMS = ("gears-beside", "as-written")
+
+
 class Options(OptionsModel):
     """A gear that the drive has is left out of account."""
 

@@ -16,6 +16,7 @@ from derive.kinds.work import Work
 from derive.mechanics.sensing import Drive
 
 NEEDS = ("gear",)
+CLAIMS = ("same-energy", "as-said")
 
 
 class Facts(PageFacts):

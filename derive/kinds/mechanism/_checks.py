@@ -84,7 +84,7 @@ class Built:
         return made.index(space, self.bodies, self.sorts) if possible else None
 
 
-def claims_of(
+def proofs(
     mechanism: Mechanism, steps: tuple[Step, ...], told: Facts, dof: int, idle: int
 ) -> Iterator[Claim]:
     """`dof` and `idle` are the results as they are printed, `told` is what the words say."""

@@ -6,7 +6,7 @@ from derive.algebra.numbers.floats import number as at
 from derive.derivation import Cell, Derivation, Phrase, Table
 from derive.expression import Expr, Symbol, add, number
 from derive.kinds.fields import NoOptions as Options
-from derive.kinds.mechanism._checks import claims_of
+from derive.kinds.mechanism._checks import proofs
 from derive.kinds.mechanism._facts import Facts as Facts
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
@@ -16,6 +16,8 @@ C, DOF = Symbol("C"), Symbol("dof")
 MOVING_LOOPS = (4, 5, 6)  # revolute joints of single loops that move although the formula says they do not
 HEADINGS = ("joint", "number", "freedoms", "constraints-of-each", "constraints-together")
 OTHERS: dict[Space, tuple[Space, ...]] = {"spatial": ("planar", "spherical"), "planar": (), "spherical": ()}
+
+CLAIMS = ("constraints-of-a-joint", "as-written", "random-instance|random-joints", "as-said")
 
 
 def derive(mechanism: Mechanism, options: Options, problem: Problem) -> Derivation:
@@ -28,7 +30,7 @@ def derive(mechanism: Mechanism, options: Options, problem: Problem) -> Derivati
     work = work.line(DOF, *formulas, value=number(mechanism.dof))
     told, results = _facts(mechanism, size), _results(mechanism)
     dof, idle = (round(at(results[name], {})) if name in results else 0 for name in ("dof", "idle"))
-    work = work.claim(*claims_of(mechanism, work.steps, told, dof, idle))
+    work = work.claim(*proofs(mechanism, work.steps, told, dof, idle))
     return work.answer("mobility", results, told)
 
 

@@ -19,6 +19,7 @@ from derive.kinds.work import Work
 from derive.mechanics.sensing import PulseWidth
 
 NEEDS = ("voltage",)
+CLAIMS = ("sampled-mean", "as-said")
 MEAN, DUTY, PERIOD = symbols("U_m D T")
 DRAWS, POINTS = 200, 3
 

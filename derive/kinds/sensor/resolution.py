@@ -7,7 +7,7 @@ from math import tau
 
 from derive.algebra.numbers.floats import number as at
 from derive.derivation import Derivation, PageFacts
-from derive.expression import ONE, Expr, Symbol
+from derive.expression import ONE, Expr, Number, Symbol
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
@@ -16,6 +16,13 @@ from derive.kinds.sensor._oracle import turned
 from derive.mechanics.sensing import Encoder, Incremental
 
 NEEDS = ("encoder",)
+
+
+def claims_of(encoder: Encoder, options: Options) -> tuple[str, ...]:
+    """A disc whose size is a number is turned edge by edge."""
+    disc = encoder.disc
+    sizes = (disc.lines, disc.edges) if isinstance(disc, Incremental) else (disc.bits,)
+    return ("whole-turn", "edge-by-edge") if all(isinstance(x, Number) for x in sizes) else ("whole-turn",)
 
 
 class Facts(PageFacts):

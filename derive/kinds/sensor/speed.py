@@ -23,6 +23,7 @@ from derive.kinds.work import Work
 from derive.mechanics.sensing import Encoder
 
 NEEDS = ("encoder",)
+CLAIMS = ("edge-by-edge|turned-so-far", "as-given")
 OMEGA = Symbol("omega")
 
 
