@@ -33,6 +33,14 @@ lowest *tests:
 new-kind subject kind:
     python3 -m tests.scaffold {{subject}} {{kind}}
 
+# Mistakes planted into the code and the words, and what printed them: just mutants --count 500 --seed 1
+mutants *options:
+    python3 -m tests.mutants {{options}}
+
+# One wrong sign in one printed line, six lines a module, and which were printed
+lines *options:
+    python3 -m tests.mutants lines {{options}}
+
 # Rebuild the golden pages after a change that is meant; of some sheets: just golden -k week3
 golden *options:
     pytest tests/test_golden.py --update-golden {{options}}
