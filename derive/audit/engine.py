@@ -11,7 +11,18 @@ import sympy
 
 from derive.audit.asked import Asked, Beyond, Holds, Same, Test
 from derive.audit.budget import Exhausted, one_answer
-from derive.audit.points import DIGITS, NEAR, ROUNDED, Irrational, Number, Point, Value, agree, floating
+from derive.audit.points import (
+    DIGITS,
+    NEAR,
+    ROUNDED,
+    Irrational,
+    Number,
+    Point,
+    Value,
+    agree,
+    floating,
+    shown,
+)
 from derive.audit.registry import Auditor, angles_of, auditor
 from derive.audit.text import Unreadable
 
@@ -115,7 +126,7 @@ def _wrong(asked: Asked, test: Same | Holds, point: Point) -> Contradicted | Non
     if isinstance(test, Holds):
         return None if test.holds else Contradicted(test.name, "as printed", test.said)
     if test.name not in asked.results:
-        return Contradicted(test.name, "no such result", _shown(test.theirs))
+        return Contradicted(test.name, "no such result", shown(test.theirs))
     read = asked.result(test.name)
     near = ROUNDED if _rounded(read) else NEAR
     return next(_differences(test.name, read, point.each(read), test.theirs, near), None)
@@ -146,10 +157,10 @@ def _differences(
 ) -> Iterator[Contradicted]:
     """Where two values differ; numbers are as sure as the largest of those beside them lets them be."""
     if isinstance(ours, list) != isinstance(theirs, list):
-        yield Contradicted(name, _shown(ours), _shown(theirs))
+        yield Contradicted(name, shown(ours), shown(theirs))
     elif not isinstance(ours, list) or not isinstance(theirs, list):
         if not agree(ours, theirs, scale or 1, near):
-            yield Contradicted(name, f"{_short(read)} = {_shown(ours)}", _shown(theirs))
+            yield Contradicted(name, f"{_short(read)} = {shown(ours)}", shown(theirs))
     elif len(ours) != len(theirs):
         yield Contradicted(name, f"{len(ours)} entries", f"{len(theirs)}")
     else:
@@ -173,12 +184,6 @@ def _rounded(read: Any) -> bool:
 def _short(expr: Any, most: int = 60) -> str:
     text = str(expr)
     return text if len(text) <= most else text[:most] + "..."
-
-
-def _shown(value: Value) -> str:
-    if isinstance(value, list):
-        return "[" + ", ".join(map(_shown, value)) + "]"
-    return str(mpmath.nstr(floating(value), 10))
 
 
 def counted(outcomes: Sequence[Outcome]) -> Mapping[str, int]:

@@ -7,7 +7,7 @@ What is irrational (`Irrational` is raised) sends the engine to the same point i
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from fractions import Fraction
 from hashlib import sha256
 from math import isqrt
@@ -19,10 +19,11 @@ import sympy
 from derive.audit.budget import spend
 
 Number: TypeAlias = "Fraction | mpmath.mpf | mpmath.mpc"
-Value: TypeAlias = "Number | list[Value]"
+Value: TypeAlias = "Number | Sequence[Value]"
 
 DIGITS = 60
 NEAR = mpmath.mpf(10) ** -35  # of numbers with 60 digits
+LEAST = mpmath.mpf(10) ** -12  # numbers smaller than this are compared as if they were as large
 ROUNDED = mpmath.mpf(10) ** -9  # where one of them is a float
 
 
@@ -63,6 +64,14 @@ class Point:
             spend(1)
             self._known[expr] = self._value(expr)
         return self._known[expr]
+
+    def vector(self, exprs: Sequence[sympy.Expr]) -> list[Number]:
+        """The values of a list of expressions."""
+        return [self.at(expr) for expr in exprs]
+
+    def matrix(self, rows: Sequence[Sequence[sympy.Expr]]) -> list[list[Number]]:
+        """The values of rows of expressions."""
+        return [self.vector(row) for row in rows]
 
     def each(self, exprs: object) -> Value:
         """The values of nested lists (or a SymPy matrix) of expressions."""
@@ -105,9 +114,13 @@ class Point:
             turned = turned[0] * c - turned[1] * s, turned[1] * c + turned[0] * s
         return turned
 
+    def seed_of(self, name: str) -> int:
+        """What the value of a name is drawn by."""
+        return self.seed
+
     def _drawn(self, name: str) -> Fraction:
         """A rational number for a name, the same whenever it is asked for."""
-        digest = sha256(f"{self.seed}:{name}".encode()).digest()
+        digest = sha256(f"{self.seed_of(name)}:{name}".encode()).digest()
         top, bottom = 1 + int.from_bytes(digest[:4], "big") % 41, 1 + int.from_bytes(digest[4:8], "big") % 23
         known = self.assumptions.get(name, "")
         negative = digest[8] % 2 and known not in ("positive", "nonnegative")
@@ -169,7 +182,9 @@ class Point:
         if expr is sympy.I:
             return mpmath.mpc(0, 1)
         if expr.is_Float or expr.is_NumberSymbol:
-            return mpmath.mpf(getattr(sympy.N(expr, DIGITS), "_mpf_", 0))  # a float that is zero has none
+            return mpmath.mpf(
+                getattr(sympy.N(expr, mpmath.mp.dps), "_mpf_", 0)
+            )  # a float that is zero has none
         function = getattr(mpmath, type(expr).__name__, None)
         if function is None:
             raise TypeError(f"no value is known of {type(expr).__name__}")
@@ -191,7 +206,8 @@ def agree(ours: Number, theirs: Number, scale: Number = 1, near: mpmath.mpf = NE
     numbers beside them."""
     if isinstance(ours, Fraction | int) and isinstance(theirs, Fraction | int):
         return ours == theirs
-    return bool(abs(floating(ours) - floating(theirs)) <= near * max(abs(scale), abs(floating(theirs))))
+    size = max(abs(floating(scale)), abs(floating(theirs)), LEAST)
+    return bool(abs(floating(ours) - floating(theirs)) <= near * size)
 
 
 def floating(value: Number) -> mpmath.mpf:
@@ -201,3 +217,10 @@ def floating(value: Number) -> mpmath.mpf:
         if isinstance(value, Fraction)
         else mpmath.mpmathify(value)
     )
+
+
+def shown(value: Value) -> str:
+    """Ten digits of numbers, to be told."""
+    if isinstance(value, list):
+        return "[" + ", ".join(map(shown, value)) + "]"
+    return str(mpmath.nstr(floating(value), 10))

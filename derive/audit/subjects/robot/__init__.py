@@ -8,12 +8,33 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from derive.audit.subjects.robot.kinematics import forward_kinematics
+from derive.audit.subjects.robot import dynamics, kinematics
 from derive.expression import Expr, free_symbols
 from derive.mechanics.robot import DHRow, FreeRow, Robot, ScrewRow
 
 KINDS = {
-    "forward-kinematics": forward_kinematics,
+    "forward-kinematics": kinematics.forward_kinematics,
+    "joint-axes": kinematics.joint_axes,
+    "jacobian": kinematics.jacobian,
+    "velocity": kinematics.velocity,
+    "jacobian-derivative": kinematics.jacobian_derivative,
+    "statics": kinematics.statics,
+    "inverse-velocity": kinematics.inverse_velocity,
+    "product-of-exponentials": kinematics.product_of_exponentials,
+    "space-jacobian": kinematics.space_jacobian,
+    "inertia-matrix": dynamics.inertia_matrix,
+    "christoffel": dynamics.christoffel,
+    "coriolis-matrix": dynamics.coriolis_matrix,
+    "coriolis-matrices": dynamics.coriolis_matrices,
+    "gravity": dynamics.gravity,
+    "energy": dynamics.energy,
+    "dynamics": dynamics.dynamics,
+    "newton-euler": dynamics.newton_euler,
+    "forward-dynamics": dynamics.forward_dynamics,
+    "operational-space-inertia": dynamics.operational_space_inertia,
+    "state-space": dynamics.state_space,
+    "properties": dynamics.properties,
+    "regressor": dynamics.regressor,
 }
 
 

@@ -104,7 +104,13 @@ class Arm:
         return np.vstack([self.linear(T[:3, 3] if p is None else p), self.angular(T[:3, :3])])
 
 
-def numbers(array: Array) -> list[object]:
-    """An array at the configuration itself, as nested lists."""
-    found: list[object] = values(array).tolist()
+def numbers(matrix: Array) -> list[list[Number]]:
+    """A matrix of series at the configuration itself, as rows."""
+    found: list[list[Number]] = values(matrix).tolist()
+    return found
+
+
+def entries(vector: Array) -> list[Number]:
+    """A vector of series at the configuration itself."""
+    found: list[Number] = values(vector).tolist()
     return found

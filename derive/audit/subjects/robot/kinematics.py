@@ -1,20 +1,247 @@
-"""Poses and velocities: forward kinematics, joint axes and Jacobians."""
+"""Poses and velocities: forward kinematics, joint axes, Jacobians and what is made of them."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
-from derive.audit.asked import Asked, Same, Test
-from derive.audit.points import Point
-from derive.audit.subjects.robot.arm import Arm, numbers
+import numpy as np
+import sympy
+
+from derive.audit.asked import Asked, Beyond, Same, Test
+from derive.audit.points import Number, Point
+from derive.audit.subjects.robot.arm import Arm, entries, numbers
+from derive.audit.subjects.robot.displacements import UNITS, rotation
+from derive.audit.subjects.robot.linear import product, solve, transposed
+from derive.audit.subjects.robot.series import Array, Series, diff, values
+from derive.audit.subjects.robot.task import ROWS, Task
+
+FORCES = dict(zip(ROWS, ("fx", "fy", "fz", "mx", "my", "mz"), strict=True))
 
 
 def forward_kinematics(asked: Asked, point: Point) -> Iterator[Test]:
-    """T_i^{i-1} and the whole pose, the tool included."""
-    arm = Arm(asked, point, 0)
+    """T_i^{i-1} and the whole pose, the tool included; of screws each of them too."""
+    arm = Arm(asked, point, 1)
     links = len(arm.local)
     to = asked.options.to or links
-    if not arm.robot.by_screws:
-        for i in range(1, to + 1):
+    for i in range(1, to + 1):
+        if f"T_{i}^{i - 1}" in asked.results:
             yield Same(f"T_{i}^{i - 1}", numbers(arm.local[i - 1]))
+    if arm.robot.by_screws:
+        yield from screws(arm)
     yield Same(f"T_{to}^0", numbers(arm.end if to == links else arm.poses[to]))
+
+
+def screws(arm: Arm) -> Iterator[Test]:
+    """M, and S_i and E_i of each joint: [S_i] is the derivative of e^{[S_i] q_i} where it is the identity."""
+    if "M" in arm.asked.results:
+        yield Same("M", numbers(arm.tool))
+    for i, E in enumerate(arm.local, 1):
+        if f"E_{i}" in arm.asked.results:
+            yield Same(f"E_{i}", numbers(E))
+        variable = arm.robot.links[i - 1].variable
+        if f"S_{i}" in arm.asked.results and variable:
+            S = diff(E, arm.robot.variables.index(variable)) @ inverse_pose(E)
+            yield Same(f"S_{i}", entries(twist(S)))
+
+
+def twist(S: Array) -> Array:
+    """(v, w) of a matrix [S] (4 by 4)."""
+    return np.array([*S[:3, 3], S[2, 1], S[0, 2], S[1, 0]], dtype=object)
+
+
+def inverse_pose(T: Array) -> Array:
+    """T^-1 of a displacement."""
+    R, p = T[:3, :3].T, T[:3, 3]
+    found = np.array([[*row, 0] for row in R] + [[0, 0, 0, 1]], dtype=object)
+    found[:3, 3] = -(R @ p)
+    return found
+
+
+def product_of_exponentials(asked: Asked, point: Point) -> Iterator[Test]:
+    """The same of an arm given by rows: the joints' axes while all of them are at zero, the pose there."""
+    arm = Arm(asked, point, 1)
+    yield Same(f"T_{len(arm.local)}^0", numbers(arm.end))
+    if arm.robot.by_screws:
+        yield from screws(arm)
+        return
+    zero = {name: sympy.Integer(0) for name in arm.robot.variables}
+    home = Arm(asked, Point(point.seed, point.exact, point.angles, point.assumptions, zero), 1)
+    yield Same("M", numbers(home.end))
+    whole: Array = np.eye(4, dtype=object) * 1
+    for i in range(arm.n):
+        S = diff(home.end, i) @ inverse_pose(home.end)
+        yield Same(f"S_{i + 1}", entries(twist(S)))
+        E = _exponential(values(S), arm, i)
+        yield Same(f"E_{i + 1}", E.tolist())
+        whole = whole @ E
+
+
+def _exponential(S: Array, arm: Arm, i: int) -> Array:
+    """e^{[S] q_i} of a unit screw (Lynch and Park, proposition 3.25)."""
+    q = arm.q[i]
+    R, v = S[:3, :3], S[:3, 3]
+    found: Array = np.eye(4, dtype=object) * 1
+    if not R.any():
+        found[:3, 3] = v * arm.point.at(q)
+        return found
+    c, s = arm.point.turn(q)
+    one: Array = np.eye(3, dtype=object) * 1
+    found[:3, :3] = one + R * s + R @ R * (1 - c)
+    pitch = np.array([S[2, 1], S[0, 2], S[1, 0]], dtype=object) @ v
+    along = pitch * arm.point.at(q) if pitch else 0
+    w = np.array([S[2, 1], S[0, 2], S[1, 0]], dtype=object)
+    found[:3, 3] = (one - found[:3, :3]) @ np.cross(w, v) + w * along
+    return found
+
+
+def joint_axes(asked: Asked, point: Point) -> Iterator[Test]:
+    """z_k and o_k: third and fourth column of the pose of frame k."""
+    arm = Arm(asked, point, 0)
+    for name in asked.results:
+        if found := re.fullmatch(r"([zo])_(\d+)", name):
+            column = 2 if found[1] == "z" else 3
+            yield Same(name, entries(arm.poses[int(found[2])][:3, column]))
+        else:
+            yield Beyond(name, "no column of a pose")
+
+
+def jacobian(asked: Asked, point: Point) -> Iterator[Test]:
+    """J of the point, in the frame and with the rows asked for."""
+    task = Task(Arm(asked, point, 1))
+    J, options = values(task.whole), asked.options
+    if options.kind == "analytic":
+        J = np.vstack([J[:3], _rates(asked, point, J[3:])])
+    elif options.frame == "tool":
+        R = values(task.pose[:3, :3])
+        J = np.vstack([R.T @ J[:3], R.T @ J[3:]])
+    names = options.rows or ROWS
+    yield Same("J", J[[ROWS.index(name) for name in names]].tolist())
+
+
+def _rates(asked: Asked, point: Point, angular: Array) -> Array:
+    """The rates of the Euler angles that make an angular velocity (3 by n): w = T rates, and the columns of T
+    are read out of dR R^T."""
+    order, names = asked.options.convention, asked.options.angles or ("phi", "theta", "psi")
+    if not _names(asked, "J") >= set(names) and not _names(asked, "J") & set(names):
+        raise NotImplementedError("the names of the angles are not known")
+    turns = []
+    for k, (axis, name) in enumerate(zip(order.lower(), names, strict=True)):
+        c, s = point.turn(sympy.Symbol(name))
+        change = Series({(k,): point.number(1)}, 1)
+        w = np.array(UNITS[axis], dtype=object)
+        turns.append(rotation((-s * change + c, c * change + s), w))
+    R = turns[0] @ turns[1] @ turns[2] if order.isupper() else turns[2] @ turns[1] @ turns[0]
+    columns = []
+    for k in range(3):
+        S = values(diff(R, k)) @ values(R).T
+        columns.append([S[2, 1], S[0, 2], S[1, 0]])
+    return np.array(solve(transposed(columns), angular.tolist()), dtype=object)
+
+
+def _names(asked: Asked, name: str) -> set[str]:
+    """The names in a result."""
+    return {str(symbol) for row in asked.result(name) for entry in row for symbol in entry.free_symbols}
+
+
+def velocity(asked: Asked, point: Point) -> Iterator[Test]:
+    """J times the rates."""
+    task = Task(Arm(asked, point, 1))
+    whole = values(task.whole) @ rates(task.arm)
+    yield Same("v", whole[:3].tolist())
+    yield Same("omega", whole[3:].tolist())
+
+
+def rates(arm: Arm, order: str = "dot") -> Array:
+    """The rates of the joint variables (n), or their accelerations."""
+    return np.array([arm.point[f"{name}_{order}"] for name in arm.robot.variables], dtype=object)
+
+
+def along(array: Array, rate: Array) -> Array:
+    """The derivative of an array of series by time."""
+    found: Array = sum(
+        (values(diff(array, i)) * speed for i, speed in enumerate(rate)), np.zeros(array.shape, object)
+    )
+    return found
+
+
+def jacobian_derivative(asked: Asked, point: Point) -> Iterator[Test]:
+    """The derivative of J by time, and what it adds to the acceleration."""
+    task = Task(Arm(asked, point))
+    names = asked.options.rows or task.moving
+    J_dot = along(task.rows(names), rates(task.arm))
+    yield Same("J_dot", J_dot.tolist())
+    yield Same("bias", (J_dot @ rates(task.arm)).tolist())
+
+
+def statics(asked: Asked, point: Point) -> Iterator[Test]:
+    """J^T F."""
+    task = Task(Arm(asked, point, 1))
+    force, names = asked.options.force, _loaded(task)
+    if force is None:
+        F = [point[_force_name(asked, name)] for name in names]
+    else:
+        F = [point.at(asked.formula(part)) for part in force]
+    J = numbers(task.rows(names))
+    yield Same("tau", [sum(a * f for a, f in zip(column, F, strict=True)) for column in transposed(J)])
+
+
+def _loaded(task: Task) -> tuple[str, ...]:
+    """The rows asked for; else as many of those that move as the force has components."""
+    options, moving = task.arm.asked.options, task.moving
+    if options.rows:
+        return tuple(options.rows)
+    linear = tuple(name for name in moving if name[0] == "v")
+    if options.force is None:
+        return linear or moving
+    n = len(options.force)
+    choices = (linear, moving, ("vx", "vy"), ("vx", "vy", "vz"), ("vx", "vy", "wz"), ROWS)
+    return next((names for names in choices if len(names) == n), linear)
+
+
+def _force_name(asked: Asked, row: str) -> str:
+    """fx, or f_ex where the sheet means something else by that."""
+    name = FORCES[row]
+    return name if name not in taken(asked) else f"{name[0]}_e{name[1]}"
+
+
+def taken(asked: Asked) -> set[str]:
+    """Every name that stands in the subject or under `where`."""
+    found = set(asked.where)
+    pending: list[object] = [asked.subject, *asked.where.values()]
+    while pending:
+        part = pending.pop()
+        if isinstance(part, list | tuple):
+            pending.extend(part)
+        elif hasattr(part, "name") and not getattr(part, "links", ()) and type(part).__name__ == "Symbol":
+            found.add(part.name)
+        elif slots := getattr(type(part), "__dataclass_fields__", None):
+            pending.extend(getattr(part, slot) for slot in slots)
+    return found
+
+
+def inverse_velocity(asked: Asked, point: Point) -> Iterator[Test]:
+    """qdot: of all that come nearest to v, the smallest."""
+    task = Task(Arm(asked, point, 1))
+    J = task.J
+    v = [[point[name]] for name in task.names]
+    m, n = len(J), len(J[0])
+    if m == n:
+        qdot = solve(J, v)
+    elif m < n:
+        qdot = product(transposed(J), solve(product(J, transposed(J)), v))
+    else:
+        qdot = solve(product(transposed(J), J), product(transposed(J), v))
+    yield Same("qdot", [row[0] for row in qdot])
+
+
+def space_jacobian(asked: Asked, point: Point) -> Iterator[Test]:
+    """Column i is the twist dT/dq_i T^-1, in the frame of the end-effector T^-1 dT/dq_i."""
+    arm = Arm(asked, point, 1)
+    T = arm.end
+    columns: list[list[Number]] = []
+    for i in range(arm.n):
+        dT = values(diff(T, i))
+        S = dT @ values(inverse_pose(T)) if asked.options.frame == "space" else values(inverse_pose(T)) @ dT
+        columns.append(twist(S).tolist())
+    yield Same("J_s" if asked.options.frame == "space" else "J_b", transposed(columns))

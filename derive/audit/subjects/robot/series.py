@@ -87,7 +87,7 @@ def values(array: Array) -> Array:
 
 def diff(array: Array, i: int) -> Array:
     """An array of series, each differentiated by variable i."""
-    return mapped(array, lambda entry: entry.diff(i))
+    return mapped(array, lambda entry: entry.diff(i) if isinstance(entry, Series) else 0)
 
 
 def mapped(array: Array, change: Any) -> Array:
