@@ -39,8 +39,9 @@ from derive.expression import (
     symbols,
     transpose,
 )
-from derive.kinds.checks import agreement, close, is_rotation, law, links, random_points
+from derive.kinds.checks import agreement, close, is_rotation, law, random_points
 from derive.kinds.fields import Evaluation, NoOptions, OptionsModel, Quantity
+from derive.kinds.links import links
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.names import free, named

@@ -1,61 +1,23 @@
-"""What every derivation is held to: links between the steps, laws, and a second route in numbers."""
+"""What an answer is held to beside its links: laws, and a second route in numbers. Each counts its tries."""
 
 from __future__ import annotations
 
 import random
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import suppress
-from dataclasses import replace as fields_replaced
-from itertools import pairwise
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import Names, Walk, walk_over
-from derive.algebra.numbers.floats import Point, completed, numbers
-from derive.algebra.values import Value
-from derive.derivation import Claim, Said, Step
-from derive.errors import NotDerivable, NotReal
-from derive.expression import Approximate, Expr, Indexed, Matrix, Number, Symbol, free_symbols, replace, walk
+from derive.derivation import Claim, Said
+from derive.errors import NotReal
+from derive.expression import Number, walk
 from derive.kinds.problem import expressions
 
 NORMAL_FORM = "normal-form"
 SECOND_ROUTE = "independent-route"
+FLOATS = "floating-point"
 TOLERANCE = 1e-9
 FAR = 1e12  # times as large: of the sum of such floats a claim at 1e-9 has too few digits left
 TRIES = 40  # points drawn for those that count
-
-
-def links(steps: Iterable[Step], names: Names) -> tuple[Claim, ...]:
-    """Each chain equal from end to end; one claim a step, inner steps included.
-
-    A step by rule "law" states what holds in general: it is compared in the case that is its instance.
-    """
-    inner = [each for step in steps for each in step.all()]
-    chains = {step.name: _exact(step, names) for step in inner if step.rule != "law"}
-    walk_of = walk_over([expr for chain in chains.values() for expr in chain], names)
-    found = tuple(_link(name, chain, walk_of) for name, chain in chains.items() if len(chain) > 1)
-    return (*found, *(in_its_instance(step, names) for step in inner if step.rule == "law" and step.instance))
-
-
-def in_its_instance(law: Step, names: Names) -> Claim:
-    """A law that holds in general, compared in one case: by normal form, in numbers where it has none."""
-    chain = tuple(replace(expr, law.instance) for expr in law.chain)
-    with suppress(NotDerivable):
-        claim = _link(law.name, chain, walk_over(chain, names))
-        if claim.holds or any(isinstance(node, Matrix) for expr in chain for node in walk(expr)):
-            return fields_replaced(claim, tried=len(chain) - 1)
-    return fields_replaced(_in_numbers(law.name, chain, names), link=True)
-
-
-def _in_numbers(name: str, chain: tuple[Expr, ...], names: Names) -> Claim:
-    """A chain compared at random points of what its names rest on."""
-    where = {each.name: value for each, value in names.items() if isinstance(each, Symbol)}
-    needed = frozenset().union(*map(free_symbols, (*chain, *where.values()))) - where.keys()
-
-    def ends(side: slice) -> Callable[[Point], list[Any]]:
-        return lambda at: [numbers(expr, completed(at, where)) for expr in chain[side]]
-
-    return agreement("links", needed, ends(slice(None, -1)), ends(slice(1, None)), step=name)
 
 
 def law(key: str, holds: bool | Iterable[bool], **about: Said) -> Claim:
@@ -144,26 +106,3 @@ def is_rotation(R: ScalarMatrix, name: str = "R") -> tuple[Claim, ...]:
         law("orthogonal", ScalarMatrix.identity(3) == R.T @ R, R=name),
         law("right-handed", R.det() == 1, R=name),
     )
-
-
-def _exact(step: Step, names: Names) -> tuple[Expr, ...]:
-    """The chain without rounded numbers, and without a name at its head that it defines."""
-    chain = step.chain
-    if chain and isinstance(chain[0], Symbol | Indexed) and chain[0] not in names:
-        chain = chain[1:]
-    return tuple(expr for expr in chain if not _rounded(expr))
-
-
-def _link(name: str, chain: tuple[Expr, ...], walk_of: Walk) -> Claim:
-    values = [_plain(walk_of.value(expr)) for expr in chain]
-    holds = all(a == b for a, b in pairwise(values))
-    return Claim("links", NORMAL_FORM, holds, {"step": name}, link=True)
-
-
-def _plain(value: Value) -> Value:
-    """A product such as g^T o is a scalar, though a matrix of one entry."""
-    return value[0, 0] if isinstance(value, ScalarMatrix) and value.shape == (1, 1) else value
-
-
-def _rounded(expr: Expr) -> bool:
-    return any(isinstance(node, Approximate) for node in walk(expr))

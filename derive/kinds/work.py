@@ -25,7 +25,8 @@ from derive.errors import FormulaError, NotDerivable
 from derive.expression import Degrees, Expr, Indexed, Matrix, Symbol, free_symbols
 from derive.expression import replace as put_in
 from derive.kinds.chains import closing, distinct, piled
-from derive.kinds.checks import TOLERANCE, agreement, law, links
+from derive.kinds.checks import TOLERANCE, agreement, law
+from derive.kinds.links import links
 from derive.kinds.problem import Problem
 from derive.names import NAMESAKE, named
 

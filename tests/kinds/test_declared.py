@@ -11,8 +11,9 @@ from derive.algebra.scalar import Scalar
 from derive.build import derive_all
 from derive.derivation import Step
 from derive.errors import NotAsWritten, SheetErrors
-from derive.expression import Call, Expr, Matrix, Symbol, negate, number, symbols, transpose
-from derive.kinds.checks import agreement, law, links, route
+from derive.expression import Approximate, Call, Expr, Matrix, Symbol, negate, number, symbols, transpose
+from derive.kinds.checks import agreement, law, route
+from derive.kinds.links import links
 from derive.kinds.motion import rotation_matrix
 from derive.sheet.load import load_sheet
 
@@ -54,6 +55,25 @@ def test_a_law_without_a_normal_form_is_tried_in_numbers(sign: int, holds: bool)
     instance: dict[Expr, Expr] = {A: X * X + 1, B: X, C: number(2)}
     (claim,) = links([Step("law", (Call("atan2", (B, C)), both), "law", instance=instance)], {})
     assert (claim.holds, claim.tried) == (holds, 3)
+
+
+def test_a_name_beside_its_own_definition_is_no_claim() -> None:
+    known: dict[Expr, Expr] = {A: matrix((1, 2))}
+    assert links([Step("A", (A, matrix((1, 2))))], known) == ()
+    assert links([Step("B", (B, matrix((1, 2))))], known) == ()
+    (claim,) = links([Step("A", (A, matrix((1, 3))))], known)
+    assert not claim.holds
+
+
+def test_steps_of_the_same_name_are_compared_each() -> None:
+    right, wrong = Step("x", (X, X + 0 * A, X)), Step("x", (X, X + X, X))
+    assert [claim.holds for claim in links([wrong, right], {X: A})] == [False, True]
+
+
+@pytest.mark.parametrize(("rounded", "holds"), [(1.4142135623730951, True), (1.4142035, False)])
+def test_a_rounded_number_is_what_stands_before_it(rounded: float, holds: bool) -> None:
+    (claim,) = links([Step("x", (X, Call("sqrt", (A,)), Approximate(rounded)))], {A: number(2)})
+    assert (claim.holds, claim.by) == (holds, "floating-point")
 
 
 @pytest.mark.parametrize("names", [("orthogonal", "never-made"), ("never-made|neither",)])

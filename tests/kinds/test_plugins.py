@@ -16,8 +16,9 @@ MODULE = '''
 """The trace of the rotation."""
 from derive.derivation import Derivation, Step
 from derive.expression import Symbol
-from derive.kinds.checks import law, links
+from derive.kinds.checks import law
 from derive.kinds.fields import OptionsModel
+from derive.kinds.links import links
 
 
 class Options(OptionsModel):

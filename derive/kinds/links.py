@@ -1,0 +1,97 @@
+"""Links: each chain of a derivation is equal from end to end, laws in the instance in which they are tried.
+
+What says nothing is no claim: a name beside its own definition, or a chain of one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import replace as fields_replaced
+from itertools import pairwise
+from typing import Any
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import Names, Walk, walk_over
+from derive.algebra.numbers.floats import Point, completed, numbers
+from derive.algebra.values import Value
+from derive.derivation import Claim, Step
+from derive.errors import NotDerivable
+from derive.expression import Approximate, Expr, Indexed, Matrix, Symbol, free_symbols, replace, walk
+from derive.kinds.checks import FLOATS, NORMAL_FORM, agreement
+
+
+def links(steps: Iterable[Step], names: Names) -> tuple[Claim, ...]:
+    """One claim for each chain, inner steps included, and one more for each number that is rounded.
+
+    A step by rule "law" states what holds in general: it is compared in the case that is its instance.
+    """
+    inner = [each for step in steps for each in step.all()]
+    chains = [(step.name, _with_content(step, names)) for step in inner if step.rule != "law"]
+    exact = [(name, [expr for expr in chain if not _rounded(expr)]) for name, chain in chains]
+    walk_of = walk_over([expr for _, chain in exact for expr in chain], names)
+    found = [_link(name, chain, walk_of) for name, chain in exact if len(chain) > 1]
+    found += [claim for name, chain in chains for claim in _in_floats(name, chain, walk_of)]
+    return (*found, *(in_its_instance(step, names) for step in inner if step.rule == "law" and step.instance))
+
+
+def _with_content(step: Step, names: Names) -> tuple[Expr, ...]:
+    """The chain without a name at its head that it defines, or whose definition stands in it."""
+    head, *rest = step.chain or (None,)
+    if isinstance(head, Symbol | Indexed) and (head not in names or names[head] in rest):
+        return tuple(dict.fromkeys(rest))
+    return step.chain
+
+
+def _link(name: str, chain: Sequence[Expr], walk_of: Walk) -> Claim:
+    values = [_plain(walk_of.value(expr)) for expr in chain]
+    holds = all(a == b for a, b in pairwise(values))
+    return Claim("links", NORMAL_FORM, holds, {"step": name}, link=True, tried=len(chain) - 1)
+
+
+def _plain(value: Value) -> Value:
+    """A product such as g^T o is a scalar, though a matrix of one entry."""
+    return value[0, 0] if isinstance(value, ScalarMatrix) and value.shape == (1, 1) else value
+
+
+# -- in numbers -----------------------------------------------------------------------------------
+
+
+def _in_floats(name: str, chain: Sequence[Expr], walk_of: Walk) -> Iterator[Claim]:
+    """Rounded numbers are what stands before them comes to; no claim where no numbers are had of that."""
+    for before, rounded in pairwise(chain):
+        if _rounded(rounded):
+            with suppress(NotDerivable):
+                value = before if _rounded(before) else _plain(walk_of.value(before))
+                yield _same_numbers(name, (value,), (rounded,), (before, rounded), walk_of.names)
+
+
+def in_its_instance(law: Step, names: Names) -> Claim:
+    """A law that holds in general, compared in one case: by normal form, else in numbers where it can be."""
+    chain = tuple(replace(expr, law.instance) for expr in law.chain)
+    with suppress(NotDerivable):
+        claim = _link(law.name, chain, walk_over(chain, names))
+        if claim.holds or any(isinstance(node, Matrix) for expr in chain for node in walk(expr)):
+            return claim
+    return _same_numbers(law.name, chain[:-1], chain[1:], chain, names)
+
+
+def _same_numbers(
+    name: str, ours: Sequence[Expr | Value], other: Sequence[Expr], trees: Sequence[Expr], names: Names
+) -> Claim:
+    """At random points of all that the trees and the definitions of names rest on."""
+    where = {each.name: value for each, value in names.items() if isinstance(each, Symbol)}
+    letters = frozenset().union(*map(free_symbols, (*trees, *where.values()))) - where.keys()
+
+    def at_points(values: Sequence[Expr | Value]) -> Callable[[Mapping[str, float]], list[Any]]:
+        def found(at: Point) -> list[Any]:
+            return [numbers(value, completed(at, where)) for value in values]
+
+        return found
+
+    claim = agreement("links", letters, at_points(ours), at_points(other), step=name)
+    return fields_replaced(claim, by=FLOATS, link=True)
+
+
+def _rounded(expr: Expr) -> bool:
+    return any(isinstance(node, Approximate) for node in walk(expr))
