@@ -14,6 +14,8 @@ from derive.audit.text import Json, Names, Unreadable, sympy_of_text
 from derive.audit.trees import names_of, sympy_of
 from derive.expression import Expr
 
+EVALUATED = "evaluated "
+
 
 @dataclass(frozen=True)
 class Asked:
@@ -50,23 +52,49 @@ class Asked:
         raise Unreadable(f"{text!r} is no formula")
 
     @cached_property
+    def here(self) -> Point:
+        """Where the author wants numbers; a name without a value there is drawn."""
+        fixed = {name: self.formula(value) for name, value in (self.evaluate or {}).items()}
+        return Point(0, False, (), self.assumptions, fixed)
+
+    def place_of(self, name: str, point: Point) -> Point:
+        """Where a result is tried: at the point, but one in numbers where the author wants them."""
+        return self.here if name.startswith(EVALUATED) else point
+
+    def answered(self, name: str) -> bool:
+        """Whether there is a result of this name."""
+        return name in self.results or name.removeprefix(EVALUATED) in self.evaluated
+
+    def objects(self, name: str) -> list[Mapping[str, Any]]:
+        """A result that is a list of objects, branches of a solution. Raises Unreadable."""
+        numbers = name.startswith(EVALUATED)
+        told = self.evaluated.get(name.removeprefix(EVALUATED)) if numbers else self.results.get(name)
+        if not isinstance(told, list) or not all(isinstance(each, Mapping) for each in told):
+            raise Unreadable(f"{name} is no list of objects")
+        return told
+
+    @cached_property
     def _read(self) -> dict[str, Any]:
         return {}
 
     def result(self, name: str) -> Any:
-        """A result as SymPy expressions, read once. Raises Unreadable, KeyError."""
+        """A result (`evaluated J` is one in numbers) as SymPy expressions, read once. Raises Unreadable,
+        KeyError."""
         if name not in self._read:
-            self._read[name] = self.read(self.results[name])
+            evaluated = name.startswith(EVALUATED)
+            told = self.evaluated[name.removeprefix(EVALUATED)] if evaluated else self.results[name]
+            self._read[name] = self.read(told)
         return self._read[name]
 
     def ours(self, name: str, point: Point) -> Value:
         """The value of one of our results at a point."""
-        return point.each(self.result(name))
+        return self.place_of(name, point).each(self.result(name))
 
 
 @dataclass(frozen=True, slots=True)
 class Same:
-    """What the result of this name should be at the point, in the shape it has in the JSON."""
+    """What the result of this name should be at the point, in the shape it has in the JSON; of `evaluated J`
+    at the point that the author gave."""
 
     name: str
     theirs: Value

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import mpmath
 import sympy
 
-from derive.audit.asked import Asked, Beyond, Holds, Same, Test
+from derive.audit.asked import EVALUATED, Asked, Beyond, Holds, Same, Test
 from derive.audit.budget import Exhausted, one_answer
 from derive.audit.points import (
     DIGITS,
@@ -84,9 +84,11 @@ def _judged(asked: Asked, who: Auditor) -> Outcome:
                 return wrong
             else:
                 tested.add(test.name)
-    if wrong := next(_wrong_numbers(asked), None):
+    plain = {name for name in asked.evaluated if _plain(asked, name)}
+    if wrong := next(_wrong_numbers(asked, (n for n in plain if EVALUATED + n not in tested)), None):
         return wrong
-    beyond |= dict.fromkeys(asked.results.keys() - tested - beyond.keys(), "not tested")
+    names = asked.results.keys() | {EVALUATED + name for name in asked.evaluated.keys() - plain}
+    beyond |= dict.fromkeys(names - tested - beyond.keys(), "not tested")
     if beyond:
         return NotAudited("; ".join(f"{name}: {reason}" for name, reason in sorted(beyond.items())))
     return Audited(len(tested)) if tested else NotAudited("there is no result")
@@ -117,7 +119,7 @@ def _all_tests(asked: Asked, who: Auditor, point: Point) -> list[Test]:
     """Those of an auditor, with our values found on the way: Irrational is raised here or nowhere."""
     tests = list(who(asked, point))
     for test in tests:
-        if isinstance(test, Same) and test.name in asked.results:
+        if isinstance(test, Same) and asked.answered(test.name):
             asked.ours(test.name, point)
     return tests
 
@@ -125,24 +127,23 @@ def _all_tests(asked: Asked, who: Auditor, point: Point) -> list[Test]:
 def _wrong(asked: Asked, test: Same | Holds, point: Point) -> Contradicted | None:
     if isinstance(test, Holds):
         return None if test.holds else Contradicted(test.name, "as printed", test.said)
-    if test.name not in asked.results:
+    if not asked.answered(test.name):
         return Contradicted(test.name, "no such result", shown(test.theirs))
     read = asked.result(test.name)
     near = ROUNDED if _rounded(read) else NEAR
-    return next(_differences(test.name, read, point.each(read), test.theirs, near), None)
+    return next(_differences(test.name, read, asked.ours(test.name, point), test.theirs, near), None)
 
 
-def _wrong_numbers(asked: Asked) -> Iterator[Contradicted]:
+def _wrong_numbers(asked: Asked, names: Iterable[str]) -> Iterator[Contradicted]:
     """Numbers under `evaluated` that the results do not have at the point that the author gave."""
-    fixed = {name: asked.formula(value) for name, value in (asked.evaluate or {}).items()}
-    point = Point(0, False, (), asked.assumptions, fixed)
-    for name, numbers in asked.evaluated.items():
-        if not _formulas(asked.results.get(name)) or not _formulas(numbers):
-            continue
-        read = asked.read(numbers)
-        yield from _differences(
-            f"evaluated {name}", read, point.each(read), point.each(asked.result(name)), ROUNDED
-        )
+    for name in sorted(names):
+        read, ours = asked.result(EVALUATED + name), asked.ours(EVALUATED + name, asked.here)
+        yield from _differences(EVALUATED + name, read, ours, asked.ours(name, asked.here), ROUNDED)
+
+
+def _plain(asked: Asked, name: str) -> bool:
+    """Whether a result and its numbers are formulas, which can be compared as they are."""
+    return _formulas(asked.results.get(name)) and _formulas(asked.evaluated[name])
 
 
 def _formulas(value: object) -> bool:

@@ -1,0 +1,220 @@
+"""What can be asked of a pose, whatever it is the pose of: its inverse, Euler angles, axis and angle,
+quaternion, and how the rates of Euler angles turn it. An answer is put back: the rotation is made of it anew.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import product
+from typing import Any, TypeAlias
+
+import mpmath
+import numpy as np
+import sympy
+
+from derive.audit.asked import Asked, Beyond, Holds, Same, Test
+from derive.audit.points import NEAR, ROUNDED, Number, Point, floating
+from derive.audit.poses import UNIT, turned, vector_of
+from derive.audit.putting_back import array, flat, put_back, rounded
+from derive.audit.registry import Auditor
+from derive.expression import Symbol
+from derive.mechanics.motion import Motion
+
+Array: TypeAlias = np.ndarray[Any, Any]
+Pose: TypeAlias = "sympy.Matrix | Array"  # T (4 by 4), of expressions or of numbers
+PoseOf: TypeAlias = Callable[[Asked, Point], Pose]
+ANGLES = (("phi", "theta", "psi"), ("alpha", "beta", "gamma"), ("phi_e", "theta_e", "psi_e"))
+SPECIAL = (sympy.Integer(0), sympy.pi / 2, sympy.pi, -sympy.pi / 2)
+ONE, ZERO = sympy.Integer(1), sympy.Integer(0)
+IDENTITY = np.diag([ONE] * 3)
+DIFFER = "its rotation is not the one of the sheet"
+
+
+def kinds(pose: PoseOf) -> Mapping[str, Auditor]:
+    """The auditors of the kinds that ask about a pose."""
+
+    def of_pose(audit: Callable[[Asked, Point, Pose], Iterator[Test]]) -> Auditor:
+        return lambda asked, point: audit(asked, point, pose(asked, point))
+
+    return {
+        "inverse": of_pose(inverse),
+        "axis-angle": of_pose(axis_angle),
+        "quaternion": of_pose(quaternion),
+        "rotation-vector": of_pose(rotation_vector),
+        "euler-angles": lambda asked, point: euler_angles(asked, point, pose),
+        "euler-rates": euler_rates,
+    }
+
+
+def inverse(asked: Asked, point: Point, T: Pose) -> Iterator[Test]:
+    """T T^-1 = 1."""
+    product_ = array(T, point) @ array(asked.result("T"), point)
+    yield put_back("T", point, product_, sympy.eye(4), "T times it is not the identity")
+
+
+# -- one turn -----------------------------------------------------------------------------------------
+
+
+def cross_matrix(v: Sequence[Number]) -> Array:
+    """S(v) (3 by 3), with S(v) w = v x w."""
+    x, y, z = v
+    return np.array([[0 * x, -z, y], [z, 0 * y, -x], [-y, x, 0 * z]], dtype=object)
+
+
+def rotation(axis: Sequence[Number], c: Number, s: Number) -> Array:
+    """R (3 by 3) about a unit vector in numbers: 1 + s S + (1 - c) S^2."""
+    S = cross_matrix(axis)
+    R: Array = np.eye(3, dtype=int) + s * S + (1 - c) * (S @ S)
+    return R
+
+
+def axis_angle(asked: Asked, point: Point, T: Pose) -> Iterator[Test]:
+    """The rotation by the angle, from 0 to pi, about the unit axis."""
+    R, angle = array(T, point)[:3, :3], asked.result("angle")
+    yield Holds("angle", _up_to_pi(angle, point), "an angle from 0 to pi")
+    if asked.results["axis"] == "any":
+        yield put_back("angle", point, [R, angle], [IDENTITY, ZERO], "the rotation of the sheet does turn")
+        yield Holds("axis", True, "")
+        return
+    axis = flat(asked.result("axis"), point)
+    near = ROUNDED if rounded(asked.result("axis")) else NEAR
+    yield put_back("axis", point, sum(part**2 for part in axis), ONE, "a unit vector", near)
+    yield put_back("angle", point, rotation(axis, *point.turn(angle)), R, DIFFER, near)
+
+
+def rotation_vector(asked: Asked, point: Point, T: Pose) -> Iterator[Test]:
+    """The rotation about it by its length, which is at most pi."""
+    r, R = asked.result("r"), array(T, point)[:3, :3]
+    near = ROUNDED if rounded(r) else NEAR
+    size = mpmath.sqrt(sum(floating(part) ** 2 for part in flat(r, point)))
+    yield Holds("r", bool(size <= mpmath.pi + ROUNDED), "no longer than pi")
+    unit = [floating(part) / (size or 1) for part in flat(r, point)]
+    yield put_back("r", point, rotation(unit, mpmath.cos(size), mpmath.sin(size)), R, DIFFER, near)
+
+
+def quaternion(asked: Asked, point: Point, T: Pose) -> Iterator[Test]:
+    """q v q* of the three axes: 1 + 2 w S + 2 S^2."""
+    near = ROUNDED if rounded(asked.result("q")) else NEAR
+    w, *v = flat(asked.result("q"), point)
+    yield put_back("q", point, w**2 + sum(part**2 for part in v), ONE, "a unit quaternion", near)
+    S = cross_matrix(v)
+    again = np.eye(3, dtype=int) + 2 * w * S + 2 * (S @ S)
+    yield put_back("q", point, again, array(T, point)[:3, :3], DIFFER, near)
+
+
+def _up_to_pi(angle: sympy.Expr, point: Point) -> bool:
+    """Whether it is an angle from 0 to pi: asked at 60 digits."""
+    there = Point(point.seed, False, point.angles, point.assumptions, point.fixed)
+    return bool(-ROUNDED <= floating(there.at(angle)) <= mpmath.pi + ROUNDED)
+
+
+# -- Euler angles -------------------------------------------------------------------------------------
+
+
+def sequence(convention: str, turns: Sequence[tuple[Number, Number]]) -> Array:
+    """R (3 by 3) of three turns (cosine, sine) as SciPy names them: ZYX about current axes, xyz about those
+    of the world."""
+    R = np.eye(3, dtype=int)
+    for letter, (c, s) in zip(convention, turns, strict=True):
+        turn = rotation(UNIT[letter.lower()], c, s)
+        R = R @ turn if letter.isupper() else turn @ R
+    return R
+
+
+def euler_angles(asked: Asked, point: Point, pose: PoseOf) -> Iterator[Test]:
+    """The matrix of the sequence, and every branch put back; a singular one where it is met."""
+    convention, R = asked.options.convention, pose(asked, point)[:3, :3]
+    branches = [_angles(each, asked) for each in asked.objects("solutions")]
+    names = tuple(branches[0]) if branches else ()
+    yield Holds("solutions", len(names) == 3, "every rotation has three Euler angles")
+    yield Same("R", sequence(convention, [point.turn(sympy.Symbol(name)) for name in names]).tolist())
+    regular = 0
+    for angles in branches:
+        free = any(value == sympy.Symbol(name) for name, value in angles.items())
+        regular += not free
+        met = _met(point, R, convention, angles[names[1]]) if free else point
+        if met is None:
+            yield Beyond("solutions", "no point was found at which the rotation is singular")
+        elif met != NEVER:
+            again = sequence(convention, [met.turn(value) for value in angles.values()])
+            near = ROUNDED if rounded(list(angles.values())) else NEAR
+            said = f"the branch {_shown(angles)} is another rotation"
+            yield put_back("solutions", met, again, array(pose(asked, met)[:3, :3], met), said, near)
+    yield Holds("solutions", regular in (0, 2), "two branches, but for a singular rotation")
+    if asked.evaluated:
+        yield from _in_numbers(asked, pose)
+
+
+def _in_numbers(asked: Asked, pose: PoseOf) -> Iterator[Test]:
+    """The rotation where the author wants numbers, and the branches that are real there."""
+    R = array(pose(asked, asked.here), asked.here)[:3, :3]
+    yield Same("evaluated R", R.tolist())
+    for branch in asked.objects("evaluated solutions"):
+        if branch.get("real", True):
+            turns = [asked.here.turn(angle) for angle in _angles(branch, asked).values()]
+            again = sequence(asked.options.convention, turns)
+            yield put_back("evaluated solutions", asked.here, again, R, f"{branch} is another", ROUNDED)
+
+
+def _angles(branch: Mapping[str, Any], asked: Asked) -> dict[str, sympy.Expr]:
+    return {name: asked.read(value) for name, value in branch.items() if name not in ("when", "real")}
+
+
+NEVER = "never"
+
+
+def _met(point: Point, R: Pose, convention: str, middle: sympy.Expr) -> Any:
+    """A point at which the rotation has this middle angle, some symbols having special values: the entry that
+    holds the middle angle alone is then what it is for that angle. NEVER where that entry is fixed and is
+    not so; None where none is found."""
+    names = sympy.symbols("_first _middle _last")
+    E = sequence(convention, [(sympy.cos(name), sympy.sin(name)) for name in names])
+    i, j = next((i, j) for i, j in product(range(3), range(3)) if E[i, j].free_symbols == {names[1]})
+    entry, wanted = R[i, j], floating(point.at(E[i, j].subs(names[1], middle)))
+    symbols = sorted(entry.free_symbols, key=str) if isinstance(entry, sympy.Basic) else []
+    for values in product((None, *SPECIAL), repeat=min(len(symbols), 3)):
+        chosen = {s.name: v for s, v in zip(symbols, values, strict=False) if v is not None}
+        there = Point(point.seed, point.exact, point.angles, point.assumptions, {**point.fixed, **chosen})
+        value = there.at(entry) if isinstance(entry, sympy.Basic) else entry
+        if abs(floating(value) - wanted) <= NEAR:
+            return there
+    return None if symbols else NEVER
+
+
+def _shown(angles: Mapping[str, sympy.Expr]) -> str:
+    return ", ".join(f"{name} = {value}" for name, value in angles.items())
+
+
+def euler_rates(asked: Asked, point: Point) -> Iterator[Test]:
+    """omega = T times the rates: dR/dt R^T, angle by angle (R^T dR/dt in body axes)."""
+    T = sympy.Matrix(asked.result("T"))
+    convention, body = asked.options.convention, asked.options.frame == "body"
+    angles = [sympy.Symbol(name) for name in _angle_names(asked, T)]
+    R = sympy.eye(3)
+    for letter, angle in zip(convention, angles, strict=True):
+        turn = turned(UNIT[letter.lower()], angle)
+        R = R * turn if letter.isupper() else turn * R
+    turns = [R.T * R.diff(angle) if body else R.diff(angle) * R.T for angle in angles]
+    rate_matrix = sympy.Matrix([vector_of(turn) for turn in turns]).T
+    yield Same("T", point.each(rate_matrix))
+    det = rate_matrix.det(method="berkowitz")
+    yield Same("det", point.at(det))
+    omega = list(sympy.symbols("omega_x omega_y omega_z"))
+    again = array(rate_matrix, point) @ array(asked.result("rates"), point)
+    yield put_back("rates", point, again, omega, "T times them is not omega")
+    told = (pair for each in asked.objects("singular") for pair in each.items() if pair[0] != "when")
+    places = [(name, asked.read(value)) for name, value in told]
+    for name, value in places:
+        zero = det.subs(sympy.Symbol(name), value)
+        yield put_back("singular", point, zero, ZERO, f"det T is not zero at {name} = {value}")
+    zeros = {ZERO, sympy.pi} if convention[0] == convention[2] else {sympy.pi / 2, -sympy.pi / 2}
+    yield Holds("singular", {value for _, value in places} == zeros, f"det T vanishes at {zeros}")
+
+
+def _angle_names(asked: Asked, T: sympy.Matrix) -> tuple[str, ...]:
+    """The author's, those that a motion is by, or the first of the usual ones that are in the answer."""
+    used = {symbol.name for symbol in T.free_symbols}
+    given = [] if asked.options.angles is None else [tuple(asked.options.angles)]
+    if isinstance(asked.subject, Motion):
+        given.append(tuple(m.by.name for m in asked.subject.moves if isinstance(m.by, Symbol)))
+    return next((names for names in (*given, *ANGLES) if len(names) == 3 and used <= set(names)), ANGLES[0])

@@ -1,0 +1,54 @@
+"""Answers put back into what they answer: two sides that must be one at a point."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import mpmath
+import numpy as np
+import sympy
+
+from derive.audit.asked import Holds
+from derive.audit.points import NEAR, ROUNDED, Number, Point, agree, floating
+
+
+def put_back(
+    name: str, point: Point, left: Any, right: Any, said: str, near: mpmath.mpf | None = None
+) -> Holds:
+    """Whether two values (or lists or matrices of them) are one at the point; `said` where they are not.
+
+    Each is of SymPy expressions or of numbers. Where floats are in them they agree to the digits of floats.
+    """
+    one, other = flat(left, point), flat(right, point)
+    scale = max((abs(floating(each)) for each in (*one, *other)), default=mpmath.mpf(1)) or 1
+    close = near or (ROUNDED if rounded(left) or rounded(right) else NEAR)
+    same = len(one) == len(other)
+    return Holds(name, same and all(agree(a, b, scale, close) for a, b in zip(one, other, strict=True)), said)
+
+
+def rounded(exprs: Any) -> bool:
+    """Whether there is a float in what was read."""
+    if isinstance(exprs, list | tuple):
+        return any(map(rounded, exprs))
+    return isinstance(exprs, sympy.MatrixBase | sympy.Basic) and bool(exprs.has(sympy.Float))
+
+
+def flat(value: Any, point: Point) -> list[Number]:
+    """The numbers of a value in a row."""
+    if isinstance(value, list | tuple):
+        return [each for part in value for each in flat(part, point)]
+    if isinstance(value, np.ndarray):
+        return flat(value.tolist(), point)
+    if isinstance(value, sympy.MatrixBase):
+        return flat(list(value), point)
+    return [point.at(value) if isinstance(value, sympy.Basic) else value]
+
+
+def array(exprs: Any, point: Point) -> np.ndarray[Any, Any]:
+    """A matrix of expressions in numbers; one of numbers as it is."""
+    return exprs if isinstance(exprs, np.ndarray) else np.array(point.each(exprs), dtype=object)
+
+
+def is_real(value: Number) -> bool:
+    """Whether a number has no imaginary part but for what the digits leave."""
+    return not isinstance(value, mpmath.mpc) or bool(abs(value.imag) <= NEAR * max(1, abs(value)))
