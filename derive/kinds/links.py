@@ -20,14 +20,18 @@ from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Indexed, Matrix, Symbol, free_symbols, replace, walk
 from derive.kinds.checks import FLOATS, NORMAL_FORM, agreement
 
+UNLINKED = ("law", "in-numbers")  # rules of steps that names of the board say nothing about
+
 
 def links(steps: Iterable[Step], names: Names) -> tuple[Claim, ...]:
     """One claim for each chain, inner steps included, and one more for each number that is rounded.
 
-    A step by rule "law" states what holds in general: it is compared in the case that is its instance.
+    A step by rule "law" states what holds in general: it is compared in the case that is its instance. One by
+    rule "in-numbers", such as an equation of motion, holds of what its names mean and not of what the board
+    has under them: its kind compares it by `meanings.told`.
     """
     inner = [each for step in steps for each in step.all()]
-    chains = [(step.name, _with_content(step, names)) for step in inner if step.rule != "law"]
+    chains = [(step.name, _with_content(step, names)) for step in inner if step.rule not in UNLINKED]
     exact = [(name, [expr for expr in chain if not _rounded(expr)]) for name, chain in chains]
     walk_of = walk_over([expr for _, chain in exact for expr in chain], names)
     found = [_link(name, chain, walk_of) for name, chain in exact if len(chain) > 1]

@@ -26,7 +26,7 @@ from derive.expression import Degrees, Expr, Indexed, Matrix, Symbol, free_symbo
 from derive.expression import replace as put_in
 from derive.kinds.chains import closing, distinct, piled
 from derive.kinds.checks import TOLERANCE, agreement, law
-from derive.kinds.links import links
+from derive.kinds.links import UNLINKED, links
 from derive.kinds.problem import Problem
 from derive.names import NAMESAKE, named
 
@@ -141,7 +141,7 @@ class Work:
     def step(self, *steps: Step) -> Work:
         """Steps that were made elsewhere; the symbol at the head of each stands for its result, but that of a
         law for nothing."""
-        chains = (each.chain for each in steps if each.chain and each.rule != "law")
+        chains = (each.chain for each in steps if each.chain and each.rule not in UNLINKED)
         names: dict[Expr, Expr] = {chain[0]: chain[-1] for chain in chains if isinstance(chain[0], Symbol)}
         return replace(self, steps=(*self.steps, *steps), known={**self.known, **names})
 

@@ -16,12 +16,14 @@ from typing import Any
 
 import pytest
 
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import number
 from derive.algebra.scalar import Scalar
 from derive.build import derive_all
 from derive.derivation import Step
-from derive.errors import NotDerivable, SheetErrors
+from derive.errors import FormulaError, NotDerivable, SheetErrors
 from derive.expression import ZERO, Approximate, Call, Expr, Matrix, free_symbols, negate
 from derive.kinds.problem import Problem
 from derive.render.questions import example_of
@@ -75,9 +77,21 @@ class Built:
         names = {
             name
             for number, name in right.results
-            if self.results[number, name] != right.results[number, name]
+            if not same(self.results[number, name], right.results[number, name])
         }
-        return names or ({line} if self.page != right.page else set())
+        rewritten = self.results != right.results  # the page has them too, in their other form
+        return names or ({line} if self.page != right.page and not rewritten else set())
+
+
+def same(ours: Any, right: Any) -> bool:
+    """Whether results say the same, if only in another form: (-a)/(-b) for a/b."""
+    match ours, right:
+        case list(), list():
+            return len(ours) == len(right) and all(map(same, ours, right))
+        case str(), str() if ours != right:
+            with suppress(FormulaError, NotDerivable):
+                return normal(parse(ours.replace("**", "^"))) == normal(parse(right.replace("**", "^")))
+    return bool(ours == right)
 
 
 @contextmanager

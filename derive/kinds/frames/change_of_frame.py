@@ -27,6 +27,7 @@ from derive.mechanics.poses import position_part, rotation_part
 
 NO_BLOCK = Symbol("0_3x3")
 NOTHING = Matrix(((ZERO,) * 3,) * 3)
+CLAIMS = ("orthogonal", "right-handed", "as-told")
 
 
 class Options(OptionsModel):

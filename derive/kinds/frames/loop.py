@@ -24,6 +24,7 @@ from derive.mechanics.frames import Frame, Frames
 from derive.mechanics.poses import inverse_pose
 
 NEARLY = 1e-9
+CLAIMS = ("verdict", "as-told")
 
 
 class LoopTold(Record):

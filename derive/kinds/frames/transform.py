@@ -20,6 +20,8 @@ from derive.mechanics.frame_tree import Way, along, relative, require_closed, wa
 from derive.mechanics.frames import Frame, Frames
 from derive.mechanics.poses import inverse_pose, rotation_part
 
+CLAIMS = ("orthogonal", "right-handed", "as-told")
+
 
 class Options(OptionsModel):
     """The frame wanted, `from` (the last one if left out), and the frame it is seen from, `to`."""

@@ -15,6 +15,8 @@ from derive.mechanics.frame_tree import along, ancestry, require_closed
 from derive.mechanics.frames import Frames
 from derive.mechanics.poses import rotation_part
 
+CLAIMS = ("orthogonal", "right-handed", "as-told")
+
 
 class Facts(PageFacts):
     product: str  # a step

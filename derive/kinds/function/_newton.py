@@ -32,7 +32,7 @@ def stationary(tree: Expr, known: Mapping[str, float], names: Sequence[str]) -> 
 
     def values(points: Any) -> Any:
         columns = {name: points[..., k] for k, name in enumerate(names)}
-        return np.broadcast_to(fold(tree, _Arrays({**known, **columns})), points.shape[:-1])
+        return np.broadcast_to(fold(tree, Arrays({**known, **columns})), points.shape[:-1])
 
     with np.errstate(all="ignore"):
         for _ in range(STEPS):
@@ -87,7 +87,7 @@ def _derivatives(f: Any, size: int) -> tuple[Any, Any]:
     return slope, curvature
 
 
-class _Arrays(Domain[Any]):
+class Arrays(Domain[Any]):
     """Numbers, and arrays of NumPy for the names that have many values."""
 
     def __init__(self, at: Mapping[str, Any]) -> None:

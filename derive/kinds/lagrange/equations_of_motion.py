@@ -4,16 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from derive.algebra.numbers import floats as numeric
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, PageFacts, Record, Result, Step
+from derive.derivation import Claim, Derivation, PageFacts, Result, Step
 from derive.expression import ZERO, Derivative, Expr, Symbol, column
 from derive.kinds.checks import law
 from derive.kinds.fields import OptionsModel
+from derive.kinds.lagrange._as_told import Conserved, as_told
 from derive.kinds.lagrange._energies import energy_steps
 from derive.kinds.lagrange._equations import difference, written_fraction, written_side
 from derive.kinds.lagrange._model import Model
-from derive.kinds.lagrange._oracle import Differences
 from derive.kinds.lagrange._solved import Solved, satisfies, solved
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
@@ -27,17 +26,11 @@ from derive.mechanics.lagrangian import (
     without,
 )
 
-POINTS = 2
-
 
 class Options(OptionsModel):
     """`solve: true` solves for the accelerations; under constraints that is done anyway."""
 
     solve: bool = False
-
-
-class Conserved(Record):
-    total: bool  # it is the energy, and not only Jacobi's integral
 
 
 class Facts(PageFacts):
@@ -60,6 +53,12 @@ class Facts(PageFacts):
     cyclic: tuple[tuple[Symbol, Expr], ...]
 
 
+def claims_of(system: LagrangianSystem, options: Options) -> tuple[str, ...]:
+    """The keys of what is claimed."""
+    solved_for = ("solved-for", "solved-again") if options.solve or system.constraints else ()
+    return ("symmetric", "power", "along-a-motion", *solved_for)
+
+
 def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Derivation:
     """d/dt dL/dqdot_k - dL/dq_k + dD/dqdot_k = Q_k + sum lambda_i a_ik (Goldstein et al., sections 1.4,
     1.5 and 2.4). Raises NotDerivable where solving was asked for and is out of reach."""
@@ -75,18 +74,10 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
         *_solution_steps(model, solution),
     )
     work = Work(problem, _definitions(steps), steps=steps).claim(*_laws(model, solution))
-    moving = {*system.coordinates, *system.rates, *system.accelerations, TIME}
     equations = [problem.final(difference(*sides)) for sides in zip(lefts, rights, strict=True)]
-    free = {name.name: 0.0 for name in model.multipliers}  # of the constraints
-    work = work.agrees(
-        "along-a-motion",
-        problem.symbols | moving,
-        lambda at: [numeric.number(each, {**at, **free}) for each in equations],
-        Differences(system, problem.where).left_over,
-        points=POINTS,
-    )
-    results = _results(model, lefts, equations, solution)
-    return work.answer("equations-of-motion", results, _facts(model, lefts, rights))
+    results, facts = _results(model, lefts, equations, solution), _facts(model, lefts, rights)
+    work = work.claim(*as_told(model, work, results, facts.forces, facts.cyclic))
+    return work.answer("equations-of-motion", results, facts)
 
 
 def _partials(model: Model) -> Iterator[Step]:
@@ -97,14 +88,14 @@ def _partials(model: Model) -> Iterator[Step]:
         outer = Derivative(L, Symbol(along))
         yield Step(f"momentum_{q}", (outer, written_side(momentum, system, problem)), "momentum")
         change = written_side(rate(momentum, system), system, problem)
-        yield Step(f"rate_{q}", (Derivative(outer, Symbol(TIME)), change), "law")
+        yield Step(f"rate_{q}", (Derivative(outer, Symbol(TIME)), change), "in-numbers")
         force = written_side(model.lagrangian.diff(q), system, problem)
         yield Step(f"force_{q}", (Derivative(L, Symbol(q)), force), "force")
 
 
 def _equations(model: Model, lefts: list[Expr], rights: list[Expr]) -> Iterator[Step]:
     for k, (left, right) in enumerate(zip(lefts, rights, strict=True), 1):
-        yield Step(f"equation_{k}", (left, right), "law")
+        yield Step(f"equation_{k}", (left, right), "in-numbers")
 
 
 def _conserved(model: Model) -> Iterator[Step]:
@@ -136,7 +127,7 @@ def _solution_steps(model: Model, found: Solved | None) -> Iterator[Step]:
         return
     for k, condition in enumerate(model.conditions, 1):
         across = written_side(on_accelerations(condition, model.system), model.system, model.problem)
-        yield Step(f"constraint_{k}", (across, ZERO), "law")
+        yield Step(f"constraint_{k}", (across, ZERO), "in-numbers")
     for name, value in found.accelerations.items():
         yield Step(name, (Symbol(name), written_fraction(value, model.problem)), "acceleration")
     for name, value in found.multipliers.items():

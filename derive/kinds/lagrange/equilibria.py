@@ -5,25 +5,26 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.numbers.floats import completed, number
 from derive.algebra.scalar import Scalar
 from derive.algebra.signs import signed
 from derive.derivation import Branch, Claim, Derivation, PageFacts, Phrase, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import PI, ZERO, Expr, Symbol, free_symbols, walk
-from derive.kinds.checks import SECOND_ROUTE, law, random_points
+from derive.kinds.checks import law
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.lagrange._angles_found import Found, solved
+from derive.kinds.lagrange._held import Still, held
 from derive.kinds.lagrange._model import Model
 from derive.kinds.lagrange._oracle import Differences
 from derive.kinds.lagrange._rest import equations, inputs_of, require_steady, surely_positive, there
+from derive.kinds.lagrange._rest_search import none_is_missing
 from derive.kinds.lagrange._stiffness import is_exact, put_in
 from derive.kinds.lagrange._stiffness import said as said_of
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.lagrangian import TIME, LagrangianSystem, without
 
-NEARLY = 1e-9
+CLAIMS = ("as-told", "satisfies|needs-no-force|none-is-missing")
 
 
 class Options(OptionsModel):
@@ -59,7 +60,11 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     stiffness = ScalarMatrix.of([row.diff(q) for q in system.coordinates] for row in left)
     said = [said_of(model, each, stiffness, positive) for each in found]
     steps = (
-        *(Step(f"rest_{k}", (problem.readable(each), ZERO), "law") for k, each in enumerate(left, 1) if each),
+        *(
+            Step(f"rest_{k}", (problem.readable(each), ZERO), "in-numbers")
+            for k, each in enumerate(left, 1)
+            if each
+        ),
         Step("K", (Symbol("K"), problem.readable_matrix(stiffness)), "stiffness"),
     )
     branches = tuple(_branch(system, each, words) for each, words in zip(found, said, strict=True))
@@ -67,7 +72,9 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     for k, each in enumerate(found, 1):
         if is_exact(each):
             work = work.claim(_put_back(model, left, each, k, positive))
-    work = work.claim(_second_route(model, found, given))
+    still, free = Still(Differences(system, problem.where), given), [each.free for each in found]
+    work = work.claim(*held(still, problem, steps, branches))
+    work = work.claim(*none_is_missing(still, problem, steps, branches, free))
     facts = Facts(
         inputs=tuple(name for name, value in given.items() if value == ZERO),
         given=tuple((name, value) for name, value in given.items() if value not in (ZERO, name)),
@@ -103,6 +110,13 @@ def _at_rest(model: Model, given: Mapping[Symbol, Expr]) -> list[Scalar]:
     return found
 
 
+def _rest_steps(left: list[Scalar], problem: Problem) -> Iterator[Step]:
+    """What is left of each equation; what vanishes is left out."""
+    for k, each in enumerate(left, 1):
+        if each:
+            yield Step(f"rest_{k}", (problem.readable(each), ZERO), "in-numbers")
+
+
 def _branch(system: LagrangianSystem, found: Found, said: Phrase) -> Branch:
     values = {q: found.values.get(q, Symbol(q)) for q in system.coordinates}
     return Branch(values, (said,))
@@ -116,28 +130,3 @@ def _table(system: LagrangianSystem, branches: tuple[Branch, ...]) -> Table:
 def _put_back(model: Model, left: list[Scalar], found: Found, k: int, positive: set[str]) -> Claim:
     holds = not any(signed(put_in(model, each, found), positive) for each in left)
     return law("satisfies", holds, k=k)
-
-
-def _second_route(model: Model, found: list[Found], given: Mapping[Symbol, Expr]) -> Claim:
-    """Held there, no more force is needed: by differences of the Lagrangian, for parameters that allow it."""
-    system, problem = model.system, model.problem
-    differences, holds = Differences(system, problem.where), True
-    still: Mapping[str, float] = dict.fromkeys((*system.rates, *system.accelerations), 0.0)
-    letters = frozenset().union(*map(free_symbols, given.values()))
-    names = sorted(problem.symbols | letters | {TIME, *system.coordinates})
-    for at in random_points(names, 2):
-        for each in found:
-            known = {**completed({**at, **still}, problem.where)}
-            known |= {name.name: number(value, known) for name, value in given.items()}
-            for place in _places(each, known):
-                lefts = differences.left_over({**known, **place})
-                holds &= all(abs(left) < NEARLY * (1 + max(map(abs, known.values())) ** 4) for left in lefts)
-    return Claim("needs-no-force", SECOND_ROUTE, holds)
-
-
-def _places(found: Found, known: Mapping[str, float]) -> Iterator[dict[str, float]]:
-    """The coordinates in floats, where they are real."""
-    try:
-        yield {q: number(tree, known) for q, tree in found.values.items()}
-    except (ValueError, ZeroDivisionError):
-        return

@@ -9,12 +9,13 @@ from typing import Any
 
 from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.numbers.floats import completed, number, numbers
+from derive.algebra.normal import normal_matrix
+from derive.algebra.numbers.floats import completed, number, number_rows, numbers
 from derive.algebra.solving.polynomials import known_sign
-from derive.derivation import Claim, Derivation, PageFacts, Step
+from derive.derivation import Claim, Derivation, PageFacts, Step, as_matrix
 from derive.errors import NotDerivable, NotReal
 from derive.expression import ZERO, Expr, Matrix, Symbol, column, free_symbols
-from derive.kinds.checks import SECOND_ROUTE, close, random_points
+from derive.kinds.checks import SECOND_ROUTE, close, random_points, route
 from derive.kinds.fields import Evaluation, Name, OptionsModel
 from derive.kinds.lagrange._equations import written_fraction
 from derive.kinds.lagrange._model import Model
@@ -27,6 +28,7 @@ from derive.mechanics.lagrangian import TIME, LagrangianSystem
 SMALL = 1e-5  # a displacement small enough for the linear equations
 LEFT_OVER = 1e-6
 TRIED = 40  # points, of which two are looked at where the state is real
+CLAIMS = ("symmetric", "small-motion", "as-told")
 
 
 class Options(OptionsModel):
@@ -77,8 +79,31 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     steps = (*_matrix_steps(model, linear), *_state_steps(model, linear))
     results = {step.name: problem.final(step.result) for step in steps}
     work = Work(problem, uses=(equations(problem),)).step(*steps)
+    facts = _facts(model, options, linear, at)
     work = work.law("symmetric", linear.M == linear.M.T).claim(_second_route(model, linear, at, results))
-    return work.answer("linearisation", results, _facts(model, options, linear, at))
+    work = work.law("as-told", (_same(step.result, results[step.name], problem) for step in steps))
+    if facts.stability:
+        work = work.claim(_comes_back(results, facts.stability, problem, at))
+    return work.answer("linearisation", results, facts)
+
+
+def _same(shown: Expr, result: Expr, problem: Problem) -> bool:
+    """Whether a matrix on the page is the one in the results."""
+    return normal_matrix(shown, problem.names) == normal_matrix(result, problem.names)
+
+
+def _comes_back(results: Mapping[str, Expr], said: str, problem: Problem, at: Mapping[Expr, Expr]) -> Claim:
+    """Whether K_0, which small motions obey, has a direction in which it does not drive back."""
+    import numpy as np
+
+    symbols = problem.symbols.union(*map(free_symbols, (*at.values(), *results.values())))
+
+    def holds(point: Mapping[str, float]) -> bool:
+        K = np.array(number_rows(as_matrix(results["K_0"], "K_0"), completed(point, problem.where)))
+        least = float(np.linalg.eigvalsh((K + K.T) / 2).min())
+        return least > 0 if said == "stable" else least < 0
+
+    return route(said, map(holds, random_points(symbols, 3)))
 
 
 def _state(options: Options, system: LagrangianSystem, inputs: tuple[str, ...]) -> dict[Expr, Expr]:

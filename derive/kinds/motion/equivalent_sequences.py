@@ -16,6 +16,8 @@ from derive.kinds.problem import Problem
 from derive.mechanics.motion import Axis, Motion, Move
 from derive.mechanics.sequences import Alternative, equivalents, order
 
+CLAIMS = ("same-matrix", "motion-made")
+
 
 class MoveTold(Record):
     move: str  # "rotate", "translate"

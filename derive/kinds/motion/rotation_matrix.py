@@ -9,6 +9,8 @@ from derive.kinds.motion._product import composed
 from derive.kinds.problem import Problem
 from derive.mechanics.motion import Motion
 
+CLAIMS = ("orthogonal", "right-handed", "motion-made", "as-told")
+
 
 class Options(OptionsModel):
     """`evaluate: true` writes a motion of numbers in decimals."""

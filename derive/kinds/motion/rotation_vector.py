@@ -19,6 +19,8 @@ from derive.kinds.work import Work
 from derive.mechanics.motion import Motion
 from derive.mechanics.oracle import exponential, made
 
+CLAIMS = ("exponential", "as-told")
+
 
 class Facts(PageFacts):
     numeric: bool

@@ -25,6 +25,7 @@ from derive.names import free
 
 DIFFERENCES = 1e-6
 R, R_DOT, P, S, V = symbols("R R_dot p S v")
+CLAIMS = ("skew-symmetric", "differences")
 
 
 class Options(OptionsModel):

@@ -39,6 +39,7 @@ from derive.mechanics.oracle import elementary
 from derive.names import free
 
 SUBJECTS = ("motion", "frames", "robot")
+CLAIMS = ("as-told",)
 
 
 class Facts(PageFacts):

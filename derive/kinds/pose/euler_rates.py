@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, Field
 
-from derive.algebra.normal import normal, normal_matrix
+from derive.algebra.normal import Names, normal, normal_matrix
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Branch, Derivation, PageFacts, Phrase, Result, Step
 from derive.expression import (
@@ -24,6 +25,7 @@ from derive.expression import (
     transpose,
 )
 from derive.kinds.fields import Name, OptionsModel
+from derive.kinds.meanings import as_told, column_of
 from derive.kinds.pose._euler_checks import rotation_at
 from derive.kinds.pose._euler_steps import factors_of
 from derive.kinds.pose.euler_angles import known_convention, three, usual_angles
@@ -31,13 +33,14 @@ from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.euler import SIGNS, Convention, Euler
 from derive.mechanics.motion import Motion
-from derive.mechanics.oracle import slope, vee
+from derive.mechanics.oracle import made, slope, vee
 from derive.mechanics.poses import UNIT, skew
 
 SUBJECTS = ("motion", "frames", "robot")
 T, OMEGA = symbols("T omega")
 AXES = symbols("omega_x omega_y omega_z")
 DIFFERENCES = 1e-6
+CLAIMS = ("angular-velocities", "inverse", "singular", "differences")
 
 
 class Options(OptionsModel):
@@ -68,9 +71,9 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     det, inverse = Call("det", (T,)), Call("inverse", (T,))
     rates = column(Symbol(f"{name}_dot") for name in euler.names)
     filled = work[T] * rates
-    work = work.step(Step("omega", (OMEGA, T * rates, filled), "law"))
+    work = work.step(Step("omega", (OMEGA, T * rates, filled), "in-numbers"))
     work = work.line(det, rule="determinant", label="det")
-    work = work.line(rates, inverse * column(AXES), rule="law", label="rates")
+    work = work.line(rates, inverse * column(AXES), rule="in-numbers", label="rates")
     middle, singular = euler.outer[1], [euler.singular(sign).middle for sign in SIGNS]
     where = Phrase("singular-where", {"zero": Relation(det, "=", ZERO)})
     results: dict[str, Result] = {
@@ -109,16 +112,28 @@ def _proved(work: Work, euler: Euler, body: bool, singular: list[Expr]) -> Work:
     det = work.problem.readable(T_now.det())
     work = work.law("singular", all(normal(det, {middle: value}) == 0 for value in singular))
 
-    def differences(at: Point) -> Any:
-        import numpy as np
+    symbols = {*euler.names, *(f"{name}_dot" for name in euler.names)}
+    return as_told(work, partial(_meant, euler, body), (), "differences", DIFFERENCES, symbols)
 
-        R, columns = rotation_at(euler, at), []
-        for name in euler.names:
-            rate = slope(lambda moved: rotation_at(euler, moved), at, {name: 1})
-            columns.append(vee(R.T @ rate if body else rate @ R.T))
-        return np.array(columns).T
 
-    return work.agrees("differences", euler.names, T_now, differences, DIFFERENCES)
+def _meant(euler: Euler, body: bool, at: Point) -> Names:
+    """By differences of rotations composed in numbers: the axis of each angle, and omega for the rates of the
+    point."""
+    import numpy as np
+
+    R, axes = rotation_at(euler, at), []
+    for name in euler.names:
+        rate = slope(lambda moved: rotation_at(euler, moved), at, {name: 1})
+        axes.append(vee(R.T @ rate if body else rate @ R.T))
+    rates = np.array([at[f"{name}_dot"] for name in euler.names])
+    T_now = np.array(axes).T
+    names: dict[Expr, Any] = {
+        Symbol(f"t_{name}"): column_of(axis) for name, axis in zip(euler.names, axes, strict=True)
+    }
+    names |= dict(zip(AXES, T_now @ rates, strict=True))
+    factors = zip(factors_of(euler), euler.factors, strict=True)
+    names |= {factor: made((move,), at)[:3, :3] for factor, move in factors}
+    return {**names, T: T_now, OMEGA: column_of(T_now @ rates)}
 
 
 def _names(options: Options, problem: Problem) -> tuple[str, str, str]:

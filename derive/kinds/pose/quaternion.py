@@ -19,6 +19,7 @@ from derive.kinds.work import Work
 from derive.names import free
 
 SUBJECTS = ("motion", "frames", "robot")
+CLAIMS = ("turns-the-axes", "as-told")
 
 
 class Facts(PageFacts):
