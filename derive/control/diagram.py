@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
-from derive.control.laplace import value
+from derive.control.oracle.equations import value
 from derive.expression import ONE, ZERO, Expr
 
 Shape: TypeAlias = Literal["source", "sum", "gain", "transfer", "integrator"]

@@ -10,8 +10,8 @@ from derive.algebra.formulas.grammar import parse, parse_equation
 from derive.algebra.normal import normal
 from derive.algebra.readable.operation_count import operations
 from derive.control.elimination import solve
-from derive.control.laplace import Numeric, value
 from derive.control.motor import motor
+from derive.control.oracle.equations import Numeric, value
 from derive.control.signals import signals
 from derive.control.system import Equation, System
 from derive.errors import NotDerivable

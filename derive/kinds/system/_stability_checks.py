@@ -8,7 +8,7 @@ from functools import partial
 
 from derive.algebra.numbers.balls import number_sign
 from derive.algebra.scalar import Scalar
-from derive.control.laplace import Numeric
+from derive.control.oracle.equations import Numeric
 from derive.control.rational import at
 from derive.control.roots import points, roots
 from derive.control.routh import remainder, sign_changes

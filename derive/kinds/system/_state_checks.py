@@ -8,7 +8,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import matrix_numbers, scalar_number
 from derive.algebra.scalar import Scalar
-from derive.control.laplace import Numeric, is_close, quotient
+from derive.control.oracle.equations import Numeric, is_close, quotient
 from derive.control.rational import scalar
 from derive.control.routh import remainder
 from derive.control.signals import signals

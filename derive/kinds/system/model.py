@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import scalar_number
-from derive.control.laplace import Numeric, is_close, quotient, value
+from derive.control.oracle.equations import Numeric, is_close, quotient, value
 from derive.control.rational import Rational, written
 from derive.control.response import step_response
 from derive.control.scripts.programs import Model, python_control, simulink
@@ -213,6 +213,6 @@ def _composes_filtered(answer: Answer) -> bool:
     point = {each.name: scalar_number(normal(each, names), {}) for each in names if isinstance(each, Symbol)}
     other = Numeric.of(solved.system, solved.system.input, point)
     return controller is not None and all(
-        is_close(answer.diagram.gain(s, point), other.closed(s, controller))
+        is_close(answer.diagram.gain(s, point), other.closed(s, value(controller, {**point, "s": s})))
         for s in (0.3 + 1.1j, 1.7 + 0.4j, 0.1 + 2.3j)
     )

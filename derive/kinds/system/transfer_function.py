@@ -12,12 +12,12 @@ from derive.algebra.readable.operation_count import operations
 from derive.control.elimination import Elimination, without
 from derive.control.roots import roots
 from derive.control.system import System
-from derive.derivation import Claim, Derivation, PageFacts, Record, Step
-from derive.expression import ZERO, Expr, Symbol, free_symbols, walk
+from derive.derivation import Claim, Derivation, Step
+from derive.expression import ZERO, Expr, free_symbols, walk
 from derive.kinds.checks import law
 from derive.kinds.fields import Evaluation, Name, OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.system._oracle import agrees
+from derive.kinds.system._oracle import Held, as_printed, given_claims, motor_claims
 from derive.kinds.system._plant import (
     AtPoint,
     Plant,
@@ -31,6 +31,10 @@ from derive.kinds.system._plant import (
     verdict,
     zeros_json,
 )
+from derive.kinds.system._point_checks import AT_POINT, point_claims
+from derive.kinds.system._transfer_checks import eliminations, said
+from derive.kinds.system._transfer_facts import Eliminated
+from derive.kinds.system._transfer_facts import Facts as Facts
 from derive.kinds.work import Work
 
 SUBJECTS = ("system", "motor")
@@ -43,25 +47,11 @@ class Options(OptionsModel):
     evaluate: Evaluation = None
 
 
-class Eliminated(Record):
-    signal: Symbol
-    equation: tuple[Expr, Expr]
-    put: tuple[Symbol, ...]
-    explicit: bool
-
-
-class Facts(PageFacts):
-    motor: tuple[str, ...]
-    eliminations: tuple[str, ...]  # steps
-    input: Symbol
-    output: Symbol
-    disturbed: bool  # it is not the usual input
-    order: int
-    proper: bool
-    vanishes: bool
-    integrates: bool
-    cancelled: int
-    at: AtPoint | None
+def claims_of(system: System, options: Options) -> tuple[str, ...]:
+    """With those of a motor, and of the values asked for."""
+    always = ("fraction", "as-given", "in-complex-numbers", "eliminations", "as-said")
+    physical = ("impedances", "power") if system.motor else ()
+    return (*always, *physical, *(AT_POINT if options.evaluate else ()))
 
 
 def derive(system: System, options: Options, problem: Problem) -> Derivation:
@@ -69,10 +59,18 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     solved = plant(problem, options.source, options.evaluate)
     definitions = {**solved.solution.values, solved.named("G"): solved.solution.ratio.expr(solved.decimals)}
     evaluated, numbers = _evaluated(solved, options)
+    G, told = _result(solved), _facts(solved, numbers)
     work = Work(problem, definitions, steps=tuple(_steps(solved))).claim(*_claims(solved))
-    return work.answer(
-        "transfer-function", {"G": _result(solved)}, _facts(solved, numbers), evaluated=evaluated
+    held = Held(problem, solved.solution.source)
+    work = work.claim(
+        *given_claims(held, work.steps),
+        as_printed("in-complex-numbers", held, G),
+        *motor_claims(held),
+        eliminations(held, work.steps),
+        said(held, told, work.steps, G),
+        *point_claims(replace(held, given=dict(options.evaluate or ())), evaluated, "G", told.at),
     )
+    return work.answer("transfer-function", {"G": G}, told, evaluated=evaluated)
 
 
 def _steps(solved: Plant) -> Iterator[Step]:
@@ -159,7 +157,6 @@ def _claims(solved: Plant) -> Iterator[Claim]:
     if rational.proper:
         yield law("proper", rational.proper)
     yield law("fraction", _multiplies(solved))
-    yield agrees("in-complex-numbers", solved.system, solved.solution.source, rational)
 
 
 def _multiplies(solved: Plant) -> bool:

@@ -1,10 +1,10 @@
-"""The second route: the equations solved in complex numbers, and Laplace transforms inverted in numbers."""
+"""The equations of a system solved as they are typed, in complex numbers."""
 
 from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -14,9 +14,6 @@ from derive.algebra.numbers.floats import FUNCTIONS
 from derive.control.signals import signals, unknowns
 from derive.control.system import Equation, System
 from derive.expression import Expr, Symbol, free_symbols
-
-EULER = 12  # terms averaged by Euler summation
-DAMPING = 20.0  # e^-DAMPING is the error of the method
 
 
 class _Complex(Domain[complex]):
@@ -35,7 +32,11 @@ class _Complex(Domain[complex]):
         return complex(math.radians(float(value)))
 
     def symbol(self, name: str) -> complex:
-        return complex(math.pi if name == "pi" else self.point[name])
+        return complex(math.pi) if name == "pi" else self.point[name]
+
+    def power(self, base: complex, exponent: complex) -> complex:
+        whole = exponent.imag == 0 and exponent.real.is_integer()
+        return base ** (int(exponent.real) if whole else exponent)
 
     def call(self, function: str, arguments: list[complex]) -> complex:
         if any(each.imag for each in arguments):
@@ -46,9 +47,21 @@ class _Complex(Domain[complex]):
         )
 
 
+def pid(family: str, gains: Sequence[complex], s: complex) -> complex:
+    """A controller at one s, the letters of its family in order: it multiplies, integrates,
+    differentiates."""
+    works = {"P": 1.0 + 0j, "I": 1 / s, "D": s}
+    return sum((gain * works[letter] for letter, gain in zip(family, gains, strict=True)), 0j)
+
+
 def value(expr: Expr, point: Mapping[str, complex]) -> complex:
     """A tree at complex values of some of its names. Raises ValueError for a function of what is not real."""
     return fold(expr, _Complex(point))
+
+
+def value_over(expr: Expr, s: Any) -> Any:
+    """A function of s without other symbols, at each place of an array."""
+    return fold(expr, _Complex({"s": s}))
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,55 +71,63 @@ class Numeric:
     system: System
     source: Symbol
     point: Mapping[str, float]
-    found: tuple[Symbol, ...]  # its signals
+    unknown: tuple[Symbol, ...]  # its signals but the inputs
+    inputs: tuple[Symbol, ...]
     entries: tuple[tuple[int, int], ...]  # (equation, signal) where the one holds the other
 
     @staticmethod
     def of(system: System, source: Symbol, point: Mapping[str, float]) -> Numeric:
         """The equations at a point, driven by one of the inputs."""
-        found = signals(system)
-        columns = (*unknowns(system, found), source)
+        unknown = unknowns(system, signals(system))
+        inputs = tuple(each for each in (system.input, system.disturbance) if each is not None)
         entries = tuple(
             (row, column)
             for row, equation in enumerate(system.equations)
-            for column, signal in enumerate(columns)
+            for column, signal in enumerate((*unknown, *inputs))
             if signal.name in free_symbols(equation.left) | free_symbols(equation.right)
         )
-        return Numeric(system, source, point, found, entries)
+        return Numeric(system, source, point, unknown, inputs, entries)
 
     def gain(self, s: complex) -> complex:
         """output / source at one s, all other inputs zero."""
+        return self.signals(s, {self.source: 1.0})[self.system.output.name]
+
+    def signals(self, s: complex, driven: Mapping[Symbol, complex]) -> dict[str, complex]:
+        """Every signal at one s, by name, for values of the inputs; inputs without one are zero."""
         import numpy
 
-        matrix, drive, place = self._equations(s)
-        return complex(numpy.linalg.solve(matrix, -drive)[place])
+        matrix, drives = self._equations(s)
+        drive = numpy.array([complex(driven.get(each, 0.0)) for each in self.inputs])
+        found = numpy.linalg.solve(matrix, -drives @ drive)
+        names = (each.name for each in (*self.unknown, *self.inputs))
+        return {name: complex(x) for name, x in zip(names, (*found, *drive), strict=True)}
 
-    def closed(self, s: complex, controller: Expr) -> complex:
+    def closed(self, s: complex, controller: complex) -> complex:
         """output / reference of the loop: the input is one more unknown, u = C (r - y)."""
         import numpy
 
-        matrix, drive, place = self._equations(s)
-        strength = value(controller, {**self.point, "s": complex(s)})
+        matrix, drives = self._equations(s)
+        place = self.unknown.index(self.system.output)
         law = numpy.zeros(len(matrix) + 1, dtype=complex)
-        law[place], law[-1] = strength, 1.0
-        loop = numpy.vstack((numpy.column_stack((matrix, drive)), law))
-        return complex(numpy.linalg.solve(loop, numpy.append(numpy.zeros(len(matrix)), strength))[place])
+        law[place], law[-1] = controller, 1.0
+        loop = numpy.vstack((numpy.column_stack((matrix, drives[:, 0])), law))
+        wanted = numpy.append(numpy.zeros(len(matrix)), controller)
+        return complex(numpy.linalg.solve(loop, wanted)[place])
 
     def matrix(self, s: complex) -> Any:
         """The coefficients of the unknowns at one s."""
         return self._equations(s)[0]
 
-    def _equations(self, s: complex) -> tuple[Any, Any, int]:
-        """(coefficients of the unknowns, of the source, place of the output among the unknowns)."""
+    def _equations(self, s: complex) -> tuple[Any, Any]:
+        """The coefficients of the unknowns and of the inputs, a row for each equation."""
         import numpy
 
-        unknown = unknowns(self.system, self.found)
-        quiet = {**self.point, "s": complex(s), **{each.name: 0j for each in self.found}}
-        columns = (*unknown, self.source)
+        columns = (*self.unknown, *self.inputs)
+        quiet = {**self.point, "s": complex(s), **{each.name: 0j for each in columns}}
         whole = numpy.zeros((len(self.system.equations), len(columns)), dtype=complex)
         for row, column in self.entries:
             whole[row, column] = _coefficient(self.system.equations[row], columns[column], quiet)
-        return whole[:, :-1], whole[:, -1], unknown.index(self.system.output)
+        return whole[:, : len(self.unknown)], whole[:, len(self.unknown) :]
 
 
 def _coefficient(equation: Equation, signal: Symbol, quiet: Mapping[str, complex]) -> complex:
@@ -115,28 +136,12 @@ def _coefficient(equation: Equation, signal: Symbol, quiet: Mapping[str, complex
     return value(equation.left, at) - value(equation.right, at)
 
 
-def inverted(transform: Callable[[complex], complex], time: float, terms: int) -> float:
-    """f(time) from its Laplace transform (Abate and Whitt, ORSA J. Computing 7, 1995: EULER).
-
-    `terms` should exceed the fastest frequency of f times the time; the poles must lie left of
-    DAMPING / (2 time).
-    """
-    partial = 0.5 * transform(complex(DAMPING / (2 * time))).real
-    sums: list[float] = []
-    for k in range(1, terms + EULER + 1):
-        partial += (-1.0) ** k * transform(complex(DAMPING, 2 * math.pi * k) / (2 * time)).real
-        if k >= terms:
-            sums.append(partial)
-    weighted = math.fsum(math.comb(EULER, k) * each for k, each in enumerate(sums)) / 2**EULER
-    return float(math.exp(DAMPING / 2) / time * weighted)
-
-
-def quotient(num: Sequence[float], den: Sequence[float], s: complex) -> complex:
+def quotient(num: Sequence[complex], den: Sequence[complex], s: complex) -> complex:
     """num/den at s, coefficients highest power first."""
     return _horner(num, s) / _horner(den, s)
 
 
-def _horner(coefficients: Sequence[float], s: complex) -> complex:
+def _horner(coefficients: Sequence[complex], s: complex) -> complex:
     total = 0j
     for coefficient in coefficients:
         total = total * s + coefficient

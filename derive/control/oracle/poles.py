@@ -1,0 +1,62 @@
+"""Roots by NumPy, and which verdicts about them are possible in floating point."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+VERDICTS = frozenset({"stable", "integrator", "oscillator", "unstable"})
+NEAR = 1e-5  # of its size: how far a root lies from the axis that may lie on it, repeated ones among them
+ON = 1e-11  # what a polynomial comes to at a root on the axis, as a share of its terms
+
+
+def roots_of(coefficients: Sequence[float]) -> tuple[complex, ...]:
+    """Of a polynomial, highest power first: eigenvalues of its companion matrix."""
+    import numpy
+
+    return tuple(complex(each) for each in numpy.roots(coefficients))
+
+
+def possible(coefficients: Sequence[float]) -> frozenset[str]:
+    """The verdicts that the roots leave: all left of the axis; one at the origin besides; pairs on the
+    axis, each once; or else unstable. Several where a root lies too close to the axis to be told from one
+    on it."""
+    found = roots_of(coefficients)
+    if any(root.real > NEAR * abs(root) for root in found):
+        return frozenset({"unstable"})
+    near = [root for root in found if root.real >= -NEAR * abs(root)]
+    zeros = sum(root == 0 for root in near)
+    if zeros > 1:
+        return frozenset({"unstable"})
+    if not near:
+        return frozenset({"stable"})
+    if zeros == len(near):
+        return frozenset({"integrator"})
+    if all(_is_simple(root, found) and _is_on_axis(coefficients, root) for root in near if root):
+        return frozenset({"oscillator"})
+    return VERDICTS - {"integrator"}
+
+
+def on_right(coefficients: Sequence[float]) -> int | None:
+    """How many roots lie right of the axis; None where one lies too close to it."""
+    found = roots_of(coefficients)
+    if any(abs(root.real) <= NEAR * abs(root) for root in found):
+        return None
+    return sum(root.real > 0 for root in found)
+
+
+def product(lead: complex, roots: Sequence[complex], s: complex) -> complex:
+    """lead (s - r_1) (s - r_2) ..."""
+    for root in roots:
+        lead = lead * (s - root)
+    return lead
+
+
+def _is_simple(root: complex, found: Sequence[complex]) -> bool:
+    return sum(abs(other - root) <= 1e-3 * abs(root) for other in found) == 1
+
+
+def _is_on_axis(coefficients: Sequence[float], root: complex) -> bool:
+    """Whether the polynomial vanishes where its circle meets the axis."""
+    s, power = complex(0.0, root.imag), len(coefficients) - 1
+    terms = [k * s ** (power - place) for place, k in enumerate(coefficients)]
+    return abs(sum(terms)) <= ON * sum(map(abs, terms))

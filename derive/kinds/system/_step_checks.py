@@ -1,0 +1,127 @@
+"""What a step response is held to: the curve that its transfer function, as it is printed, has."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from derive.algebra.numbers.floats import number
+from derive.control.oracle import poles
+from derive.control.oracle.equations import is_close, quotient, value, value_over
+from derive.control.oracle.figures import Figures, Seen, agree
+from derive.control.response import StepResponse
+from derive.derivation import Claim, Result
+from derive.expression import Expr, Symbol
+from derive.kinds.checks import route
+from derive.kinds.fields import TREES
+from derive.kinds.system._oracle import IMAGINARY_UNIT, Held, as_printed, reals
+from derive.kinds.system._point_checks import verdict_claim
+from derive.kinds.system._step_facts import FIGURES, NONE, Facts
+
+CLOSE = 1e-6  # of transforms against each other, and of roots against the polynomial they are of
+EVERY, FIRST = 16, 6  # samples of the curve that are looked at: each of so many, and the first ones
+TURNED = 0.7 + 0.6j  # where, for each pole, as far from the origin as it
+
+
+def proofs(
+    held: Held,
+    transfer: Expr,
+    polynomials: tuple[Sequence[float], Sequence[float], Sequence[float]],
+    response: StepResponse,
+    results: Mapping[str, Result],
+    evaluated: Mapping[str, Any],
+    told: Facts,
+) -> Iterator[Claim]:
+    """`transfer` as the page has it; `polynomials` are its numerator and denominator in numbers, and the
+    denominator in which nothing has cancelled."""
+    num, den, whole = polynomials
+    found = poles.roots_of(den)
+    sizes = sorted({abs(root) for root in found if root}) or [1.0]
+    swing, growth = (max((0.0, *map(part, found))) for part in (lambda z: abs(z.imag), lambda z: z.real))
+    seen = Seen(lambda s: value_over(transfer, s), swing, sizes[0], growth)
+    yield as_printed("in-complex-numbers", held, transfer)
+    yield route("as-large-as-poles", _far_out(held, transfer, (num, den), sizes))
+    yield route("modes", _transforms_back(response, transfer, sizes))
+    times, values = (each[1:FIRST] + each[FIRST::EVERY] for each in (response.times, response.values))
+    yield route("inverse-transform", seen.follows(times, values))
+    yield verdict_claim(den, told.verdict)
+    yield route("poles-as-printed", _roots(told.poles, den))
+    yield route("as-said", _said(held, told, seen, results, evaluated, poles.possible(whole)))
+    if told.verdict == "stable" and not told.zero:
+        figures = _read_off(results, response)
+        yield route("figures", agree(seen, figures))
+    else:
+        yield route("no-figures", (results[name] == NONE for name in FIGURES if name != "steady_state"))
+
+
+def _far_out(
+    held: Held, transfer: Expr, polynomials: tuple[Sequence[float], Sequence[float]], sizes: Sequence[float]
+) -> Iterator[bool]:
+    """The function as it is printed, and the polynomials it is said to be of, as far from the origin as
+    poles."""
+    (point, _), *_ = held.points()
+    for size in sizes:
+        s = size * TURNED
+        ours, other = value(transfer, {"s": s}), held.gain(reals(point), s)
+        yield is_close(ours, other, CLOSE) and is_close(quotient(*polynomials, s), other, CLOSE)
+
+
+def _transforms_back(response: StepResponse, transfer: Expr, sizes: Sequence[float]) -> Iterator[bool]:
+    """The elementary transforms of the modes make up that of the response."""
+    for size in sizes:
+        s = size * TURNED
+        yield is_close(response.transform(s), value(transfer, {"s": s}) / s, CLOSE)
+
+
+def _roots(printed: Sequence[Expr], den: Sequence[float]) -> Iterator[bool]:
+    """The poles on the page make up the denominator."""
+    found = [value(tree, {IMAGINARY_UNIT: 1j}) for tree in printed]
+    yield len(found) == len(den) - 1
+    for size in {abs(root) for root in found} - {0.0} or {1.0}:
+        s = size * TURNED
+        yield is_close(poles.product(den[0], found, s), quotient(den, (1.0,), s), CLOSE)
+
+
+def _read_off(results: Mapping[str, Result], response: StepResponse) -> Figures:
+    """The figures as they are printed; the times between which it rises, and its peak, as they were found."""
+    told = {name: number(tree, {}) for name, tree in results.items() if isinstance(tree, TREES)}
+    start, _ = response.rises or (math.nan, math.nan)
+    rises = (start, start + told["rise_time"])
+    return Figures(
+        told["steady_state"], rises, told["settling_time"], told["overshoot"], response.peak_time,
+        max(response.times[-1], told["settling_time"]),
+    )  # fmt: skip
+
+
+def _said(
+    held: Held,
+    told: Facts,
+    seen: Seen,
+    results: Mapping[str, Result],
+    evaluated: Mapping[str, Any],
+    whole: frozenset[str],
+) -> Iterator[bool]:
+    """The sentences: numbers of the page and of the JSON are the same; what it has no numbers for, and
+    why."""
+    for name in FIGURES:
+        tree, plain = results[name], evaluated[name]
+        yield tree == NONE if plain is None else isinstance(tree, TREES) and _equal(number(tree, {}), plain)
+    told_of = {name: getattr(told, name) or NONE for name in FIGURES if name != "steady_state"}
+    yield all(results[name] == each for name, each in told_of.items())
+    yield told.input == held.system.input and told.closed == (held.controller is not None)
+    given = {**held.problem.where, **(held.given or {})}
+    yield {chain[0]: chain[-1] for chain in told.point} == {
+        Symbol(name): tree for name, tree in given.items()
+    }
+    yield told.zero == (evaluated["steady_state"] == 0)
+    if len(whole) == 1:
+        yield told.hidden == ("unstable" in whole and told.verdict != "unstable")
+    yield (told.slope is None) or (
+        told.verdict == "integrator" and is_close(number(told.slope, {}), seen.slope, CLOSE)
+    )
+    yield told.slope is not None or told.verdict != "integrator" or not seen.grows
+
+
+def _equal(left: float, right: float) -> bool:
+    return math.isclose(left, right, rel_tol=1e-12)
