@@ -15,11 +15,12 @@ from derive.control.roots import as_json, roots
 from derive.control.states import ORDERS, Law
 from derive.control.states import written as written_form
 from derive.control.system import System
-from derive.derivation import Derivation, PageFacts, Step
+from derive.derivation import Derivation, Step, as_matrix
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol, add, column, multiply
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
+from derive.kinds.system._oracle import Held, given_claims, motor_claims
 from derive.kinds.system._plant import (
     AtPoint,
     Plant,
@@ -32,6 +33,8 @@ from derive.kinds.system._plant import (
     verdict,
 )
 from derive.kinds.system._state_checks import characteristic_of, claims_about
+from derive.kinds.system._state_facts import Facts as Facts
+from derive.kinds.system._state_routes import routes
 from derive.kinds.system._states import MATRICES, Answer, answered, readable_form
 from derive.kinds.work import Work
 
@@ -45,19 +48,11 @@ class Options(OptionsModel):
     evaluate: Evaluation = None
 
 
-class Facts(PageFacts):
-    physical: bool
-    motor: tuple[str, ...]
-    disturbance: Symbol | None
-    law: tuple[Expr, ...]
-    output_law: tuple[Expr, ...]
-    matrices: tuple[Symbol, ...]
-    as_found: bool
-    through: bool
-    hidden: int  # motions
-    cancelled: tuple[Expr, ...]
-    final: tuple[tuple[Expr, ...], ...]
-    at: AtPoint | None
+def claims_of(system: System, options: Options) -> tuple[str, ...]:
+    """With those of a motor, and of the values asked for."""
+    always = ("state-in-s", "transfer-function", "poles-are-eigenvalues", "equations-again", "as-said")
+    physical = ("impedances", "power") if system.motor else ()
+    return (*always, *physical, *(("in-numbers",) if options.evaluate else ()))
 
 
 def derive(system: System, options: Options, problem: Problem) -> Derivation:
@@ -67,16 +62,19 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     """
     answer = answered(problem, options.evaluate)
     base = () if answer.is_physical else (asked(problem, "transfer-function", source=None),)
-    results = {name: problem.final(readable_form(answer, name)) for name in MATRICES}
+    results = {name: as_matrix(problem.final(readable_form(answer, name)), name) for name in MATRICES}
     evaluated, numbers = _evaluated(answer, options)
     work = Work(problem, _definitions(answer), uses=base, steps=tuple(_steps(answer)))
-    return work.claim(*delay_claims(system), *claims_about(answer)).answer(
-        "state-space",
-        results,
-        _facts(answer, numbers),
-        evaluated=evaluated,
-        matrices=frozenset(MATRICES),
+    held, told = Held(problem, system.input), _facts(answer, numbers)
+    given = dict(options.evaluate or ())
+    work = work.claim(
+        *delay_claims(system),
+        *claims_about(answer),
+        *given_claims(held, work.steps),
+        *motor_claims(held),
+        *routes(held, work.steps, results, evaluated, told, given),
     )
+    return work.answer("state-space", results, told, evaluated=evaluated, matrices=frozenset(MATRICES))
 
 
 # -- the page -----------------------------------------------------------------------------------------

@@ -1,0 +1,22 @@
+"""What the words read of a state space."""
+
+from __future__ import annotations
+
+from derive.derivation import PageFacts
+from derive.expression import Expr, Symbol
+from derive.kinds.system._plant import AtPoint
+
+
+class Facts(PageFacts):
+    physical: bool
+    motor: tuple[str, ...]
+    disturbance: Symbol | None
+    law: tuple[Expr, ...]
+    output_law: tuple[Expr, ...]
+    matrices: tuple[Symbol, ...]
+    as_found: bool
+    through: bool
+    hidden: int  # motions
+    cancelled: tuple[Expr, ...]
+    final: tuple[tuple[Expr, ...], ...]
+    at: AtPoint | None
