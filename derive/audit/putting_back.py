@@ -9,7 +9,7 @@ import numpy as np
 import sympy
 
 from derive.audit.asked import Holds
-from derive.audit.points import NEAR, ROUNDED, Number, Point, agree, floating
+from derive.audit.points import NEAR, ROUNDED, Number, Point, Value, agree, floating
 
 
 def put_back(
@@ -42,6 +42,11 @@ def flat(value: Any, point: Point) -> list[Number]:
     if isinstance(value, sympy.MatrixBase):
         return flat(list(value), point)
     return [point.at(value) if isinstance(value, sympy.Basic) else value]
+
+
+def told(matrix: sympy.Matrix, point: Point) -> Value:
+    """The numbers of a matrix as the JSON has them: rows, or a flat list of one column."""
+    return point.each(list(matrix) if matrix.cols == 1 else matrix)
 
 
 def array(exprs: Any, point: Point) -> np.ndarray[Any, Any]:

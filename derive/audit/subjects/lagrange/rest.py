@@ -1,0 +1,164 @@
+"""States of rest: put back, looked for, judged by how small motions grow, and the linear equations there."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, TypeAlias
+
+import mpmath
+import numpy as np
+import sympy
+
+from derive.audit.asked import Asked, Holds, Same, Test
+from derive.audit.conditions import holds
+from derive.audit.points import Point, floating
+from derive.audit.putting_back import array, is_real, put_back, told
+from derive.audit.roots import found_from_anywhere
+from derive.audit.subjects.lagrange.energies import TIME, Energies, as_bodies_are
+
+Array: TypeAlias = np.ndarray[Any, Any]
+Values: TypeAlias = Mapping[sympy.Symbol, sympy.Expr]
+ZERO = sympy.Integer(0)
+GROWS = 1e-5  # of the fastest motion: one that grows slower may not grow
+NEAR = 1e-6
+CASES = re.compile(r"(stable|unstable) if (.+?)(?=, unstable if |$)")
+
+
+def equilibria(asked: Asked, point: Point) -> Iterator[Test]:
+    """No equation is left over at any of them, none is missing, and small motions grow or do not."""
+    system = Energies(asked)
+    there = as_bodies_are(system, point)
+    given = {sympy.Symbol(name): asked.formula(value) for name, value in asked.options.inputs or ()}
+    still = {**dict.fromkeys((*inputs(system), *system.rates, *system.accelerations), ZERO), **given}
+    equations = [left - force for left, force in zip(system.lefts, system.forces, strict=True)]
+    left = [equation.subs(still) for equation in equations]
+    branches = [
+        ({q: asked.read(each[q.name]) for q in system.q}, str(each["when"]))
+        for each in asked.objects("solutions")
+    ]
+    for place, when in branches:
+        again = [each.subs(place) for each in left]
+        said = f"it does not rest at {_shown(place)}"
+        yield put_back("solutions", there, again, [ZERO] * len(again), said)
+        if all(is_real(there.at(value)) for value in place.values()):
+            growth = _growth(system, equations, {**still, **place}, there)
+            yield from _judged(when, growth, _shown(place), asked, there)
+    yield _complete(system, left, [place for place, _ in branches], there)
+
+
+def inputs(system: Energies) -> list[sympy.Symbol]:
+    """Names that drive: they stand in forces and nowhere else, beside no rate, time or coordinate of theirs,
+    and are not declared positive."""
+    lost = system.asked.formula(system.system.dissipation)
+    known = {*(system.lagrangian + lost).free_symbols, *system.q, *system.rates, TIME}
+    found: dict[sympy.Symbol, bool] = {}
+    for q, force in zip(system.q, system.forces, strict=True):
+        for name in sorted(force.free_symbols - known, key=str):
+            beside = force.diff(name).free_symbols & {q, *system.rates, TIME}
+            declared = system.asked.assumptions.get(name.name) == "positive"
+            found[name] = found.get(name, True) and not beside and not declared
+    return [name for name, drives in found.items() if drives]
+
+
+def _growth(system: Energies, equations: list[sympy.Expr], at: Values, point: Point) -> float:
+    """The largest real part among the eigenvalues of the linear motion, the fastest of them being 1."""
+    M, C, K = (_floats(equations, by, at, point) for by in (system.accelerations, system.rates, system.q))
+    n = len(K)
+    below = -np.linalg.solve(M, np.hstack([K, C]))
+    found = np.linalg.eigvals(np.vstack([np.hstack([np.zeros((n, n)), np.eye(n)]), below]))
+    return float(found.real.max() / max(abs(found).max(), 1e-300))
+
+
+def _floats(rows: Sequence[sympy.Expr], by: Sequence[sympy.Symbol], at: Values, point: Point) -> Array:
+    entries = sympy.Matrix(rows).jacobian(by).subs(at)
+    return np.array([[float(mpmath.re(floating(point.at(e)))) for e in row] for row in entries.tolist()])
+
+
+def _judged(when: str, growth: float, place: str, asked: Asked, point: Point) -> Iterator[Test]:
+    """The word, or each word whose condition holds."""
+    said, _, need = when.partition(" where ")
+    said = said.partition(", neutral along ")[0]
+    if need and holds(need, asked, point) is False:
+        yield Holds("solutions", False, f"{place} is real although {need} does not hold")
+    cases = CASES.findall(said) or [(said, "")]
+    for word, condition in cases:
+        if not condition or holds(condition, asked, point):
+            right = {"stable": growth <= GROWS, "unstable": growth > GROWS}.get(word, True)
+            yield Holds("solutions", right, f"{place} is not {when}")
+
+
+def _complete(system: Energies, left: list[sympy.Expr], branches: list[Values], point: Point) -> Holds:
+    """No state of rest that Newton's method finds is missing, angles counted up to full turns."""
+    rows = [each for each in left if each.free_symbols & set(system.q)]
+    if not rows or len(rows) < len(system.q):
+        return Holds("solutions", True, "")
+    angles = {q for q in system.q if all(_turns(each, q, point) for each in rows)}
+    for found in found_from_anywhere(rows, system.q, point):
+        place = dict(zip(system.q, found, strict=True))
+        if not any(_is_at(values, place, angles, point) for values in branches):
+            shown = ", ".join(f"{q} = {value:.6g}" for q, value in place.items())
+            return Holds("solutions", False, f"it rests at {shown} too")
+    return Holds("solutions", True, "")
+
+
+def _turns(expr: sympy.Expr, q: sympy.Symbol, point: Point) -> bool:
+    """Whether a full turn of this coordinate changes nothing."""
+    again = expr.subs(q, q + 2 * sympy.pi)
+    return put_back("", point, again, expr, "").holds
+
+
+def _is_at(
+    values: Values, place: Mapping[sympy.Symbol, float], angles: set[sympy.Symbol], point: Point
+) -> bool:
+    """Whether a branch is at this place, its free coordinates as they are there."""
+    free = {q: sympy.Float(value) for q, value in place.items() if values[q] == q}
+    for q, value in place.items():
+        gap = floating(point.at(values[q].subs(free))) - value
+        if q in angles and is_real(gap):
+            gap = (mpmath.re(gap) + mpmath.pi) % (2 * mpmath.pi) - mpmath.pi
+        if abs(gap) > NEAR * (1 + abs(value)):
+            return False
+    return True
+
+
+def _shown(place: Values) -> str:
+    return ", ".join(f"{q} = {value}" for q, value in place.items())
+
+
+# -- linear equations ---------------------------------------------------------------------------------
+
+
+def linearisation(asked: Asked, point: Point) -> Iterator[Test]:
+    """The derivatives of the equations at the state, and A, B with M_0 times their lower rows."""
+    system, options = Energies(asked), asked.options
+    named = options.inputs
+    u = inputs(system) if named is None else [sympy.Symbol(name) for name in named]
+    at = dict.fromkeys((*u, *system.rates, *system.accelerations), ZERO)
+    at |= {sympy.Symbol(name): asked.formula(value) for name, value in options.at or ()}
+    equations = [left - force for left, force in zip(system.lefts, system.forces, strict=True)]
+    rest = [each.subs(at) for each in equations]
+    yield put_back("K_0", point, rest, [ZERO] * len(rest), "the state is none of rest")
+    by = {"M_0": system.accelerations, "C_0": system.rates, "K_0": system.q, "F_0": u}
+    found = {name: sympy.Matrix(equations).jacobian(names).subs(at) for name, names in by.items() if names}
+    for name, matrix in found.items():
+        told_ = name in asked.results
+        if told_ or name != "C_0":
+            yield Same(name, told(-matrix if name == "F_0" else matrix, point))
+        else:
+            yield put_back("A", point, matrix, sympy.zeros(*matrix.shape), "there is a C_0")
+    yield from _in_states(found, asked, point)
+
+
+def _in_states(found: Mapping[str, sympy.Matrix], asked: Asked, point: Point) -> Iterator[Test]:
+    """z' = A z + B u: the rates on top, M_0 times what is below them."""
+    n = found["M_0"].rows
+    M, C, K = (array(found[name], point) for name in ("M_0", "C_0", "K_0"))
+    A = array(asked.result("A"), point)
+    top = [ZERO] * (n * n) + [ZERO + (i == j) for i in range(n) for j in range(n)]
+    yield put_back("A", point, [A[:n, :n], A[:n, n:]], top, "its upper rows are not the rates")
+    yield put_back("A", point, [M @ A[n:, :n], M @ A[n:, n:]], [-K, -C], "M_0 times its lower rows")
+    if "B" in asked.results:
+        B = array(asked.result("B"), point).reshape(2 * n, -1)
+        yield put_back("B", point, B[:n], [ZERO] * B[:n].size, "its upper rows are not zero")
+        yield put_back("B", point, M @ B[n:], -array(found["F_0"], point), "M_0 times its lower rows")
