@@ -17,6 +17,7 @@ from derive.kinds.problem import parts
 from derive.kinds.registry import words_folder
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked, figure_path
 from derive.render.notation import Notation
+from derive.render.printed import Printed
 from derive.sheet.load import load_sheet
 from derive.sheet.model import Problem, Question, Sheet
 from derive.verify import answered
@@ -140,8 +141,9 @@ def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool, warn: Wa
     for question, answer in zip(problem.questions, answers, strict=True):
         order = tuple(_order(answer, asked, printed, working.name)) if solutions else ()
         page = _question(sheet, question, answer if solutions else None, order, working)
-        text = page.text or _default_text(sheet, problem, question, answer)
-        questions.append(replace(page, text=text, rounded=0 if questions else places))
+        if not page.text:
+            page = _asked_by_default(page, sheet, problem, question, answer)
+        questions.append(replace(page, rounded=0 if questions else places))
     figure, drawing = _figure(problem, working, folder)
     return ProblemPage(problem.number, tuple(questions), problem.title, problem.text, figure, drawing)
 
@@ -175,14 +177,19 @@ def _picture(problem: Problem, given: Path, folder: str) -> str:
     return figure_path(folder, problem.number, given.suffix.lower())
 
 
-def _default_text(sheet: Sheet, problem: Problem, question: Question, answer: Derivation) -> str:
-    """The text of a question that has none, unless the text of its problem asks it."""
+def _asked_by_default(
+    page: QuestionPage, sheet: Sheet, problem: Problem, question: Question, answer: Derivation
+) -> QuestionPage:
+    """The page of a question that has no text with ours, unless the text of its problem asks it."""
+    from derive.render.latex import Printer
     from derive.render.questions import question_text
 
     if problem.text and len(problem.questions) == 1:
-        return ""
+        return page
     name, folder = problem.subject_name, words_folder(problem.subject_name, answer.kind)
-    return question_text(folder, question.find, name, problem.subject, question.options, _notation(sheet))
+    printer, printed = Printer(_notation(sheet)), list[Printed]()
+    text = question_text(folder, question.find, name, problem.subject, question.options, printer, printed)
+    return replace(page, text=text, printed=tuple(printed))
 
 
 def _notation(sheet: Sheet) -> Notation:
@@ -213,8 +220,9 @@ def _question(
     at = question.evaluate or {}
     folder = words_folder(working.name, answer.kind) if answer else ""
     return QuestionPage(
-        question.number, question.find, question.text, marks, question.hint, answer, order, at, folder=folder
-    )
+        question.number, question.find, question.text, marks, question.hint, answer, order, at,
+        folder=folder, place=question.place,
+    )  # fmt: skip
 
 
 def _folder_name(name: str) -> str:

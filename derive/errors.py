@@ -56,6 +56,10 @@ class FormulaError(ValueError):
         self.hint = hint
 
 
+class Unfit(FormulaError):
+    """A formula that is well written, and too large to be read or without a value."""
+
+
 class NotDerivable(Exception):
     """What was asked has no answer this program can derive; the message says why. `about` is the option, or
     the key of the subject, that it is about, where there is one."""

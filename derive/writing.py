@@ -17,14 +17,18 @@ TEXT_FORMATS = ("md", "tex", "json")
 
 
 def render(document: Document, kind: str) -> str:
-    """The page as text, in one of the text formats."""
+    """The page as text, in one of the text formats; read back where it has mathematics. Raises SheetErrors
+    where it does not say what was derived."""
     if kind == "json":
         from derive.render.json_result import render_json
 
         return render_json(document)
+    from derive.read_back import read_back
     from derive.render.page import render_latex, render_markdown
 
-    return render_latex(document) if kind == "tex" else render_markdown(document)
+    if kind == "tex":
+        return render_latex(document, read_back)
+    return render_markdown(document, read=read_back)
 
 
 class PagesFailed(SheetErrors):
@@ -125,13 +129,15 @@ def _make(document: Document, kind: str, target: Path, pdf_engine: str) -> None:
     elif kind == "pdf" and pdf_engine == "latex":
         _typeset(document, target)
     elif kind == "pdf":
+        from derive.read_back import read_back
         from derive.render.pdf import write_pdf
 
-        write_pdf(document, target)
+        write_pdf(document, target, read_back)
     else:
+        from derive.read_back import read_back
         from derive.render import web
 
-        (web.write_html if kind == "html" else web.write_docx)(document, target)
+        (web.write_html if kind == "html" else web.write_docx)(document, target, read_back)
 
 
 def _typeset(document: Document, target: Path) -> None:

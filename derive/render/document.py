@@ -8,8 +8,10 @@ from dataclasses import dataclass, field
 from pathlib import PurePosixPath
 
 from derive.derivation import Derivation, Figure
+from derive.errors import Place
 from derive.expression import Expr
 from derive.render.notation import Notation
+from derive.render.printed import Printed
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +33,8 @@ class QuestionPage:
     `text` and `hint` are the author's Markdown; a `text` of "" prints none. `folder` is that of the words of
     its answer. `order` holds what to print for it, prerequisites first and only those no earlier question
     printed; it is empty on a problem sheet. `at` is the point its results are evaluated at. `rounded` are the
-    places of rotations that were given rounded, where that is to be said here.
+    places of rotations that were given rounded, where that is to be said here. `printed` is the mathematics
+    of a text that is ours, `place` where the question stands in its sheet.
     """
 
     number: int
@@ -44,6 +47,8 @@ class QuestionPage:
     at: Mapping[str, Expr] = field(default_factory=dict)
     rounded: int = 0
     folder: str = ""
+    printed: tuple[Printed, ...] = ()
+    place: Place | None = None
 
 
 @dataclass(frozen=True, slots=True)

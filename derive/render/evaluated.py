@@ -26,10 +26,11 @@ from derive.expression import (
 )
 from derive.expression import number as exact_number
 from derive.render.latex import Printer, parenthesised
-from derive.render.layout import Chain, Link, lay_out
+from derive.render.layout import Chain, Link, lay_out, one_line
 from derive.render.notation import Notation
 from derive.render.numbers import rounded_latex
 from derive.render.phrases import Speech, on_page
+from derive.render.printed import Printed
 from derive.render.skin import Skin, environment
 from derive.render.words import chain_links
 
@@ -42,11 +43,13 @@ IMAGINARY = Symbol("j")
 
 
 def evaluated_words(
-    derivation: Derivation, folder: str, at: Mapping[str, Expr], skin: Skin, notation: Notation
-) -> str:
+    derivation: Derivation, folder: str, at: Mapping[str, Expr], skin: Skin, notation: Notation,
+    printed: list[Printed] | None = None,
+) -> str:  # fmt: skip
     """The sentence "At theta1 = 30 deg:" and the numbers; "" where nothing was evaluated.
 
-    What is printed, and by which name, the facts of the derivation say; see `PageFacts`.
+    What is printed, and by which name, the facts of the derivation say; see `PageFacts`. It is added to
+    `printed` with its trees.
     """
     facts = derivation.facts
     shown = derivation.evaluated if facts.numbers is None else facts.numbers
@@ -54,16 +57,17 @@ def evaluated_words(
     if not values:
         return ""
     printer, style = Printer(notation), _style(facts.style, at)
-    speech = on_page(folder, derivation.kind, printer, skin.plain, style)
-    telling = _Telling(printer, speech, skin, facts.angle_results, style)
+    seen = [] if printed is None else printed
+    speech = on_page(folder, derivation.kind, printer, skin.plain, seen, style)
+    telling = _Telling(printer, speech, skin, facts.angle_results, style, seen)
     chains = [
         chain
         for name, value in values.items()
         if (chain := telling.chain(_called(facts.page_names.get(name, name)), value, name))
     ]
     context = {
-        "point": [_given(name, value, telling.printer) for name, value in at.items()],
-        "display": skin.display(lay_out(tuple(chains))) if chains else "",
+        "point": [telling.given(name, value) for name, value in at.items()],
+        "display": telling.display(tuple(chains)) if chains else "",
         "branches": [
             telling.branch(_unknowns(branch, derivation))
             for branch in values.get("solutions", ())
@@ -76,12 +80,6 @@ def evaluated_words(
 
 def _called(name: str | Expr) -> Expr:
     return Symbol(name) if isinstance(name, str) else name
-
-
-def _given(name: str, value: Expr, printer: Printer) -> str:
-    """A value of the point, with the unit its author gave it."""
-    unit = f" {value.unit}" if isinstance(value, Number) and value.unit else ""
-    return f"${printer.write(Symbol(name))} = {printer.write(value)}${unit}"
 
 
 def _unknowns(branch: Mapping[str, Any], derivation: Derivation) -> dict[str, Any]:
@@ -107,6 +105,23 @@ class _Telling:
     skin: Skin
     angles: tuple[str, ...]
     style: Style
+    printed: list[Printed]
+
+    def display(self, chains: tuple[Chain, ...]) -> str:
+        """Equations side by side."""
+        display = lay_out(chains)
+        self.printed.append(Printed.display(display, self.printer.notation))
+        return self.skin.display(display)
+
+    def inline(self, chain: Chain) -> str:
+        """An equation in a line of text."""
+        self.printed.append(Printed.inline(one_line(chain), chain, self.printer.notation))
+        return f"${one_line(chain)}$"
+
+    def given(self, name: str, value: Expr) -> str:
+        """A value of the point, with the unit its author gave it."""
+        unit = f" {value.unit}" if isinstance(value, Number) and value.unit else ""
+        return self.inline(chain_links((Symbol(name), value), self.printer)) + unit
 
     def chain(self, called: Expr, value: Any, name: str) -> Chain:
         """`called = value`; nothing for what is no number."""
@@ -123,7 +138,7 @@ class _Telling:
         """One solution: its equations as inline mathematics, and when it is the one."""
         values = {name: value for name, value in branch.items() if name not in ABOUT}
         chains = [self.chain(Symbol(name), value, name) for name, value in values.items()]
-        equations = [f"${each[0].latex} {each[1].relation} {each[1].latex}$" for each in chains if each]
+        equations = [self.inline(chain) for chain in chains if chain]
         when = self.speech.when(branch.get("when", ()))
         return {"when": when, "real": branch.get("real", True), "equations": equations}
 
@@ -133,9 +148,10 @@ def _in_degrees(angle: float, digits: int) -> Link:
     value = math.degrees(angle)
     whole = round(value)
     if abs(value - whole) < WHOLE_WITHIN:
-        return Link("=", rf"{whole}^\circ" if whole else "0")
+        return Link("=", rf"{whole}^\circ" if whole else "0", Degrees(Fraction(whole)))
     written = rounded_latex(value, digits)
-    return Link(r"\approx", rf"{parenthesised(written) if '^' in written else written}^\circ")
+    degrees = Approximate(value) * Degrees(Fraction(1))
+    return Link(r"\approx", rf"{parenthesised(written) if '^' in written else written}^\circ", degrees)
 
 
 def _in_radians(angle: float, printer: Printer) -> Link:
@@ -143,8 +159,8 @@ def _in_radians(angle: float, printer: Printer) -> Link:
     quarters = round(2 * angle / math.pi)
     if abs(angle - quarters * math.pi / 2) < EXACT:
         exact: Expr = multiply(exact_number(Fraction(quarters, 2)), PI)
-        return Link("=", printer.write(exact))
-    return Link(r"\approx", printer.write(Approximate(angle)))
+        return Link("=", printer.write(exact), exact)
+    return Link(r"\approx", printer.write(Approximate(angle)), Approximate(angle))
 
 
 def numeric(value: Any) -> Expr | None:

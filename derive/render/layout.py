@@ -6,9 +6,11 @@ is still too wide is marked for the page to scale.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil
+from typing import TypeAlias
 
+from derive.expression import Expr
 from derive.render.width import RELATION, width
 
 LINE = 40.5  # em: the text width of the pages, 160 mm at 11 pt
@@ -22,10 +24,11 @@ WORTH_PACKING = 0.7  # rows per equation above which a plain list reads better
 
 @dataclass(frozen=True, slots=True)
 class Link:
-    """One expression of a chain: the sign before it and its LaTeX."""
+    """One expression of a chain: the sign before it, its LaTeX, and the tree this was printed from."""
 
     relation: str
     latex: str
+    tree: Expr | None = None
 
     @property
     def width(self) -> float:
@@ -34,17 +37,23 @@ class Link:
 
 @dataclass(frozen=True, slots=True)
 class Display:
-    """A displayed equation: lines with alignment marks, or a single one without. `wide`: may need scaling."""
+    """A displayed equation: lines with alignment marks, or a single one without. `wide`: may need scaling;
+    `chains` are what was laid out, none for a display that was typed."""
 
     lines: tuple[str, ...]
     wide: bool = False
+    chains: tuple[Chain, ...] = ()
 
 
-Chain = tuple[Link, ...]
+Chain: TypeAlias = tuple[Link, ...]
 
 
 def lay_out(chains: tuple[Chain, ...]) -> Display:
     """One display for all chains."""
+    return replace(_laid_out(chains), chains=chains)
+
+
+def _laid_out(chains: tuple[Chain, ...]) -> Display:
     whole = [one_line(chain) for chain in chains]
     widths = [width(line) for line in whole]
     if len(chains) == 1:

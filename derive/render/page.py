@@ -10,6 +10,7 @@ from derive.render.document import Document, ProblemPage, QuestionPage, Worked, 
 from derive.render.evaluated import evaluated_words
 from derive.render.phrases import Speech, shared_lines
 from derive.render.plain_text import latex_text, markdown_text
+from derive.render.printed import Printed, Reader, Said, unread
 from derive.render.skin import HELD_LINE, Skin, environment
 from derive.render.words import words
 
@@ -19,39 +20,48 @@ BLANK_LINES = re.compile(r"\n[ \t]*\n\s*\n")
 BEFORE_DISPLAY = re.compile(r"\n\n+(?=\\\[|\\begin\{align\*\})")
 
 
-def render_markdown(document: Document, front: bool = True) -> str:
+def render_markdown(document: Document, front: bool = True, read: Reader = unread) -> str:
     """The sheet as Markdown for GitHub and pandoc. Without `front` the title block is left to a template.
 
-    Raises ForgottenStep.
+    Its mathematics is given to `read`. Raises ForgottenStep, and what `read` raises.
     """
-    return _tidy(_page(document, MARKDOWN, front))
+    return _tidy(_page(document, MARKDOWN, front, read))
 
 
-def render_latex(document: Document) -> str:
-    """The sheet as a LaTeX document that pdflatex compiles. Raises ForgottenStep."""
-    return _tidy(BEFORE_DISPLAY.sub("\n", BLANK_LINES.sub("\n\n", _page(document, LATEX, True))))
+def render_latex(document: Document, read: Reader = unread) -> str:
+    """The sheet as a LaTeX document that pdflatex compiles; its mathematics is given to `read`. Raises
+    ForgottenStep, and what `read` raises."""
+    return _tidy(BEFORE_DISPLAY.sub("\n", BLANK_LINES.sub("\n\n", _page(document, LATEX, True, read))))
 
 
-def _page(document: Document, skin: Skin, front: bool) -> str:
-    answers = {
-        (problem.number, question.number): _answer(document, problem, question, skin)
-        for problem, question in document.questions()
-    }
+def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
+    answers: dict[tuple[int, int], str] = {}
+    said: list[Said] = []
+    for problem, question in document.questions():
+        printed = [*question.printed]
+        answers[problem.number, question.number] = _answer(document, problem, question, skin, printed)
+        said.append(Said(f"{problem.number}.{question.number}", question.place, tuple(printed)))
     template = environment().get_template(f"{skin.name}/page.j2")
     shared = Speech(shared_lines(), plain=skin.plain)
     verified = {shared.say(Phrase(means)): count for means, count in document.verified().items()}
-    return template.render(document=document, answers=answers, skin=skin, front=front, verified=verified)
+    return template.render(
+        document=document, answers=answers, skin=skin, front=front, verified=verified, reading=read(said)
+    )
 
 
-def _answer(document: Document, problem: ProblemPage, question: QuestionPage, skin: Skin) -> str:
-    told = [_told(document, problem, question, worked, skin) for worked in question.order]
+def _answer(
+    document: Document, problem: ProblemPage, question: QuestionPage, skin: Skin, printed: list[Printed]
+) -> str:
+    told = [_told(document, problem, question, worked, skin, printed) for worked in question.order]
     if not told and document.solutions:
         told.append(_above(problem, question, skin))
     if question.rounded and document.solutions:
         told.insert(0, environment().get_template("words/_rounded.j2").render(places=question.rounded))
     if question.derivation and document.solutions:
         told.append(
-            evaluated_words(question.derivation, question.folder, question.at, skin, document.notation)
+            evaluated_words(
+                question.derivation, question.folder, question.at, skin, document.notation, printed
+            )
         )
     return "\n\n".join(filter(None, told))
 
@@ -65,8 +75,9 @@ def _above(problem: ProblemPage, question: QuestionPage, skin: Skin) -> str:
 
 
 def _told(
-    document: Document, problem: ProblemPage, question: QuestionPage, worked: Worked, skin: Skin
-) -> str:
+    document: Document, problem: ProblemPage, question: QuestionPage, worked: Worked, skin: Skin,
+    printed: list[Printed],
+) -> str:  # fmt: skip
     plots = {
         plot.name: plot_path(document.figures, problem.number, question.number, plot.name)
         for plot in worked.derivation.plots
@@ -75,7 +86,8 @@ def _told(
         name: file_path(document.figures, problem.number, question.number, name)
         for name in worked.derivation.files
     }
-    return words(worked.derivation, worked.folder, skin, document.notation, worked.asked, plots, files)
+    notation = document.notation
+    return words(worked.derivation, worked.folder, skin, notation, worked.asked, plots, files, printed)
 
 
 def _tidy(page: str) -> str:

@@ -12,6 +12,7 @@ from derive.render.document import Document
 from derive.render.failures import NoGlyphs, PdfFailed
 from derive.render.page import render_markdown
 from derive.render.pandoc import pandoc
+from derive.render.printed import Reader, unread
 from derive.render.skin import templates
 
 TIMESTAMP = 0  # the same sheet makes the same bytes
@@ -41,16 +42,16 @@ def metadata(document: Document) -> dict[str, str]:
     }  # fmt: skip
 
 
-def write_pdf(document: Document, target: Path) -> None:
+def write_pdf(document: Document, target: Path, read: Reader = unread) -> None:
     """Writes the PDF. Pictures are found relative to the folder of `target`.
 
-    Raises PdfFailed and PandocFailed.
+    Raises PdfFailed, PandocFailed, and what `read` raises.
     """
     from typst import Compiler, TypstError
 
     try:
         # Plain texts go in as values, so that nothing in them is read as Typst.
-        source = render_typst(document).encode()
+        source = render_typst(document, read).encode()
         compiler = Compiler(source, target.parent, ignore_system_fonts=True, sys_inputs=metadata(document))
         compiler.compile(output=str(target), format="pdf", pdf_standards=["a-2b"], timestamp=TIMESTAMP)
     except TypstError as error:
@@ -59,12 +60,13 @@ def write_pdf(document: Document, target: Path) -> None:
         raise PdfFailed("\n".join((error.message, *error.hints))) from error
 
 
-def render_typst(document: Document) -> str:
+def render_typst(document: Document, read: Reader = unread) -> str:
     """The page as Typst source."""
     template = templates() / "typst" / "sheet.typ"
     # Headings move up one level: the title of the sheet is no heading of the body.
     arguments = [f"--template={template}", "--shift-heading-level-by=-1"]
-    page = pandoc(render_markdown(document, front=False), "typst", arguments, metadata(document)).decode()
+    markdown = render_markdown(document, False, read)
+    page = pandoc(markdown, "typst", arguments, metadata(document)).decode()
     return LEAD_IN.sub(r"#lead-in[\1]\n", CONTINUED.sub(r'\1 "" \2', page))
 
 

@@ -21,6 +21,8 @@ from derive.algebra.readable.terms import Style
 from derive.derivation import Claim, Condition, Figure, Panels, Phrase, Plot, Result, Said
 from derive.expression import PI, Degrees, Expr, Quotient, Relation, walk
 from derive.render.latex import Printer
+from derive.render.layout import Chain, Link
+from derive.render.printed import Printed, links_of
 from derive.render.skin import english, environment, words_file
 
 PHRASES = "phrases"  # the block of a words template that holds them
@@ -53,6 +55,8 @@ class Speech:
     formula: str = "{}"
     plain: Callable[[str], str] = str
     signs: Mapping[str, str] = field(default_factory=dict)
+    styled: Callable[[Expr], Expr] = lambda tree: tree
+    seen: Callable[[Chain, str], None] = lambda chain, written: None
 
     def say(self, said: Said, notation: str = "") -> str:
         """A phrase or a relation as it stands in a text. Raises PhraseError."""
@@ -60,13 +64,19 @@ class Speech:
             case Phrase():
                 return "".join(self._phrase(said))
             case Relation():
-                return self.formula.format(self._relation(said, notation))
+                relation = self._styled(said)
+                written = self._relation(relation, notation)
+                self.seen(links_of(relation), written)
+                return self.formula.format(written)
             case str() | int():
                 return self.plain(str(said))
             case tuple():
                 return f" {english('conjunction')} ".join(self.say(part, notation) for part in said)
             case _:
-                return self.formula.format(self.tree(said, notation))
+                tree = self.styled(said)
+                written = self.tree(tree, notation)
+                self.seen((Link("=", written, tree),), written)
+                return self.formula.format(written)
 
     def when(self, conditions: Iterable[Condition]) -> str:
         """Conditions that all hold: `elbow up, theta2 > 0`."""
@@ -116,6 +126,11 @@ class Speech:
             raise PhraseError(f"no words for '{key}': write '{key}: ...' in the block {PHRASES} of the kind")
         return self.lines[key]
 
+    def _styled(self, relation: Relation) -> Relation:
+        left = relation.left
+        first = self._styled(left) if isinstance(left, Relation) else self.styled(left)
+        return Relation(first, relation.sign, self.styled(relation.right))
+
     def _relation(self, relation: Relation, notation: str) -> str:
         left = relation.left
         first = self._relation(left, notation) if isinstance(left, Relation) else self.tree(left, notation)
@@ -129,14 +144,22 @@ def spoken(folder: str, kind: str) -> Speech:
 
 
 def on_page(
-    folder: str, kind: str, printer: Printer, plain: Callable[[str], str], style: Style | None = None
-) -> Speech:
-    """How they speak on a page; decimals and fixed angles are written in the author's `style`."""
+    folder: str, kind: str, printer: Printer, plain: Callable[[str], str], printed: list[Printed],
+    style: Style | None = None,
+) -> Speech:  # fmt: skip
+    """How they speak on a page; decimals and fixed angles are written in the author's `style`, and what is
+    printed from trees is added to `printed`."""
 
     def tree(expr: Expr, _: str) -> str:
-        return printer.write(_in_style(expr, style or Style()))
+        return printer.write(expr)
 
-    return Speech(lines_of(folder, kind), tree, "${}$", plain, LATEX_SIGNS)
+    def styled(expr: Expr) -> Expr:
+        return _in_style(expr, style or Style())
+
+    def seen(chain: Chain, written: str) -> None:
+        printed.append(Printed.inline(written, chain, printer.notation))
+
+    return Speech(lines_of(folder, kind), tree, "${}$", plain, LATEX_SIGNS, styled, seen)
 
 
 def lines_of(folder: str, kind: str) -> dict[str, str]:

@@ -9,25 +9,30 @@ from __future__ import annotations
 
 from typing import Any
 
+from derive.expression import Symbol
 from derive.kinds.registry import folder_of
 from derive.render.latex import Printer
-from derive.render.names import name_latex
-from derive.render.notation import Notation
 from derive.render.phrases import block_of, lines_in
+from derive.render.printed import Printed, says
 from derive.render.skin import words_file
 from derive.render.words import QUESTION, words_of
 
 
-def question_text(folder: str, kind: str, name: str, subject: Any, options: Any, notation: Notation) -> str:
-    """The question in Markdown, as an author writes it; "" where the words of the kind ask none."""
+def question_text(
+    folder: str, kind: str, name: str, subject: Any, options: Any, printer: Printer, printed: list[Printed]
+) -> str:
+    """The question in Markdown, as an author writes it; "" where the words of the kind ask none. Its
+    mathematics is added to `printed`."""
     template = words_of(folder, kind)
     block = template.blocks.get(QUESTION)
     if block is None:
         return ""
-    printer = Printer(notation)
 
     def mathematics(value: Any, _: Any = None) -> str:
-        return f"${name_latex(value) if isinstance(value, str) else printer.write(value)}$"
+        tree = Symbol(value) if isinstance(value, str) else value
+        written = printer.write(tree)
+        printed.append(Printed.inline(written, says(tree, written), printer.notation))
+        return f"${written}$"
 
     scope = {"options": options, "subject": subject, "name": name, "math": mathematics}
     return " ".join("".join(block(template.new_context(scope))).split())

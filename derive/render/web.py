@@ -13,6 +13,7 @@ from derive.render.figures import draw
 from derive.render.page import render_markdown
 from derive.render.pandoc import pandoc
 from derive.render.pdf import metadata
+from derive.render.printed import Reader, unread
 from derive.render.skin import templates
 
 CELL = re.compile(r"<mtd\b[^>]*>")
@@ -24,15 +25,16 @@ BEFORE_FUNCTION = re.compile(
 )
 
 
-def write_html(document: Document, target: Path) -> None:
+def write_html(document: Document, target: Path, read: Reader = unread) -> None:
     """Writes one self-contained file, pictures and style inside. Pictures are found relative to the folder of
-    `target`. Raises PandocFailed."""
+    `target`. Raises PandocFailed, and what `read` raises."""
     template = templates() / "html" / "sheet.html"
     arguments = [
         f"--template={template}", "--mathml", "--embed-resources", "--shift-heading-level-by=-1",
         f"--resource-path={target.parent}",
     ]  # fmt: skip
-    page = pandoc(render_markdown(document, front=False), "html5", arguments, metadata(document)).decode()
+    markdown = render_markdown(document, False, read)
+    page = pandoc(markdown, "html5", arguments, metadata(document)).decode()
     target.write_text(mended(page), encoding="utf-8")
 
 
@@ -43,9 +45,10 @@ def mended(page: str) -> str:
     return BEFORE_FUNCTION.sub(rf"\g<0>{THIN}", AFTER_FUNCTION.sub(rf"\g<0>{THIN}", wrapped))
 
 
-def write_docx(document: Document, target: Path) -> None:
-    """Writes a docx; its equations are native ones, its plots are drawn as PNG. Raises PandocFailed."""
-    markdown = render_markdown(document, front=False)
+def write_docx(document: Document, target: Path, read: Reader = unread) -> None:
+    """Writes a docx; its equations are native ones, its plots are drawn as PNG. Raises PandocFailed, and what
+    `read` raises."""
+    markdown = render_markdown(document, False, read)
     with TemporaryDirectory() as folder:
         for path, plot in document.plots().items():
             draw(plot, Path(folder, path), ("png",))

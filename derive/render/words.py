@@ -16,13 +16,13 @@ from typing import Any, Literal
 from jinja2 import Template
 
 from derive.derivation import Cell, Condition, Derivation, Phrase, Step, Table
-from derive.expression import Expr, Number, Relation
+from derive.expression import Expr, Number, Relation, Symbol, number
 from derive.render.entries import NAMED_BEYOND, Names, with_named_entries
 from derive.render.latex import Printer, is_approximate
-from derive.render.layout import LINE, Chain, Display, Link, lay_out
-from derive.render.names import name_latex
+from derive.render.layout import LINE, Chain, Display, Link, lay_out, one_line
 from derive.render.notation import Notation
 from derive.render.phrases import PHRASES, Speech, on_page
+from derive.render.printed import Printed
 from derive.render.room import abridged, has_room, kept
 from derive.render.skin import Skin, environment, words_file
 
@@ -44,15 +44,17 @@ class ForgottenStep(Exception):
 def words(
     derivation: Derivation, folder: str, skin: Skin, notation: Notation, asked: bool = True,
     plots: Mapping[str, str] | None = None, files: Mapping[str, str] | None = None,
+    printed: list[Printed] | None = None,
 ) -> str:  # fmt: skip
     """The sentences and equations of a derivation. `plots` maps names of plots to paths without suffix,
-    `files` those of files to theirs.
+    `files` those of files to theirs; what is printed from trees is added to `printed`.
 
     Raises ForgottenStep; where the derivation was not asked for, its words may leave steps out.
     """
     notation = replace(notation, short_names=frozenset(derivation.facts.short_names))
-    speech = on_page(folder, derivation.kind, Printer(notation), skin.plain)
-    telling = Telling(derivation, speech, skin, notation, plots or {}, files or {})
+    seen = [] if printed is None else printed
+    speech = on_page(folder, derivation.kind, Printer(notation), skin.plain, seen)
+    telling = Telling(derivation, speech, skin, notation, plots or {}, files or {}, seen)
     for claim in derivation.claims:  # said in the JSON only, but their words must not be missing unnoticed
         telling.speech.claim(claim)
     template = words_of(folder, derivation.kind)
@@ -76,7 +78,7 @@ def chain_links(chain: tuple[Expr, ...], printer: Printer) -> Chain:
     rounded = False
     for expr in chain:
         now = is_approximate(expr)
-        links.append(Link(r"\approx" if now and not rounded else "=", printer.write(expr)))
+        links.append(Link(r"\approx" if now and not rounded else "=", printer.write(expr), expr))
         rounded = now
     return tuple(links)
 
@@ -91,6 +93,7 @@ class Telling:
     notation: Notation
     plots: Mapping[str, str]
     files: Mapping[str, str]
+    printed: list[Printed]
     told: set[str] = field(default_factory=set)
 
     def scope(self) -> dict[str, Any]:
@@ -124,7 +127,9 @@ class Telling:
         return "".join((shown, f"\n{entries}\n" if entries and listed else "", *listed))
 
     def _display(self, chains: tuple[tuple[Expr, ...], ...], printer: Printer) -> str:
-        return self.skin.display(lay_out(tuple(chain_links(chain, printer) for chain in chains)))
+        display = lay_out(tuple(chain_links(chain, printer) for chain in chains))
+        self.printed.append(Printed.display(display, printer.notation))
+        return self.skin.display(display)
 
     def formula(self, *lines: str) -> str:
         """A general law, displayed as the words write it in LaTeX; what is derived goes through `show`."""
@@ -141,7 +146,10 @@ class Telling:
 
     def math(self, value: Mathematics, trig: Trig = None) -> str:
         """Inline mathematics of an expression, a name, or a chain (a tuple) joined by equal signs."""
-        return f"${self._latex(value, self._printer(trig))}$"
+        printer = self._printer(trig)
+        links = chain_links(self._trees(value), printer)
+        self.printed.append(Printed.inline(one_line(links), links, printer.notation))
+        return f"${one_line(links)}$"
 
     def say(self, said: Condition | tuple[Condition, ...]) -> str:
         """A phrase, a relation, or several that all hold, in a line of text."""
@@ -206,20 +214,20 @@ class Telling:
     def _printer(self, trig: Trig) -> Printer:
         return Printer(replace(self.notation, trig=trig) if trig else self.notation)
 
-    def _latex(self, value: Mathematics, printer: Printer) -> str:
+    def _trees(self, value: Mathematics) -> tuple[Expr, ...]:
+        """The chain of what is written in a line of text."""
         match value:
             case str():
-                return name_latex(value)
+                return (Symbol(value),)
             case int():
-                return str(value)
+                return (number(value),)
             case Step():
                 self.told.add(value.name)
-                return self._latex(value.chain, printer)
+                return value.chain
             case tuple():
-                first, *rest = chain_links(value, printer)
-                return " ".join((first.latex, *(f"{link.relation} {link.latex}" for link in rest)))
+                return value
             case _:
-                return printer.write(value)
+                return (value,)
 
     def _cell(self, entry: Cell) -> str:
         if isinstance(entry, str):

@@ -63,7 +63,7 @@ def words(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_conditions_are_typeset_on_the_page_and_plain_in_the_json(
     when: tuple[Condition, ...], page: str, text: str
 ) -> None:
-    assert on_page("any", "kind", Printer(Notation()), markdown_text).when(when) == page
+    assert on_page("any", "kind", Printer(Notation()), markdown_text, []).when(when) == page
     assert spoken("any", "kind").when(when) == text
 
 

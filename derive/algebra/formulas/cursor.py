@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from derive.algebra.formulas.tokens import Token
-from derive.errors import FormulaError
+from derive.errors import FormulaError, Unfit
 
 MAX_NESTING = 40
 
@@ -39,7 +39,7 @@ class Cursor:
         """Begins a part of the text. Raises FormulaError where parts stand in too many others."""
         self.depth += 1
         if self.depth > MAX_NESTING:
-            raise FormulaError(f"{self.whole} is nested too deeply", self.next.offset, self.shorter)
+            raise Unfit(f"{self.whole} is nested too deeply", self.next.offset, self.shorter)
 
     def leave(self) -> None:
         """Ends the part that was entered last."""

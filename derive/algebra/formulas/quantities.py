@@ -14,7 +14,7 @@ from derive.algebra.formulas.functions import INVERSE, TRIGONOMETRIC
 from derive.algebra.formulas.undefined import always_zero, negative, undefined
 from derive.algebra.formulas.units import ANGLE, LENGTH, PLAIN, Dimension, Unit, agree, power, spoken, times
 from derive.algebra.rationals import decimal_places
-from derive.errors import FormulaError, NotDerivable
+from derive.errors import NotDerivable, Unfit
 from derive.expression import (
     PI,
     Call,
@@ -54,7 +54,7 @@ def summed(left: Quantity, right: Quantity, at: int) -> Quantity:
     """left + right. Raises FormulaError where a length would be added to an angle."""
     if left.dimension and right.dimension and not agree(left.dimension, right.dimension):
         message = f"{spoken(left.dimension)} and {spoken(right.dimension)} cannot be added"
-        raise FormulaError(message, at, "check the units on both sides of this sign")
+        raise Unfit(message, at, "check the units on both sides of this sign")
     known = [dimension for dimension in (left.dimension, right.dimension) if dimension not in (None, PLAIN)]
     unclear = None if None in (left.dimension, right.dimension) else PLAIN
     expr = Sum(terms_of(left.expr) + terms_of(right.expr))
@@ -73,9 +73,9 @@ def multiplied(left: Quantity, right: Quantity, at: int) -> Quantity:
 def divided(left: Quantity, right: Quantity, at: int) -> Quantity:
     """left / right. Raises FormulaError for a division by zero."""
     if rational(right.expr) == 0:
-        raise FormulaError("a division by zero", at)
+        raise Unfit("a division by zero", at)
     if isinstance(right.expr, Sum) and always_zero(right.expr):
-        raise FormulaError("a division by an expression that is always zero", at, "check its signs")
+        raise Unfit("a division by an expression that is always zero", at, "check its signs")
     dimension = _combined(left.dimension, right.dimension, -1)
     return _joined(Quotient(left.expr, right.expr), dimension, left, right, left.terms * right.terms, at)
 
@@ -83,17 +83,17 @@ def divided(left: Quantity, right: Quantity, at: int) -> Quantity:
 def raised(base: Quantity, exponent: Quantity, at: int) -> Quantity:
     """base ^ exponent. Raises FormulaError for exponents that are quantities, or far too large."""
     if exponent.dimension not in (None, PLAIN):
-        raise FormulaError("an exponent is a plain number", at)
+        raise Unfit("an exponent is a plain number", at)
     value = rational(exponent.expr)
     if value is not None and abs(value) > MAX_POWER:
-        raise FormulaError(f"the exponent is too large (at most {MAX_POWER})", at, "use a smaller exponent")
+        raise Unfit(f"the exponent is too large (at most {MAX_POWER})", at, "use a smaller exponent")
     if value is not None and value < 0 and rational(base.expr) == 0:
-        raise FormulaError("a division by zero", at)
+        raise Unfit("a division by zero", at)
     size = max(1, int(abs(value))) if value is not None else 1
     terms = comb(base.terms + size - 1, size)
     dimension = _raised_dimension(base.dimension, value)
     if base.numeric and not exponent.numeric and negative(base.expr):
-        raise FormulaError("a negative number to the power of a symbol is not real", at)
+        raise Unfit("a negative number to the power of a symbol is not real", at)
     found = _joined(Power(base.expr, exponent.expr), dimension, base, exponent, terms, at)
     return _defined(found, at)
 
@@ -108,11 +108,9 @@ def called(function: str, arguments: tuple[Quantity, ...], at: int) -> Quantity:
     """function(arguments). Raises FormulaError where an argument has an impossible dimension or no value is
     real."""
     if function in TRIGONOMETRIC and not agree(arguments[0].dimension or PLAIN, ANGLE):
-        raise FormulaError(
-            f"{function} of {spoken(arguments[0].dimension or PLAIN)}", at, "an angle is wanted"
-        )
+        raise Unfit(f"{function} of {spoken(arguments[0].dimension or PLAIN)}", at, "an angle is wanted")
     if function == "atan2" and not agree(*(argument.dimension or PLAIN for argument in arguments)):
-        raise FormulaError("atan2 of two quantities of different units", at)
+        raise Unfit("atan2 of two quantities of different units", at)
     expr = Call(function, tuple(argument.expr for argument in arguments))
     dimension = _call_dimension(function, arguments[0].dimension)
     return _defined(_joined(expr, dimension, arguments[0], arguments[-1], 1, at), at)
@@ -121,7 +119,7 @@ def called(function: str, arguments: tuple[Quantity, ...], at: int) -> Quantity:
 def _defined(quantity: Quantity, at: int) -> Quantity:
     """The quantity. Raises FormulaError where it is no real number."""
     if quantity.numeric and (reason := undefined(quantity.expr)):
-        raise FormulaError(reason, at)
+        raise Unfit(reason, at)
     return quantity
 
 
@@ -181,11 +179,9 @@ def _joined(
     if isinstance(expr, Sum | Product):  # a flat chain of signs is no deeper than its parts
         depth = max(left.depth, right.depth + 1)
     if depth > MAX_DEPTH:
-        raise FormulaError("the formula is nested too deeply", at, "give a part of it a name under 'where'")
+        raise Unfit("the formula is nested too deeply", at, "give a part of it a name under 'where'")
     if terms > MAX_TERMS:
-        raise FormulaError(
-            "the formula is too large multiplied out", at, "give a part of it a name under 'where'"
-        )
+        raise Unfit("the formula is too large multiplied out", at, "give a part of it a name under 'where'")
     return Quantity(expr, dimension, left.numeric and right.numeric, terms, depth)
 
 

@@ -54,6 +54,7 @@ class Functions:
     cursor: Cursor
     grammar: Grammar
     xy: bool
+    printed: bool = False
 
     def read(self, name: str, token: Token) -> Quantity:
         """A function of what follows; cos^2 x is a square, cos^{-1} x the inverse. Raises FormulaError."""
@@ -108,6 +109,8 @@ class Functions:
         if not grammar.starts():
             raise self.cursor.unexpected("a function needs its argument")
         total = grammar.factor()
+        if self.printed:
+            return total
         while rational(total.expr) is not None and not isinstance(total.expr, Degrees) and grammar.starts():
             following = self.cursor.next
             if following.kind not in ("name", "command") or following.text in FUNCTIONS:

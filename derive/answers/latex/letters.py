@@ -18,28 +18,40 @@ _GREEK = (
     " psi omega Gamma Delta Theta Lambda Xi Sigma Upsilon Phi Psi Omega"
 )
 GREEK_NAMES = frozenset(_GREEK.split(" "))
+LETTERS = GREEK_NAMES | {"Pi", "pi", "omicron", "ell", "hbar", "nabla", "imath", "jmath", "varpi", "digamma"}
 VARIANTS = ("theta", "phi", "epsilon", "rho", "sigma", "kappa")  # \\varphi is \\phi unless there are both
+LETTERS |= {f"var{name}" for name in VARIANTS}
 _VARIANT = re.compile(rf"var(?=(?:{'|'.join(VARIANTS)}))")
 _INDEXED = re.compile(r"([A-Za-z]+)_?(\d+)")
+_SEPARATORS = re.compile(r"[_,\s]")
 _STEMS = ("theta", "q")  # which an index alone stands for, before other Greek letters
 
 
 @dataclass(frozen=True)
 class Letters:
-    """The names of a problem and of what is derived in it; `xy` says that Atan2 has x first in its LaTeX."""
+    """The names of a problem and of what is derived in it; `xy` says that Atan2 has x first in its LaTeX.
+
+    A page of ours is `printed`: what people mean is not guessed there, \\times is a cross product and [S] the
+    matrix of a vector or a twist. `indexed` are names with formulas for indices, `functions` those that stand
+    before an argument, and a T above is a transpose where something is `turned`.
+    """
 
     known: frozenset[str]
     xy: bool = False
     own: frozenset[str] = frozenset()  # of the known names those that stand for themselves; they come first
+    printed: bool = False
+    indexed: frozenset[str] = frozenset()
+    functions: frozenset[str] = frozenset()
+    turned: bool = False
 
     @cached_property
     def squeezed(self) -> Mapping[str, str]:
         """Names by their letters and digits alone; one that could be either of two stands for neither."""
         found: dict[str, str] = {}
         for name in sorted(self.known):
-            key = squeeze(name)
+            key = self.key(name)
             found[key] = "" if key in found else name
-        return found | {squeeze(name): name for name in self.own}
+        return found | {self.key(name): name for name in self.own}
 
     @cached_property
     def joints(self) -> Mapping[str, str]:
@@ -55,12 +67,16 @@ class Letters:
     @cached_property
     def owned(self) -> Mapping[str, str]:
         """The names that stand for themselves, by their letters and digits."""
-        return {squeeze(name): name for name in sorted(self.own)}
+        return {self.key(name): name for name in sorted(self.own)}
+
+    def key(self, name: str) -> str:
+        """What is left of a name by which it is found; to people \\varphi and \\phi are one letter."""
+        return _SEPARATORS.sub("", name) if self.printed else squeeze(name)
 
     def find(self, name: str) -> str:
         """The name of the problem that is meant, or an empty text. s_12 is a sine unless the problem itself
         has such a name: what a derivation calls S_2 or c_123 is no word of its reader's."""
-        key = squeeze(name)
+        key = self.key(name)
         if name not in self.own and key not in self.owned and self._is_trig(key):
             return ""
         if name in self.own or (name in self.known and self.squeezed.get(key) not in self.own):
@@ -107,7 +123,7 @@ class Letters:
 
 def squeeze(name: str) -> str:
     """Letters, digits and ^ only, without variants: theta_1, vartheta1 and theta1 are one name."""
-    return _VARIANT.sub("", re.sub(r"[_,\s]", "", name))
+    return _VARIANT.sub("", _SEPARATORS.sub("", name))
 
 
 def _angle(names: list[str]) -> str:

@@ -8,7 +8,7 @@ from derive.algebra.formulas.cursor import Cursor
 from derive.algebra.formulas.quantities import Quantity
 from derive.algebra.formulas.tokens import Token
 from derive.answers.latex.scripts import group_text, skip_group
-from derive.errors import FormulaError
+from derive.errors import FormulaError, Unfit
 from derive.expression import Matrix
 
 MAX_ENTRIES = 400
@@ -90,7 +90,7 @@ class Matrices:
     def _count(self, more: int, at: Token) -> None:
         self.entries += more
         if self.entries > MAX_ENTRIES:
-            raise FormulaError(f"an answer has at most {MAX_ENTRIES} entries", at.offset)
+            raise Unfit(f"an answer has at most {MAX_ENTRIES} entries", at.offset)
 
 
 def _matrix(rows: Sequence[Sequence[Quantity]], opened: Token) -> Quantity:

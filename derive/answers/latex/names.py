@@ -10,14 +10,16 @@ from derive.algebra.formulas.tokens import Kind, Token
 from derive.answers.latex.letters import GREEK_NAMES, TRIG, Letters, squeeze
 from derive.answers.latex.scripts import Scripted, Tokens, group_text, scripted
 from derive.errors import FormulaError
-from derive.expression import Call, Expr, Sum, Symbol
+from derive.expression import Call, Expr, Indexed, Sum, Symbol
 
 FUNCTIONS = {
     "cos": "cos", "sin": "sin", "tan": "tan", "arccos": "acos", "arcsin": "asin", "arctan": "atan",
     "acos": "acos", "asin": "asin", "atan": "atan", "exp": "exp", "ln": "log", "log": "log", "sgn": "sign",
     "sign": "sign", "sqrt": "sqrt", "abs": "abs", "atan2": "atan2", "Atan2": "atan2", "arctan2": "atan2",
-    "ATAN2": "atan2",
+    "ATAN2": "atan2", "det": "det", "adj": "adj",
 }  # fmt: skip
+OPENING, CLOSING = ("(", "[", "{"), (")", "]", "}")
+STARS = ("ast", "star", "*")
 
 
 def is_greek(token: Token) -> bool:
@@ -35,6 +37,8 @@ class Names:
 
     def is_function(self) -> bool:
         """Whether the word here is a function of what follows it, and no name of the problem."""
+        if self.letters.printed:
+            return False
         name, *following = self.cursor.ahead(2)
         applied = following[0] in ("(", "{", "^") or following[0] in GREEK_NAMES
         return applied and name in FUNCTIONS and not self.letters.find(name)
@@ -44,6 +48,10 @@ class Names:
         that the problem knows; the last of them may carry a subscript."""
         cursor, letters = self.cursor, self.letters
         token = cursor.next
+        if letters.printed:
+            if len(token.text) > 1:
+                raise FormulaError(f"the letters '{token.text}' stand without a space", token.offset)
+            return
         script = group_text(cursor.tokens, cursor.at + 2) if cursor.ahead(2)[1] == "_" else ""
         whole = token.text
         if letters.find(whole) or (letters.abbreviated(whole) and cursor.ahead(2)[1] != "_"):
@@ -64,11 +72,13 @@ class Names:
         """What a letter with its scripts stands for: an expression, or the name of the function that begins
         with it (cos where a c stands before an angle, exp for an e with an exponent). Raises FormulaError."""
         name, cursor, letters = self._scripted(), self.cursor, self.letters
-        if name.upper and (found := letters.find(f"{name.plain}^{name.upper}{name.accent}")):
+        if name.upper and (found := letters.find(_raised(name))):
             cursor.at = name.end
             return self.moving(Symbol(found))
         cursor.at = name.power
         found = letters.find(name.plain + name.accent)
+        if not found and name.lower and name.stem in letters.indexed:
+            return Indexed(name.stem, self._indices(name.lower_tokens))
         turns = name.stem in TRIG and not name.lower and not name.accent and is_greek(cursor.next)
         if turns and found not in letters.own:
             return TRIG[name.stem]
@@ -83,7 +93,7 @@ class Names:
     def moving(self, value: Expr) -> Expr:
         r"""What a name stands for, an argument (t) after it left out: \theta_1(t) is \theta_1. Raises
         FormulaError where t is a name of the problem."""
-        if self.cursor.ahead(3) == ("(", "t", ")"):
+        if not self.letters.printed and self.cursor.ahead(3) == ("(", "t", ")"):
             if self.letters.find("t"):
                 hint = "leave (t) out, or write a sign between the factors"
                 raise FormulaError("(t) could be an argument or a factor", self.cursor.next.offset, hint)
@@ -107,6 +117,8 @@ class Names:
         """c_1, s_{12}, c_{1+2}, c_\\theta; \\theta_{12} for a sum of angles. None for any other name."""
         if name.accent:
             return None
+        if self.letters.printed and name.stem not in TRIG:
+            return None
         if squeeze(name.stem) in ("theta", "q") and name.lower.isdigit():
             return self.letters.summed(name.lower)
         function = TRIG.get(name.stem)
@@ -117,6 +129,19 @@ class Names:
         if angle is None and name.lower.isdigit():
             raise FormulaError(f"there is no joint angle {name.lower}", name.offset)
         return Call(function, (angle or self._index(name.lower_tokens),))
+
+    def _indices(self, found: Tokens) -> tuple[Expr, ...]:
+        """Indices that are formulas, with commas between them: the z and 30 degrees of R_{z,30}."""
+        pieces: list[list[Token]] = [[]]
+        depth = 0
+        for token in found:
+            depth += (token.text in OPENING) - (token.text in CLOSING)
+            if token.text == "," and not depth:
+                pieces.append([])
+            else:
+                pieces[-1].append(token)
+        end = Token("end", "", found[-1].end, found[-1].end)
+        return tuple(self.nested((*piece, end)) for piece in pieces)
 
     def _index(self, found: Tokens) -> Expr:
         """An index that is an angle of its own: 1+2, \\theta_1+\\theta_2, 2\\theta."""
@@ -140,3 +165,10 @@ class Names:
         if not terms:
             raise FormulaError("an index is missing", found[0].offset)
         return Sum(tuple(terms)) if len(terms) > 1 else terms[0]
+
+
+def _raised(name: Scripted) -> str:
+    r"""A name with what stands above it: T_1^0, and q_1^\ast as q_1*."""
+    star = next((star for star in STARS if name.upper.endswith(star)), "")
+    above = name.upper.removesuffix(star)
+    return name.plain + (f"^{above}" if above else "") + name.accent + ("*" if star else "")

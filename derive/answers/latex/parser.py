@@ -29,10 +29,10 @@ from derive.answers.latex.functions import RECIPROCALS, Functions
 from derive.answers.latex.letters import Letters
 from derive.answers.latex.matrices import TRANSPOSED, Matrices
 from derive.answers.latex.names import FUNCTIONS, Names
-from derive.answers.latex.rates import rate_at
+from derive.answers.latex.rates import derivative_at, rate_at
 from derive.answers.latex.scripts import FONTS, Tokens, group_text, skip_group
-from derive.errors import FormulaError
-from derive.expression import PI, Degrees, Expr, Matrix, Number, Symbol
+from derive.errors import FormulaError, Unfit
+from derive.expression import PI, Call, Degrees, Expr, Matrix, Number, Symbol, factors_of
 
 NUMBERED = "could be a factor or the number of the equation"
 ALONE = "write the answer alone"
@@ -52,7 +52,7 @@ def read_latex(found: Sequence[Token], letters: Letters) -> tuple[Expr, Expr | N
         tree = parser.whole()
         return tree, _Parser(found, letters, tight=True).whole() if parser.either else None
     except RecursionError as error:
-        raise FormulaError("the answer is nested too deeply", 0) from error
+        raise Unfit("the answer is nested too deeply", 0) from error
 
 
 class _Parser:
@@ -65,8 +65,9 @@ class _Parser:
         self.tight = tight
         self.either = False
         self.bars = 0
+        self.between = ("*", "cdot") if letters.printed else ("*", "cdot", "times")
         self.names = Names(self.cursor, letters, self._nested)
-        self.functions = Functions(self.cursor, self, letters.xy)
+        self.functions = Functions(self.cursor, self, letters.xy, letters.printed)
         self.matrices = Matrices(self.cursor, self.sum)
 
     def _nested(self, found: Tokens) -> Expr:
@@ -86,7 +87,7 @@ class _Parser:
         total = self.signed_product()
         while self.cursor.next.kind == "sign" and self.cursor.next.text in "+-":
             sign = self.cursor.take()
-            term = self.product()
+            term = self.term()
             total = summed(total, negated(term) if sign.text == "-" else term, sign.offset)
         self.cursor.leave()
         return total
@@ -94,26 +95,42 @@ class _Parser:
     def signed_product(self) -> Quantity:
         if self.cursor.next.kind == "sign" and self.cursor.next.text in "+-":
             sign = self.cursor.take()
-            found = self.signed_product() if self.cursor.next.text in ("+", "-") else self.product()
+            found = self.signed_product() if self.cursor.next.text in ("+", "-") else self.term()
             return negated(found) if sign.text == "-" else found
-        return self.product()
+        return self.term()
+
+    def term(self) -> Quantity:
+        """A product, or on our page the vector product of several."""
+        found, at = [self.product()], self.cursor.next.offset
+        while self.cursor.next.text == "times" and self.letters.printed:
+            self.cursor.take()
+            found.append(self.product())
+        return found[0] if len(found) == 1 else called("cross", tuple(found), at)
 
     def product(self) -> Quantity:
         total = self.factor()
         while True:
             token = self.cursor.next
-            if token.text in ("*", "cdot", "times") and token.kind in ("sign", "command"):
+            if token.text in self.between and token.kind in ("sign", "command"):
                 self.cursor.take()
                 total = multiplied(total, self.after_sign(), token.offset)
             elif token.text in ("/", "div") and token.kind in ("sign", "command"):
                 self.cursor.take()
                 total = divided(total, self.divisor(total), token.offset)
-            elif self.is_number_of_equation():
+            elif not self.letters.printed and self.is_number_of_equation():
                 self.cursor.at += 3
             elif self.starts():
+                self.require_apart(total)
                 total = multiplied(total, self.factor(), token.offset)
             else:
                 return total
+
+    def require_apart(self, before: Quantity) -> None:
+        """Raises FormulaError on our page where a number stands beside a number: 2 3, or 2 and a half."""
+        last = factors_of(before.expr)[-1]
+        number = self.cursor.next.kind == "number" or self.cursor.next.text in FRACTIONS
+        if self.letters.printed and number and isinstance(last, Number):
+            raise FormulaError("two numbers stand side by side", self.cursor.next.offset)
 
     def divisor(self, above: Quantity) -> Quantity:
         """What is divided by: a factor, or in the tight reading all that is written side by side. The half in
@@ -171,10 +188,12 @@ class _Parser:
         if inner in ("circ", "degree"):
             skip_group(self.cursor)
             return self.degrees(base, sign)
+        if inner == "T" and self.letters.turned:
+            skip_group(self.cursor)
+            return Quantity(Call("transpose", (base.expr,)), None, False, base.terms)
         if inner in TRANSPOSED and isinstance(base.expr, Matrix):
             skip_group(self.cursor)
-            columns = tuple(zip(*base.expr.rows, strict=True))
-            return Quantity(Matrix(columns), None, False, base.terms)
+            return Quantity(base.expr.T, None, False, base.terms)
         return raised(base, self.argument_group(), sign.offset)
 
     def degrees(self, base: Quantity, token: Token) -> Quantity:
@@ -191,6 +210,8 @@ class _Parser:
         match token.kind:
             case "number":
                 self.cursor.take()
+                if self.cursor.next.text == "_":
+                    return self.block(token)
                 places = len(token.text.partition(".")[2])
                 return Quantity(Number(Fraction(token.text), places > 0, places=places))
             case "name":
@@ -211,6 +232,9 @@ class _Parser:
         r"""What stands in parentheses or braces: {a \over b} is a quotient, (a, b) a column."""
         opened = self.cursor.take()
         found = self.sum()
+        if opened.text == "[" and self.letters.printed:
+            self.cursor.close(opened, "]")
+            return called("bracket", (found,), opened.offset)
         if opened.text != "{":
             return self.matrices.listed(found, opened)
         if self.cursor.next.text == "over":
@@ -232,6 +256,12 @@ class _Parser:
     def name(self) -> Quantity:
         """What a letter with its scripts stands for, a function of what follows with its argument."""
         token, found = self.cursor.next, self.names.read()
+        if (
+            isinstance(found, Symbol)
+            and found.name in self.letters.functions
+            and self.cursor.next.text == "("
+        ):
+            return called(found.name, self.listed(), token.offset)
         if not isinstance(found, str):
             return Quantity(found, None, numeric=False)
         if found != "exp":
@@ -239,10 +269,33 @@ class _Parser:
         self.cursor.take()
         return called("exp", (self.argument_group(),), token.offset)
 
+    def block(self, zero: Token) -> Quantity:
+        r"""A block named by its number and its shape, 0_{3 \times 3}."""
+        self.cursor.take()
+        name = f"{zero.text}_{group_text(self.cursor.tokens, self.cursor.at)}"
+        if not self.letters.find(name):
+            raise self.letters.unknown(name, zero.offset)
+        skip_group(self.cursor)
+        return Quantity(Symbol(self.letters.find(name)), None, numeric=False)
+
+    def listed(self) -> tuple[Quantity, ...]:
+        """The arguments of a function, in parentheses."""
+        opened = self.cursor.take()
+        found = [self.sum()]
+        while self.cursor.next.text == ",":
+            self.cursor.take()
+            found.append(self.sum())
+        self.cursor.close(opened, ")")
+        return tuple(found)
+
     def command(self) -> Quantity:
         token = self.cursor.next
         name = token.text
         if name in FRACTIONS:
+            if derived := derivative_at(self.cursor.tokens, self.cursor.at, self.letters):
+                self.cursor.at = derived.end
+                of = self.atom().expr if derived.of is None else self._nested(derived.of)
+                return Quantity(derived.applied(of, self._nested), None, numeric=False)
             if rate := rate_at(self.cursor.tokens, self.cursor.at, self.letters):
                 self.cursor.at = rate.end
                 return Quantity(self.names.moving(Symbol(rate.name)), None, numeric=False)

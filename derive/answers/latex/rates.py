@@ -3,13 +3,14 @@ r"""Derivatives by time in Leibniz's form: \frac{d\theta_1}{dt}, \frac{d^2 q}{dt
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from derive.algebra.formulas.tokens import Token
 from derive.answers.latex.letters import Letters
 from derive.answers.latex.scripts import FONTS, Tokens, group, group_text, scripted
 from derive.errors import FormulaError
+from derive.expression import Derivative, Expr, Symbol
 
 _BY_TIME = re.compile(r"dt(?:\^([12]))?")
 _DOTS = {1: "_dot", 2: "_ddot"}
@@ -78,3 +79,78 @@ def _without_d(above: Tokens) -> tuple[int, Tokens] | None:
             return None
         order, at = int(power), group(ended, at + 1)[1]
     return order, above[at:]
+
+
+@dataclass(frozen=True, slots=True)
+class Derived:
+    """A derivative: what is derived (None where it follows), the names by which, outermost first, and the
+    place after it."""
+
+    of: Tokens | None
+    by: tuple[Tokens, ...]
+    end: int
+
+    def applied(self, of: Expr, read: Callable[[Tokens], Expr]) -> Expr:
+        """The derivative of a tree, the names read. Raises FormulaError where one is no name."""
+        for tokens in reversed(self.by):
+            by = read(tokens)
+            if not isinstance(by, Symbol):
+                raise FormulaError("a derivative is taken by a name", tokens[0].offset)
+            of = Derivative(of, by)
+        return of
+
+
+def derivative_at(found: Sequence[Token], at: int, letters: Letters) -> Derived | None:
+    r"""The partial derivative that begins at a \frac, or on our page one by time; None for anything else.
+    Raises FormulaError."""
+    above, middle = group(found, at + 1)
+    below, end = group(found, middle)
+    if letters.printed and _is(below, ("dt",)) and above and above[0].text.startswith("d"):
+        order, rest = _without_d(above) or (1, above)
+        by = (_ended((Token("name", "t", below[0].offset + 1, below[0].end),)),)
+        return Derived(_ended(rest) if rest else None, by * order, end)
+    if not _is(above, ("partial",)) or not _is(below, ("partial",)):
+        return None
+    rest = above[1:]
+    order = 1
+    if rest and rest[0].text == "^":
+        inner, after = group(_ended(rest), 1)
+        order, rest = int(_whole(inner)), rest[after:]
+    names = _names_below(below)
+    if len(names) != order:
+        raise FormulaError("the orders of this derivative do not agree", found[at].offset)
+    return Derived(_ended(rest) if rest else None, names, end)
+
+
+def _is(tokens: Tokens, first: tuple[str, ...]) -> bool:
+    return bool(tokens) and tokens[0].text in first
+
+
+def _whole(tokens: Tokens) -> str:
+    text = "".join(token.text for token in tokens)
+    if not text.isdigit():
+        raise FormulaError("the order of a derivative is a whole number", tokens[0].offset)
+    return text
+
+
+def _names_below(below: Tokens) -> tuple[Tokens, ...]:
+    r"""The x, x, y of \partial x^2 \partial y."""
+    pieces: list[list[Token]] = []
+    for token in below:
+        if token.text == "partial" and token.kind == "command":
+            pieces.append([])
+        else:
+            pieces[-1].append(token)
+    names: list[Tokens] = []
+    for piece in pieces:
+        times, kept = 1, tuple(piece)
+        if len(kept) > 2 and kept[-2].text == "^" and kept[-1].kind == "number":
+            times, kept = int(_whole(kept[-1:])), kept[:-2]
+        if not kept:
+            raise FormulaError("a derivative is taken by a name", below[0].offset)
+        names += [_ended(kept)] * times
+    return tuple(names)
+
+
+def _ended(tokens: Tokens) -> Tokens:
+    return (*tokens, Token("end", "", tokens[-1].end, tokens[-1].end))

@@ -8,6 +8,7 @@ from typing import TypeAlias
 
 from derive.algebra.formulas.cursor import Cursor
 from derive.algebra.formulas.tokens import Token
+from derive.answers.latex.letters import LETTERS
 from derive.errors import FormulaError
 
 Tokens: TypeAlias = tuple[Token, ...]
@@ -111,11 +112,13 @@ def _stem(found: Sequence[Token], at: int) -> tuple[str, str, int]:
     if token.kind == "command" and token.text in FONTS:
         inner, after = group(found, at + 1)
         return _plain(inner), "", after
-    if token.kind == "command":
+    if token.kind == "command" and token.text in LETTERS:
         return token.text, "", at + 1
+    if token.kind == "command":
+        raise FormulaError(f"\\{token.text} is no command that is known here", token.offset)
     raise FormulaError(f"'{token.text}' cannot stand here", token.offset)
 
 
 def _plain(inner: Sequence[Token]) -> str:
     kept = (t for t in inner if t.text not in ("{", "}", "_") and t.text not in FONTS)
-    return "".join(t.text for t in kept)
+    return "".join("x" if t.text == "times" and t.kind == "command" else t.text for t in kept)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 
 from derive.algebra.formulas.tokens import GREEK, MAX_DIGITS, Kind, Token
-from derive.errors import FormulaError
+from derive.errors import FormulaError, Unfit
 
 MAX_TEXT = 100_000
 
@@ -26,7 +26,7 @@ _ROW = re.compile(rf"\\\\\*?(?:\s*{_LENGTH})?|\\(?:cr|newline)(?![A-Za-z])")
 _NUMBER = re.compile(r"\d+(?:\.\d+)?|\.\d+", re.ASCII)
 _WORD = re.compile(r"[A-Za-z][A-Za-z0-9]*", re.ASCII)
 _COMMAND = re.compile(r"\\([A-Za-z]+|[{}|])")
-_SIGNS = {sign: sign for sign in "+-*/^_()[]{},&=|'.;:"} | {
+_SIGNS = {sign: sign for sign in "+-*/^_()[]{},&=<>|'.;:"} | {
     "\N{MULTIPLICATION SIGN}": "*",
     "\N{MIDDLE DOT}": "*",
     "\N{DOT OPERATOR}": "*",
@@ -45,7 +45,7 @@ _COMMANDS = GREEK | {
 def tokens(text: str) -> tuple[Token, ...]:
     """The tokens of a LaTeX text, an end token last. Raises FormulaError."""
     if len(text) > MAX_TEXT:
-        raise FormulaError(f"an answer of {len(text)} characters is too long (at most {MAX_TEXT})", 0)
+        raise Unfit(f"an answer of {len(text)} characters is too long (at most {MAX_TEXT})", 0)
     found = []
     at = 0
     while at < len(text):
@@ -79,7 +79,7 @@ def _read(text: str, at: int) -> Token:
         return Token(kind, {"{": "(", "}": ")"}.get(name, name), at, command.end())
     if number := _NUMBER.match(text, at):
         if len(number[0]) > MAX_DIGITS:
-            raise FormulaError(f"a number of more than {MAX_DIGITS} digits", at, "shorten it")
+            raise Unfit(f"a number of more than {MAX_DIGITS} digits", at, "shorten it")
         return Token("number", number[0], at, number.end())
     if word := _WORD.match(text, at):
         return Token("name", word[0], at, word.end())

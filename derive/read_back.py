@@ -1,0 +1,103 @@
+"""The page read back: its mathematics is read by our LaTeX reader and compared with what it was printed from.
+
+Every display is taken apart where its signs of equality stand, and each expression is read in the names of
+its tree; a page that says something else is refused. What was read and what could not be is counted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+
+from derive.algebra.fingerprint import fingerprint
+from derive.answers.latex.printed import parts_of, read_part
+from derive.answers.latex.scripts import Tokens
+from derive.errors import FormulaError, SheetError, SheetErrors, Unfit
+from derive.expression import Approximate, Expr, walk
+from derive.render.document import Document
+from derive.render.layout import Chain
+from derive.render.notation import Notation
+from derive.render.printed import Printed, Reading, Said
+
+REMEMBERED = 20_000  # formulas of one process: a sheet is printed in several formats
+MISPRINTED = "the page says something else than was derived"
+EQUALS = ("=", r"\approx")
+REPORT = "please report this with the sheet"
+
+
+class Misprinted(Exception):
+    """What stands on a page is not what it was printed from."""
+
+
+def reading_of(document: Document) -> Reading:
+    """What was read of the page of a document, and what could not be. Raises SheetErrors."""
+    from derive.render.page import render_markdown
+
+    found: list[Reading] = []
+
+    def read(said: Sequence[Said]) -> Reading:
+        found.append(read_back(said))
+        return found[-1]
+
+    render_markdown(document, read=read)
+    return found[-1]
+
+
+def read_back(said: Sequence[Said]) -> Reading:
+    """How many formulas of a page were read and found to say what they were printed from. Raises SheetErrors
+    for those that do not, with the question and the formula."""
+    read, unread, faults = 0, dict[str, None](), list[SheetError]()
+    for part in said:
+        for formula in dict.fromkeys(part.printed):
+            try:
+                doubts = _unread(formula)
+            except Misprinted as error:
+                message = f"question {part.question} failed its own check: {MISPRINTED}: {error}"
+                faults.append(SheetError(message, part.place, REPORT))
+                continue
+            read += 0 if doubts else 1
+            unread |= dict.fromkeys(doubts)
+    if faults:
+        raise SheetErrors(faults)
+    return Reading(read, tuple(unread))
+
+
+@lru_cache(REMEMBERED)
+def _unread(printed: Printed) -> tuple[str, ...]:
+    """The formula, once for each of its expressions that could not be read, with the reason. Raises
+    Misprinted."""
+    shown = " ".join(printed.lines)
+    try:
+        chains = parts_of(printed.lines)
+        if [*map(len, chains)] != [*map(len, printed.chains)]:
+            raise Misprinted("a part is missing, or is one too many")
+        both = zip(chains, printed.chains, strict=True)
+        return tuple(f"{shown} ({why})" for pair in both for why in _doubts(*pair, printed.notation))
+    except Unfit as error:
+        return (f"{shown} ({error.message})",)
+    except (FormulaError, Misprinted) as error:
+        raise Misprinted(f"{shown} ({error})") from error
+
+
+def _doubts(found: Sequence[tuple[str, Tokens]], chain: Chain, notation: Notation) -> Iterator[str]:
+    """Why expressions of a chain could not be read. Raises Misprinted."""
+    rounded = False
+    for (sign, part), link in zip(found, chain, strict=True):
+        assert link.tree is not None  # what is laid out from trees knows them
+        before, rounded = rounded, _is_rounded(link.tree)
+        wanted = link.relation if link.relation not in EQUALS else EQUALS[rounded and not before]
+        if link is not chain[0] and sign != wanted:
+            raise Misprinted(f"{sign} stands for {wanted}")
+        try:
+            read = read_part(part, link.tree, notation.atan2 == "xy")
+        except Unfit as error:
+            yield error.message
+            continue
+        except FormulaError as error:
+            raise Misprinted(error.message) from error
+        if fingerprint(read, notation.digits) != fingerprint(link.tree, notation.digits):
+            raise Misprinted("what stands there is another expression")
+
+
+def _is_rounded(tree: Expr) -> bool:
+    return any(isinstance(node, Approximate) for node in walk(tree))

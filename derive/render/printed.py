@@ -1,0 +1,69 @@
+"""What a page says in mathematics, with the trees it was printed from, for whoever reads it back."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from derive.errors import Place
+from derive.expression import Expr, Relation
+from derive.render.layout import Chain, Display, Link
+from derive.render.notation import Notation
+
+
+@dataclass(frozen=True, slots=True)
+class Printed:
+    """A formula as it stands on a page, in the lines of a display or in one line of text; it says the chains
+    side by side."""
+
+    lines: tuple[str, ...]
+    chains: tuple[Chain, ...]
+    notation: Notation
+
+    @classmethod
+    def display(cls, display: Display, notation: Notation) -> Printed:
+        """A display, as it was laid out."""
+        return cls(display.lines, display.chains, notation)
+
+    @classmethod
+    def inline(cls, latex: str, chain: Chain, notation: Notation) -> Printed:
+        """A formula in a line of text."""
+        return cls((latex,), (chain,), notation)
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """How many formulas of a page were read back and found right, and those that could not be read."""
+
+    read: int = 0
+    unread: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Said:
+    """The mathematics of one question, called as `1.2`; `place` is that of the question in its sheet."""
+
+    question: str
+    place: Place | None
+    printed: tuple[Printed, ...]
+
+
+Reader: TypeAlias = Callable[[Sequence[Said]], Reading]
+
+
+def unread(said: Sequence[Said]) -> Reading:
+    """Reads nothing: for a page that nobody is given."""
+    return Reading()
+
+
+def links_of(relation: Relation) -> Chain:
+    """The trees of a relation with the signs before them."""
+    left = relation.left
+    before = links_of(left) if isinstance(left, Relation) else (Link("=", "", left),)
+    return (*before, Link(relation.sign, "", relation.right))
+
+
+def says(tree: Expr, latex: str) -> Chain:
+    """A formula that is one tree."""
+    return (Link("=", latex, tree),)
