@@ -32,8 +32,9 @@ def pose_name(i: int, reference: int = 0) -> Symbol:
 
 
 def end_frame(robot: Robot) -> str:
-    """The index of the end-effector's frame: `e` where a tool follows the last row."""
-    return TOOL if robot.tool and not robot.by_screws else str(len(robot.links))
+    """The index of the end-effector's frame: `e` where a tool follows the last row, or the home pose of a
+    chain of screws, whose frames all stand in the base while its joints are at zero."""
+    return TOOL if robot.ends_in_tool else str(len(robot.links))
 
 
 def axis_names(found: Chain, robot: Robot, i: int) -> tuple[Symbol, Symbol]:

@@ -9,7 +9,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.derivation import PageFacts, Step
 from derive.expression import ZERO, Expr, Matrix, Product, Symbol, add, cross
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import TOOL, axis_names, end_frame, pose_name
+from derive.kinds.robot._chain import axis_names, pose_name
 from derive.kinds.robot._couplings import drive_names, gamma_of, phi_of
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
@@ -117,7 +117,8 @@ def _by_columns(work: Work, J: ScalarMatrix, name: Symbol, columns: tuple[Block,
 def pose_lines(work: Work, found: Chain, last: int) -> Work:
     """T_2^0, T_3^0, ... on the way to frame `last`; T_1^0 is a local pose, and that of the end-effector
     belongs to the forward kinematics."""
-    rows = len(found.T_local) + (end_frame(work.problem.subject) == TOOL)
+    robot = work.problem.subject
+    rows = len(found.T_local) + bool(robot.tool and not robot.by_screws)
     for i in range(2, min(last + 1, rows)):
         written = work.problem.readable_matrix(found.T[i])
         product = pose_name(i - 1) * pose_name(i, i - 1)

@@ -11,6 +11,7 @@ from derive.derivation import Derivation, PageFacts
 from derive.expression import Derivative, Expr, Number, Sum, Symbol, add, multiply, number
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
+from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot.inertia_matrix import Facts as InertiaFacts
 from derive.kinds.work import Work
@@ -52,6 +53,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         vanish=sum(not value for ijk, value in symbols.items() if _ordered(ijk) not in shown),
     )
     results = {_name(ijk).name: found[_ordered(ijk)] for ijk in sorted(symbols)}
+    work = by_index(work, results)
     return work.answer("christoffel", results, facts)
 
 

@@ -10,6 +10,7 @@ from derive.derivation import Derivation, PageFacts, Record
 from derive.expression import ZERO, Derivative, Expr, Matrix, Symbol, add, column, multiply, number, squared
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
+from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import Christoffel, christoffel, rate_column, velocity_terms
@@ -57,9 +58,11 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     results = {name.name: work.matrix(name) for name in ((C, B) if n > 1 else (C,))}
     made = _whole(arm, results["C"], results.get("B")) - work[V]
     work = arm.agrees(work.law("makes-v", not work.value_matrix(made)), "v", work[V])
+    entries = {_b(*ijk).name: value for ijk, value in sorted(b.items())}
+    work = by_index(work, entries)
     return work.answer(
         "coriolis-matrices",
-        {**results, **{_b(*ijk).name: value for ijk, value in sorted(b.items())}, "v": work[V]},
+        {**results, **entries, "v": work[V]},
         Facts(big=arm.long, one=n == 1, vanish=len(values) - len(shown)),
         matrices=frozenset({"C", "B"}),
     )

@@ -8,6 +8,7 @@ from derive.derivation import Derivation
 from derive.expression import add, column
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
+from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.drives import Facts as Facts
 from derive.kinds.robot._dynamics.drives import friction_sorts
@@ -41,6 +42,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     tau = column(add(*(term.written for term in terms)) for terms in found)
     work = arm.moved(work, tau)
     results = {"D": arm.inertia.results["D"], **speed.results, **weight.results, "tau": tau}
+    work = by_index(work, results)
     viscous, coulomb = friction_sorts(robot)
     facts = Facts(big=big, notation="spong", viscous=viscous, coulomb=coulomb)
     return work.answer("dynamics", results, facts, matrices=frozenset({"D"}))

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from pydantic import Field
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.readable.form import readable_matrix
 from derive.derivation import Derivation, PageFacts, Step
 from derive.errors import NotDerivable
-from derive.expression import Symbol, symbols
+from derive.expression import Expr, Symbol, symbols
 from derive.kinds.checks import is_rotation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
+from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._chain import TOOL, chain_of, end_frame, oracle_of, pose_name
 from derive.kinds.robot._columns import product_lines
 from derive.kinds.robot._rows.exponentials import NAMED, Exponentials, ScrewsTold
@@ -83,18 +86,29 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         product=name.name if len(factors) > 1 else "",
         page_names={pose_name(last).name: name.name},
     )
-    work = work.claim(*is_rotation(rotation_part(T), name.name.replace("T", "R", 1)))
-    return _as_in_numbers(work, T, last, whole).answer("forward-kinematics", results, facts)
+    work = work.claim(*is_rotation(rotation_part(T), _rotation_name(name)))
+    work = _named(_as_in_numbers(work, T, last, whole), results, facts)
+    return work.answer("forward-kinematics", results, facts)
 
 
 def _by_screws(robot: Robot, problem: Problem, last: int, whole: bool) -> Derivation:
     screws = Exponentials(problem, robot, last, whole)
     work = screws.lines(Work(problem))
     results = {step.name: problem.final(step.result) for step in work.steps if step.rule in NAMED}
-    results[screws.name.name] = work.final(screws.name)
-    work = screws.proved(work).claim(*is_rotation(rotation_part(screws.pose), f"R_{last}^0"))
+    results[pose_name(last).name] = work.final(screws.name)
+    work = screws.proved(work).claim(*is_rotation(rotation_part(screws.pose), _rotation_name(screws.name)))
     work = _as_in_numbers(work, screws.pose, last, whole)
-    return work.answer("forward-kinematics", results, Facts(screws=screws.told()))
+    facts = Facts(screws=screws.told(), page_names={pose_name(last).name: screws.name.name})
+    return _named(work, results, facts).answer("forward-kinematics", results, facts)
+
+
+def _named(work: Work, results: Mapping[str, Expr], facts: Facts) -> Work:
+    """The frames by their numbers; the end-effector counts as the last one in the results."""
+    return by_index(work, {str(facts.page_names.get(name, name)): pose for name, pose in results.items()})
+
+
+def _rotation_name(pose: Symbol) -> str:
+    return pose.name.replace("T", "R", 1)
 
 
 def _law(work: Work, robot: Robot) -> Work:

@@ -7,6 +7,7 @@ from derive.derivation import Derivation
 from derive.expression import ZERO, Derivative, Symbol, add, column, symbols, transpose
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
+from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.work import Work
@@ -36,6 +37,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.agrees(
         "torques-at-rest", problem.symbols | {"g"}, torques, oracle_of(problem).torques_at_rest
     )
+    work = by_index(work, {})
     return work.answer("gravity", {"P": work.final(P), "g": g})
 
 

@@ -9,6 +9,7 @@ from derive.derivation import Derivation, PageFacts
 from derive.expression import ZERO, Expr, Matrix, Product, Symbol, add, children, free_symbols, transpose
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
+from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._dynamics.body_steps import (
@@ -72,6 +73,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         problem.normal_matrix(results["D"]),
         oracle_of(problem).inertia_matrix,
     )
+    work = by_index(work, results)
     facts = Facts(
         shapes=bool(moments),
         big=big,

@@ -15,6 +15,7 @@ from derive.expression import ZERO, Indexed, Matrix, Symbol, free_symbols, symbo
 from derive.kinds.fields import Evaluation, Name, OptionsModel
 from derive.kinds.pose.euler_angles import known_convention
 from derive.kinds.problem import Problem
+from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._chain import TOOL, chain_of, joint_numbers, oracle_of
 from derive.kinds.robot._columns import Facts as Facts
 from derive.kinds.robot._columns import jacobian_lines
@@ -78,6 +79,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     )
     result = {"J": work.final(J)}
     work = work.knowing({J: written})  # those who build on it keep the names of `where`
+    work = by_index(work, result)
     return work.answer("jacobian", result, _facts(found, point), matrices=frozenset(result))
 
 
@@ -105,6 +107,7 @@ def _restated(options: Options, problem: Problem) -> Derivation:
         partial(_by_differences, oracle_of(problem), point, options),
         DIFFERENCES,
     )
+    work = by_index(work, result)
     return work.answer("jacobian", result, Facts(restated=True), matrices=frozenset(result))
 
 

@@ -12,6 +12,7 @@ from derive.derivation import Derivation
 from derive.expression import Expr
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
+from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._chain import axis_lines, chain_of, oracle_of, pose_name
 from derive.kinds.robot._columns import pose_lines
 from derive.kinds.robot._couplings import motion_lines
@@ -37,6 +38,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         ours = partial(_told, found.T[i], told)
         route = partial(_composed, oracle_of(problem), i, tuple(told))
         work = work.agrees("poses-composed", problem.symbols, ours, route, frame=i)
+    work = by_index(work, results)
     return work.answer("joint-axes", results)
 
 

@@ -109,7 +109,7 @@ class Oracle:
         if name is None:
             return None
         return axis_of(
-            lambda by: self._row(link, {**point, name: point[name] + by}), link.joint == "revolute"
+            lambda by: self._row(link, {**point, name: point[name] + by}), link.joint != "prismatic"
         )
 
     # -- what it needs ------------------------------------------------------------------------------
@@ -156,8 +156,7 @@ class Oracle:
         """tau (n) without rotors and friction."""
         if self.robot.coupled or self.robot.shifting:
             return self._by_displacements(at)
-        poses = self.poses(at)
-        bodies = self._bodies(poses, at)
+        poses, bodies = self.poses(at), self.bodies(at)
         return torques_of_bodies(self.robot.links, poses, self.axes(at), bodies, self.gravity(at), at)
 
     def _by_displacements(self, point: Point) -> Array:
@@ -168,10 +167,11 @@ class Oracle:
 
     def placed(self, point: Any) -> list[Placed]:
         """Where the bodies are."""
-        return [body for body in self._bodies(self.poses(point), point) if body]
+        return [body for body in self.bodies(point) if body]
 
-    def _bodies(self, poses: Sequence[Array], point: Any) -> list[Placed | None]:
+    def bodies(self, point: Any) -> list[Placed | None]:
         """Those of the links, None where one has none."""
+        poses = self.poses(point)
         found: list[Placed | None] = []
         for link, before, T in zip(self.robot.links, poses, poses[1:], strict=False):
             if (body := link.body) is None:

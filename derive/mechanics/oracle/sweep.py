@@ -22,15 +22,15 @@ class Axis:
     point: Array
 
 
-def axis_of(local: Callable[[float], Array], revolute: bool) -> Axis:
+def axis_of(local: Callable[[float], Array], turns: bool) -> Axis:
     """Told from what the joint does: `local` is T (4 by 4) of its row that much further. The points that stay
-    where they are make up the axis."""
+    where they are, or go along it only, make up the axis."""
     import numpy as np
 
     ahead, behind = local(NEAR), local(-NEAR)
     R = ahead[:3, :3] @ behind[:3, :3].T
     p = ahead[:3, 3] - R @ behind[:3, 3]
-    if not revolute:
+    if not turns:
         return Axis(p / (2 * NEAR), np.zeros(3))
     twice_sin = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
     size = float(np.linalg.norm(twice_sin))

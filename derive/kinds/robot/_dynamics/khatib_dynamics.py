@@ -8,6 +8,7 @@ from derive.algebra.normal import normal_matrix
 from derive.derivation import Derivation
 from derive.expression import ZERO, Expr, Sum, Symbol, add, column, multiply, symbols, terms_of, transpose
 from derive.kinds.problem import Problem
+from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
@@ -49,9 +50,10 @@ def khatib_dynamics(problem: Problem) -> Derivation:
     work = work.law("gradient", made == normal_matrix(g))
     work = arm.moved(work, tau)
     parts = {name: value for name, value in speed.results.items() if name in ("C", "B", "v")}
-    return work.answer(
+    results = {"M": work[M], **parts, "G": g, "tau": tau}
+    return by_index(work, results).answer(
         "dynamics",
-        {"M": work[M], **parts, "G": g, "tau": tau},
+        results,
         Facts(big=arm.long, friction=rubs, notation="khatib"),
         matrices=frozenset({"M", "C", "B"}),
     )

@@ -13,6 +13,7 @@ from derive.derivation import Record
 from derive.expression import ZERO, Call, Expr, Indexed, Matrix, Symbol, column, cross, free_symbols, multiply
 from derive.expression import add as total
 from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import end_frame
 from derive.kinds.robot._columns import product_lines
 from derive.kinds.work import Work
 from derive.mechanics.oracle import exponential
@@ -56,7 +57,7 @@ class Exponentials:
     @property
     def name(self) -> Symbol:
         """What the pose is called."""
-        return self.called or Symbol(f"T_{self.last}^0")
+        return self.called or Symbol(f"T_{end_frame(self.robot) if self.whole else self.last}^0")
 
     @cached_property
     def screws(self) -> tuple[Screw, ...]:
@@ -151,7 +152,7 @@ class Exponentials:
     def _frame(self, i: int) -> Symbol:
         """What that motion is called: T_1^0, or E_1 where that is no frame or the whole pose."""
         name = Symbol(f"T_{i}^{i - 1}")
-        return name if self.frames and not (self.whole and name == self.name) else Symbol(f"E_{i}")
+        return name if self.frames and not (self.whole and i == self.last == 1) else Symbol(f"E_{i}")
 
 
 def turns(screw: Screw) -> bool:

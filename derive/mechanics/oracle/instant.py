@@ -1,0 +1,188 @@
+"""An arm at one point, its frames, bodies and terms by their indices, as books number them.
+
+Frames are 0, 1, ..., n, e (the end-effector) and c1 (at the com of link 1, turned as that link).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+from derive.algebra.numbers.floats import Point
+from derive.mechanics.oracle.arm import Oracle
+from derive.mechanics.oracle.displacements import Placed
+from derive.mechanics.oracle.sweep import Axis
+from derive.mechanics.oracle.values import Array
+
+NEAR = 1e-4  # of differences; of two of them the error is about its fourth power
+TIP = "e"
+
+
+@dataclass(frozen=True)
+class Instant:
+    """The arm in numbers where its joint variables are those of the point. Rates and accelerations are read
+    of the point where a method says so."""
+
+    oracle: Oracle
+    at: Point
+
+    # -- where it is ----------------------------------------------------------------------------------
+
+    @cached_property
+    def frames(self) -> dict[str, Array]:
+        """The pose (4 by 4, in the base) of each frame."""
+        import numpy as np
+
+        robot, poses = self.oracle.robot, self.oracle.poses(self.at)
+        found = {str(i): T for i, T in enumerate(poses)}
+        found[TIP] = poses[-1] @ self.oracle.in_hand(self.at)
+        for i, body in enumerate(self.bodies, 1):
+            if body is not None:
+                found[f"c{i}"] = np.block([[body.R, body.com[:, None]], [np.zeros((1, 3)), np.ones((1, 1))]])
+        if robot.base:  # frame 0 stands where the base puts it, and poses are seen from the base
+            found["base"], found["0"] = poses[0], np.eye(4)
+        return found
+
+    def pose(self, frame: str, seen_from: str = "0") -> Array:
+        """T (4 by 4) of a frame in another."""
+        import numpy as np
+
+        return np.linalg.inv(self.frames[seen_from]) @ self.frames[frame]
+
+    def local(self, i: int) -> Array:
+        """T (4 by 4) of row i alone."""
+        return self.oracle.local(self.at)[i - 1]
+
+    def axis(self, i: int) -> Array:
+        """The direction (3, base frame) of the joint of row i."""
+        import numpy as np
+
+        moved = self._axes[i - 1]
+        return np.array(self._before(i)[:3, :3] @ moved.direction if moved else [np.nan] * 3)
+
+    def on_axis(self, i: int, point: Sequence[float]) -> Array:
+        """The point (3) of the axis of row i that is nearest to a point."""
+        import numpy as np
+
+        moved, T = self._axes[i - 1], self._before(i)
+        if moved is None:
+            return np.full(3, np.nan)
+        k, o = T[:3, :3] @ moved.direction, T[:3, :3] @ moved.point + T[:3, 3]
+        return np.array(o + k * (k @ (np.array(point) - o)) / (k @ k))
+
+    @cached_property
+    def _axes(self) -> list[Axis | None]:
+        return self.oracle.axes(self.at)
+
+    def _before(self, i: int) -> Array:
+        return self.oracle.poses(self.at)[i - 1]
+
+    # -- how it moves ---------------------------------------------------------------------------------
+
+    def jacobian(self, frame: str) -> Array:
+        """J (6 by n) of the origin of a frame, by differences of its pose: what it shifts and turns."""
+        import numpy as np
+
+        columns = []
+        R = self.frames[frame][:3, :3]
+        for ahead, behind, far, near in self._shots:
+            rate = (8 * (ahead[frame] - behind[frame]) - (far[frame] - near[frame])) / (12 * NEAR)
+            S = rate[:3, :3] @ R.T
+            columns.append([*rate[:3, 3], S[2, 1], S[0, 2], S[1, 0]])
+        return np.array(columns).T
+
+    @cached_property
+    def _shots(self) -> list[tuple[dict[str, Array], ...]]:
+        """The frames a little further and a little back along each joint variable, then twice as far."""
+        return [
+            tuple(
+                Instant(self.oracle, {**self.at, name: self.at[name] + k * NEAR}).frames
+                for k in (1, -1, 2, -2)
+            )
+            for name in self.oracle.robot.variables
+        ]
+
+    # -- what it weighs -------------------------------------------------------------------------------
+
+    @cached_property
+    def bodies(self) -> list[Placed | None]:
+        """Of each link."""
+        return self.oracle.bodies(self.at)
+
+    @cached_property
+    def D(self) -> Array:
+        """The inertia matrix (n by n), rotors included."""
+        return self._rigid.inertia_matrix(self.at)
+
+    def D_of(self, i: int) -> Array:
+        """What the body of link i alone brings to it (n by n)."""
+        links = (
+            replace(link, motor=None, body=link.body if k == i else None)
+            for k, link in enumerate(self.oracle.robot.links, 1)
+        )
+        return replace(self.oracle, robot=replace(self._rigid.robot, links=tuple(links))).inertia_matrix(
+            self.at
+        )
+
+    @cached_property
+    def g(self) -> Array:
+        """The joint forces (n) that hold the arm."""
+        return self._rigid.torques_at_rest(self.at)
+
+    @cached_property
+    def tau(self) -> Array:
+        """The joint forces (n) at the rates and accelerations of the point, friction included."""
+        return self.oracle.torques(self.at)
+
+    @cached_property
+    def christoffel(self) -> Array:
+        """c_ijk (n by n by n) from the torques of one and of two rates."""
+        import numpy as np
+
+        n = len(self.oracle.robot.variables)
+        unit = np.eye(n)
+        alone = [self._of_rates(each) for each in unit]
+        found = np.zeros((n, n, n))
+        for i in range(n):
+            found[i, i] = alone[i]
+            for j in range(i):
+                both = self._of_rates(unit[i] + unit[j])
+                found[i, j] = found[j, i] = (both - alone[i] - alone[j]) / 2
+        return found
+
+    def potential(self, i: int) -> float:
+        """The potential energy of link i, zero at the origin of the base."""
+        body = self.bodies[i - 1]
+        return 0.0 if body is None else -body.mass * float(self.oracle.gravity(self.at) @ body.com)
+
+    @property
+    def potential_energy(self) -> float:
+        """That of all links."""
+        return sum(self.potential(i) for i, _ in enumerate(self.bodies, 1))
+
+    def kinetic(self, i: int) -> float:
+        """The kinetic energy of link i at the rates of the point."""
+        body, (v, w) = self.bodies[i - 1], self.twist(f"c{i}")
+        return 0.0 if body is None else float(body.mass * v @ v + w @ body.turned @ w) / 2
+
+    def twist(self, frame: str) -> tuple[Array, Array]:
+        """v of the origin of a frame and its omega (3 each) at the rates of the point."""
+        import numpy as np
+
+        rates = np.array([self.at[f"{name}_dot"] for name in self.oracle.robot.variables])
+        v = self.jacobian(frame) @ rates
+        return v[:3], v[3:]
+
+    def _of_rates(self, rates: Array) -> Array:
+        """The torques (n) of these rates alone."""
+        moving = dict(self.at)
+        for name, rate in zip(self.oracle.robot.variables, rates, strict=True):
+            moving |= {f"{name}_dot": rate, f"{name}_ddot": 0.0}
+        return self._rigid.torques(moving) - self.g
+
+    @cached_property
+    def _rigid(self) -> Oracle:
+        """The arm without friction."""
+        links = tuple(replace(link, friction=None) for link in self.oracle.robot.links)
+        return replace(self.oracle, robot=replace(self.oracle.robot, links=links))
