@@ -16,7 +16,7 @@ from derive.render.questions import example_of
 from derive.sheet.load import load_sheet
 from derive.writing import render
 
-SUBJECTS = ("motion", "frames", "points", "sensor", "drive", "mechanism", "function", "lagrange")
+SUBJECTS = ("motion", "frames", "points", "sensor", "drive", "mechanism", "function", "lagrange", "profile")
 
 
 def asked(text: str, folder: Path) -> Iterator[Asked]:
