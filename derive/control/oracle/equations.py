@@ -13,7 +13,7 @@ from derive.algebra.fold import Domain, fold
 from derive.algebra.numbers.floats import FUNCTIONS
 from derive.control.signals import signals, unknowns
 from derive.control.system import Equation, System
-from derive.expression import Expr, Symbol, free_symbols
+from derive.expression import Expr, Number, Power, Quotient, Symbol, free_symbols, walk
 
 
 class _Complex(Domain[complex]):
@@ -106,13 +106,18 @@ class Numeric:
         """output / reference of the loop: the input is one more unknown, u = C (r - y)."""
         import numpy
 
+        loop = self.loop(s, controller)
+        wanted = numpy.append(numpy.zeros(len(loop) - 1), controller)
+        return complex(numpy.linalg.solve(loop, wanted)[self.unknown.index(self.system.output)])
+
+    def loop(self, s: complex, controller: complex) -> Any:
+        """The coefficients of the unknowns and of the input at one s, the law of the controller below."""
+        import numpy
+
         matrix, drives = self._equations(s)
-        place = self.unknown.index(self.system.output)
         law = numpy.zeros(len(matrix) + 1, dtype=complex)
-        law[place], law[-1] = controller, 1.0
-        loop = numpy.vstack((numpy.column_stack((matrix, drives[:, 0])), law))
-        wanted = numpy.append(numpy.zeros(len(matrix)), controller)
-        return complex(numpy.linalg.solve(loop, wanted)[place])
+        law[self.unknown.index(self.system.output)], law[-1] = controller, 1.0
+        return numpy.vstack((numpy.column_stack((matrix, drives[:, 0])), law))
 
     def matrix(self, s: complex) -> Any:
         """The coefficients of the unknowns at one s."""
@@ -128,6 +133,21 @@ class Numeric:
         for row, column in self.entries:
             whole[row, column] = _coefficient(self.system.equations[row], columns[column], quiet)
         return whole[:, : len(self.unknown)], whole[:, len(self.unknown) :]
+
+
+def divides_by_s(system: System) -> bool:
+    """Whether an equation has s below a bar."""
+    sides = (side for equation in system.equations for side in (equation.left, equation.right))
+    return any(
+        (isinstance(node, Quotient) and "s" in free_symbols(node.denominator))
+        or (isinstance(node, Power) and "s" in free_symbols(node.base) and not _counts_up(node.exponent))
+        for side in sides
+        for node in walk(side)
+    )
+
+
+def _counts_up(exponent: Expr) -> bool:
+    return isinstance(exponent, Number) and exponent.value >= 0 and exponent.value.denominator == 1
 
 
 def _coefficient(equation: Equation, signal: Symbol, quiet: Mapping[str, complex]) -> complex:

@@ -36,12 +36,17 @@ def possible(coefficients: Sequence[float]) -> frozenset[str]:
     return VERDICTS - {"integrator"}
 
 
-def on_right(coefficients: Sequence[float]) -> int | None:
-    """How many roots lie right of the axis; None where one lies too close to it."""
+def on_right(coefficients: Sequence[float]) -> tuple[int, int]:
+    """How many roots lie right of the axis, at least and at most: some lie too close to it to be told."""
     found = roots_of(coefficients)
-    if any(abs(root.real) <= NEAR * abs(root) for root in found):
-        return None
-    return sum(root.real > 0 for root in found)
+    least = sum(root.real > NEAR * abs(root) for root in found)
+    return least, sum(root.real > -NEAR * abs(root) for root in found if root)
+
+
+def is_zero_at(coefficients: Sequence[float], root: complex) -> bool:
+    """Whether a polynomial vanishes there, as far as its terms tell."""
+    terms = [k * root ** (len(coefficients) - 1 - place) for place, k in enumerate(coefficients)]
+    return abs(sum(terms)) <= ON * sum(map(abs, terms))
 
 
 def product(lead: complex, roots: Sequence[complex], s: complex) -> complex:
@@ -57,6 +62,4 @@ def _is_simple(root: complex, found: Sequence[complex]) -> bool:
 
 def _is_on_axis(coefficients: Sequence[float], root: complex) -> bool:
     """Whether the polynomial vanishes where its circle meets the axis."""
-    s, power = complex(0.0, root.imag), len(coefficients) - 1
-    terms = [k * s ** (power - place) for place, k in enumerate(coefficients)]
-    return abs(sum(terms)) <= ON * sum(map(abs, terms))
+    return is_zero_at(coefficients, complex(0.0, root.imag))

@@ -10,23 +10,20 @@ from derive.algebra.numbers.balls import number_sign
 from derive.algebra.scalar import Scalar
 from derive.control.oracle.equations import Numeric
 from derive.control.rational import at
-from derive.control.roots import points, roots
-from derive.control.routh import remainder, sign_changes
+from derive.control.roots import roots
+from derive.control.routh import remainder
 from derive.control.signals import signals
 from derive.derivation import Claim
 from derive.expression import Expr, Symbol, number
-from derive.kinds.checks import SECOND_ROUTE, law, random_points
-from derive.kinds.system._plant import verdict
+from derive.kinds.checks import law, random_points, route
 from derive.kinds.system._stability_answer import Answer, right_of_axis
-from derive.kinds.system._stability_limit import frequency_squared, is_marginal, limiting, possible
+from derive.kinds.system._stability_limit import frequency_squared, limiting
 
-POINTS = 40
 POINTS_OF_MOTION, NEARLY = 2, 1e-7
-MARGINAL = ("integrator", "oscillator")
 
 
 def claims_about(answer: Answer) -> Iterator[Claim]:
-    """Auxiliary polynomials divide, sign changes count roots, conditions hold where all roots lie left."""
+    """Auxiliary polynomials divide, sign changes count roots, a hidden motion solves the equations."""
     array = answer.array
     if "epsilon" not in array.mended:
         for i, row in enumerate(array.rows, 1):
@@ -38,12 +35,9 @@ def claims_about(answer: Answer) -> Iterator[Claim]:
         yield law("row-divides", _divides(answer, limit))
     if not answer.symbols:
         right = right_of_axis(roots(array.polynomial))
-        yield Claim("sign-changes", SECOND_ROUTE, answer.changes == right)
+        yield route("sign-changes", (answer.changes == right,))
     if len(answer.hidden) > 1:
-        yield Claim(
-            "hidden-motion", SECOND_ROUTE, all(map(partial(_solves, answer), range(POINTS_OF_MOTION)))
-        )
-    yield from _at_random(answer)
+        yield route("hidden-motion", map(partial(_solves, answer), range(POINTS_OF_MOTION)))
 
 
 def _solves(answer: Answer, seed: int) -> bool:
@@ -80,48 +74,6 @@ def _is_free(value: Scalar, factor: Scalar) -> bool:
     both = below + factor
     common = below.into(both.ring).numerator.gcd(factor.into(both.ring).numerator)
     return bool(common.is_constant())
-
-
-def _at_random(answer: Answer) -> Iterator[Claim]:
-    """Conditions and sign changes against the roots themselves."""
-    tried = points(answer.symbols, answer.positive, POINTS if answer.symbols else 1)
-    places = (dict[Expr, Expr]({Symbol(k): number(x) for k, x in point.items()}) for point in tried)
-    found = [each for place in places if (each := _compared(answer, place)) is not None]
-    stable, marginal, right = (all(each[k] for each in found) for k in range(3))
-    yield Claim("exactly-stable", SECOND_ROUTE, stable)
-    if answer.symbols and is_marginal(answer):
-        yield Claim("marginally-stable", SECOND_ROUTE, marginal)
-    if answer.symbols and "epsilon" not in answer.array.mended:
-        yield Claim("sign-changes-at-random", SECOND_ROUTE, right)
-
-
-def _compared(answer: Answer, place: Mapping[Expr, Expr]) -> tuple[bool, bool, bool] | None:
-    """Whether conditions, those of marginal stability and sign changes are right at a point; None where
-    the polynomial is not real or of lower degree there."""
-    try:
-        there = at(answer.array.polynomial, place)
-        met = all(each > 0 for each in signs_at(answer.conditions, place))
-        others = signs_at(possible(answer), place)
-    except (ValueError, ZeroDivisionError):
-        return None
-    if not there[0]:
-        return None
-    found = roots(there)
-    changes = _changes_at(answer, place)
-    return (
-        met == all(each.real < 0 for each in found),
-        0 in others or all(each > 0 for each in others) == (verdict(tuple(there)) in MARGINAL),
-        changes is None or changes == right_of_axis(found),
-    )
-
-
-def _changes_at(answer: Answer, place: Mapping[Expr, Expr]) -> int | None:
-    """The sign changes of the first column; None where it vanishes there."""
-    try:
-        signs = signs_at(answer.array.column, place)
-    except ZeroDivisionError:
-        return None
-    return sign_changes(signs) if all(signs) else None
 
 
 def signs_at(values: Iterable[Scalar], place: Mapping[Expr, Expr]) -> list[int]:

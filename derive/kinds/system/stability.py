@@ -17,15 +17,18 @@ from derive.control.rational import Rational, at, names_in
 from derive.control.rational import written as collected
 from derive.control.roots import roots
 from derive.control.system import System
-from derive.derivation import Derivation, PageFacts, Result, Step, Table
-from derive.expression import ZERO, Expr, Quotient, Relation, Sum, Symbol, number, walk
+from derive.derivation import Derivation, Result, Step
+from derive.expression import Expr, Quotient, Relation, Sum, Symbol, number, walk
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._options import ControllerField
-from derive.kinds.system._plant import AtPoint, mixed, point_chains, poles_json, root_tree, rounded, verdict
+from derive.kinds.system._oracle import Held
+from derive.kinds.system._plant import mixed, point_chains, poles_json, root_tree, rounded, verdict
 from derive.kinds.system._routh_steps import entry_steps
 from derive.kinds.system._stability_answer import Answer, answered, right_of_axis
 from derive.kinds.system._stability_checks import claims_about, signs_at
+from derive.kinds.system._stability_facts import Facts as Facts
+from derive.kinds.system._stability_facts import StabilityAtPoint
 from derive.kinds.system._stability_limit import (
     frequency_squared,
     is_marginal,
@@ -34,6 +37,7 @@ from derive.kinds.system._stability_limit import (
     of_one_sign,
     possible,
 )
+from derive.kinds.system._stability_routes import Printed, point_routes, routes
 from derive.kinds.work import Work
 from derive.names import free
 
@@ -47,35 +51,10 @@ class Options(OptionsModel):
     evaluate: Evaluation = None
 
 
-class StabilityAtPoint(AtPoint):
-    failing: tuple[Relation, ...] = ()
-
-
-class Facts(PageFacts):
-    closed: bool
-    motor: tuple[str, ...]
-    hidden: Expr | None
-    degree: int
-    factor: Expr | None
-    coefficients: str  # "met", "violated", "open"
-    array: Table | None
-    letter: str
-    column: tuple[Expr, ...]
-    mended: tuple[str, ...]  # the special cases of the array
-    epsilon: Symbol
-    never: bool
-    conditions: tuple[Relation, ...]
-    marginal: tuple[Relation, ...] | None
-    one_sign: tuple[Expr, ...]
-    assumed: bool
-    origin: Expr = ZERO
-    symbolic: bool
-    limiting: Relation | None
-    critical: tuple[tuple[Expr, ...], ...] | None
-    changes: int
-    axis: tuple[Expr, ...]
-    verdict: str
-    at: StabilityAtPoint | None
+def claims_of(system: System, options: Options) -> tuple[str, ...]:
+    """With those of the values asked for."""
+    always = ("polynomial", "minors", "array-as-printed", "as-said")
+    return (*always, "in-numbers") if options.evaluate else always
 
 
 def derive(system: System, options: Options, problem: Problem) -> Derivation:
@@ -89,13 +68,13 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
         results["unstable_poles"] = number(answer.changes)
     evaluated, numbers = _evaluated(answer, options)
     work = Work(problem, _definitions(answer), uses=(answer.base,), steps=tuple(_steps(answer)))
-    return work.claim(*claims_about(answer)).answer(
-        "stability",
-        results,
-        _facts(answer, options, numbers),
-        evaluated=evaluated,
-        matrices=frozenset({"routh"}),
+    told, held = _facts(answer, options, numbers), Held(problem, system.input, options.controller)
+    printed = Printed(answer.array.matrix, answer.written, work.steps, told, answer.positive)
+    there = replace(held, given=dict(options.evaluate or ()))
+    work = work.claim(
+        *claims_about(answer), *routes(held, printed, results), *point_routes(there, printed, evaluated)
     )
+    return work.answer("stability", results, told, evaluated=evaluated, matrices=frozenset({"routh"}))
 
 
 # -- the page -----------------------------------------------------------------------------------------
