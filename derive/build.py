@@ -8,9 +8,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from derive.derivation import Derivation, Figure
+from derive.derivation import Claim, Derivation, Figure
 from derive.errors import NotDerivable, SheetError, SheetErrors
-from derive.evaluate import evaluated, strange_names
+from derive.evaluate import strange_names, with_numbers
 from derive.kinds.measured import InDecimals
 from derive.kinds.problem import Problem as Working
 from derive.kinds.problem import parts
@@ -214,14 +214,15 @@ def _question(
     order: tuple[Worked, ...],
     working: Working,
 ) -> QuestionPage:
-    if answer and question.evaluate is not None and not (answer.evaluated or answer.files):
-        answer = evaluated(answer, question, working)
+    claims: tuple[Claim, ...] = ()
+    if answer:
+        answer, claims = with_numbers(answer, question, working)
     marks = question.marks if sheet.marks else None
     at = question.evaluate or {}
     folder = words_folder(working.name, answer.kind) if answer else ""
     return QuestionPage(
         question.number, question.find, question.text, marks, question.hint, answer, order, at,
-        folder=folder, place=question.place,
+        folder=folder, place=question.place, claims=claims,
     )  # fmt: skip
 
 

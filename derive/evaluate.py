@@ -8,12 +8,14 @@ from dataclasses import replace
 from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
-from derive.derivation import Derivation
+from derive.derivation import Claim, Derivation
 from derive.errors import SheetError, SheetErrors
+from derive.evaluated_again import evaluated_again
 from derive.kinds.problem import Problem as Working
 from derive.sheet.faults import did_you_mean
 from derive.sheet.model import Problem, Question
 from derive.sheet.source import At
+from derive.verify import failed, speech_of
 
 if TYPE_CHECKING:
     from derive.kinds.values_at import Here
@@ -46,6 +48,23 @@ def _misspelt(name: str, names: Collection[str]) -> bool:
     return any(each.replace("_", "") == plain for each in names) or bool(
         get_close_matches(name, names, n=1, cutoff=MISSPELT)
     )
+
+
+def with_numbers(
+    answer: Derivation, question: Question, working: Working
+) -> tuple[Derivation, tuple[Claim, ...]]:
+    """The answer with its results in numbers, each found a second time. Raises SheetErrors."""
+    own = bool(answer.evaluated or answer.files)
+    if not own and question.evaluate is not None:
+        answer = evaluated(answer, question, working)
+    if not answer.evaluated:
+        return answer, ()
+    speech = speech_of(answer, working)
+    point = {**working.where, **(question.evaluate or {})}
+    answer, claim = evaluated_again(answer, point, speech, branches=not own)
+    if claim and not claim.holds:
+        raise SheetErrors([failed(claim, speech, question)])
+    return answer, (claim,) if claim else ()
 
 
 def evaluated(answer: Derivation, question: Question, working: Working) -> Derivation:

@@ -47,16 +47,20 @@ def answered(question: Question, working: Problem) -> Derivation:
     return derivation
 
 
-def _failure(derivation: Derivation, failed: Claim, question: Question, working: Problem) -> SheetError:
+def _failure(derivation: Derivation, claim: Claim, question: Question, working: Problem) -> SheetError:
     """What is told of a claim that does not hold: an accident of ours, or numbers that floats cannot hold."""
-    apart = far_apart((working.subject, *working.where.values())) if failed.by == SECOND_ROUTE else None
+    apart = far_apart((working.subject, *working.where.values())) if claim.by == SECOND_ROUTE else None
     if apart:
         small, large = apart
         message = f"numbers as far apart as {small:.3g} and {large:.3g} cannot be checked in floating point"
         return SheetError(message, question.place, "give them in other units")
-    speech = speech_of(derivation, working)
-    claim, means = speech.claim(failed), speech.say(Phrase(failed.by))
-    message = f"the answer failed its own check: {claim} (by {means})"
+    return failed(claim, speech_of(derivation, working), question)
+
+
+def failed(claim: Claim, speech: Speech, question: Question) -> SheetError:
+    """What is told of an accident of ours."""
+    said, means = speech.claim(claim), speech.say(Phrase(claim.by))
+    message = f"the answer failed its own check: {said} (by {means})"
     return SheetError(message, question.place, REPORT)
 
 

@@ -22,22 +22,26 @@ FUNCTIONS: Mapping[str, Callable[..., arb]] = {
 }  # fmt: skip
 
 
-class _Balls(Domain[arb]):
+class Balls(Domain[arb]):
     """Numbers in ball arithmetic, at the working precision of FLINT, where each symbol has one."""
 
     def __init__(self, point: Mapping[str, arb]) -> None:
         self.point = point
 
     def number(self, value: Fraction) -> arb:
+        """An exact rational."""
         return arb(to_flint(value))
 
     def approximate(self, value: float) -> arb:
+        """The float, exactly."""
         return arb(value)
 
     def degrees(self, value: Fraction) -> arb:
+        """In radians."""
         return arb.pi() * arb(to_flint(value / 180))
 
     def symbol(self, name: str) -> arb:
+        """Its value at the point, or pi."""
         return arb.pi() if name == "pi" else self.point[name]
 
     def root(self, value: arb, degree: int) -> arb:
@@ -45,18 +49,19 @@ class _Balls(Domain[arb]):
         return (value if value < 0 else value.nonnegative_part()).root(degree)
 
     def call(self, function: str, arguments: list[arb]) -> arb:
+        """A function of this table."""
         return FUNCTIONS[function](*arguments) if function in FUNCTIONS else self.refuse(function)
 
 
 def balls(point: Mapping[str, arb]) -> Domain[arb]:
     """The domain of balls where each symbol has this value."""
-    return _Balls(point)
+    return Balls(point)
 
 
 def precise(expr: Expr, point: Mapping[str, arb]) -> arb:
     """The value of a scalar expression, at the working precision of FLINT. Raises KeyError for a symbol
     without one, NotDerivable for what is no scalar."""
-    return fold(expr, _Balls(point))
+    return fold(expr, Balls(point))
 
 
 def slope(function: Callable[[arb], arb], at: arb) -> arb:

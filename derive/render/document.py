@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath
 
-from derive.derivation import Derivation, Figure
+from derive.derivation import Claim, Derivation, Figure
 from derive.errors import Place
 from derive.expression import Expr
 from derive.render.notation import Notation
@@ -34,7 +34,8 @@ class QuestionPage:
     its answer. `order` holds what to print for it, prerequisites first and only those no earlier question
     printed; it is empty on a problem sheet. `at` is the point its results are evaluated at. `rounded` are the
     places of rotations that were given rounded, where that is to be said here. `printed` is the mathematics
-    of a text that is ours, `place` where the question stands in its sheet.
+    of a text that is ours, `place` where the question stands in its sheet. `claims` are those about
+    what was done with the answer after it was derived: its numbers at the point.
     """
 
     number: int
@@ -49,6 +50,13 @@ class QuestionPage:
     folder: str = ""
     printed: tuple[Printed, ...] = ()
     place: Place | None = None
+    claims: tuple[Claim, ...] = ()
+
+    def verified(self) -> Iterator[Claim]:
+        """What was verified of the answer and of what it rests on and is printed with it."""
+        for worked in self.order:
+            yield from worked.derivation.claims
+        yield from self.claims
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,12 +95,7 @@ class Document:
 
     def verified(self) -> Counter[str]:
         """How many claims were verified by each means (the key of its words), over all that is printed."""
-        return Counter(
-            claim.by
-            for _, question in self.questions()
-            for worked in question.order
-            for claim in worked.derivation.claims
-        )
+        return Counter(claim.by for _, question in self.questions() for claim in question.verified())
 
     def files(self) -> dict[str, str]:
         """Every file of the page by its path, relative to the page."""

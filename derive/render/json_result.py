@@ -59,6 +59,7 @@ def _claims(question: QuestionPage, speech: Speech) -> Iterator[tuple[Speech, Cl
         if worked.derivation.claims is not own:
             theirs = spoken(worked.folder, worked.derivation.kind)
             yield from ((theirs, claim) for claim in worked.derivation.claims)
+    yield from ((speech, claim) for claim in question.claims)
 
 
 def plain(value: Any, speech: Speech, matrix: bool = False) -> Any:

@@ -68,8 +68,9 @@ def _answer(
 
 def _above(problem: ProblemPage, question: QuestionPage, skin: Skin) -> str:
     """Where the answer stands, if an earlier question needed it already."""
+    results = question.derivation.results if question.derivation else None
     for earlier in problem.questions:
-        if any(worked.derivation is question.derivation for worked in earlier.order):
+        if any(worked.derivation.results is results for worked in earlier.order):
             return skin.above(earlier.number)
     return ""
 
