@@ -44,11 +44,15 @@ class Point:
         exact: bool = True,
         angles: Collection[str] = (),
         assumptions: Mapping[str, str] | None = None,
-        fixed: Mapping[str, sympy.Expr] | None = None,
+        fixed: Mapping[str, sympy.Expr | Number] | None = None,
     ) -> None:
         self.seed, self.exact = seed, exact
         self.angles, self.assumptions, self.fixed = frozenset(angles), assumptions or {}, fixed or {}
         self._known: dict[sympy.Expr, Number] = {}
+
+    def where(self, **fixed: sympy.Expr | Number) -> Point:
+        """The same point with the values of some names given."""
+        return Point(self.seed, self.exact, self.angles, self.assumptions, {**self.fixed, **fixed})
 
     def __getitem__(self, name: str) -> Number:
         """The value of a name."""
@@ -155,7 +159,8 @@ class Point:
 
     def _named(self, name: str) -> Number:
         if name in self.fixed:
-            return self.at(self.fixed[name])
+            known = self.fixed[name]
+            return self.at(known) if isinstance(known, sympy.Basic) else known
         if name not in self.angles:
             return self.number(self._drawn(name))
         if self.exact:
@@ -188,7 +193,10 @@ class Point:
         function = getattr(mpmath, type(expr).__name__, None)
         if function is None:
             raise TypeError(f"no value is known of {type(expr).__name__}")
-        return function(*map(self.at, expr.args))
+        arguments = self.vector(expr.args)
+        if isinstance(expr, sympy.atan2) and any(isinstance(part, mpmath.mpc) for part in arguments):
+            raise ValueError("the direction of a point that is not real")
+        return function(*arguments)
 
 
 def _root(value: Number) -> Number:

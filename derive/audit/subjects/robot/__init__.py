@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from derive.audit.subjects.robot import dynamics, kinematics
+from derive.audit.subjects.robot import dynamics, inverse, kinematics, singular
 from derive.expression import Expr, free_symbols
 from derive.mechanics.robot import DHRow, FreeRow, Robot, ScrewRow
 
@@ -22,6 +22,10 @@ KINDS = {
     "inverse-velocity": kinematics.inverse_velocity,
     "product-of-exponentials": kinematics.product_of_exponentials,
     "space-jacobian": kinematics.space_jacobian,
+    "inverse-kinematics": inverse.inverse_kinematics,
+    "singularities": singular.singularities,
+    "manipulability": singular.manipulability,
+    "workspace": singular.workspace,
     "inertia-matrix": dynamics.inertia_matrix,
     "christoffel": dynamics.christoffel,
     "coriolis-matrix": dynamics.coriolis_matrix,

@@ -138,8 +138,7 @@ def _linearised(asked: Asked, point: Point) -> Iterator[Test]:
     """About rest at the values given, where the torques hold the weight: A from -D^-1 dg/dq and viscous
     friction, for all that is quadratic in the rates has no part in it."""
     fixed = {name: asked.formula(value) for name, value in asked.options.at}
-    place = Point(point.seed, point.exact, point.angles, point.assumptions, fixed)
-    arm = Mechanics(asked, place)
+    arm = Mechanics(asked, point.where(**fixed))
     n = arm.n
     stiffness = [[arm.P.diff(i).diff(j).value for j in arm.indices] for i in arm.indices]
     viscous = [link.friction.viscous if link.friction else None for link in arm.robot.links if link.variable]

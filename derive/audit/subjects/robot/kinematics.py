@@ -66,7 +66,7 @@ def product_of_exponentials(asked: Asked, point: Point) -> Iterator[Test]:
         yield from screws(arm)
         return
     zero = {name: sympy.Integer(0) for name in arm.robot.variables}
-    home = Arm(asked, Point(point.seed, point.exact, point.angles, point.assumptions, zero), 1)
+    home = Arm(asked, point.where(**zero), 1)
     yield Same("M", numbers(home.end))
     whole: Array = np.eye(4, dtype=object) * 1
     for i in range(arm.n):

@@ -76,7 +76,11 @@ class Task:
             return False
         return any(not is_zero(det(numbers(self.rows(each)))) for each in combinations(names, n))
 
+    def rows_in(self, names: tuple[str, ...]) -> Rows:
+        """These rows in numbers."""
+        return numbers(self.rows(names))
+
     @property
     def J(self) -> Rows:
         """The rows of the task in numbers (m by n)."""
-        return numbers(self.rows(self.names))
+        return self.rows_in(self.names)
