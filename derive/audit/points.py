@@ -125,9 +125,10 @@ class Point:
     def _drawn(self, name: str) -> Fraction:
         """A rational number for a name, the same whenever it is asked for."""
         digest = sha256(f"{self.seed_of(name)}:{name}".encode()).digest()
-        top, bottom = 1 + int.from_bytes(digest[:4], "big") % 41, 1 + int.from_bytes(digest[4:8], "big") % 23
+        top, bottom = 2 + int.from_bytes(digest[:4], "big") % 41, 1 + int.from_bytes(digest[4:8], "big") % 23
         known = self.assumptions.get(name, "")
         negative = digest[8] % 2 and known not in ("positive", "nonnegative")
+        top += top == bottom  # a half-angle tangent of 1 is a right angle
         value = Fraction(top) if known == "integer" else Fraction(top, bottom)
         return -value if negative else value
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from derive.audit import subjects
 from derive.audit.asked import Asked
 from derive.audit.engine import Audited, audit
 from derive.auditing import answers
@@ -16,7 +17,7 @@ from derive.render.questions import example_of
 from derive.sheet.load import load_sheet
 from derive.writing import render
 
-SUBJECTS = ("motion", "frames", "points", "sensor", "drive", "mechanism", "function", "lagrange", "profile")
+SUBJECTS = sorted(path.stem for path in Path(subjects.__path__[0]).glob("[!_]*"))
 
 
 def asked(text: str, folder: Path) -> Iterator[Asked]:

@@ -8,7 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from derive.audit.subjects.robot import dynamics, inverse, kinematics, singular
+from derive.audit import orientation
+from derive.audit.subjects.robot import dynamics, inverse, iteration, kinematics, reach, singular
+from derive.audit.subjects.robot.arm import Arm
+from derive.audit.subjects.robot.series import values
 from derive.expression import Expr, free_symbols
 from derive.mechanics.robot import DHRow, FreeRow, Robot, ScrewRow
 
@@ -25,7 +28,9 @@ KINDS = {
     "inverse-kinematics": inverse.inverse_kinematics,
     "singularities": singular.singularities,
     "manipulability": singular.manipulability,
-    "workspace": singular.workspace,
+    "workspace": reach.workspace,
+    "numerical-inverse-kinematics": iteration.numerical_inverse_kinematics,
+    "dh-table": kinematics.dh_table,
     "inertia-matrix": dynamics.inertia_matrix,
     "christoffel": dynamics.christoffel,
     "coriolis-matrix": dynamics.coriolis_matrix,
@@ -39,6 +44,7 @@ KINDS = {
     "state-space": dynamics.state_space,
     "properties": dynamics.properties,
     "regressor": dynamics.regressor,
+    **orientation.kinds(lambda asked, point: values(Arm(asked, point, 0).end)),
 }
 
 

@@ -41,8 +41,11 @@ class Arm:
         return self._changes(expr) + self.point.at(expr)
 
     def turn(self, tree: Expr) -> tuple[Series, Series]:
-        """Cosine and sine of an angle: c - s x - c x^2/2 and s + c x - s x^2/2 for the change x of it."""
-        angle = self.formula(tree)
+        """Cosine and sine of an angle."""
+        return self.turned(self.formula(tree))
+
+    def turned(self, angle: sympy.Expr) -> tuple[Series, Series]:
+        """The same of an expression: c - s x - c x^2/2 and s + c x - s x^2/2 for the change x of it."""
         (c, s), x = self.point.turn(angle), self._changes(angle)
         return c + -s * x + -c * (x * x / 2), s + c * x + -s * (x * x / 2)
 

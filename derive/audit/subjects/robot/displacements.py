@@ -16,6 +16,7 @@ from derive.mechanics.robot import Convention, DHRow, FreeRow, Row, ScrewRow
 
 UNITS = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}
 Entry: TypeAlias = Series | int
+Turn: TypeAlias = tuple[Series, Series]
 
 
 class Reader(Protocol):
@@ -37,25 +38,24 @@ class Reader(Protocol):
 def row_matrix(row: Row, convention: Convention, read: Reader) -> Array:
     """Frame i-1 to frame i; of a screw e^{[S] q} in the base frame."""
     match row:
-        case DHRow():
-            return (standard if convention == "standard" else modified)(row, read)
+        case DHRow(theta, d, a, alpha):
+            by = standard if convention == "standard" else modified
+            return by(read.turn(theta), read.turn(alpha), read.series(a), read.series(d))
         case FreeRow(moves):
             return moved(moves, read)
         case ScrewRow():
             return screw(row, read)
 
 
-def standard(row: DHRow, read: Reader) -> Array:
-    """Spong, Hutchinson, Vidyasagar, eq. 3.10."""
-    (c, s), (ca, sa) = read.turn(row.theta), read.turn(row.alpha)
-    a, d = read.series(row.a), read.series(row.d)
+def standard(theta: Turn, alpha: Turn, a: Series, d: Series) -> Array:
+    """Spong, Hutchinson, Vidyasagar, eq. 3.10; angles by their cosines and sines."""
+    (c, s), (ca, sa) = theta, alpha
     return matrix([c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d])
 
 
-def modified(row: DHRow, read: Reader) -> Array:
+def modified(theta: Turn, alpha: Turn, a: Series, d: Series) -> Array:
     """Craig, eq. 3.6: alpha and a are those of the axis before."""
-    (c, s), (ca, sa) = read.turn(row.theta), read.turn(row.alpha)
-    a, d = read.series(row.a), read.series(row.d)
+    (c, s), (ca, sa) = theta, alpha
     return matrix([c, -s, 0, a], [s * ca, c * ca, -sa, -sa * d], [s * sa, c * sa, ca, ca * d])
 
 

@@ -14,7 +14,7 @@ from typing import TypeAlias
 import mpmath
 
 from derive.audit.asked import Asked, Holds, Test
-from derive.audit.points import Irrational, Number, Point, agree, floating, shown
+from derive.audit.points import ROUNDED, Irrational, Number, Point, agree, floating, shown
 from derive.audit.subjects.robot.arm import Arm, entries, numbers
 from derive.audit.subjects.robot.linear import is_zero
 from derive.audit.subjects.robot.series import values
@@ -38,6 +38,8 @@ def inverse_kinematics(asked: Asked, point: Point) -> Iterator[Test]:
         yield from _branches(asked, here)
     if "order" in asked.results:
         yield Holds("order", True, "")
+    if asked.evaluated:
+        yield from _in_numbers(asked, point)
 
 
 def _branches(asked: Asked, here: Point) -> Iterator[Test]:
@@ -61,6 +63,23 @@ def _branches(asked: Asked, here: Point) -> Iterator[Test]:
     yield Holds(
         "solutions", found, f"a branch {_told(q)} is missing where the end-effector is at {_told(target)}"
     )
+
+
+def _in_numbers(asked: Asked, point: Point) -> Iterator[Test]:
+    """The branches at the point that the author gave, angles up to whole turns."""
+    here = asked.here
+    free = {name: here[name] for name in asked.subject.variables}
+    there = [branch_values(asked, branch, here, free) for branch in _solutions(asked)]
+    told = asked.objects("evaluated solutions")
+    yield Holds("evaluated solutions", len(told) == len(there), f"{len(there)} branches")
+    for k, (values_told, found) in enumerate(zip(told, there, strict=False), 1):
+        name = f"branch {k}"
+        real = values_told.get("real", True)
+        yield Holds("evaluated solutions", real == (found is not None), f"{name} is real, or is not")
+        for joint, value in values_told.items():
+            if found is not None and joint in found:
+                right = _same(here.at(asked.read(value)), found[joint], joint in point.angles, ROUNDED)
+                yield Holds("evaluated solutions", right, f"{name} has {joint} = {shown(found[joint])}")
 
 
 def _solutions(asked: Asked) -> list[Mapping[str, Json]]:
@@ -121,12 +140,12 @@ def goal(asked: Asked, arm: Arm) -> Values:
     return found
 
 
-def _same(one: Number, other: Number, angle: bool) -> bool:
+def _same(one: Number, other: Number, angle: bool, near: mpmath.mpf = NEAR) -> bool:
     """Whether two numbers are one; angles up to whole turns."""
     gap = floating(one) - floating(other)
     if angle:
         gap -= 2 * mpmath.pi * mpmath.nint(gap / (2 * mpmath.pi))
-    return agree(gap, 0, max(1, abs(floating(other))), NEAR)
+    return agree(gap, 0, max(1, abs(floating(other))), near)
 
 
 def _met(asked: Asked, condition: str, there: Point) -> bool:

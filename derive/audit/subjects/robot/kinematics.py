@@ -8,13 +8,15 @@ from collections.abc import Iterator
 import numpy as np
 import sympy
 
-from derive.audit.asked import Asked, Beyond, Same, Test
-from derive.audit.points import Number, Point
+from derive.audit.asked import Asked, Beyond, Holds, Same, Test
+from derive.audit.orientation import ANGLES
+from derive.audit.points import Number, Point, agree, shown
 from derive.audit.subjects.robot.arm import Arm, entries, numbers
-from derive.audit.subjects.robot.displacements import UNITS, rotation
+from derive.audit.subjects.robot.displacements import UNITS, modified, rotation, standard
 from derive.audit.subjects.robot.linear import product, solve, transposed
 from derive.audit.subjects.robot.series import Array, Series, diff, values
 from derive.audit.subjects.robot.task import ROWS, Task
+from derive.mechanics.robot import DHRow
 
 FORCES = dict(zip(ROWS, ("fx", "fy", "fz", "mx", "my", "mz"), strict=True))
 
@@ -122,8 +124,10 @@ def jacobian(asked: Asked, point: Point) -> Iterator[Test]:
 def _rates(asked: Asked, point: Point, angular: Array) -> Array:
     """The rates of the Euler angles that make an angular velocity (3 by n): w = T rates, and the columns of T
     are read out of dR R^T."""
-    order, names = asked.options.convention, asked.options.angles or ("phi", "theta", "psi")
-    if not _names(asked, "J") >= set(names) and not _names(asked, "J") & set(names):
+    order, used = asked.options.convention, _names(asked, "J") - taken(asked)
+    usual = ANGLES if asked.options.angles is None else (asked.options.angles,)
+    names = next((names for names in usual if used <= set(names)), None)
+    if names is None:
         raise NotImplementedError("the names of the angles are not known")
     turns = []
     for k, (axis, name) in enumerate(zip(order.lower(), names, strict=True)):
@@ -245,3 +249,44 @@ def space_jacobian(asked: Asked, point: Point) -> Iterator[Test]:
         S = dT @ values(inverse_pose(T)) if asked.options.frame == "space" else values(inverse_pose(T)) @ dT
         columns.append(twist(S).tolist())
     yield Same("J_s" if asked.options.frame == "space" else "J_b", transposed(columns))
+
+
+def dh_table(asked: Asked, point: Point) -> Iterator[Test]:
+    """The rows as they are given; else rows that make the same arm, between T_base and T_tool."""
+    arm = Arm(asked, point, 1)
+    convention = asked.options.convention or arm.robot.convention
+    table = asked.result("DH")
+    given = [link.row for link in arm.robot.links if isinstance(link.row, DHRow)]
+    if len(given) == len(arm.robot.links) and convention == arm.robot.convention:
+        for tree, row in zip(given, table, strict=True):
+            typed = [arm.formula(each) for each in (tree.theta, tree.d, tree.a, tree.alpha)]
+            yield Holds(
+                "DH", all(_equal(*pair) for pair in zip(typed, row, strict=True)), f"a row is {typed}"
+            )
+        return
+    base, tool = (_fixed(asked, point, name) for name in ("T_base", "T_tool"))
+    whole = base
+    for theta, d, a, alpha in table:
+        turns, lengths = (arm.turned(theta), arm.turned(alpha)), (arm.exact(a), arm.exact(d))
+        whole = whole @ (standard if convention == "standard" else modified)(*turns, *lengths)
+    end = whole @ tool
+    same = all(_near(a, b) for a, b in zip(numbers(end), numbers(arm.end), strict=True))
+    yield Holds("DH", same, f"the end-effector is at {shown(numbers(arm.end))}, not {shown(numbers(end))}")
+    for name in ("T_base", "T_tool"):
+        if name in asked.results:
+            yield Holds(name, same, "the end-effector is elsewhere")
+
+
+def _equal(one: sympy.Expr, other: sympy.Expr) -> bool:
+    return bool(sympy.expand(one - other) == 0)
+
+
+def _near(one: list[Number], other: list[Number]) -> bool:
+    size = max(map(abs, other))
+    return all(agree(a, b, size) for a, b in zip(one, other, strict=True))
+
+
+def _fixed(asked: Asked, point: Point, name: str) -> Array:
+    """A pose of the answer in numbers, the identity where there is none."""
+    rows = asked.ours(name, point) if name in asked.results else np.diag([1, 1, 1, 1])
+    return np.array(rows, dtype=object)

@@ -1,8 +1,9 @@
-"""Where an arm is singular, how well it moves, and how far it reaches."""
+"""Where an arm is singular, and how well it moves elsewhere."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from itertools import pairwise
 
 import mpmath
 import sympy
@@ -11,7 +12,7 @@ from derive.audit.asked import Asked, Beyond, Holds, Same, Test
 from derive.audit.budget import spend
 from derive.audit.points import Irrational, Number, Point, agree, floating, shown
 from derive.audit.subjects.robot.arm import Arm
-from derive.audit.subjects.robot.linear import Rows, det, is_zero, product, rank, transposed
+from derive.audit.subjects.robot.linear import Rows, det, product, transposed
 from derive.audit.subjects.robot.task import Task
 from derive.audit.text import Json
 
@@ -35,8 +36,7 @@ def singularities(asked: Asked, point: Point) -> Iterator[Test]:
     yield Same("det", size(J))
     if point.exact:
         raise Irrational
-    sets = asked.results["solutions"]
-    assert isinstance(sets, list)
+    sets = asked.objects("solutions")
     for k, each in enumerate(sets, 1):
         there = _inside(asked, each, point)
         if there is None:
@@ -44,7 +44,7 @@ def singularities(asked: Asked, point: Point) -> Iterator[Test]:
             continue
         found = rank_near(Task(Arm(asked, there, 1)).rows_in(names))
         yield Holds("solutions", found == each["rank"], f"set {k} has rank {found}")
-    if asked.results.get("complete"):
+    if asked.results.get("complete") and not point.seed:
         yield from _complete(asked, point, names, sets)
     else:
         yield Holds("complete", True, "")
@@ -109,7 +109,7 @@ def _complete(
 def _zero_on(
     asked: Asked, point: Point, names: tuple[str, ...], lines: Mapping[str, tuple[Number, Number]]
 ) -> Number | None:
-    """Where det J is zero on a line, if it is found; one that it only touches is sought by its square root."""
+    """Where det J is zero on a line, if it is found."""
 
     def at(s: Number) -> Number:
         spend(2000)
@@ -117,7 +117,7 @@ def _zero_on(
         return size(Task(Arm(asked, there, 1)).rows_in(names))
 
     samples = [(mpmath.mpf(i) / 10, at(mpmath.mpf(i) / 10)) for i in range(-10, 11)]
-    for (a, left), (b, right) in zip(samples, samples[1:], strict=False):
+    for (a, left), (b, right) in pairwise(samples):
         if left * right < 0:
             return mpmath.findroot(at, (a, b), solver="anderson", tol=ZERO**2.5, verify=False, maxsteps=200)
     return None
@@ -139,25 +139,18 @@ def manipulability(asked: Asked, point: Point) -> Iterator[Test]:
     eigenvalues, vectors = mpmath.eigsy(J * J.T)
     sizes = [mpmath.sqrt(abs(value)) for value in eigenvalues][::-1]
     order = list(range(len(sizes)))[::-1]
-    axes = asked.ours("axes", point)
     yield Same("axes", sizes)
     forces = [[1 / each] for each in reversed(sizes)] if min(sizes) > ZERO else None
     if forces:
         yield Same("force_axes", forces)
+        yield Same("evaluated force_axes", [each for (each,) in forces])
     else:
         yield Holds("force_axes", asked.results["force_axes"] == "infinite", "they are infinite")
     for name, expected in (("directions", order), ("force_directions", order[::-1])):
-        ours = asked.ours(name, point)
+        ours = point.matrix(asked.result(name))
         for k, direction in zip(expected, ours, strict=True):
             part = [vectors[i, k] for i in range(len(sizes))]
             along = sum(a * b for a, b in zip(part, direction, strict=True))
             alone = sum(abs(other - sizes[order.index(k)]) < 1e-6 for other in sizes) == 1
             right = agree(abs(along), 1, 1, mpmath.mpf(10) ** -9) or not alone
             yield Holds(name, right, f"{shown(part)} is one of them")
-    del axes
-
-
-def workspace(asked: Asked, point: Point) -> Iterator[Test]:
-    """The largest and the smallest distance from the first axis, or from the shoulder, by a search: joint by
-    joint, each of which moves the distance squared as a sine."""
-    yield Beyond("description", "not yet")
