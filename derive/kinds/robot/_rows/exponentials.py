@@ -22,7 +22,7 @@ from derive.mechanics.robot import Robot
 from derive.mechanics.screws import Screw, home_of, screws_of
 from derive.names import free
 
-LETTERS = {"omega": ("omega", "w", "n"), "q": ("q", "p", "c"), "S": ("S", "xi"), "M": ("M", "T_home")}
+LETTERS = {"omega": ("omega", "w", "n"), "q": ("q", "u", "b"), "S": ("S", "xi"), "M": ("M", "T_home")}
 NOTHING, T_BASE = Symbol("0"), Symbol("T_base")  # three zeros; the pose of the base
 NAMED = ("exponential", "home", "twist")  # rules of the lines that are results
 
