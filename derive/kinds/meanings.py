@@ -59,10 +59,15 @@ def told(
     def gap(at: Point) -> float:
         point = completed(at, where)
         letters: Names = {Symbol(name): value for name, value in point.items()}
-        found = _gaps(chains, {**letters, **meanings(point)})
-        return max(found, default=1.0)  # where nothing was compared nothing is proved
+        return farthest(chains, {**letters, **meanings(point)})
 
     return agreement(key, symbols, gap, lambda _: 0.0, tolerance, points, **about)
+
+
+def farthest(chains: Iterable[Chain], names: Names) -> float:
+    """How far members of one chain are apart at most, relative to their size; 1 where nothing is compared,
+    which proves nothing."""
+    return max(_gaps(chains, names), default=1.0)
 
 
 def _gaps(chains: Iterable[Chain], names: Names) -> Iterator[float]:

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import sqrt
+from math import inf, sqrt
 from typing import Literal, TypeAlias
 
 from derive.mechanics.course import Course, Piece
 
+NEARLY = 1e-9
 Case: TypeAlias = Literal["trapezoidal", "triangular", "infeasible"]
 
 
@@ -59,19 +60,37 @@ def course(found: Switching, start: float = 0.0, sign: float = 1.0) -> Course:
 
 # -- by search ----------------------------------------------------------------------------------------
 
+FLAT = 1e-6  # of the whole time: a plateau that is shorter is none
+
+
+def searched(d: float, v_max: float, a_max: float, t_3: float | None = None) -> Switching:
+    """The fastest way, or the one of the least acceleration in a time, over all peak velocities."""
+    if t_3 is None:
+        v = _argument(lambda p: d / p + p / a_max, 0.0, v_max)
+        a, t_3 = a_max, d / v + v / a_max
+    elif v_max * t_3 <= d:
+        return Switching("infeasible", t_3 - d / v_max, d / v_max, t_3, v_max, inf)
+    else:
+        whole = t_3
+        v = _argument(lambda p: p / (whole - d / p), d / t_3, v_max)
+        a = v / (t_3 - d / v)
+    t_1 = v / a
+    case: Case = "trapezoidal" if t_3 - 2 * t_1 > FLAT * t_3 else "triangular"
+    return Switching(case if a <= a_max * (1 + NEARLY) else "infeasible", t_1, t_3 - t_1, t_3, v, a)
+
 
 def searched_time(d: float, v_max: float, a_max: float) -> float:
     """The least time over all peak velocities: d/p + p/a_max."""
-    return _least(lambda p: d / p + p / a_max, 0.0, v_max)
+    return searched(d, v_max, a_max).t_3
 
 
 def searched_acceleration(d: float, v_max: float, t_3: float) -> float:
     """The least acceleration over all peak velocities that arrive at t_3: p/(t_3 - d/p)."""
-    return _least(lambda p: p / (t_3 - d / p), d / t_3, v_max)
+    return searched(d, v_max, inf, t_3).a
 
 
-def _least(of: Callable[[float], float], low: float, high: float) -> float:
-    """The least value of a function with one minimum, between two places (`low` left out)."""
+def _argument(of: Callable[[float], float], low: float, high: float) -> float:
+    """Where a function with one minimum is least between two places (`low` left out)."""
     span = high - low
     low += 1e-9 * span
     for _ in range(200):
@@ -80,4 +99,4 @@ def _least(of: Callable[[float], float], low: float, high: float) -> float:
             high = right
         else:
             low = left
-    return of(high)
+    return high

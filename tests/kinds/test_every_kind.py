@@ -38,10 +38,6 @@ NOT_YET_REFUSED = {
     "function.stationary_points": ("value matrix H", BRANCHES),
     "points.fit_transform": ("matrix H", NO_CHAIN),
     "profile.lspb_trajectory": ("value a v t_? ramps piece_?", RENAMED),
-    "profile.trapezoidal_profile": (
-        "case solutions a v t_? ramps peak alone_* axis_* trapezoidal_* triangular_*",
-        RENAMED,
-    ),
     "robot.christoffel": ("value", GIVEN),
     "robot.coriolis_matrices": ("value B C", GIVEN),
     "robot.coriolis_matrix": ("value", GIVEN),

@@ -1,22 +1,17 @@
-"""One axis solved: its cases, how they are told, and what they are held to."""
+"""One axis solved: its cases, and how they are told."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from math import inf
 from typing import TypeAlias
 
-from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Claim, Phrase, Record, Step
+from derive.derivation import Record, Step
 from derive.expression import Expr, Relation, Symbol, symbols
-from derive.kinds.checks import SECOND_ROUTE, close, random_points
 from derive.kinds.problem import Problem
 from derive.kinds.profile._trapezoid import Given, Outcome, begun, shortest, timed
-from derive.mechanics import trapezoid
 from derive.mechanics.profile import Axis, Profile
 
-TRIES = 60
 Equation: TypeAlias = tuple[Expr, Expr]
 
 
@@ -146,53 +141,3 @@ def _rate(given: Given, name: Expr) -> int | None:
 def _name(each: Solved, outcome: Outcome, step: Step, prefix: str) -> str:
     case = f"{outcome.case}_" if len(each.outcomes) > 1 else ""
     return f"{prefix}{case}{step.name}"
-
-
-# -- what it is held to -------------------------------------------------------------------------------
-
-
-def claims_about(each: Solved) -> Iterator[Claim]:
-    """The lines by normal form; the answer against a search that knows no formula."""
-    for outcome in each.outcomes:
-        for claim in outcome.working.linked().claims:
-            yield claim.within("in-case", case=Phrase(outcome.case))
-    key = "no-time-is-shorter" if each.time is None else "no-acceleration-is-smaller"
-    yield Claim("too-short" if each.infeasible else key, SECOND_ROUTE, _found_by_search(each))
-
-
-def _found_by_search(each: Solved) -> bool:
-    """At the numbers given, or at random ones; symbols that leave a case open are tried in every case."""
-    symbols = sorted(each.problem.symbols)
-    points = random_points(symbols, TRIES)
-    return all(_agrees(each, point) for point in points)
-
-
-def _agrees(each: Solved, point: Mapping[str, float]) -> bool:
-    def at(expr: Expr) -> float:
-        return value_of(each.problem.final(expr), point)
-
-    axis = each.axis
-    way, v_max, a_max = at(axis.distance), at(axis.v_max), inf if axis.a_max is None else at(axis.a_max)
-    d = -way if each.given.backwards else way
-    if min(d, v_max, a_max) <= 0:
-        return True
-    least = trapezoid.searched_time(d, v_max, a_max)
-    t_3 = None if each.time is None else at(each.time)
-    if t_3 is not None and t_3 < least * (1 - 1e-9):
-        return each.infeasible or each.open
-    case = trapezoid.shortest(d, v_max, a_max) if t_3 is None else trapezoid.timed(d, v_max, a_max, t_3)
-    outcome = next((one for one in each.outcomes if one.case == case.case), None)
-    if outcome is None:
-        return False
-    values = {name: value_of(tree, point) for name, tree in outcome.values.items()}
-    found = trapezoid.Switching(case.case, **values)
-    best = (found.t_3, least) if t_3 is None else (found.a, trapezoid.searched_acceleration(d, v_max, t_3))
-    return _moves(found, d, v_max, a_max) and close(*best, tolerance=1e-6)
-
-
-def _moves(found: trapezoid.Switching, d: float, v_max: float, a_max: float) -> bool:
-    """Over the distance, from rest to rest, within both limits."""
-    course = trapezoid.course(found)
-    ends = course[-1].at(course[-1].end), course[-1].at(course[-1].end, 1)
-    within = found.v <= v_max * (1 + 1e-9) and found.a <= a_max * (1 + 1e-9)
-    return within and close(list(ends), [d, 0.0]) and close(found.a * found.t_1, found.v)

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Cell, Claim, Phrase, Record, Result, Step, Table
 from derive.errors import NotDerivable
-from derive.expression import Expr, Symbol, column, number
+from derive.expression import Expr, Matrix, Symbol, column, number
+from derive.kinds.checks import close, route
+from derive.kinds.fields import TREES
 from derive.kinds.problem import Problem
-from derive.kinds.profile._axis import AxisTold, Equation, Solved, claims_about, solved, steps_of, told
+from derive.kinds.profile._axis import AxisTold, Equation, Solved, solved, steps_of, told
+from derive.kinds.profile._axis_checks import LOOSE, claims_about, fastest_time
 from derive.kinds.profile._trapezoid import NAMES
 from derive.mechanics.profile import Profile
 
@@ -26,7 +30,7 @@ class TogetherTold(Record):
     table: Table | None  # None where the time is too short
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Together:
     """Each axis alone, each in the common time, and which is the slowest (None where a time was given)."""
 
@@ -40,22 +44,47 @@ class Together:
         """The axes, from 1, that cannot be there in time."""
         return tuple(k for k, axis in enumerate(self.axes, 1) if axis.infeasible)
 
-    def steps(self) -> list[Step]:
+    @cached_property
+    def steps(self) -> tuple[Step, ...]:
+        """Those of the page, in its order."""
         steps: list[Step] = []
         for k, axis in enumerate(self.alone if self.slowest is not None else (), 1):
             steps += steps_of(axis, f"alone_{k}_")
         for k, axis in enumerate(self.axes):
             if k != self.slowest:
                 steps += steps_of(axis, f"axis_{k + 1}_")
-        return steps
+        return tuple(steps)
 
     def claims(self) -> list[Claim]:
-        return [
+        found = [
             claim.within(key, axis=k)
-            for key, axes in (("axis-alone", self.alone), ("on-axis", self.axes))
+            for key, axes, prefix in (("axis-alone", self.alone, "alone"), ("on-axis", self.axes, "axis"))
             for k, axis in enumerate(axes, 1)
-            for claim in claims_about(axis)
+            for claim in self._about(axis, f"{prefix}_{k}_", k if prefix == "axis" else 0)
         ]
+        return [*found, self._slowest_again()]
+
+    def _about(self, axis: Solved, prefix: str, k: int) -> Iterator[Claim]:
+        """The claims of an axis, also for what the results and the table say of axis k."""
+        steps = {step.name: step for step in (*steps_of(axis, prefix), *self.steps)}
+        results = self.results() if k else {}
+        said = {
+            name: [result.rows[k - 1][0]] for name, result in results.items() if isinstance(result, Matrix)
+        }
+        if k and (table := self._table()):
+            for name, cell in zip(NAMES, table.rows[k - 1][2:], strict=True):
+                said.setdefault(name, []).extend([cell] if isinstance(cell, TREES) else [])
+        return claims_about(axis, steps, told(axis, prefix), said)
+
+    def _slowest_again(self) -> Claim:
+        """The time of all is the longest that any axis needs by search, and is told to be that axis's; the
+        least possible one is the longest too."""
+        times = [fastest_time(axis) for axis in self.alone]
+        least = value_of(self.alone[slowest(self.alone)].least, {})
+        holds = [close(least, max(times), LOOSE)]
+        if self.slowest is not None:
+            holds.append(close([times[self.slowest], value_of(self.time, {})], [max(times)] * 2, LOOSE))
+        return route("slowest", holds)
 
     def results(self) -> dict[str, Result]:
         """Vectors over the axes, but for the time they share."""

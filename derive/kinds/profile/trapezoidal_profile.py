@@ -12,9 +12,10 @@ from derive.derivation import Branch, Derivation, Figure, Label, PageFacts, Phra
 from derive.errors import NotDerivable
 from derive.expression import Expr, is_negative
 from derive.figures.courses import panels
-from derive.kinds.fields import Evaluation, OptionsModel
+from derive.kinds.fields import TREES, Evaluation, OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.profile._axis import AxisTold, Solved, claims_about, solved, steps_of, told
+from derive.kinds.profile._axis import AxisTold, Solved, solved, steps_of, told
+from derive.kinds.profile._axis_checks import claims_about
 from derive.kinds.profile._together import TogetherTold, together
 from derive.kinds.profile._trapezoid import NAMES, Outcome
 from derive.kinds.values_at import point_of
@@ -48,16 +49,20 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     if len(profile.axes) > 1:
         return _several(profile, options, problem)
     each = solved(profile.axes[0], profile.time, profile, problem)
+    steps, results, axis = tuple(steps_of(each)), _results(each), told(each)
+    by_name = {step.name: step for step in steps}
+    told_again = {name: (tree,) for name, tree in results.items() if isinstance(tree, TREES)}
+    claims = claims_about(each, by_name, axis, told_again)
     found = _numbers(profile, profile.time, options, problem)
     return Derivation(
         "trapezoidal-profile",
-        tuple(steps_of(each)),
-        _results(each),
-        tuple(claims_about(each)),
+        steps,
+        results,
+        tuple(claims),
         each.outcomes[0].working.definitions,
         _evaluated(found, options),
         plots=_plots(profile, found, problem),
-        facts=replace(_facts(profile, found, options), axis=told(each)),
+        facts=replace(_facts(profile, found, options), axis=axis),
     )
 
 
@@ -66,7 +71,7 @@ def _several(profile: Profile, options: Options, problem: Problem) -> Derivation
     found = _numbers(profile, all_axes.time, options, problem)
     return Derivation(
         "trapezoidal-profile",
-        tuple(all_axes.steps()),
+        all_axes.steps,
         all_axes.results(),
         tuple(all_axes.claims()),
         evaluated=_evaluated(found, options),
