@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
-from math import exp, inf, log
-from random import Random
+from math import inf
 
 from derive.algebra.numbers.floats import Point, completed
 from derive.algebra.numbers.floats import number as value_of
@@ -15,11 +14,11 @@ from derive.expression import Expr, Relation, Symbol
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.meanings import Chain, Names, farthest
 from derive.kinds.profile._axis import AxisTold, CaseTold, Solved
+from derive.kinds.profile._places import TRIES, places
 from derive.kinds.profile._trapezoid import T_1, T_2, T_M, Outcome
 from derive.mechanics import trapezoid
 from derive.mechanics.trapezoid import Switching
 
-TRIES, WIDER = 60, 200  # points, and those of any size where these show no case
 EACH = 2  # points for a case
 LOOSE = 1e-6  # a search for a flat minimum finds no more digits
 PROBE, TO_THE_LIMIT = Symbol("probe"), Symbol("time to the limit")
@@ -73,7 +72,7 @@ def fastest_time(each: Solved) -> float:
 def _of_case(each: Solved, k: int) -> Iterator[Point]:
     """Points where the search finds this case."""
     outcome = each.outcomes[k]
-    for at in _points(each.problem.symbols):
+    for at in places(each.problem.symbols):
         given, found = _limits(each, at), _searched(each, at)
         if given and found and (_is_case(outcome, found, given[1]) or not each.open):
             yield at
@@ -83,14 +82,6 @@ def _is_case(outcome: Outcome, found: Switching, v_max: float) -> bool:
     """On the border between them both cases are the same motion, a triangle up to the greatest velocity."""
     border = found.t_2 - found.t_1 <= trapezoid.FLAT * found.t_3 and found.v >= v_max * (1 - LOOSE)
     return outcome.case == found.case or (border and "infeasible" not in (outcome.case, found.case))
-
-
-def _points(symbols: frozenset[str]) -> Iterator[Point]:
-    """Random ones, then ones of any size."""
-    yield from random_points(symbols, TRIES)
-    draw = Random(" ".join(sorted(symbols)))
-    for _ in range(WIDER if symbols else 0):
-        yield {name: exp(draw.uniform(log(1e-3), log(1e3))) for name in sorted(symbols)}
 
 
 def _told_when(each: Solved, at: Point) -> bool:
@@ -144,7 +135,8 @@ def _chains(
     if case.case == "infeasible":
         return [*chains, *((Symbol("t_min"), tree) for tree in results.get("t_min", ()))]
     own = {name: [*(results.get(name, ()) if k == 0 else ()), tree] for name, tree in outcome.values.items()}
-    return [*chains, *((Symbol(name), tree) for name, trees in own.items() for tree in trees)]
+    symbol = outcome.working.symbol
+    return [*chains, *((symbol(name), tree) for name, trees in own.items() for tree in trees)]
 
 
 def _said(told: AxisTold, case: CaseTold) -> Iterator[Chain]:

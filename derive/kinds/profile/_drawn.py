@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from math import degrees
+from math import degrees, inf
 from typing import Any
 
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Figure, Record
-from derive.expression import Approximate, Degrees, Expr
+from derive.derivation import Claim, Figure, Record
+from derive.expression import Approximate, Degrees, Expr, Relation
 from derive.figures.courses import panels
+from derive.kinds.checks import close, route
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.profile._pieces import Span, in_floats
+from derive.kinds.profile._written import Written
 from derive.kinds.values_at import point_of
 from derive.mechanics.course import Course, at, extremes, sampled
 from derive.mechanics.profile import Profile
@@ -63,6 +65,23 @@ class Drawn:
             panels(name, {"": kept}, self.profile.sort, turned, limits_drawn(self.profile, self.problem)),
         )
 
+    def claims(self, pieces: Sequence[tuple[Expr, Relation | None]]) -> Iterator[Claim]:
+        """What is told of the limits, and of q at a time, against the trajectory as it is written."""
+        if self.course is None:
+            return
+        point = point_of({n: v for n, v in self.evaluate or () if n != "t"}, self.problem.where)
+        written = Written(pieces, point, self.course[-1].end)
+        if told := self.limits():
+            yield route("limits", (written.keeps(each, self._most(each.limit)) for each in told))
+        asked = point_of(dict(self.evaluate or ()), self.problem.where)
+        if "t" in asked and 0 <= asked["t"] <= self.course[-1].end:
+            here = float(written.place(asked["t"]))
+            yield route("at-the-time", close(here, at(self.course, asked["t"]), 1e-8))
+
+    def _most(self, limit: Expr) -> float:
+        size = _size(self.problem.final(limit), self.evaluate or ())
+        return inf if size is None else size
+
     def limits(self) -> tuple[LimitTold, ...]:
         """Each limit that is given, what is reached, whether that is kept, and when it is not."""
         journey, course = self.profile.journey, self.course
@@ -105,12 +124,26 @@ def _limit(
         return None
     reached = max(map(abs, extremes(course, order)))
     times, values = sampled(course, order)
-    beyond = [t for t, value in zip(times, values, strict=True) if abs(value) > most * (1 + SLACK)]
+    past = [abs(value) > most * (1 + SLACK) for value in values]
+    first = past.index(True) if any(past) else None
     return LimitTold(
         name=name,
         limit=limit,
         rate=order,
         reached=_shown(reached, turned),
         kept=reached <= most * (1 + SLACK),
-        first=Approximate(beyond[0]) if beyond else None,
+        first=None if first is None else Approximate(_crossing(course, order, most, times, first)),
     )
+
+
+def _crossing(course: Course, order: int, most: float, times: Sequence[float], first: int) -> float:
+    """Between the sample before the first that is beyond the limit and that one, by halving; the beginning of
+    a piece where the derivative jumps."""
+    low, high = times[max(first - 1, 0)], times[first]
+    for _ in range(60):
+        middle = (low + high) / 2
+        if abs(at(course, middle, order)) > most:
+            high = middle
+        else:
+            low = middle
+    return high

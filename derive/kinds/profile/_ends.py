@@ -86,7 +86,7 @@ def laws(order: int) -> Iterator[Step]:
         terms = [
             multiply(number(perm(k, rate)), Symbol(f"a_{k}"), power(k - rate)) for k in range(rate, 2 * order)
         ]
-        yield Step(f"law_{rate}", (Symbol(RATES[rate]), add(*terms)), "law")
+        yield Step(f"law_{rate}", (Symbol(RATES[rate]), add(*terms)), "in-numbers")
 
 
 def system(ends: Ends) -> Step:

@@ -61,6 +61,15 @@ def branch(q: Expr, start: Expr, end: Expr, problem: Problem) -> Branch:
     return Branch({"q": problem.final(q)}, (Phrase("between", {"times": between}),))
 
 
+def times_of(piece: Branch) -> Relation:
+    """When a piece of a trajectory holds, as it is told."""
+    (said,) = piece.when
+    times = said.about["times"] if isinstance(said, Phrase) else said
+    if not isinstance(times, Relation):
+        raise TypeError("a piece of a trajectory without its times")
+    return times
+
+
 def joined(spans: Sequence[Span], working: Work, orders: int) -> Iterator[Claim]:
     """Where two pieces meet, the derivatives below `orders` agree."""
     for order in range(orders):

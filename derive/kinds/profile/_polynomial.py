@@ -4,20 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from math import factorial, perm
+from math import factorial
 
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Claim, Derivation, PageFacts, Step
+from derive.derivation import Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import ONE, ZERO, Expr, Symbol, add, free_symbols, multiply, number, sqrt
-from derive.kinds.checks import SECOND_ROUTE, close, random_points
 from derive.kinds.fields import Place
+from derive.kinds.meanings import as_told
 from derive.kinds.problem import Problem
 from derive.kinds.profile._drawn import Drawn, LimitTold
 from derive.kinds.profile._ends import Ends, ends_of, laws, system, t, term, upper
+from derive.kinds.profile._polynomial_checks import BothEnds
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
-from derive.mechanics.course import Course, Piece, extremes
+from derive.mechanics.course import Course, Piece
 from derive.mechanics.profile import Journey, Profile, Units
 
 q = Symbol("q")
@@ -58,7 +59,6 @@ def polynomial(
     results |= {name: work.final(name) for name in peaks}
     course = _course(results, profile, evaluate, problem, order)
     drawn = Drawn(profile, problem, evaluate, course)
-    work = work.claim(Claim("both-ends", SECOND_ROUTE, _solves(journey, profile, problem, results, order)))
     facts = Facts(
         given=tuple((name, value, ends.rates[name]) for name, value in typed if name in ends.rates),
         units=profile.units,
@@ -71,6 +71,11 @@ def polynomial(
         drawn=course is not None,
         limits=drawn.limits(),
     )
+    means = BothEnds(journey, profile.time or ONE, ends)
+    printed = ((Symbol(name), tree) for name, tree in results.items())
+    told_too = (*printed, *((name, value) for name, value, _ in facts.given))
+    work = as_told(work, means.names, told_too, "both-ends", symbols=problem.symbols | {t.name})
+    work = work.claim(*drawn.claims(((results["q"], None),)))
     evaluated = drawn.evaluated({name: tree for name, tree in results.items() if name != "q"})
     return work.answer(kind, results, facts, evaluated=evaluated, plots=drawn.plots("trajectory"))
 
@@ -112,31 +117,3 @@ def _course(
     except KeyError:
         return None
     return (Piece(0.0, end, coefficients),)
-
-
-def _solves(
-    journey: Journey, profile: Profile, problem: Problem, results: Mapping[str, Expr], order: int
-) -> bool:
-    """All conditions at once as one linear system in floats; the peaks against those of the course."""
-    import numpy
-
-    starts = (journey.start, journey.start_velocity, journey.start_acceleration)[:order]
-    stops = (journey.end, journey.end_velocity, journey.end_acceleration)[:order]
-    wanted = [problem.final(each) for each in (*starts, *stops, profile.time or ONE)]
-    for point in random_points(problem.symbols, 3):
-        *right, T = (value_of(tree, point) for tree in wanted)
-        rows = [
-            [perm(k, rate) * moment ** (k - rate) if k >= rate else 0.0 for k in range(2 * order)]
-            for moment in (0.0, T)
-            for rate in range(order)
-        ]
-        found = [value_of(results[f"a_{k}"], point) for k in range(2 * order)]
-        if not close(numpy.linalg.solve(rows, right).tolist(), found, 1e-8):
-            return False
-        course = (Piece(0.0, T, tuple(found)),)
-        for rate, name in enumerate(("v_peak", "a_peak"), 1):
-            if name in results:
-                greatest = max(map(abs, extremes(course, rate)))
-                if not close(greatest, abs(value_of(results[name], point)), 1e-8):
-                    return False
-    return True

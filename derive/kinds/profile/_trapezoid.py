@@ -110,7 +110,7 @@ def _fast_triangle(given: Given) -> Work:
     root = sqrt(working.shown(d / a_M))
     working = working.worked("t_3", full, 2 * root).worked("t_1", half, root).worked("t_2", T_1, root)
     # a sqrt(d/a) is sqrt(a d) for a > 0 only, which the normal form does not know: the search checks it
-    working = working.worked("v", peak, sqrt(working.shown(a_M * d)), rule="law")
+    working = working.worked("v", peak, sqrt(working.shown(a_M * d)), rule="in-numbers")
     return working.worked("a", a_M)
 
 

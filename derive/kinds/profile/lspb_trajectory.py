@@ -2,21 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import replace
 
-from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
-from derive.expression import Expr, Symbol, free_symbols
-from derive.kinds.checks import SECOND_ROUTE, close, law, random_points
+from derive.expression import Expr, Symbol
+from derive.kinds.checks import law
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.profile._blends import T_B, Blended, V, blended, filled_laws, filled_span
+from derive.kinds.profile._blends_checks import Blends
 from derive.kinds.profile._drawn import Drawn, LimitTold
-from derive.kinds.profile._pieces import branch, joined
+from derive.kinds.profile._pieces import branch, joined, times_of
 from derive.kinds.work import Work
-from derive.mechanics.profile import Journey, Profile, Units
+from derive.mechanics.profile import Profile, Units
 
 NEEDS = ("journey",)
 USES = frozenset({"cruise", "acceleration", "blend"})
@@ -69,7 +68,13 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     facts = _facts(found, lines, profile, drawn)
     work = replace(work.showing(*_piece_steps(found.laws(), laws, found.open)), uses=found.uses).linked()
     work = work.claim(*joined(found.spans(), work, 2), *_ends_of(found, work))
-    work = work.claim(Claim("area", SECOND_ROUTE, _covers(results, journey, problem)))
+    chains = [step.chain for step in work.steps]
+    chains += [(Symbol(name), tree) for name, tree in results.items()]
+    chains += [facts.area, *((name, value) for name, value, _ in facts.given)]
+    checked = Blends(journey, profile, problem, found)
+    work = work.claim(*checked.claims(chains, pieces, facts.bounds))
+    timed = [(piece.values["q"], times_of(piece)) for piece in pieces]
+    work = work.claim(*drawn.claims(timed))
     return work.answer(
         "lspb-trajectory",
         {**results, "q": pieces},
@@ -96,21 +101,6 @@ def _ends_of(found: Blended, working: Work) -> tuple[Claim, Claim]:
     length = working.scalar(T_B)
     there = last.derivative(working, length, 0) == working.scalar(found.end)
     return law("ends-there", there), law("ends-at-rest", last.derivative(working, length, 1) == 0)
-
-
-def _covers(results: Mapping[str, Expr], journey: Journey, problem: Problem) -> bool:
-    """In floats: the trapezoid under the velocity, and its slope."""
-    trees = [results[name] for name in ("t_b", "v", "a", "t_f")]
-    trees += [problem.final(each) for each in (journey.start, journey.end)]
-    names = sorted(frozenset().union(*map(free_symbols, trees)))
-    for point in random_points(names, 5):
-        try:
-            t_b, v, a, t_f, start, end = (value_of(tree, point) for tree in trees)
-        except ValueError:
-            continue  # the time is too short at this random point
-        if not close([v * (t_f - t_b), a * t_b], [end - start, v], 1e-7):
-            return False
-    return True
 
 
 # -- what the page needs ------------------------------------------------------------------------------

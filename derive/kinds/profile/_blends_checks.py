@@ -1,0 +1,169 @@
+"""A linear segment with parabolic blends held to its velocity.
+
+The area under it is the way, found by halving, and the place is what it adds up to.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import islice, pairwise
+from typing import Any
+
+from derive.algebra.numbers.floats import Point, completed
+from derive.algebra.numbers.floats import number as value_of
+from derive.derivation import Branch, Claim
+from derive.expression import Expr, Relation, Symbol
+from derive.kinds.checks import route
+from derive.kinds.meanings import Chain, farthest
+from derive.kinds.problem import Problem
+from derive.kinds.profile._blends import T_B, A, Blended, V, t
+from derive.kinds.profile._pieces import times_of
+from derive.kinds.profile._places import places
+from derive.mechanics import trapezoid
+from derive.mechanics.profile import Journey, Profile
+
+EACH = 2  # points
+CLOSE = 1e-6
+WITHIN = (0.3, 0.8)  # of a piece: moments at which its law is tried
+
+
+@dataclass(frozen=True, slots=True)
+class Motion:
+    """From a place to another in the time T: the velocity grows to v during t_b, and falls likewise."""
+
+    start: float
+    end: float
+    T: float
+    t_b: float
+    v: float
+
+    @property
+    def a(self) -> float:
+        return self.v / self.t_b
+
+    def velocity(self, at: float) -> float:
+        return self.v * min(at / self.t_b, 1.0, (self.T - at) / self.t_b)
+
+    def place(self, at: float) -> float:
+        """What the velocity, which is made of straight lines, adds up to."""
+        corners = [0.0, *(corner for corner in (self.t_b, self.T - self.t_b) if corner < at), at]
+        areas = (
+            (self.velocity(left) + self.velocity(right)) * (right - left) / 2
+            for left, right in pairwise(corners)
+        )
+        return self.start + sum(areas)
+
+    @property
+    def borders(self) -> tuple[float, float, float, float]:
+        """Where the pieces begin and end."""
+        return 0.0, self.t_b, self.T - self.t_b, self.T
+
+
+@dataclass(frozen=True, slots=True)
+class Blends:
+    """What was asked, how it was made, and what is told of it."""
+
+    journey: Journey
+    profile: Profile
+    problem: Problem
+    found: Blended
+
+    def claims(
+        self, chains: Sequence[Chain], pieces: Sequence[Branch], bounds: Sequence[Chain]
+    ) -> Iterator[Claim]:
+        """Lines and results, each piece at moments of its own; and for which values it is possible."""
+        met = list(islice(self._possible(), EACH))
+        yield route("as-told", (self._holds(at, chains, pieces, bounds) for at in met))
+
+    def possible(self, at: Point) -> Motion | None:
+        """The motion at a point; None where there is none."""
+        known = completed(at, self.problem.where)
+        start, end = value_of(self.journey.start, known), value_of(self.journey.end, known)
+        way, T = end - start, None if self.profile.time is None else value_of(self.profile.time, known)
+        if self.found.by == "limits":
+            return self._within_limits(start, end, known)
+        chosen = {"v": self.journey.cruise, "a": self.journey.acceleration, "t_b": self.journey.blend}
+        given = chosen[self.found.by]
+        if T is None or given is None or way == 0 or T <= 0:
+            return None
+        value = value_of(given, known)
+        if self.found.given is not None:  # its sign is that of the way, where numbers say which that is
+            used = value_of(self.found.working[self.found.given], known)
+            value = used if abs(used) == abs(value) else 0.0
+        return _made(self.found.by, start, end, T, value if self.found.by == "t_b" or way > 0 else -value)
+
+    def _within_limits(self, start: float, end: float, at: Point) -> Motion | None:
+        (axis,) = self.profile.axes
+        a_max = float("inf") if axis.a_max is None else value_of(axis.a_max, at)
+        T = None if self.profile.time is None else value_of(self.profile.time, at)
+        found = trapezoid.searched(abs(end - start), value_of(axis.v_max, at), a_max, T)
+        if found.case == "infeasible":
+            return None
+        return Motion(start, end, found.t_3, found.t_1, found.v if end > start else -found.v)
+
+    def _possible(self) -> Iterator[Point]:
+        return (at for at in places(self.problem.symbols) if self.possible(at) is not None)
+
+    def _holds(
+        self, at: Point, chains: Sequence[Chain], pieces: Sequence[Branch], bounds: Sequence[Chain]
+    ) -> bool:
+        motion = self.possible(at)
+        if motion is None:
+            return False
+        letters: dict[Expr, Any] = {
+            Symbol(name): value for name, value in completed(at, self.problem.where).items()
+        }
+        found = self.found
+        names: dict[Expr, Any] = {
+            found.start: motion.start, found.end: motion.end, T_B: motion.t_b, V: motion.v, A: motion.a,
+            Symbol("t_f"): motion.T, **letters, found.T: motion.T,
+        }  # fmt: skip
+        if found.given is not None:
+            names[found.given] = {"v": motion.v, "a": motion.a, "t_b": motion.t_b}[found.by]
+        plain = [chain for chain in chains if chain[0] != Symbol("q")]
+        gaps = [farthest(plain, names)]
+        for k, (branch, law, between) in enumerate(zip(pieces, _laws(chains), bounds, strict=True)):
+            low, high = motion.borders[k : k + 2]
+            edges: dict[Expr, Any] = {LOW: low, HIGH: high}
+            when = times_of(branch)
+            told = (*between, *((when.left.left, when.right) if isinstance(when.left, Relation) else ()))
+            gaps.append(farthest(zip((LOW, HIGH) * 2, told, strict=True), {**names, **edges}))
+            for part in WITHIN:
+                moment = low + part * (high - low)
+                here = {**names, t: moment, Symbol("q"): motion.place(moment)}
+                gaps.append(farthest([law, (Symbol("q"), branch.values["q"])], here))
+        return max(gaps) < CLOSE
+
+
+LOW, HIGH = Symbol("beginning of the piece"), Symbol("end of the piece")
+
+
+def _laws(chains: Sequence[Chain]) -> list[Chain]:
+    return [chain for chain in chains if chain[0] == Symbol("q")]
+
+
+def _made(by: str, start: float, end: float, T: float, size: float) -> Motion | None:
+    """By the size of its velocity or acceleration, or the duration of its blends. That is found by halving: the
+    longer they are, the smaller is the way at a velocity, and the larger at an acceleration."""
+    way = abs(end - start)
+    sign = 1.0 if end > start else -1.0
+    if size <= 0:
+        return None
+
+    def covered(t_b: float) -> float:
+        return (size if by == "v" else size * t_b) * (T - t_b)
+
+    if by == "t_b":
+        return Motion(start, end, T, size, sign * way / (T - size)) if size <= T / 2 else None
+    low, high = 0.0, T / 2
+    if not min(covered(low), covered(high)) < way <= max(covered(low), covered(high)) * (1 + 1e-12):
+        return None
+    for _ in range(100):
+        middle = (low + high) / 2
+        if (covered(middle) > way) == (by == "v"):
+            low = middle
+        else:
+            high = middle
+    t_b = (low + high) / 2
+    return Motion(start, end, T, t_b, sign * (size if by == "v" else size * t_b))
