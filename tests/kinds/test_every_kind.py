@@ -37,7 +37,6 @@ NOT_YET_REFUSED = {
     "function.lagrange_multipliers": ("value matrix H", BRANCHES),
     "function.stationary_points": ("value matrix H", BRANCHES),
     "points.fit_transform": ("matrix H", NO_CHAIN),
-    "profile.lspb_trajectory": ("value a v t_? ramps piece_?", RENAMED),
     "robot.christoffel": ("value", GIVEN),
     "robot.coriolis_matrices": ("value B C", GIVEN),
     "robot.coriolis_matrix": ("value", GIVEN),
@@ -60,7 +59,6 @@ NOT_YET_REFUSED = {
 NOT_YET_DECLARED = {
     "function": "gradient hessian jacobian lagrange_multipliers stationary_points",
     "points": "fit_transform",
-    "profile": "cubic_trajectory lspb_trajectory quintic_trajectory spline_trajectory trapezoidal_profile",
     "robot": """
         christoffel coriolis_matrices coriolis_matrix dynamics energy forward_dynamics forward_kinematics
         gravity inertia_matrix jacobian jacobian_derivative joint_axes newton_euler
@@ -73,7 +71,6 @@ NOT_YET_DECLARED = {
 }
 NOT_YET_TRIED = {
     "points": "R p rms length_? R?R^T det?R",
-    "profile": "law_? v",
     "robot": "A_i w det motion-rates rates_*",
 }
 WORDS = Path(__file__).parents[2] / "templates" / "words"

@@ -144,8 +144,8 @@ def _laws(chains: Sequence[Chain]) -> list[Chain]:
 
 
 def _made(by: str, start: float, end: float, T: float, size: float) -> Motion | None:
-    """By the size of its velocity or acceleration, or the duration of its blends. That is found by halving: the
-    longer they are, the smaller is the way at a velocity, and the larger at an acceleration."""
+    """By the size of its velocity or acceleration, or the duration of its blends. That is found by halving:
+    the longer they are, the smaller is the way at a velocity, and the larger at an acceleration."""
     way = abs(end - start)
     sign = 1.0 if end > start else -1.0
     if size <= 0:

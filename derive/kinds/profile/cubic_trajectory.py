@@ -11,6 +11,7 @@ from derive.mechanics.profile import Profile
 
 NEEDS = ("journey", "time")
 USES = frozenset({"start_velocity", "end_velocity"})
+CLAIMS = ("both-ends",)
 
 
 class Options(OptionsModel):

@@ -20,6 +20,7 @@ from derive.mechanics.profile import Profile, Units
 NEEDS = ("journey",)
 USES = frozenset({"cruise", "acceleration", "blend"})
 q = Symbol("q")
+CLAIMS = ("q-is-continuous", "velocity-is-continuous", "ends-there", "ends-at-rest", "as-told")
 
 
 class Options(OptionsModel):

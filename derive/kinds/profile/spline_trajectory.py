@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Literal
 
 from derive.algebra.infix import text
@@ -26,20 +25,25 @@ from derive.expression import (
     number,
     symbols,
 )
-from derive.kinds.checks import SECOND_ROUTE, close, law, random_points
+from derive.kinds.checks import law
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.profile._drawn import Drawn, LimitTold
-from derive.kinds.profile._pieces import Span, branch, joined
+from derive.kinds.profile._pieces import Span, branch, joined, times_of
+from derive.kinds.profile._spline_checks import claims
+from derive.kinds.profile._spline_laws import laws
 from derive.kinds.work import Work
 from derive.mechanics.profile import Journey, Profile, Units
-from derive.mechanics.splines import solved_in_floats
 
 NEEDS = ("journey", "time")
 USES = frozenset({"start_velocity", "end_velocity", "via"})
 MOST_BY_SYMBOLS = 3  # via points at times that are symbols
 SHORT = 9  # characters of a fraction that is still read
 Ends = Literal["clamped", "natural"]
+CLAIMS = (
+    "q-is-continuous", "velocity-is-continuous", "passes-every-point", "all-conditions",
+    "velocity-at-the-start|acceleration-at-the-start", "velocity-at-the-end|acceleration-at-the-end",
+)  # fmt: skip
 
 
 class Options(OptionsModel):
@@ -100,15 +104,24 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     spans = tuple(_span(knots, velocities, k) for k in range(knots.spans))
     drawn = Drawn.of(spans, profile, problem, options.evaluate)
     names: dict[Expr, Expr] = {Symbol(f"v_{k}"): value for k, value in enumerate(written)}
-    work = working.knowing(names).showing(*_steps(knots, A, b, written)).linked()
+    inner = range(1, len(knots.velocities) - 1)
+    free = [k for k in inner if knots.velocities[k] is None]
+    general = laws(knots.times, knots.places, written, spans, free, options.ends == "natural")
+    work = working.knowing(names).showing(*general, *_steps(knots, A, b, written)).linked()
     work = work.claim(*joined(spans, working, 3 if all(v is None for v in knots.velocities[1:-1]) else 2))
     work = work.claim(*_passes(knots, spans))
-    work = work.claim(Claim("all-conditions", SECOND_ROUTE, _agrees(knots, spans, problem)))
     results = {name: work.final(name) for name in map(text, names)}
+    pieces = tuple(branch(span.law, span.start, span.end, problem) for span in spans)
+    facts = _facts(knots, spans, profile, drawn, options)
+    chains = [step.chain for step in work.steps if step.rule != "law"]
+    chains += [(Symbol(name), tree) for name, tree in results.items()]
+    given = knots.times, knots.places, knots.velocities
+    work = work.claim(*claims(given, chains, pieces, facts.pieces, problem))
+    work = work.claim(*drawn.claims([(piece.values["q"], times_of(piece)) for piece in pieces]))
     return work.answer(
         "spline-trajectory",
-        {**results, "q": tuple(branch(span.law, span.start, span.end, problem) for span in spans)},
-        _facts(knots, spans, profile, drawn, options),
+        {**results, "q": pieces},
+        facts,
         evaluated=drawn.evaluated(results),
         plots=drawn.plots("spline"),
     )
@@ -228,20 +241,3 @@ def _passes(knots: Knots, spans: Sequence[Span]) -> Iterator[Claim]:
             yield law(free, not spans[k].derivative(working, at, 2))
         else:
             yield law(moving, spans[k].derivative(working, at, 1) == working.scalar(given))
-
-
-def _agrees(knots: Knots, spans: Sequence[Span], problem: Problem) -> bool:
-    """Against one linear system for all coefficients, in floats."""
-    for point in random_points(problem.symbols, 2):
-
-        def at(tree: Expr, now: dict[str, float] = point) -> float:
-            return value_of(problem.final(tree), now)
-
-        times, places = [at(tree) for tree in knots.times], [at(tree) for tree in knots.places]
-        velocities = [None if v is None else at(v) for v in knots.velocities]
-        if any(after <= before for before, after in pairwise(times)):
-            continue  # random times out of order
-        found = [at(c) for span in spans for c in span.coefficients]
-        if not close(found, solved_in_floats(times, places, velocities), 1e-7):
-            return False
-    return True

@@ -41,6 +41,13 @@ class Facts(PageFacts):
     at_point: str  # the case there
 
 
+def claims_of(profile: Profile, options: Options) -> tuple[str, ...]:
+    """The keys of what is claimed; of several axes for each of them."""
+    if len(profile.axes) > 1:
+        return ("axis-alone", "on-axis", "slowest")
+    return ("in-case", "as-told", "no-time-is-shorter|no-acceleration-is-smaller|too-short")
+
+
 def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     """The switching times t_1, t_2, t_3 (Khatib's notes; Siciliano et al., section 4.2.1).
 

@@ -1,0 +1,76 @@
+"""A spline held to one linear system for all its coefficients: lines, tables and results as written."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import islice, pairwise
+from typing import Any
+
+from derive.algebra.numbers.floats import Point, completed
+from derive.algebra.numbers.floats import number as value_of
+from derive.derivation import Branch, Claim, Table
+from derive.expression import Expr, Relation, Symbol
+from derive.kinds.checks import route
+from derive.kinds.fields import TREES
+from derive.kinds.meanings import Chain, farthest
+from derive.kinds.problem import Problem
+from derive.kinds.profile._pieces import t, times_of
+from derive.kinds.profile._places import places
+from derive.mechanics.splines import solved_in_floats
+
+EACH = 2  # points
+CLOSE = 1e-7
+WITHIN = (0.3, 0.8)  # of a piece
+C = tuple(Symbol(f"c_{k}") for k in range(4))
+FROM, TO, Q = Symbol("from"), Symbol("to"), Symbol("q")
+
+
+def claims(
+    knots: tuple[Sequence[Expr], Sequence[Expr], Sequence[Expr | None]],
+    chains: Sequence[Chain],
+    pieces: Sequence[Branch],
+    table: Table,
+    problem: Problem,
+) -> Iterator[Claim]:
+    """`knots` are the times, the places and the velocities that are given; the rows of the table and the
+    pieces are tried one by one. Times out of order are left out."""
+    times = knots[0]
+
+    def in_order(at: Point) -> bool:
+        known = completed(at, problem.where)
+        return all(before < after for before, after in pairwise(value_of(tree, known) for tree in times))
+
+    met = islice((at for at in places(problem.symbols) if in_order(at)), EACH)
+    yield route("all-conditions", (_holds(at, knots, chains, pieces, table, problem) for at in met))
+
+
+def _holds(
+    at: Point,
+    knots: tuple[Sequence[Expr], Sequence[Expr], Sequence[Expr | None]],
+    chains: Sequence[Chain],
+    pieces: Sequence[Branch],
+    table: Table,
+    problem: Problem,
+) -> bool:
+    known = completed(at, problem.where)
+    times, through = ([value_of(tree, known) for tree in trees] for trees in knots[:2])
+    given = [None if v is None else value_of(v, known) for v in knots[2]]
+    found = solved_in_floats(times, through, given)
+    names: dict[Expr, Any] = {Symbol(name): value for name, value in known.items()}
+    for k in range(len(pieces)):
+        names[Symbol(f"v_{k}")] = found[4 * k + 1]
+    h, last = times[-1] - times[-2], found[-4:]
+    names[Symbol(f"v_{len(pieces)}")] = last[1] + 2 * last[2] * h + 3 * last[3] * h**2
+    gaps = [farthest(chains, names)]
+    for k, (piece, row) in enumerate(zip(pieces, table.rows, strict=True)):
+        own: dict[Expr, Any] = {**names, FROM: times[k], TO: times[k + 1]}
+        own |= dict(zip(C, found[4 * k : 4 * k + 4], strict=True))
+        when = times_of(piece)
+        told = [(FROM, row[1]), (TO, row[2]), *zip(C, row[3:], strict=True), (TO, when.right)]
+        told += [(FROM, when.left.left)] if isinstance(when.left, Relation) else []
+        gaps.append(farthest([(a, b) for a, b in told if isinstance(b, TREES)], own))
+        for part in WITHIN:
+            tau = part * (times[k + 1] - times[k])
+            place = sum(c * tau**n for n, c in enumerate(found[4 * k : 4 * k + 4]))
+            gaps.append(farthest([(Q, piece.values["q"])], {**own, t: times[k] + tau, Q: place}))
+    return max(gaps) < CLOSE
