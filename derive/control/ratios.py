@@ -125,7 +125,7 @@ def total(ratios: Iterable[Ratio], decimals: bool = False) -> Ratio:
     inner = Sum(tuple(-term for term in terms) if sign < 0 else _positive_first(terms))
     if normal(inner) == 0:
         return Ratio(Fraction(0))
-    return Ratio(Fraction(sign), (*common, (inner, 1))) / Ratio(top=bottom)
+    return Ratio(Fraction(sign), common) * Ratio(top=((inner, 1),)) / Ratio(top=bottom)
 
 
 def _has_s_below(expr: Expr) -> bool:

@@ -119,3 +119,13 @@ def test_what_has_no_answer_is_said(equations: list[str], source: str, output: s
 def test_only_inputs_can_be_asked_from() -> None:
     with pytest.raises(NotDerivable, match="no input"):
         solve(motor("armature", "angle"), Symbol("I_a"))
+
+
+def test_a_sum_that_equals_a_factor_beside_it_is_one_more_of_it() -> None:
+    """s + 1 + 2 - 2 + 2 comes about beside s + 3 here, and both are one base."""
+    equations = ["x1 = 1/(s + 3)*(u - x1 - x2)", "(s + 1)*x2 = 2*(x1 - x2)", "x4 = 1/(s + 3)*x3",
+                 "(s + 4)*x3 = x1 + x3 - x2"]  # fmt: skip
+    system_ = system(equations, "u", "x4")
+    s = 0.3 + 1.1j
+    ours = value(solve(system_).ratio.expr(), {"s": s})
+    assert cmath.isclose(ours, Numeric.of(system_, Symbol("u"), {}).gain(s), rel_tol=1e-12)

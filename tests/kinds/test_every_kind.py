@@ -67,7 +67,6 @@ NOT_YET_DECLARED = {
         dh_table inverse_kinematics inverse_velocity manipulability numerical_inverse_kinematics
         product_of_exponentials singularities space_jacobian statics workspace
         """,
-    "system": "model",
 }
 NOT_YET_TRIED = {
     "points": "R p rms length_? R?R^T det?R",

@@ -65,7 +65,7 @@ def test_without_a_controller_the_input_steps(tmp_path: Path) -> None:
 def test_every_claim_holds_and_decimals_stay() -> None:
     found = model()
     assert all(claim.holds for claim in found.claims)
-    assert found.claims[-2].key == "blocks"
+    assert {"blocks", "filtered-loop", "script", "simulation"} <= {claim.key for claim in found.claims}
     assert "K_d = 0.15;" in found.files["model.m"]
     assert found.results == {"matlab": found.files["model.m"], "python": found.files["model.py"]}
 

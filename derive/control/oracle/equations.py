@@ -110,6 +110,14 @@ class Numeric:
         wanted = numpy.append(numpy.zeros(len(loop) - 1), controller)
         return complex(numpy.linalg.solve(loop, wanted)[self.unknown.index(self.system.output)])
 
+    def disturbed(self, s: complex, controller: complex) -> dict[str, complex]:
+        """Every unknown of the loop at one s, by name, for a disturbance of 1 and no reference."""
+        import numpy
+
+        drives = self._equations(s)[1]
+        found = numpy.linalg.solve(self.loop(s, controller), numpy.append(-drives[:, 1], 0.0))
+        return {each.name: complex(x) for each, x in zip(self.unknown, found, strict=False)}
+
     def loop(self, s: complex, controller: complex) -> Any:
         """The coefficients of the unknowns and of the input at one s, the law of the controller below."""
         import numpy

@@ -2,25 +2,29 @@
 
 from __future__ import annotations
 
+import random
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, TypeAlias
 
 from derive.algebra.formulas.grammar import parse
+from derive.algebra.formulas.quantities import rational
 from derive.control.oracle import poles
 from derive.control.oracle.equations import Numeric, is_close, value
+from derive.control.oracle.minimal import order
 from derive.control.system import System
 from derive.derivation import Claim, Step
-from derive.expression import ZERO, Expr, Matrix, Symbol
+from derive.expression import ZERO, Expr, Matrix, Symbol, free_symbols, number
+from derive.expression import replace as put_in
 from derive.kinds.checks import route
 from derive.kinds.system._oracle import Held, Point, complexes, reals, same_roots
-from derive.kinds.system._point_checks import verdict_claim
 from derive.kinds.system._state_facts import Facts
 from derive.kinds.system._states import MATRICES
 
 Numbers: TypeAlias = Any  # an array of NumPy's
 CLOSE = 1e-6  # of a determinant and the product of eigenvalues
-GAP = (1e-10, 1e-5)  # sizes between which a singular value is neither zero nor not
+LARGEST = 10**6  # number put in for a symbol
+LOST = 1e-11  # of a coefficient of det(s 1 - A), by what its terms come to
 RATES = {"_ddot": 2, "_dot": 1}
 
 
@@ -49,7 +53,7 @@ def routes(
         if "poles" in evaluated:
             A = _array(evaluated["A"], {})
             yield route("eigenvalues", _eigenvalues(A, evaluated["poles"], told))
-            yield verdict_claim([each.real for each in _polynomial(A)], told.at.verdict)
+            yield route("verdict", (told.at.verdict in _verdicts(A),))
 
 
 def _array(rows: Matrix | Sequence[Sequence[float | str]], at: Point) -> Numbers:
@@ -90,9 +94,9 @@ def _moves(held: Held, matrices: Mapping[str, Matrix], state: Sequence[Expr], at
 def _signal(name: Expr, found: Mapping[str, complex], s: complex) -> complex:
     """A signal, or one of its derivatives."""
     text = name.name if isinstance(name, Symbol) else ""
-    for ending, order in RATES.items():
+    for ending, times in RATES.items():
         if text.endswith(ending) and text not in found:
-            return s**order * found[text.removesuffix(ending)]
+            return s**times * found[text.removesuffix(ending)]
     return found[text]
 
 
@@ -117,7 +121,7 @@ def _said(
         yield is_close(value(right, known), state * value(x, known) + drive * known[u.name])
         yield left in (system.output, _dotted(x))
     yield told.through == any(entry != ZERO for row in matrices["D"].rows for entry in row)
-    yield from held.compared(lambda at: _hidden(told, matrices, at))
+    yield from _hidden(told, matrices)
     changed = {name: results[name] for name in MATRICES if results[name] != matrices[name]}
     yield [*told.final] == [(printed[name][0], tree) for name, tree in changed.items()]
 
@@ -126,20 +130,18 @@ def _dotted(x: Expr) -> Expr:
     return Symbol(f"{x.name}_dot") if isinstance(x, Symbol) else x
 
 
-def _hidden(told: Facts, matrices: Mapping[str, Matrix], at: Point) -> Iterator[bool]:
-    """States beyond those that the input drives and the output shows: the rank of C A^k B in a square."""
-    import numpy
-
-    A, B, C = (_array(matrices[name], at) for name in "ABC")
-    n, size = len(A), float(numpy.abs(A).max()) or 1.0
-    rows = [C]
-    for _ in range(2 * n - 1):
-        rows.append(rows[-1] @ A / size)
-    seen = [complex((row @ B)[0, 0]) for row in rows]
-    sizes = numpy.linalg.svd(numpy.array([seen[k : k + n] for k in range(n)]), compute_uv=False)
-    shares = sizes / (sizes[0] or 1.0)
-    if not any(GAP[0] < share < GAP[1] for share in shares):
-        yield told.hidden == n - sum(share >= GAP[1] for share in shares)
+def _hidden(told: Facts, matrices: Mapping[str, Matrix]) -> Iterator[bool]:
+    """States beyond those that the input drives and the output shows; not told apart where entries are no
+    rational numbers."""
+    names = sorted(frozenset[str]().union(*(free_symbols(matrices[each]) for each in "ABC")) - {"pi"})
+    draw = random.Random(" ".join(names))
+    known: dict[Expr, Expr] = {Symbol(name): number(draw.randint(2, LARGEST)) for name in names}
+    found = [
+        [[rational(put_in(entry, known)) for entry in row] for row in matrices[each].rows] for each in "ABC"
+    ]
+    A, B, C = ([[x for x in row if x is not None] for row in rows] for rows in found)
+    if found == [A, B, C]:
+        yield told.hidden == len(A) - order(A, B, C)
 
 
 # -- at the values asked for --------------------------------------------------------------------------
@@ -170,7 +172,11 @@ def _eigenvalues(A: Numbers, told: Sequence[Any], facts: Facts) -> Iterator[bool
     yield facts.at is not None and same_roots(facts.at.poles, told)
 
 
-def _polynomial(A: Numbers) -> list[complex]:
+def _verdicts(A: Numbers) -> frozenset[str]:
+    """Those that det(s 1 - A) leaves, coefficients that may be zero taken as such or not."""
     import numpy
 
-    return [complex(each) for each in numpy.poly(A)]
+    found = [float(each.real) for each in numpy.poly(A)]
+    size = float(numpy.abs(A).max()) or 1.0
+    whole = [0.0 if abs(k) <= LOST * size**power else k for power, k in enumerate(found)]
+    return poles.possible(found) | poles.possible(whole)

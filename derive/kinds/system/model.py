@@ -12,20 +12,24 @@ from derive.control.rational import Rational, written
 from derive.control.response import step_response
 from derive.control.scripts.programs import Model, python_control, simulink
 from derive.control.system import System
-from derive.derivation import Claim, Derivation, PageFacts, Step
+from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import ONE, Expr, Symbol, add, factors_of, free_symbols, is_negative, multiply
 from derive.figures.block_diagram import Wired
-from derive.kinds.checks import SECOND_ROUTE, random_points
+from derive.kinds.checks import random_points, route
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
+from derive.kinds.system._model_checks import Files, proofs
+from derive.kinds.system._model_facts import Facts as Facts
 from derive.kinds.system._modelled import Answer, controller_formula, modelled
 from derive.kinds.system._options import ControllerField
+from derive.kinds.system._oracle import Held
 from derive.kinds.system._plant import point_chains
 from derive.kinds.system.closed_loop import plant_or_loop
 from derive.kinds.work import Work
 
 SUBJECTS = ("system", "motor")
+CLAIMS = ("blocks", "script", "simulation", "as-said")
 S = Symbol("s")
 POINTS = 3
 
@@ -35,23 +39,6 @@ class Options(OptionsModel):
 
     controller: ControllerField | None = None
     evaluate: Evaluation = None
-
-
-class Facts(PageFacts):
-    closed: bool
-    family: str
-    motor: tuple[str, ...]
-    one_block: bool
-    taps: bool
-    input: Symbol
-    output: Symbol
-    reference: Symbol
-    error: tuple[Expr, Expr]
-    disturbances: tuple[Symbol, ...]
-    controller: Expr | None
-    filter: tuple[tuple[Symbol, Expr], ...]
-    gains: tuple[tuple[Expr, Expr], ...]
-    point: tuple[tuple[Expr, ...], ...]
 
 
 def derive(system: System, options: Options, problem: Problem) -> Derivation:
@@ -64,28 +51,35 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     if not numeric.proper:
         raise NotDerivable("the transfer function is improper: its step response begins with an impulse")
     answer = modelled(solved, options.controller, transfer)
-    model = _model(answer, numeric)
+    takes = _takes(numeric)
+    model = _model(answer, takes)
     files = {"model.m": simulink(model), "model.py": python_control(model)}
     steps = tuple(_steps(answer))
-    work = Work(problem, _definitions(answer), uses=(base,), steps=steps).claim(*_claims(answer))
-    results = {"matlab": files["model.m"], "python": files["model.py"]}
-    return work.answer("model", results, _facts(answer, options), files=files)
+    work = Work(problem, _definitions(answer), uses=(base,), steps=steps).claim(*_blocks(answer))
+    results, told = {"matlab": files["model.m"], "python": files["model.py"]}, _facts(answer, options)
+    held = Held(problem, system.input, options.controller, dict(options.evaluate or ()))
+    work = work.claim(*proofs(held, Files(files, takes, numeric.numbers()[1]), told))
+    return work.answer("model", results, told, files=files)
 
 
 # -- the scripts --------------------------------------------------------------------------------------
 
 
-def _model(answer: Answer, numeric: Rational) -> Model:
-    solved = answer.plant
+def _takes(numeric: Rational) -> float:
+    """How long the response is worth looking at [s]."""
     reduced = numeric.reduced()
-    last = step_response(reduced.num, reduced.den).times[-1]
+    return step_response(reduced.num, reduced.den).times[-1]
+
+
+def _model(answer: Answer, takes: float) -> Model:
+    solved = answer.plant
     notes = tuple((name.name, "filter of the derivative [s]") for name, _ in answer.filter)
     return Model(
         answer.diagram,
         tuple(_values(answer)),
         solved.solution.ratio.expr(solved.decimals),
         controller_formula(answer),
-        _round_above(last),
+        _round_above(takes),
         "motor" if solved.system.motor else "system",
         notes,
     )
@@ -177,22 +171,20 @@ def _facts(answer: Answer, options: Options) -> Facts:
 # -- what it is held to -------------------------------------------------------------------------------
 
 
-def _claims(answer: Answer) -> Iterator[Claim]:
+def _blocks(answer: Answer) -> Iterator[Claim]:
     name = "T" if answer.controller else "G"
-    yield Claim("blocks", SECOND_ROUTE, _composes(answer), {"name": name})
+    yield route("blocks", _composes(answer), name=name)
     if answer.filter:
-        yield Claim("filtered-loop", SECOND_ROUTE, _composes_filtered(answer))
+        yield route("filtered-loop", _composes_filtered(answer))
 
 
-def _composes(answer: Answer) -> bool:
+def _composes(answer: Answer) -> Iterator[bool]:
     """At random parameters and complex s, with an ideal derivative."""
     names = {name for _, tree in answer.gains for name in free_symbols(tree)}
     names |= {name for tree in answer.plant.problem.names.values() for name in free_symbols(tree)}
     names |= answer.plant.system.names - {"pi"}
-    return all(
-        _agrees(answer, point, complex(point["s"], 1.0 + k))
-        for k, point in enumerate(random_points(names | {"s"}, POINTS))
-    )
+    for k, point in enumerate(random_points(names | {"s"}, POINTS)):
+        yield _agrees(answer, point, complex(point["s"], 1.0 + k))
 
 
 def _agrees(answer: Answer, point: Mapping[str, float], s: complex) -> bool:
@@ -206,13 +198,12 @@ def _agrees(answer: Answer, point: Mapping[str, float], s: complex) -> bool:
     return is_close(answer.diagram.gain(s, at), quotient(num, den, s))
 
 
-def _composes_filtered(answer: Answer) -> bool:
+def _composes_filtered(answer: Answer) -> Iterator[bool]:
     """At the values of the sheet, the equations solved as typed."""
     solved, controller = answer.plant, controller_formula(answer)
     names = {name: tree for name, tree in answer.table.items() if name != tree}
     point = {each.name: scalar_number(normal(each, names), {}) for each in names if isinstance(each, Symbol)}
     other = Numeric.of(solved.system, solved.system.input, point)
-    return controller is not None and all(
-        is_close(answer.diagram.gain(s, point), other.closed(s, value(controller, {**point, "s": s})))
-        for s in (0.3 + 1.1j, 1.7 + 0.4j, 0.1 + 2.3j)
-    )
+    for s in (0.3 + 1.1j, 1.7 + 0.4j, 0.1 + 2.3j):
+        strength = 1.0 if controller is None else value(controller, {**point, "s": s})
+        yield is_close(answer.diagram.gain(s, point), other.closed(s, strength))
