@@ -91,12 +91,14 @@ def _said(held: Held, files: Files, told: Facts) -> Iterator[bool]:
     yield told.closed == (controller is not None) and told.motor == system.motor
     yield told.family == (controller.family if controller else "")
     yield (told.input, told.output) == (system.input, system.output)
+    signals = Numeric.of(system, held.source, {}).unknown
     scripts = [READERS[name](text, 1.0 + 1.0j) for name, text in files.texts.items()]
     for script in scripts:
         stepping = _stepping(script)
         others = {each for each in script.steps if each != stepping}
         yield told.reference.name == stepping and {each.name for each in told.disturbances} == others
-        yield told.one_block == (len(script.blocks) == 1 + _around(told, script))
+        own = len(script.blocks) - _around(told)
+        yield own == 1 if told.one_block else {each.name for each in signals} <= script.blocks.keys()
     yield told.error[0] in [Symbol(each) for each in scripts[0].blocks] if told.closed else True
     yield told.error[1] == told.reference - told.output
     known = {**held.problem.where, **(held.given or {})}
@@ -122,7 +124,7 @@ def _is_controller(held: Held, told: Facts, tree: Expr | None, typed: Mapping[Ex
     return tree is not None and is_close(value(tree, known), _filtered(held, told, reals(at), at["s"]))
 
 
-def _around(told: Facts, script: Script) -> int:
+def _around(told: Facts) -> int:
     """Blocks that are not the system's own: the sum and the terms of the controller."""
     if not told.closed:
         return 0

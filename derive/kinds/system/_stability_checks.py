@@ -29,7 +29,7 @@ def claims_about(answer: Answer) -> Iterator[Claim]:
         for i, row in enumerate(array.rows, 1):
             if row.origin == "derivative":
                 left = remainder(array.polynomial, array.rows[i - 2].polynomial)
-                yield law("auxiliary-divides", not any(left), row=i - 1)
+                yield law("auxiliary-divides", (not any(left),), row=i - 1)
     limit = limiting(answer)
     if limit is not None and frequency_squared(answer) is not None:
         yield law("row-divides", _divides(answer, limit))

@@ -31,7 +31,7 @@ def claims_about(answer: Answer) -> Iterator[Claim]:
     yield law("transfer-function", (space.C @ x)[0, 0] + space.D[0, 0] == G)
     characteristic = characteristic_of(space.A)
     left = remainder(characteristic, answer.transfer.den)
-    yield law("poles-are-eigenvalues", not any(left))
+    yield law("poles-are-eigenvalues", (not any(left),))
     points = tuple(random_points(_parameters(answer.plant.system), POINTS))
     yield route("characteristic", (_is_determinant(space.A, characteristic, point) for point in points))
 
