@@ -144,6 +144,8 @@ def _called(function: str, arguments: list[Any]) -> Any:
     }
     if function in of_matrices:
         return of_matrices[function](*arguments)
+    if function == "abs" and np.size(arguments[0]) > 1:  # of a vector
+        return float(np.linalg.norm(arguments[0]))
     try:
         return FUNCTIONS[function](*map(float, map(_single, arguments)))
     except ValueError as error:

@@ -36,7 +36,6 @@ INNER = "results that are not asked, as the steps to the one that is"
 NOT_YET_REFUSED = {
     "function.lagrange_multipliers": ("value matrix H", BRANCHES),
     "function.stationary_points": ("value matrix H", BRANCHES),
-    "points.fit_transform": ("matrix H", NO_CHAIN),
     "robot.christoffel": ("value", GIVEN),
     "robot.coriolis_matrices": ("value B C", GIVEN),
     "robot.coriolis_matrix": ("value", GIVEN),
@@ -58,7 +57,6 @@ NOT_YET_REFUSED = {
 # lists too can only grow shorter.
 NOT_YET_DECLARED = {
     "function": "gradient hessian jacobian lagrange_multipliers stationary_points",
-    "points": "fit_transform",
     "robot": """
         christoffel coriolis_matrices coriolis_matrix dynamics energy forward_dynamics forward_kinematics
         gravity inertia_matrix jacobian jacobian_derivative joint_axes newton_euler
@@ -69,7 +67,6 @@ NOT_YET_DECLARED = {
         """,
 }
 NOT_YET_TRIED = {
-    "points": "R p rms length_? R?R^T det?R",
     "robot": "A_i w det motion-rates rates_*",
 }
 WORDS = Path(__file__).parents[2] / "templates" / "words"

@@ -9,11 +9,12 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import matrix_numbers
 from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, Result, Step
+from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Matrix, Symbol, number, transpose
 from derive.kinds.checks import SECOND_ROUTE, close, law
 from derive.kinds.points._data import Data, Facts, RowsTold, point_table, rounded, rounded_matrix, shown
+from derive.kinds.points._fit_checks import Pairs, rows_fitted
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.fitting import PointPairs, residual
@@ -46,15 +47,15 @@ def fitted(pairs: PointPairs, problem: Problem) -> Derivation:
         *_row_steps(rows, targets, problem),
         Step("T", (T, whole), "transform"),
         *(
-            Step(f"length_{k}", (Call("abs", (Symbol(f"r_{k}"),)), each), "law")
+            Step(f"length_{k}", (Call("abs", (Symbol(f"r_{k}"),)), each), "in-numbers")
             for k, each in enumerate(scaled.lengths, 1)
         ),
         Step("R", (R, scaled.R), "normalised"),
-        Step("R R^T", (R * transpose(R), scaled.product), "law"),
-        Step("det R", (Call("det", (R,)), scaled.det), "law"),
-        Step("rms", (Symbol("rms"), rounded(rms)), "law"),
+        Step("R R^T", (R * transpose(R), scaled.product), "in-numbers"),
+        Step("det R", (Call("det", (R,)), scaled.det), "in-numbers"),
+        Step("rms", (Symbol("rms"), rounded(rms)), "in-numbers"),
     )
-    results: dict[str, Result] = {"R": scaled.R, "p": p, "rms": rounded(rms), "T": whole}
+    results: dict[str, Expr] = {"R": scaled.R, "p": p, "rms": rounded(rms), "T": whole}
     told = RowsTold(
         unit=all(length == number(1) for length in scaled.lengths),
         rotation=scaled.orthogonal and scaled.det == number(1),
@@ -63,6 +64,7 @@ def fitted(pairs: PointPairs, problem: Problem) -> Derivation:
         freedoms=6 if size == 3 else 3,
     )
     work = Work(problem, steps=steps).claim(*_claims(data, table, rows, targets))
+    work = work.claim(*rows_fitted(work, told, results, Pairs.of(pairs, problem)))
     facts = Facts(points=point_table(pairs), rows=told, numbers=())
     return work.answer("fit-transform", results, facts)
 

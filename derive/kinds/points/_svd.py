@@ -6,12 +6,13 @@ from collections.abc import Iterator
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import matrix_numbers, number
-from derive.derivation import Claim, Derivation, Result, Step
+from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
-from derive.expression import Matrix, Product, Symbol, column, transpose
+from derive.expression import Expr, Matrix, Product, Symbol, column, transpose
 from derive.expression import number as whole
 from derive.kinds.checks import SECOND_ROUTE, close, law
 from derive.kinds.points._data import Data, Facts, SvdTold, point_table, rounded, rounded_matrix, shown
+from derive.kinds.points._fit_checks import Pairs, best_rotation
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.fitting import (
@@ -25,7 +26,8 @@ from derive.mechanics.fitting import (
     residual,
 )
 
-A_MEAN, B_MEAN, H = Symbol("a_m"), Symbol("b_m"), Symbol("H")
+A_MEAN, B_MEAN = Symbol("a_m"), Symbol("b_m")
+X, Y, H = Symbol("X"), Symbol("Y"), Symbol("H")
 U, S, V, D, R, P = map(Symbol, ("U", "S", "V", "D", "R", "p"))
 
 
@@ -47,14 +49,15 @@ def fitted(pairs: PointPairs, problem: Problem) -> Derivation:
         *_means(data, problem, means),
         *_spectral(exact_H, fit, problem),
         *_ends(fit, rotation, position),
-        Step("rms", (Symbol("rms"), rounded(rms)), "law"),
+        Step("rms", (Symbol("rms"), rounded(rms)), "in-numbers"),
     )
-    results: dict[str, Result] = {"R": rotation, "p": position, "rms": rounded(rms)}
-    work = Work(problem, steps=steps).claim(*_claims(data, fit, exact, rms, exact_H))
+    results: dict[str, Expr] = {"R": rotation, "p": position, "rms": rounded(rms)}
+    work = Work(problem).step(*steps).claim(*_claims(data, fit, exact, rms, exact_H))
     told = SvdTold(
         exact=exact is not None, flat=fit.is_flat, reflected=fit.det < 0 and not fit.is_flat,
         spatial=len(fit.S) == 3, det=fit.det, turned=(D, _diagonal(fit)),
     )  # fmt: skip
+    work = work.claim(*best_rotation(work, told, results, Pairs.of(pairs, problem)))
     facts = Facts(points=point_table(pairs), svd=told, numbers=())
     return work.answer("fit-transform", results, facts)
 
@@ -94,7 +97,7 @@ def _means(data: Data, problem: Problem, means: list[Matrix]) -> Iterator[Step]:
 
 
 def _spectral(exact_H: ScalarMatrix, fit: Fit, problem: Problem) -> Iterator[Step]:
-    yield Step("H", (H, shown(exact_H, problem)), "covariance")
+    yield Step("H", (H, transpose(X) * Y, shown(exact_H, problem)), "in-numbers")
     yield Step("U", (U, rounded_matrix(fit.U)), "singular")
     yield Step("S", (S, rounded_matrix(_diagonal_rows(fit.S))), "singular")
     yield Step("V", (V, rounded_matrix(fit.V)), "singular")
@@ -111,8 +114,8 @@ def _diagonal(fit: Fit) -> Matrix:
 def _ends(fit: Fit, rotation: Matrix, position: Matrix) -> Iterator[Step]:
     """R and p; numbers in floating point are no links to compare exactly."""
     factors = (V, transpose(U)) if fit.det > 0 else (V, D, transpose(U))
-    yield Step("R", (R, Product(factors), rotation), "law")
-    yield Step("p", (P, B_MEAN - R * A_MEAN, position), "law")
+    yield Step("R", (R, Product(factors), rotation), "in-numbers")
+    yield Step("p", (P, B_MEAN - R * A_MEAN, position), "in-numbers")
 
 
 def _claims(

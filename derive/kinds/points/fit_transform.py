@@ -18,6 +18,12 @@ class Options(OptionsModel):
     method: Literal["svd", "rows"] = "svd"
 
 
+def claims_of(pairs: PointPairs, options: Options) -> tuple[str, ...]:
+    """The keys of what is claimed."""
+    own = ("eigenvector|angle", "orthogonal-in-floats") if options.method == "svd" else ("left-over",)
+    return (*own, "as-told", "verdicts")
+
+
 def derive(pairs: PointPairs, options: Options, problem: Problem) -> Derivation:
     """Least squares (Arun, Huang and Blostein, IEEE PAMI 9, 1987; by rows as in the lecture notes).
 
