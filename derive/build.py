@@ -18,6 +18,7 @@ from derive.kinds.registry import words_folder
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked, figure_path
 from derive.render.notation import Notation
 from derive.render.printed import Printed
+from derive.render.trig import meant_indices
 from derive.sheet.load import load_sheet
 from derive.sheet.model import Problem, Question, Sheet
 from derive.verify import answered
@@ -111,7 +112,6 @@ def assemble(sheet: Sheet, solutions: bool = True, warn: Warn = lambda _: None) 
         author=sheet.author,
         date=sheet.date,
         language=sheet.language,
-        notation=_notation(sheet),
         name=_name(sheet, solutions),
         figures=folder,
         solutions=solutions,
@@ -137,15 +137,18 @@ def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool, warn: Wa
         answers = list(map(InDecimals(), answers))
     asked = [answer for answer in answers if solutions]
     printed: list[Derivation] = []
+    notation = _notation(sheet, working)
     questions: list[QuestionPage] = []
     for question, answer in zip(problem.questions, answers, strict=True):
         order = tuple(_order(answer, asked, printed, working.name)) if solutions else ()
         page = _question(sheet, question, answer if solutions else None, order, working)
         if not page.text:
-            page = _asked_by_default(page, sheet, problem, question, answer)
+            page = _asked_by_default(page, problem, question, answer, notation)
         questions.append(replace(page, rounded=0 if questions else places))
     figure, drawing = _figure(problem, working, folder)
-    return ProblemPage(problem.number, tuple(questions), problem.title, problem.text, figure, drawing)
+    return ProblemPage(
+        problem.number, tuple(questions), problem.title, problem.text, figure, drawing, notation
+    )
 
 
 def _figure(problem: Problem, working: Working, folder: str) -> tuple[str | None, Figure | None]:
@@ -178,7 +181,7 @@ def _picture(problem: Problem, given: Path, folder: str) -> str:
 
 
 def _asked_by_default(
-    page: QuestionPage, sheet: Sheet, problem: Problem, question: Question, answer: Derivation
+    page: QuestionPage, problem: Problem, question: Question, answer: Derivation, notation: Notation
 ) -> QuestionPage:
     """The page of a question that has no text with ours, unless the text of its problem asks it."""
     from derive.render.latex import Printer
@@ -187,13 +190,15 @@ def _asked_by_default(
     if problem.text and len(problem.questions) == 1:
         return page
     name, folder = problem.subject_name, words_folder(problem.subject_name, answer.kind)
-    printer, printed = Printer(_notation(sheet)), list[Printed]()
+    printer, printed = Printer(notation), list[Printed]()
     text = question_text(folder, question.find, name, problem.subject, question.options, printer, printed)
     return replace(page, text=text, printed=tuple(printed))
 
 
-def _notation(sheet: Sheet) -> Notation:
-    return Notation(sheet.notation.atan2, sheet.notation.trig, sheet.notation.digits)
+def _notation(sheet: Sheet, working: Working) -> Notation:
+    """That of the sheet, where c_1 is no cosine if the author means something else by it."""
+    given = sheet.notation
+    return Notation(given.atan2, given.trig, given.digits, meant=meant_indices(working.taken))
 
 
 def _order(

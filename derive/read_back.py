@@ -13,14 +13,17 @@ from derive.algebra.fingerprint import fingerprint
 from derive.answers.latex.printed import parts_of, read_part
 from derive.answers.latex.scripts import Tokens
 from derive.errors import FormulaError, SheetError, SheetErrors, Unfit
-from derive.expression import Approximate, Expr, walk
+from derive.expression import Approximate, Expr, Indexed, Matrix, Symbol, walk
+from derive.expression import replace as written_out
 from derive.render.document import Document
 from derive.render.layout import Chain
 from derive.render.notation import Notation
-from derive.render.printed import Printed, Reading, Said
+from derive.render.printed import Naming, Printed, Reading, Said
 
 REMEMBERED = 20_000  # formulas of one process: a sheet is printed in several formats
 MISPRINTED = "the page says something else than was derived"
+JACOBIAN = {"vx": 1, "vy": 2, "vz": 3, "wx": 4, "wy": 5, "wz": 6}
+AXES = ("x", "y", "z")
 EQUALS = ("=", r"\approx")
 REPORT = "please report this with the sheet"
 
@@ -67,6 +70,8 @@ def _unread(printed: Printed) -> tuple[str, ...]:
     """The formula, once for each of its expressions that could not be read, with the reason. Raises
     Misprinted."""
     shown = " ".join(printed.lines)
+    if not all(map(_names_entries, printed.namings)):
+        raise Misprinted(f"{shown} (the names of its entries stand for others)")
     try:
         chains = parts_of(printed.lines)
         if [*map(len, chains)] != [*map(len, printed.chains)]:
@@ -97,6 +102,32 @@ def _doubts(found: Sequence[tuple[str, Tokens]], chain: Chain, notation: Notatio
             raise Misprinted(error.message) from error
         if fingerprint(read, notation.digits) != fingerprint(link.tree, notation.digits):
             raise Misprinted("what stands there is another expression")
+
+
+def _names_entries(naming: Naming) -> bool:
+    """Whether a matrix is the whole one again with its names written out, and each name has the indices of
+    its place: d_12 that of row 1 and column 2, p_y that of row 2 and the last column, and of some rows of a
+    Jacobian those that they have in all of it."""
+    whole = naming.whole
+    if not isinstance(whole, Matrix) or written_out(naming.shown, dict(naming.listed)) != whole:
+        return False
+    rows = [*range(1, len(whole.rows) + 1)]
+    if isinstance(naming.head, Indexed):
+        rows = [JACOBIAN[row.name] for row in naming.head.lower if isinstance(row, Symbol)]
+    entries = {
+        (i, j): entry for i, row in zip(rows, whole.rows, strict=True) for j, entry in enumerate(row, 1)
+    }
+    return all(entries.get(_place(name, len(whole.rows[0]))) == tree for name, tree in naming.listed)
+
+
+def _place(name: Expr, last: int) -> tuple[int, int]:
+    """The row and the column that a name says, from 1; 0, 0 for one that says none."""
+    index = name.name.rpartition("_")[2] if isinstance(name, Symbol) else ""
+    if index in AXES:
+        return AXES.index(index) + 1, last
+    row, comma, column = index.partition(",")
+    numbers = (row, column) if comma else (index[:1], index[1:])
+    return (int(numbers[0]), int(numbers[1])) if all(map(str.isdigit, numbers)) else (0, 0)
 
 
 def _is_rounded(tree: Expr) -> bool:

@@ -12,18 +12,18 @@ import pytest
 
 from derive.build import build, derive_all
 from derive.errors import SheetErrors
-from derive.expression import Derivative, Expr, Symbol
+from derive.expression import Derivative, Expr, Matrix, Product, Sum, Symbol, cos, number, sin, symbols
 from derive.read_back import MISPRINTED, read_back, reading_of
-from derive.render import latex, layout, names, phrases, trig, words
+from derive.render import entries, latex, layout, names, phrases, trig, words
 from derive.render.document import Document
 from derive.render.latex import Printer
 from derive.render.notation import Notation
 from derive.render.page import render_markdown
-from derive.render.printed import Printed, Said, says
+from derive.render.printed import Naming, Printed, Said, says
 from derive.sheet.load import load_sheet
 from tests.sheets import ROOT
 
-SHEETS = ("planar-2r", "kinematics", "lagrange", "mechanics-notes", "dc-motor", "week2")
+SHEETS = ("planar-2r", "kinematics", "lagrange", "mechanics-notes", "dc-motor", "week3")
 Patch = Callable[[pytest.MonkeyPatch], None]
 
 
@@ -216,3 +216,28 @@ def test_what_tex_would_refuse_or_the_tree_does_not_say_is_refused(latex: str, w
     with pytest.raises(SheetErrors) as caught:
         read_back([said])
     assert why in caught.value.errors[0].message
+
+
+def wide(printer: Printer) -> Said:
+    """A matrix whose entries are too long for its page, as it is shown."""
+    a, b, phi = symbols("a b phi")
+    long = [
+        Sum(tuple(Product((number(k), a, b, cos(phi), sin(phi))) for k in range(n, n + 4)))
+        for n in range(2, 6)
+    ]
+    chain = (Symbol("D"), Matrix(((long[0], long[1]), (long[2], long[3]))))
+    (shown, listed) = entries.with_named_entries(chain, printer)
+    assert len(listed) == 4
+    display = layout.lay_out((words.chain_links(shown, printer),))
+    naming = Naming(chain[0], chain[-1], shown[-1], tuple((name, tree) for name, tree in listed))
+    return Said("1.1", None, (Printed.display(display, printer.notation, (naming,)),))
+
+
+def test_names_of_entries_are_those_of_their_places(monkeypatch: pytest.MonkeyPatch) -> None:
+    printer = Printer(Notation())
+    assert read_back([wide(printer)]).read == 1
+    right = entries.entry_symbol
+    monkeypatch.setattr(entries, "entry_symbol", lambda letter, i, j: right(letter, j, i))
+    with pytest.raises(SheetErrors) as caught:
+        read_back([wide(printer)])
+    assert "names of its entries" in caught.value.errors[0].message

@@ -62,7 +62,7 @@ class QuestionPage:
 @dataclass(frozen=True, slots=True)
 class ProblemPage:
     """A problem. `figure` is the path of a picture relative to the page, `/` between its parts; `drawing` is
-    what is drawn there, None where the author gave the picture."""
+    what is drawn there, None where the author gave the picture. `notation` is that of its mathematics."""
 
     number: int
     questions: tuple[QuestionPage, ...]
@@ -70,6 +70,7 @@ class ProblemPage:
     text: str = ""
     figure: str | None = None
     drawing: Figure | None = None
+    notation: Notation = field(default_factory=Notation)
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +84,6 @@ class Document:
     author: str = ""
     date: str = ""
     language: str = "en"
-    notation: Notation = field(default_factory=Notation)
     name: str = ""
     figures: str = ""
     solutions: bool = True

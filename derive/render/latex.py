@@ -172,7 +172,7 @@ class Printer:
         if exponent == Number(Fraction(1, 2)):
             return rf"\sqrt{{{self.write(base)}}}", POWER
         raised = script("^", self._exponent(exponent))
-        if isinstance(base, Call) and is_written_out(base, self.notation):
+        if isinstance(base, Call) and is_written_out(Power(base, exponent), self.notation):
             return self._function(
                 base.function + raised, base.arguments[0], OPERATORS[base.function] + raised
             )

@@ -13,9 +13,11 @@ class Notation:
     `atan2`: `yx` prints atan2(y, x), `xy` prints Atan2(x, y) as Spong does. `trig`: `short` prints
     c_1 and s_{12} for joint angles. `digits`: significant digits of evaluated numbers.
     `short_names`: further angles that short notation abbreviates by their whole name, c_\\phi.
+    `meant`: indices with which a c or an s is a name of the sheet, which short notation may not use.
     """
 
     atan2: Literal["yx", "xy"] = "yx"
     trig: Literal["short", "long"] = "short"
     digits: int = 3
     short_names: frozenset[str] = frozenset()
+    meant: frozenset[str] = frozenset()

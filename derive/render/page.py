@@ -60,7 +60,7 @@ def _answer(
     if question.derivation and document.solutions:
         told.append(
             evaluated_words(
-                question.derivation, question.folder, question.at, skin, document.notation, printed
+                question.derivation, question.folder, question.at, skin, problem.notation, printed
             )
         )
     return "\n\n".join(filter(None, told))
@@ -87,7 +87,7 @@ def _told(
         name: file_path(document.figures, problem.number, question.number, name)
         for name in worked.derivation.files
     }
-    notation = document.notation
+    notation = problem.notation
     return words(worked.derivation, worked.folder, skin, notation, worked.asked, plots, files, printed)
 
 

@@ -13,18 +13,30 @@ from derive.render.notation import Notation
 
 
 @dataclass(frozen=True, slots=True)
+class Naming:
+    """A matrix that is shown with names for its long entries, and what is said of each name. `head` is what
+    the matrix is called."""
+
+    head: Expr
+    whole: Expr
+    shown: Expr
+    listed: tuple[tuple[Expr, Expr], ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Printed:
     """A formula as it stands on a page, in the lines of a display or in one line of text; it says the chains
-    side by side."""
+    side by side, in which entries of matrices may be named."""
 
     lines: tuple[str, ...]
     chains: tuple[Chain, ...]
     notation: Notation
+    namings: tuple[Naming, ...] = ()
 
     @classmethod
-    def display(cls, display: Display, notation: Notation) -> Printed:
+    def display(cls, display: Display, notation: Notation, namings: tuple[Naming, ...] = ()) -> Printed:
         """A display, as it was laid out."""
-        return cls(display.lines, display.chains, notation)
+        return cls(display.lines, display.chains, notation, namings)
 
     @classmethod
     def inline(cls, latex: str, chain: Chain, notation: Notation) -> Printed:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from derive.expression import Call, Degrees, Expr, Number, Power, Sum, Symbol
+from collections.abc import Iterable
+
+from derive.expression import Call, Degrees, Expr, Number, Power, Sum, Symbol, is_negative
 from derive.render.names import Name, name_latex, name_parts
 from derive.render.notation import Notation
 
@@ -18,6 +20,17 @@ def short_index(angle: Expr, notation: Notation) -> str:
     """
     if notation.trig == "long":
         return ""
+    index = _index(angle, notation)
+    return "" if index in notation.meant else index
+
+
+def meant_indices(names: Iterable[str]) -> frozenset[str]:
+    """The indices with which a c or an s is one of these names: the 1 of c1."""
+    parts = [name_parts(name) for name in names]
+    return frozenset(part.lower for part in parts if part.stem in SHORT.values() and part.lower)
+
+
+def _index(angle: Expr, notation: Notation) -> str:
     match angle:
         case Symbol(name) if name in notation.short_names:
             return name_latex(name)
@@ -61,7 +74,8 @@ def is_short_argument(argument: Expr) -> bool:
 
 def is_written_out(factor: Expr, notation: Notation) -> bool:
     """Whether it prints as a function before its argument, `\\cos \\phi`."""
-    call = factor.base if isinstance(factor, Power) else factor
+    raised = isinstance(factor, Power) and not is_negative(factor.exponent)  # cos^-1 would be the arc
+    call = factor.base if isinstance(factor, Power) and raised else factor
     if not isinstance(call, Call) or call.function not in ("cos", "sin", "tan"):
         return False
     return call.function not in SHORT or not short_index(call.arguments[0], notation)

@@ -22,7 +22,7 @@ from derive.render.latex import Printer, is_approximate
 from derive.render.layout import LINE, Chain, Display, Link, lay_out, one_line
 from derive.render.notation import Notation
 from derive.render.phrases import PHRASES, Speech, on_page
-from derive.render.printed import Printed
+from derive.render.printed import Naming, Printed
 from derive.render.room import abridged, has_room, kept
 from derive.render.skin import Skin, environment, words_file
 
@@ -118,17 +118,26 @@ class Telling:
         takes more than so many `lines`.
         """
         printer, widest = self._printer(trig), LINE if entries else NAMED_BEYOND
+        whole = [self._chain(name, printer, lines) for name in names]
         parts = [
-            with_named_entries(self._chain(name, printer, lines), printer, widest, self._entries(name))
-            for name in names
+            with_named_entries(chain, printer, widest, self._entries(name))
+            for chain, name in zip(whole, names, strict=True)
         ]
-        shown = self._display(tuple(chain for chain, _ in parts), printer)
+        both = zip(whole, parts, strict=True)
+        namings = tuple(
+            Naming(chain[0], chain[-1], shown[-1], tuple((name, tree) for name, tree in listed))
+            for chain, (shown, listed) in both
+            if listed
+        )
+        shown = self._display(tuple(chain for chain, _ in parts), printer, namings)
         listed = [self._display(chains, printer) for _, chains in parts if chains]
         return "".join((shown, f"\n{entries}\n" if entries and listed else "", *listed))
 
-    def _display(self, chains: tuple[tuple[Expr, ...], ...], printer: Printer) -> str:
+    def _display(
+        self, chains: tuple[tuple[Expr, ...], ...], printer: Printer, namings: tuple[Naming, ...] = ()
+    ) -> str:
         display = lay_out(tuple(chain_links(chain, printer) for chain in chains))
-        self.printed.append(Printed.display(display, printer.notation))
+        self.printed.append(Printed.display(display, printer.notation, namings))
         return self.skin.display(display)
 
     def formula(self, *lines: str) -> str:

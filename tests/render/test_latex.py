@@ -35,6 +35,7 @@ from derive.expression import (
 )
 from derive.render.latex import is_approximate, latex
 from derive.render.notation import Notation
+from derive.render.trig import meant_indices
 
 theta1, theta2, phi, psi, m, L, a, b, z = symbols("theta1 theta2 phi psi m L a b z")
 NOTATION = Notation()
@@ -124,3 +125,12 @@ def test_rounded_numbers(value: float, printed: str) -> None:
 def test_rounded_numbers_are_found_at_any_depth() -> None:
     assert is_approximate(Matrix(((a, Product((b, Approximate(0.5)))),)))
     assert not is_approximate(Matrix(((a, b),)))
+
+
+def test_an_inverse_sine_is_no_sine_below_a_fraction() -> None:
+    assert latex(Power(sin(phi), number(-1)), NOTATION) == r"(\sin \phi)^{-1}"
+
+
+def test_a_name_of_the_sheet_is_no_cosine() -> None:
+    both = Product((Symbol("c1"), cos(theta1), cos(theta2)))
+    assert latex(both, replace(NOTATION, meant=meant_indices({"c1"}))) == r"c_1 \cos(\theta_1) c_2"
