@@ -16,18 +16,22 @@ STEPS = 30
 STARTS = 12
 SPREAD = 3.0
 SHIFT = 1e-3
+BESIDE = 0.05
 LONGEST = 2.0  # of one step
 FOUND = 1e-9
 NEAR = 1e-4
 
 
-def stationary(tree: Expr, known: Mapping[str, float], names: Sequence[str]) -> list[list[float]]:
+def stationary(
+    tree: Expr, known: Mapping[str, float], names: Sequence[str], near: Sequence[Sequence[float]] = ()
+) -> list[list[float]]:
     """Points where the gradient of a tree by some names vanishes, the others being known; those that
-    were found from a few starts, all of which walk at once."""
+    were found from a few starts and from some close to places that are `near`, all of which walk at once."""
     import numpy as np
 
     draw = random.Random(len(names))
-    at = np.array([[draw.uniform(-SPREAD, SPREAD) for _ in names] for _ in range(STARTS)])
+    starts = [[draw.uniform(-SPREAD, SPREAD) for _ in names] for _ in range(STARTS)]
+    at = np.array(starts + [[x + draw.uniform(-BESIDE, BESIDE) for x in place] for place in near])
     shifts = _shifts(len(names))
 
     def values(points: Any) -> Any:

@@ -17,10 +17,13 @@ from derive.algebra.solving.polynomials import known_sign, odd_part
 from derive.derivation import Branch, Claim, Condition, Derivation, PageFacts, Phrase, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Call, Derivative, Expr, Relation, Sum, Symbol, add, multiply
-from derive.kinds.checks import NORMAL_FORM, SECOND_ROUTE, law, random_points
+from derive.kinds.checks import NORMAL_FORM, law, random_points, route
+from derive.kinds.function._case_checks import cases_told
 from derive.kinds.function._extremes import extremes, reach
+from derive.kinds.function._landscape import Landscape
 from derive.kinds.function._naming import function_name, multiplier_names
 from derive.kinds.function._newton import NEAR, stationary
+from derive.kinds.function._point_checks import PointsTold
 from derive.kinds.function._stationary import Point, Task, bordered_hessian, is_flat_saddle, patterns, points
 from derive.kinds.function._telling import CaseTold, divided_by, is_enclosed, told
 from derive.kinds.function._writing import written
@@ -84,14 +87,19 @@ def worked(kind: str, function: Function, problem: Problem) -> Derivation:
     solutions = tuple(_branch(p, when, name, task, problem) for p, when in zip(found, said, strict=True))
     work = Work(problem, definitions, steps=steps).claim(*_put_back(task, found, solutions, name))
     work = work.claim(*_search(function, task, problem, found))
+    table, land = _table(found, said, name, task, problem), Landscape.of(function, problem)
+    checked = PointsTold(land, problem, name, goal, tuple(multipliers), solutions, table)
+    cases = told(case, problem, function.variables)
+    work = work.claim(checked.lines(steps), *checked.points())
+    work = work.claim(*cases_told(cases, function.variables, problem))
     facts = Facts(
         goal=goal, name=name, multipliers=tuple(multipliers), variables=len(function.variables),
         partials=tuple((*step.chain, ZERO) for step in steps if step.rule == "stationary"),
         determinants=tuple((*step.chain, ZERO) for step in steps if step.rule == "dependent"),
-        cases=told(case, problem, function.variables), nonzero=divided_by(case, problem), count=len(found),
+        cases=cases, nonzero=divided_by(case, problem), count=len(found),
         enclosed=is_enclosed([p.solution for p in found]), flat=any(map(is_flat_saddle, found)),
         minors=len(function.variables) - len(function.constraints), odd=len(function.constraints) % 2 == 1,
-        table=_table(found, said, name, task, problem), singular=any(p.kind == "singular" for p in found),
+        table=table, singular=any(p.kind == "singular" for p in found),
         compact=limits.highest == "compact", greatest=_best("maximum", found, best, problem),
         smallest=_best("minimum", found, best, problem),
     )  # fmt: skip
@@ -245,9 +253,19 @@ def _search(function: Function, task: Task, problem: Problem, found: Sequence[Po
     tree = _lagrange(function, tuple(map(Symbol, task.multipliers)), Symbol("f"))
 
     ours = [_numbers(p, task, known) for p in found]  # at a singular point any multiplier may do
-    others = [each for each in stationary(tree, known, unknowns) if _allowed(each, task)]
-    holds = all(any(_near(theirs, mine) for mine in ours) for theirs in others)
-    yield Claim("newtons-method", SECOND_ROUTE, holds, {"count": len(others)})
+    regular = [mine for mine, p in zip(ours, found, strict=True) if mine and _is_found(p)]
+    walked = stationary(tree, known, unknowns, [mine for mine in regular if len(mine) == len(unknowns)])
+    others = [each for each in walked if _allowed(each, task)]
+    listed = [any(_near(theirs, mine) for mine in ours) for theirs in others]
+    if others or not regular:  # where there is none to be found, none of the starts leads to one
+        yield route("newtons-method", listed or [not walked], count=len(others))
+    else:
+        yield route("newtons-method", (), count=0)
+
+
+def _is_found(point: Point) -> bool:
+    """Whether the second derivatives decide what it is, so that Newton's method finds it."""
+    return point.kind in ("maximum", "minimum", "saddle") and not is_flat_saddle(point)
 
 
 def _allowed(point: Sequence[float], task: Task) -> bool:

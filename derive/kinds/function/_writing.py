@@ -9,7 +9,7 @@ from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar, fraction
 from derive.algebra.solving.polynomial_systems import Value
 from derive.algebra.solving.polynomials import monomials
-from derive.expression import ZERO, Approximate, Expr
+from derive.expression import ZERO, Approximate, Expr, is_negative
 from derive.kinds.problem import Problem
 
 
@@ -58,7 +58,8 @@ def vanishing(polynomial: Scalar, problem: Problem) -> tuple[Expr, Expr]:
         found = problem.readable(left), problem.readable(-right)
         negative = as_fraction(left.numerator.leading_coefficient()) < 0
         return (-found[0], problem.readable(right)) if negative else found
-    return problem.readable(whole), ZERO
+    shown = problem.readable(whole)
+    return -shown if is_negative(shown) else shown, ZERO
 
 
 def _primitive(polynomial: Scalar) -> Scalar:

@@ -12,6 +12,8 @@ from derive.kinds.function._partials import differences, partial_step
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 
+CLAIMS = ("differences",)
+
 
 class Facts(PageFacts):
     nabla: Expr

@@ -13,6 +13,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 
 H = Symbol("H")
+CLAIMS = ("symmetric", "differences")
 
 
 def derive(function: Function, options: Options, problem: Problem) -> Derivation:

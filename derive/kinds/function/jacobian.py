@@ -15,6 +15,7 @@ from derive.kinds.work import Work
 
 J = Symbol("J")
 MOST_SQUARE = 5  # rows of a determinant worked out
+CLAIMS = ("differences",)
 
 
 class Options(OptionsModel):

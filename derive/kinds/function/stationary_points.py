@@ -11,6 +11,7 @@ from derive.kinds.function._worked import worked
 from derive.kinds.problem import Problem
 
 USES = frozenset({"subject_to"})  # and refuses it, saying what to ask
+CLAIMS = ("as-told", "satisfies|newtons-method")
 
 
 def derive(function: Function, options: Options, problem: Problem) -> Derivation:
