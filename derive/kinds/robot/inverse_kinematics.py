@@ -10,6 +10,7 @@ from derive.kinds.robot._inverse import open_chain
 from derive.kinds.robot._inverse import two_link as triangle
 from derive.kinds.robot._inverse.facts import Facts as Facts
 from derive.kinds.robot._inverse.given import Given, goal_of
+from derive.kinds.robot._inverse.sampled import sample_points
 from derive.mechanics.inverse.two_link import two_link
 from derive.mechanics.robot import Robot
 
@@ -35,4 +36,4 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 def reached(options: Options, problem: Problem, count: int) -> tuple[dict[str, float], ...]:
     """Points at which what is given is the place of the end-effector: joint variables, lengths, and that."""
     chain = chain_of(problem)
-    return open_chain.sample_points(chain, goal_of(options.given, chain, problem), problem, count)
+    return sample_points(chain, goal_of(options.given, chain, problem), problem, count)

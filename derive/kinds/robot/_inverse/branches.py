@@ -26,7 +26,15 @@ from derive.expression import (
 )  # fmt: skip
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.signs import opposite, ordered
-from derive.kinds.robot._inverse.subproblem import Definition, Item, Taken, branches_of, shares, weighted
+from derive.kinds.robot._inverse.subproblem import (
+    Definition,
+    Item,
+    Taken,
+    branches_of,
+    defined,
+    shares,
+    weighted,
+)
 from derive.mechanics.inverse.known import determined
 
 LARGEST = 1200  # names, numbers and operations in a value; above that it stays in terms of earlier joints
@@ -88,9 +96,12 @@ class Solutions:
     def at(self, point: Point) -> list[dict[str, float] | None]:
         """The joint variables of each branch where the given coordinates have these values; None where the
         branch is not real there. Raises KeyError for a name without a value."""
-        return [self._at(taken, dict(point)) for taken in self.chosen]
+        found = (self.known(taken, point) for taken in self.chosen)
+        return [known and {name: known[name] for name in self.joints} for known in found]
 
-    def _at(self, taken: Taken, known: dict[str, float]) -> dict[str, float] | None:
+    def known(self, taken: Taken, point: Point) -> dict[str, float] | None:
+        """The values of all names in the branch with these choices."""
+        known = dict(point)
         forms: list[Form] = []
         values: list[float] = []
         try:
@@ -107,7 +118,11 @@ class Solutions:
                 known |= self.angles(forms, values)
         except (ValueError, ZeroDivisionError):
             return None
-        return {name: known[name] for name in self.joints}
+        return known
+
+    def at_home(self, point: Point) -> dict[str, float]:
+        """The point with the names that are defined on the way."""
+        return defined(self.items, point)
 
     def angles(self, forms: Sequence[Form], values: Sequence[float]) -> dict[str, float]:
         """Joint angles with these sums; those nobody knows yet are taken as zero, their sums being right."""

@@ -1,45 +1,119 @@
-"""Every branch put back through the forward kinematics in numbers."""
+"""Every branch put back through the poses of the oracle, and held to the conditions that say which it is."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import reduce
+from functools import cached_property, reduce
 
+from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.compiled import compiled
 from derive.algebra.numbers.floats import Point
-from derive.derivation import Claim, Condition, Phrase
-from derive.expression import Expr
+from derive.derivation import Branch, Claim, Condition, Phrase
+from derive.expression import ZERO, Expr, Relation, Symbol, terms_of
 from derive.kinds.checks import SECOND_ROUTE
-from derive.kinds.robot._inverse.branches import Solutions
-from derive.kinds.robot._inverse.target import SAME, Target
+from derive.kinds.robot._inverse.target import SAME, Target, Values
+
+Conditions = Sequence[Condition]
+NOT_REAL = (ValueError, ZeroDivisionError)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Tried:
-    """What came of putting branches back at poses the arm reaches: whether each always reached them, and
-    whether the joint values they came from were always found. `spare` says that the arm has fewer joints than
-    what is given has coordinates, so that a branch has to fulfil more equations than it is made from."""
+    """Branches at poses that the arm reaches with the joint values in these `points`: what each gives there
+    for every name it works with, None where it is not real; `at_home` does the same to the point itself, with
+    the joint values that are in it."""
 
-    reached: tuple[bool, ...]
-    found: bool
-    spare: bool
+    target: Target
+    points: Sequence[Point]
+    conditions: Sequence[Conditions]
+    met: Sequence[Sequence[Values | None]]  # by point, then by branch
+    at_home: Callable[[Point], Values]
+
+    @cached_property
+    def _there(self) -> tuple[tuple[bool, ...], ...]:
+        """Of each branch whether it brings the end-effector to the poses at which it is real."""
+        found: list[list[bool]] = [[] for _ in self.conditions]
+        for point, branches in zip(self.points, self.met, strict=True):
+            for there, values in zip(found, branches, strict=True):
+                if values is not None:
+                    there.append(self.target.reached(point, self._joints(values)))
+        return tuple(map(tuple, found))
+
+    @cached_property
+    def reached(self) -> tuple[bool, ...]:
+        """Whether it always does, and does so anywhere."""
+        return tuple(bool(there) and all(there) for there in self._there)
 
     @property
     def partial(self) -> bool:
-        """Whether some branches are solutions at some poses only."""
-        return self.spare and not all(self.reached)
+        """Whether some branches are solutions at some poses only, as where an arm has fewer joints than what
+        is given has coordinates, so that they have to fulfil more equations than they are made from."""
+        return self.target.spare and not all(self.reached)
 
-    def claims(self, solutions: Solutions, point: Mapping[str, float]) -> Iterator[Claim]:
+    @property
+    def solved(self) -> Iterator[tuple[int, Point, Values]]:
+        """(branch, point, values of all names) wherever one reaches the pose."""
+        for point, branches in zip(self.points, self.met, strict=True):
+            for k, values in enumerate(branches):
+                if values is not None and self.target.reached(point, self._joints(values)):
+                    yield k, point, values
+
+    def claims(self) -> Iterator[Claim]:
         """What has to hold; of a branch nothing where it need not reach."""
-        for when, holds in zip(solutions.conditions, self.reached, strict=True):
-            if holds or not self.spare:
+        for when, holds in zip(self.conditions, self.reached, strict=True):
+            if holds or not self.target.spare:
                 yield reaches(when, holds)
-        yield Claim("pose-found", SECOND_ROUTE, self.found)
-        yield Claim("as-printed", SECOND_ROUTE, _as_printed(solutions, point))
+        yield Claim("pose-found", SECOND_ROUTE, bool(self.points) and all(map(self._found, self._each)))
+        yield Claim("when-holds", SECOND_ROUTE, bool(self.points) and all(self._sorted()))
+
+    @property
+    def _each(self) -> Iterator[tuple[Point, Sequence[Values | None]]]:
+        return zip(self.points, self.met, strict=True)
+
+    def _found(self, tried: tuple[Point, Sequence[Values | None]]) -> bool:
+        """Whether the joint values a pose came from are among the solutions."""
+        point, branches = tried
+        return any(self._is_home(values, point) for values in branches)
+
+    def _sorted(self) -> Iterator[bool]:
+        """Whether the conditions of a branch hold of what it gives, and where they hold of the joint values a
+        pose came from, that it gives these."""
+        for k, _, values in self.solved:
+            yield self._hold(self.conditions[k], values)
+        for point, branches in self._each:
+            home = self.at_home(point)
+            meant = [k for k, when in enumerate(self.conditions) if self._hold(when, home)]
+            same = [self._is_home(branches[k], point) for k in meant]
+            yield any(same)
+            if not self.target.spare:
+                told = [all(isinstance(each, Relation) for each in self.conditions[k]) for k in meant]
+                yield all(here for here, plain in zip(same, told, strict=True) if plain)
+
+    def _hold(self, conditions: Conditions, known: Values) -> bool:
+        """Whether the relations among these hold; of words nothing is known here."""
+        return all(self._holds(each, known) for each in conditions if isinstance(each, Relation))
+
+    def _holds(self, relation: Relation, known: Values) -> bool:
+        """That something is positive or negative, an angle from -pi to pi."""
+        turning = {Symbol(name) for name in self.target.joints if name not in self.target.slides}
+        left = relation.left
+        if isinstance(left, Relation) or relation.right != ZERO or relation.sign not in "<>":
+            return False
+        value = arrays(left, known)
+        if turning >= set(terms_of(left)):
+            value = math.remainder(value, 2 * math.pi)
+        return bool(value > 0 if relation.sign == ">" else value < 0)
+
+    def _is_home(self, values: Values | None, point: Point) -> bool:
+        return values is not None and self.target.same(values, point)
+
+    def _joints(self, values: Values) -> Values:
+        return {name: values[name] for name in self.target.joints}
 
 
-def reaches(when: Sequence[Condition], holds: bool) -> Claim:
+def reaches(when: Conditions, holds: bool) -> Claim:
     """That the branch with these conditions brings the end-effector to its place."""
     if not when:
         return Claim("only-branch-reaches", SECOND_ROUTE, holds)
@@ -48,33 +122,34 @@ def reaches(when: Sequence[Condition], holds: bool) -> Claim:
     return Claim("branch-reaches", SECOND_ROUTE, holds, {"when": whole})
 
 
-def tried(solutions: Solutions, target: Target, points: Sequence[Mapping[str, float]]) -> Tried:
-    """Every branch at every point."""
-    reached = [True] * len(solutions.chosen)
-    found = True
-    for point in points:
-        branches = solutions.at(point)
-        there = [values is None or target.reached(point, values) for values in branches]
-        reached = [before and now for before, now in zip(reached, there, strict=True)]
-        found &= any(values is not None and target.same(values, point) for values in branches)
-    return Tried(tuple(reached), found, target.spare)
+def as_printed(tried: Tried, branches: Sequence[Branch], order: Sequence[str]) -> Claim:
+    """That the branches as results, with everything put in and in short formulas, have the values that were
+    put back."""
+    checked = [
+        _prints(branches[k], order, _given(point, tried.target.joints), values)
+        for k, point, values in tried.solved
+    ]
+    return Claim("as-printed", SECOND_ROUTE, bool(checked) and all(checked))
 
 
-def _as_printed(solutions: Solutions, point: Mapping[str, float]) -> bool:
-    """Both with everything put in and in short formulas."""
-    given = {name: value for name, value in point.items() if name not in solutions.joints}
-    for branch, values in zip(solutions.branches, solutions.at(point), strict=True):
-        if values is None:
-            continue
-        turn = [name for name in branch.short if name in values]
-        for formulas, names in ((branch.values, turn or list(values)), (branch.short, list(branch.short))):
-            found = _in_turn(formulas, names, given)
-            if names and any(abs(found[n] - v) > SAME * max(1.0, abs(v)) for n, v in values.items()):
-                return False
-    return True
+def _prints(branch: Branch, order: Sequence[str], given: Values, values: Values) -> bool:
+    """Both ways of writing one branch."""
+    turn = [name for name in order if name in branch.values] or [*branch.values]
+    written = [_in_turn(branch.values, turn, given)]
+    if order:
+        written.append(_in_turn(branch.short, order, given))
+    return all(
+        abs(found[name] - values[name]) <= SAME * max(1.0, abs(values[name]))
+        for found in written
+        for name in branch.values
+    )
 
 
-def _in_turn(formulas: Mapping[str, Expr], names: Sequence[str], given: Point) -> dict[str, float]:
+def _given(point: Point, joints: Sequence[str]) -> Values:
+    return {name: value for name, value in point.items() if name not in joints}
+
+
+def _in_turn(formulas: Mapping[str, Expr], names: Sequence[str], given: Values) -> Values:
     """The values of formulas, each put into those after it. Raises as `compiled` does."""
     known = dict(given)
     for name in names:

@@ -2,33 +2,33 @@
 
 from __future__ import annotations
 
-import math
-import random
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 
+from derive.algebra.numbers.floats import Point
 from derive.derivation import Derivation, Result
 from derive.errors import NotDerivable
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._inverse.branches import Solutions
-from derive.kinds.robot._inverse.checks import tried
+from derive.kinds.robot._inverse.checks import Tried, as_printed
 from derive.kinds.robot._inverse.evaluated import by_plan, evaluated
 from derive.kinds.robot._inverse.given import Given, goal_of
+from derive.kinds.robot._inverse.lines import Lines
 from derive.kinds.robot._inverse.refused import no_closed_form, refuse_at_once, refuse_self_motion
+from derive.kinds.robot._inverse.sampled import sample_points
 from derive.kinds.robot._inverse.stages import Stages
 from derive.kinds.robot._inverse.target import Target
 from derive.kinds.robot._rows.by_rows import by_rows
 from derive.kinds.work import Work
 from derive.mechanics.budget import Budget
 from derive.mechanics.chain import Chain
-from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.plan import Search
 from derive.mechanics.inverse.search import MOST_TERMS
 from derive.names import free
 
-POINTS = 5
+POINTS, MOST_POINTS = 5, 40
 
 
 def derive(chain: Chain, given: Given, place: Place | None, problem: Problem) -> Derivation:
@@ -47,7 +47,7 @@ def derive(chain: Chain, given: Given, place: Place | None, problem: Problem) ->
         raise NotDerivable(no_closed_form(plan, goal, problem))
     worked = Stages(problem, chain, goal, plan, unused).worked()
     solutions = Solutions(worked.items, chain.variables, frozenset(plan.knowledge.slides), problem, unused)
-    trial = tried(solutions, target, points)
+    trial = _tried(solutions, target, points, partial(sample_points, chain, goal, problem))
     if trial.partial:
         solutions = replace(solutions, reached=trial.reached)
     results: dict[str, Result] = {"solutions": solutions.branches}
@@ -57,29 +57,19 @@ def derive(chain: Chain, given: Given, place: Place | None, problem: Problem) ->
         solutions.branches, place, problem, lambda point: by_plan(solutions, plan, target, place or (), point)
     )
     work = Work(problem, known=worked.definitions, uses=(problem.ask("forward-kinematics"),))
-    work = (
-        work.showing(*worked.steps).linked(but=worked.conditional).claim(*trial.claims(solutions, points[0]))
-    )
+    work = work.showing(*worked.steps).linked(but=worked.conditional).claim(*trial.claims())
+    work = work.claim(as_printed(trial, solutions.branches, solutions.order))
+    work = work.claim(*Lines(trial, worked, solutions.chosen).claims())
     facts = worked.facts(solutions, trial.partial, values.place)
     return work.answer("inverse-kinematics", results, facts, evaluated=values.values)
 
 
-def sample_points(chain: Chain, goal: Goal, problem: Problem, count: int) -> tuple[dict[str, float], ...]:
-    """Configurations of the arm at random, and what is given of its end-effector there: lengths from 0.2 to
-    1.9, angles of a whole turn, displacements of both signs but where they are said to be positive."""
-    draw, oracle = random.Random(1), oracle_of(problem)
-    joints = sorted((joint for _, joint in chain.moving), key=lambda joint: joint.type == "prismatic")
-    points = []
-    for _ in range(count):
-        names = sorted(problem.symbols - {joint.variable for joint in joints})
-        point = {name: draw.uniform(0.2, 1.9) for name in names}
-        for joint in joints:
-            name = joint.variable
-            if joint.type != "prismatic":
-                point[name] = draw.uniform(-math.pi, math.pi)
-            else:
-                positive = problem.assumptions.get(name) in ("positive", "nonnegative")
-                point[name] = draw.uniform(0.2, 1.9) * (1 if positive else draw.choice((1, -1)))
-        at = dict(oracle.at(point))
-        points.append({**at, **goal.numbers(oracle.tool(at))})
-    return tuple(points)
+def _tried(
+    solutions: Solutions, target: Target, points: Sequence[Point], draw: Callable[[int], Sequence[Point]]
+) -> Tried:
+    """At poses enough for every branch to be real at one of them, if any is."""
+    for tried in (points, draw(MOST_POINTS)):
+        met = [[solutions.known(each, point) for each in solutions.chosen] for point in tried]
+        if all(any(branch) for branch in zip(*met, strict=True)):
+            break
+    return Tried(target, tried, solutions.conditions, met, solutions.at_home)

@@ -23,6 +23,7 @@ class Solving:
         self.progress, self.problem = progress, progress.problem
         self.poses, self.found = poses, found
         self.steps: list[Step] = []
+        self.equations: list[tuple[Expr, Expr]] = []
 
     def short(self, value: Scalar) -> Expr:
         """A tree for a known quantity: as it is where that is short, else a name, defined in a step."""
@@ -47,7 +48,8 @@ class Solving:
         self.steps.append(Step(f"{rule}_{self.progress.steps}", chain, rule))
 
     def equation(self, left: Expr, right: Expr) -> None:
-        """An equation, unless it was shown before."""
+        """An equation, shown unless it was before."""
+        self.equations.append((left, right))
         if not any(step.chain == (left, right) for each in self.progress.solved for step in each.steps):
             self.add("equation", left, right)
 
@@ -75,7 +77,10 @@ class Solving:
             left=left,
         )
         number, steps = len(progress.solved), (*self.steps, *left)
-        solved = Solved(number, unknown, head, tuple(choices), steps, facts, self.poses.stage, trig or {})
+        solved = Solved(
+            number, unknown, head, tuple(choices), steps, facts, self.poses.stage, trig or {},
+            tuple(self.equations),
+        )  # fmt: skip
         if solved.two_valued and trig:
             progress.signs[f"{'sin' if method.name == 'cosine' else 'cos'}({unknown})"] = number
         elif solved.two_valued and isinstance(self.found, Reach) and not self.found.linear:

@@ -101,7 +101,7 @@ class Stages:
         name, before = self._poses(hand=True).wanted, Symbol(f"R_{base}^0")
         wanted = Step("turn", (name, transpose(before) * Symbol("R"), entries), "turn")
         return Orientation(
-            entries, (wanted,) if names else (), Step("turn_made", (name, made), "turn"), made, before
+            name, entries, (wanted,) if names else (), Step("turn_made", (name, made), "turn"), made, before
         )
 
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from math import prod
@@ -10,6 +11,7 @@ from typing import TypeAlias
 
 from derive.algebra.angles import Form, combination
 from derive.algebra.numbers.compiled import Compiled, compiled
+from derive.algebra.numbers.floats import Point
 from derive.derivation import Condition, Step
 from derive.expression import ZERO, Expr, Symbol, add, multiply, number
 from derive.kinds.robot._inverse.facts import SolvedFacts
@@ -55,7 +57,7 @@ class Definition(Formula):
 class Solved:
     """`number` counts the sub-problems from 0; `unknown` is a sum of angles or the name of a displacement,
     `head` how it is written, `stage` that of its equations ("whole", "arm" or "hand"); `trig` are the sine
-    and cosine of that sum where they are known without it, by sign."""
+    and cosine of that sum where they are known without it, by sign; it was solved by its `equations`."""
 
     number: int
     unknown: Form | str
@@ -65,6 +67,7 @@ class Solved:
     facts: SolvedFacts
     stage: str
     trig: Mapping[int, Mapping[Expr, Expr]] = field(default_factory=dict)
+    equations: tuple[tuple[Expr, Expr], ...] = ()
 
     @property
     def two_valued(self) -> bool:
@@ -74,6 +77,16 @@ class Solved:
 
 Item: TypeAlias = Definition | Solved
 Taken: TypeAlias = Mapping[int, Choice]  # of a branch: the choice at each sub-problem, by its number
+
+
+def defined(items: Iterable[Item], at: Point) -> dict[str, float]:
+    """The point with the names that are defined on the way, where those have values."""
+    known = dict(at)
+    for item in items:
+        if isinstance(item, Definition):
+            with suppress(KeyError, ValueError, ZeroDivisionError):
+                known[item.name.name] = item.at(known)
+    return known
 
 
 def branches_of(items: Sequence[Item]) -> Iterator[Taken]:

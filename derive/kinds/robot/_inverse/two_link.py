@@ -4,26 +4,30 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
+from typing import Any
 
 from derive.algebra.normal import normal
+from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.compiled import compiled
-from derive.algebra.numbers.floats import number as value_of
 from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.scalar import Scalar
-from derive.derivation import Branch, Condition, Derivation, Phrase, Step
+from derive.derivation import Branch, Claim, Condition, Derivation, Phrase, Step
 from derive.expression import ONE, PI, Expr, Symbol, atan2, cos, multiply, number, sin, sqrt
-from derive.kinds.checks import random_points
+from derive.kinds.checks import SECOND_ROUTE, close
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.at_pose import Configuration
-from derive.kinds.robot._inverse.checks import reaches
+from derive.kinds.robot._inverse.checks import Tried, as_printed
 from derive.kinds.robot._inverse.evaluated import SMALL, Evaluated, at_point, evaluated
 from derive.kinds.robot._inverse.facts import Facts, Triangle
 from derive.kinds.robot._inverse.given import refuse_namesakes
+from derive.kinds.robot._inverse.lines import equal
 from derive.kinds.robot._inverse.one_equation import of_sign
+from derive.kinds.robot._inverse.sampled import sample_points
 from derive.kinds.robot._inverse.signs import signed
-from derive.kinds.robot._inverse.target import Target, Values
+from derive.kinds.robot._inverse.target import SAME, Target, Values
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.goal import of_coordinates
@@ -53,11 +57,11 @@ def derive(
     work = work.showing(*steps).linked(
         but=[step.name for step in steps if step.rule in ("branch", "difference")]
     )
-    for each, when in zip(branches, conditions, strict=True):
-        work = work.claim(reaches(when, _puts_back(problem, target, each)))
-    facts = Facts(
-        triangle=writing.triangle(), place=values.place, angle_results=chain.variables, style=problem.style
-    )
+    tried = _tried(branches, target, sample_points(chain, target.goal, problem, POINTS))
+    work = work.claim(*tried.claims(), as_printed(tried, branches, ()))
+    triangle = writing.triangle()
+    work = work.claim(*Seen(tried, steps, writing.lengths, triangle).claims())
+    facts = Facts(triangle=triangle, place=values.place, angle_results=chain.variables, style=problem.style)
     results = {"solutions": tuple(branches)}
     return work.answer("inverse-kinematics", results, facts, evaluated=values.values)
 
@@ -69,6 +73,7 @@ class _Writing:
         self.problem, self.arm, self.x, self.y = problem, arm, x, y
         self.theta_1, self.theta_2 = Symbol(arm.theta_1), Symbol(arm.theta_2)
         self.a_1, self.a_2 = problem.readable(arm.a_1), problem.readable(arm.a_2)
+        self.lengths = self.a_1, self.a_2
         self.square = x**2 + y**2
 
     def position(self) -> dict[Expr, Expr]:
@@ -136,14 +141,65 @@ class _Writing:
         )
 
 
-def _puts_back(problem: Problem, target: Target, branch: Branch) -> bool:
-    """Whether a branch at reachable points, put back through the poses in numbers, gives these points."""
-    holds = True
-    for each in random_points(problem.symbols, POINTS):
-        at = dict(target.oracle.at(each))
-        point = {**at, **target.goal.numbers(target.oracle.tool(at))}
-        holds &= target.reached(point, {name: value_of(tree, point) for name, tree in branch.values.items()})
-    return holds
+def _tried(branches: Sequence[Branch], target: Target, points: Sequence[Values]) -> Tried:
+    """Both branches at poses that the arm reaches."""
+    functions = [{name: compiled(tree) for name, tree in each.values.items()} for each in branches]
+    met = [
+        [{**point, **{name: value(point) for name, value in each.items()}} for each in functions]
+        for point in points
+    ]
+    return Tried(target, points, [each.when for each in branches], met, dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """The arm as it stands in numbers, against the lines and the words of the triangle."""
+
+    tried: Tried
+    steps: Sequence[Step]
+    lengths: tuple[Expr, Expr]
+    told: Triangle
+
+    def claims(self) -> Iterator[Claim]:
+        """Of every line, and of the triangle and its elbow."""
+        solved = [*self.tried.solved]
+        lines = [each for k, _, known in solved for each in self._lines(k, known)]
+        yield Claim("lines", SECOND_ROUTE, bool(lines) and all(lines))
+        elbows = [each for k, _, known in solved for each in self._elbow(k, known)]
+        yield Claim("elbow-seen", SECOND_ROUTE, bool(elbows) and all(elbows))
+
+    def _lines(self, k: int, known: Values) -> Iterator[bool]:
+        """Those of the other elbow left out."""
+        other = [*ELBOWS][1 - k].replace("-", "_")
+        for step in self.steps:
+            if step.name != other:
+                yield equal(step.chain, known, step.rule in ("branch", "difference"))
+
+    def _elbow(self, k: int, known: Values) -> Iterator[bool]:
+        """Whether the triangle is this one, and the elbow lies to the right of the line from the base to the
+        end-effector where it is down, to its left where it is up."""
+        import numpy as np
+
+        told, joints = self.told, self.tried.target.joints
+        base, elbow = (self._pivot(name, known) for name in joints)
+        tip = self.tried.target.oracle.tool(known)[:2, 3]
+        (x, y), (u, v) = tip - base, elbow - base
+        yield (x * v - y * u > 0) == (self.tried.conditions[k][0] == Phrase("elbow-up"))
+        yield close(arrays(told.r, known), math.hypot(x, y), SAME)
+        sides = [float(np.linalg.norm(each)) for each in (elbow - base, tip - elbow)]
+        yield close([arrays(each, known) for each in self.lengths], sides, SAME)
+        yield close(
+            math.cos(arrays(told.elbow, known)), (base - elbow) @ (tip - elbow) / math.prod(sides), SAME
+        )
+        yield told.same == close(sides[0], sides[1], SAME)
+
+    def _pivot(self, name: str, at: Values) -> Any:
+        """The point (2) about which a joint turns the end-effector."""
+        import numpy as np
+
+        tool = self.tried.target.oracle.tool
+        D = tool({**at, name: at[name] + 1.0}) @ np.linalg.inv(tool(at))
+        return np.linalg.solve(np.eye(2) - D[:2, :2], D[:2, 3])
 
 
 def _in_numbers(

@@ -22,8 +22,10 @@ FIRST_AND_SECOND = {1: Phrase("first"), -1: Phrase("second")}
 @dataclass(frozen=True, slots=True)
 class Orientation:
     """What a spherical wrist has to make, by its `entries` and, where those are named, what they are
-    (`wanted`); what it makes in its angles (`made`, of this `rotation`); and the rotation `before` it."""
+    (`wanted`); what it makes in its angles (`made`, of this `rotation`), by its `name`; and the rotation
+    `before` it."""
 
+    name: Symbol
     entries: Matrix
     wanted: tuple[Step, ...]
     made: Step
@@ -92,9 +94,24 @@ class Worked:
     def steps(self) -> tuple[Step, ...]:
         """In the order of the page."""
         arm, hand = ([step for each in solved for step in each.steps] for solved in (self.arm, self.hand))
-        turn = (*self.orientation.wanted, self.orientation.made) if self.orientation else ()
         singular_steps = (case.step for case in self.singular)
-        return (*self.pose, *self.centre, *arm, *turn, *self.elements, *hand, *singular_steps)
+        return (*self.pose, *self.centre, *arm, *self.turn, *self.elements, *hand, *singular_steps)
+
+    @property
+    def turn(self) -> tuple[Step, ...]:
+        """What a wrist has to make, and what it makes."""
+        return (*self.orientation.wanted, self.orientation.made) if self.orientation else ()
+
+    @property
+    def at_end(self) -> bool:
+        """Whether the centre of a wrist is the origin of the end-effector's frame."""
+        return self.plan.decoupling is not None and not self.plan.decoupling.wrist.centre
+
+    @cached_property
+    def conditions(self) -> tuple[tuple[Expr, Expr], ...]:
+        """What any pose that the arm reaches fulfils."""
+        readable = self.problem.readable
+        return tuple((readable(each.left), readable(each.right)) for each in self.plan.conditions)
 
     @cached_property
     def elements(self) -> tuple[Step, ...]:
@@ -129,7 +146,7 @@ class Worked:
 
     def facts(self, solutions: Solutions, partial: bool, place: AtPlace) -> Facts:
         """What the words choose their sentences by."""
-        goal, plan, readable = self.goal, self.plan, self.problem.readable
+        goal = self.goal
         angle = None
         if goal.angle:
             angle = GivenAngle(name=Symbol(goal.angle), base=AXES[goal.plane[0]], axis=AXES[goal.plane[2]])
@@ -137,7 +154,7 @@ class Worked:
             pose=self.pose,
             angle=angle,
             orientation=goal.R is not None and not goal.whole_position,
-            conditions=tuple((readable(each.left), readable(each.right)) for each in plan.conditions),
+            conditions=self.conditions,
             arm=tuple(each.facts for each in self.arm),
             wrist=self._wrist(),
             tree=self._tree(solutions),
@@ -156,7 +173,7 @@ class Worked:
         return Wrist(
             joints=wrist.rows,
             centre=self.centre,
-            at_end=not wrist.centre,
+            at_end=self.at_end,
             before=self.orientation.before,
             wanted=self.orientation.wanted,
             elements=self.elements,

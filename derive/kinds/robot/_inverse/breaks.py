@@ -1,0 +1,112 @@
+"""Where the rule of a sub-problem breaks, as the page says: what must not vanish are the coefficients of the
+unknown in the equations, and a value is real exactly where the condition beside it holds."""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Iterator
+
+from derive.algebra.numbers.arrays import arrays
+from derive.algebra.numbers.compiled import Compiled, compiled
+from derive.expression import ONE, Expr, free_symbols, replace
+from derive.kinds.checks import close
+from derive.kinds.robot._inverse.subproblem import Solved
+from derive.kinds.robot._inverse.target import Values
+
+SAME = 1e-7
+DRAWN, LEAST = 40, 6  # points drawn, and those that have to count
+SPREAD = 2.0
+Swing = tuple[float, float]  # a and b of a cos q + b sin q, or of b d alone
+
+
+def determined(solved: Solved, known: Values) -> Iterator[bool]:
+    """Whether what must not vanish, for the unknown to be determined, stands before it in its equations at a
+    solution."""
+    method = solved.facts.method
+    told = [abs(arrays(tree, known)) for tree in method.unless]
+    swings = list(_swings(solved, known))
+    if method.factor is not None and method.name != "zero":
+        told.append(abs(arrays(method.factor, known)))
+    if not told:
+        return
+    sizes = [math.hypot(*swing) for swing in swings]
+    match method.name:
+        case "direction" | "slide":
+            yield all(any(close(each, size, SAME) for size in sizes) for each in told)
+        case "determinant":
+            (a, b), (c, d) = swings
+            yield all(close(each, abs(a * d - b * c), SAME) for each in told)
+        case _:
+            yield all(close(math.hypot(*told), size, SAME) for size in sizes)
+
+
+def signed(solved: Solved, known: Values, choice: int) -> Iterator[bool]:
+    """Whether the factor whose sign decides between two lines is positive where the first is taken."""
+    factor = solved.facts.method.factor
+    if factor is not None and len(solved.facts.choices) > 1:
+        yield (arrays(factor, known) > 0) == (choice == 0)
+
+
+def real(solved: Solved) -> Iterator[bool]:
+    """At values of its names drawn at random: whether the unknown is real just where the page says so."""
+    conditions = list(_conditions(solved))
+    if not conditions:
+        return
+    value = solved.choices[0].value
+    names = sorted(free_symbols(value).union(*map(free_symbols, conditions)) - {"pi"})
+    draw = random.Random(" ".join(names))
+    formula, margins = compiled(value), list(map(compiled, conditions))
+    met = 0
+    for _ in range(DRAWN):
+        at = {name: draw.uniform(-SPREAD, SPREAD) for name in names}
+        try:
+            holds = all(margin(at) > 0 for margin in margins)
+        except (ValueError, ZeroDivisionError):
+            continue
+        met += 1
+        yield holds == _is_real(formula, at)
+    if met < LEAST:
+        yield False
+
+
+def _is_real(formula: Compiled, at: Values) -> bool:
+    try:
+        formula(at)
+    except ValueError:
+        return False
+    return True
+
+
+def _conditions(solved: Solved) -> Iterator[Expr]:
+    """What has to be positive."""
+    method = solved.facts.method
+    if method.exists is not None and not method.by_length:
+        if method.name == "reach":
+            yield method.exists
+        else:
+            own = {key: value for key, value in solved.trig.get(1, {}).items() if key == method.exists}
+            bounded = replace(method.exists, own)
+            yield ONE - bounded
+            yield ONE + bounded
+    if method.least is not None and method.c is not None:
+        yield method.least - method.c
+
+
+def _swings(solved: Solved, known: Values) -> Iterator[Swing]:
+    """The coefficients of the unknown in each equation, by moving it."""
+    for left, right in solved.equations:
+        if isinstance(solved.unknown, str):
+            here, there = (_gap(left, right, {**known, solved.unknown: q}) for q in (0.0, 1.0))
+            yield 0.0, there - here
+            continue
+        name = solved.unknown.parts[0][0]
+        turned = arrays(solved.head, known)
+        by = arrays(solved.head, {**known, name: known[name] + 1.0}) - turned
+        at = ({**known, name: known[name] + (q - turned) / by} for q in (0.0, math.pi / 2, math.pi))
+        zero, quarter, half = (_gap(left, right, each) for each in at)
+        yield (zero - half) / 2, quarter - (zero + half) / 2
+
+
+def _gap(left: Expr, right: Expr, at: Values) -> float:
+    return float(arrays(left, at) - arrays(right, at))

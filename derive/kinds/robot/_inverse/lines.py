@@ -1,0 +1,130 @@
+"""Every line of the working at poses that the arm reaches: with the joint values of a branch its expressions
+have to be equal, and the poses in it have to be those of the oracle."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from derive.algebra.numbers.arrays import arrays
+from derive.derivation import Claim, Step
+from derive.expression import Expr
+from derive.kinds.checks import SECOND_ROUTE, close
+from derive.kinds.robot._inverse import breaks
+from derive.kinds.robot._inverse.checks import Tried
+from derive.kinds.robot._inverse.subproblem import Solved, Taken, defined
+from derive.kinds.robot._inverse.target import Target, Values
+from derive.kinds.robot._inverse.worked import Worked
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Array = NDArray[Any]
+
+SAME = 1e-7  # of the sides of a line, relative to their size
+TURNS = 0.3  # by which joints are moved to find what stays
+
+
+@dataclass(frozen=True, slots=True)
+class Lines:
+    """The lines of an inverse, and the arm in numbers."""
+
+    tried: Tried
+    worked: Worked
+    chosen: Sequence[Taken]
+
+    @property
+    def target(self) -> Target:
+        return self.tried.target
+
+    def claims(self) -> Iterator[Claim]:
+        """Of every line, of where a rule breaks, and of a wrist that is singular."""
+        solved = [(self.chosen[k], values) for k, _, values in self.tried.solved]
+        lines = [each for taken, known in solved for each in self.hold(known, taken)]
+        yield Claim("lines", SECOND_ROUTE, bool(lines) and all(lines))
+        bounds = [*self._bounds(solved)]
+        if bounds:
+            yield Claim("where-it-breaks", SECOND_ROUTE, all(bounds))
+        if self.worked.singular:
+            free = [each for point in self.tried.points for each in self.leave_free(dict(point))]
+            yield Claim("singular-wrist", SECOND_ROUTE, bool(free) and all(free))
+
+    def _bounds(self, tried: Sequence[tuple[Taken, Values]]) -> Iterator[bool]:
+        """Of each sub-problem where it is real, where it is determined, and which factor decides a sign."""
+        for solved in self.worked.solved:
+            yield from breaks.real(solved)
+            for taken, known in tried:
+                yield from breaks.determined(solved, known)
+                yield from breaks.signed(solved, known, solved.choices.index(taken[solved.number]))
+
+    def hold(self, known: Values, taken: Taken) -> Iterator[bool]:
+        """Whether each holds: `known` are the values of all names in the branch with these choices."""
+        known = defined(self.worked.all_items, known)
+        meaning = {**known, **self._poses(known)}
+        for solved in self.worked.solved:
+            turns = solved.unknown not in self.target.slides
+            lines = [step for step in solved.steps if step.rule != "choice"]
+            yield from (equal(step.chain, known, step.rule == "difference") for step in lines)
+            yield equal(line_of(solved, taken).chain, known, turns)
+        for step in (*self.worked.pose, *self.worked.centre, *self.worked.turn):
+            yield equal(step.chain, meaning, False)
+        yield from (equal(step.chain, known, False) for step in self.worked.elements)
+        yield from (equal(pair, known, False) for pair in self.worked.conditions)
+        if self.worked.at_end:
+            yield close(self._centre(known), self.target.oracle.tool(known)[:3, 3], SAME)
+
+    def leave_free(self, point: Values) -> Iterator[bool]:
+        """Whether what is said of a singular wrist holds at a configuration: its sum or difference of angles
+        is determined so, and the outer joints can turn against each other without moving anything else."""
+        tool, (first, _, last) = self.target.oracle.tool, self.target.joints[-3:]
+        for case in self.worked.singular:
+            name, angle = case.middle
+            at = {**point, name.name: arrays(angle, {})}
+            at |= self.target.goal.numbers(tool(at))
+            known = defined(self.worked.all_items, at)
+            yield equal(case.step.chain, known, True)
+            with_last = arrays(case.step.chain[0], {first: 0.0, last: 1.0})
+            moved = {first: at[first] + TURNS, last: at[last] - with_last * TURNS}
+            yield close(tool({**at, **moved}), tool(at), SAME)
+
+    def _poses(self, at: Values) -> dict[str, Array]:
+        """What the names of poses stand for, by the oracle: T and R of the end-effector in the base,
+        R_3^0, R_6^3, and the centre of the wrist (3 by 1)."""
+        T = self.target.oracle.tool(at)
+        found: dict[str, Array] = {"T": T, "R": T[:3, :3]}
+        if turn := self.worked.orientation:
+            before = int(turn.before.name.split("_")[1].split("^")[0])
+            R = self.target.oracle.poses(at)[before][:3, :3]
+            found |= {"p_w": self._centre(at), turn.before.name: R, turn.name.name: R.T @ T[:3, :3]}
+        return found
+
+    def _centre(self, at: Values) -> Array:
+        """The point (3 by 1) that none of the last three joints moves."""
+        import numpy as np
+
+        tool, rows, shifts = self.target.oracle.tool, [], []
+        for name in self.target.joints[-3:]:
+            D = tool({**at, name: at[name] + TURNS}) @ np.linalg.inv(tool(at))
+            rows.append(D[:3, :3] - np.eye(3))
+            shifts.append(-D[:3, 3])
+        found: Array = np.linalg.lstsq(np.vstack(rows), np.concatenate(shifts), rcond=None)[0]
+        return found[:, None]
+
+
+def line_of(solved: Solved, taken: Taken) -> Step:
+    """The line that tells the unknown in a branch, of two the first where its sign is positive."""
+    choice, told = taken[solved.number], solved.facts.choices
+    if choice.sign:
+        return told[0 if choice.sign > 0 else 1]
+    return told[solved.choices.index(choice)]
+
+
+def equal(chain: Sequence[Expr], known: Mapping[str, Any], turns: bool) -> bool:
+    """Whether all expressions of a chain have one value; angles up to whole turns. A name at its head that
+    stands for nothing, det(...) or a given one, is passed over."""
+    first, *others = (arrays(each, known) for each in chain)
+    if turns:
+        return all(abs(math.remainder(each - first, 2 * math.pi)) < SAME for each in others)
+    return bool(others) and all(close(each, first, SAME) for each in others)
