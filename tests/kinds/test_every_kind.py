@@ -43,7 +43,6 @@ NOT_YET_REFUSED = {
     "robot.forward_dynamics": ("theta2_ddot", NO_CHAIN),
     "robot.gravity": ("value", GIVEN),
     "robot.inertia_matrix": ("J_v? J_w? value", INNER),
-    "robot.inverse_kinematics": ("elbow_* theta_1", BRANCHES),
     "robot.properties": ("value y_?", GIVEN),
     "robot.regressor": ("y_?", NO_CHAIN),
     "robot.singularities": ("matrix", NO_CHAIN),

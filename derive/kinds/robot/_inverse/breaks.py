@@ -20,12 +20,12 @@ SPREAD = 2.0
 Swing = tuple[float, float]  # a and b of a cos q + b sin q, or of b d alone
 
 
-def determined(solved: Solved, known: Values) -> Iterator[bool]:
+def determined(solved: Solved, known: Values, rates: Values) -> Iterator[bool]:
     """Whether what must not vanish, for the unknown to be determined, stands before it in its equations at a
-    solution."""
+    solution; `rates` are those of the joints as the unknown moves."""
     method = solved.facts.method
     told = [abs(arrays(tree, known)) for tree in method.unless]
-    swings = list(_swings(solved, known))
+    swings = list(_swings(solved, known, rates))
     if method.factor is not None and method.name != "zero":
         told.append(abs(arrays(method.factor, known)))
     if not told:
@@ -93,18 +93,18 @@ def _conditions(solved: Solved) -> Iterator[Expr]:
         yield method.least - method.c
 
 
-def _swings(solved: Solved, known: Values) -> Iterator[Swing]:
+def _swings(solved: Solved, known: Values, rates: Values) -> Iterator[Swing]:
     """The coefficients of the unknown in each equation, by moving it."""
+
+    def at(by: float) -> Values:
+        return {**known, **{name: known[name] + by * rate for name, rate in rates.items()}}
+
     for left, right in solved.equations:
         if isinstance(solved.unknown, str):
-            here, there = (_gap(left, right, {**known, solved.unknown: q}) for q in (0.0, 1.0))
-            yield 0.0, there - here
+            yield 0.0, _gap(left, right, at(1.0)) - _gap(left, right, known)
             continue
-        name = solved.unknown.parts[0][0]
         turned = arrays(solved.head, known)
-        by = arrays(solved.head, {**known, name: known[name] + 1.0}) - turned
-        at = ({**known, name: known[name] + (q - turned) / by} for q in (0.0, math.pi / 2, math.pi))
-        zero, quarter, half = (_gap(left, right, each) for each in at)
+        zero, quarter, half = (_gap(left, right, at(q - turned)) for q in (0.0, math.pi / 2, math.pi))
         yield (zero - half) / 2, quarter - (zero + half) / 2
 
 

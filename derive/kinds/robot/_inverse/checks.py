@@ -11,7 +11,7 @@ from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.compiled import compiled
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Branch, Claim, Condition, Phrase
-from derive.expression import ZERO, Expr, Relation, Symbol, terms_of
+from derive.expression import ZERO, Expr, Relation, Symbol, is_negative, terms_of
 from derive.kinds.checks import SECOND_ROUTE
 from derive.kinds.robot._inverse.target import SAME, Target, Values
 
@@ -102,7 +102,7 @@ class Tried:
         if isinstance(left, Relation) or relation.right != ZERO or relation.sign not in "<>":
             return False
         value = arrays(left, known)
-        if turning >= set(terms_of(left)):
+        if turning >= {-term if is_negative(term) else term for term in terms_of(left)}:
             value = math.remainder(value, 2 * math.pi)
         return bool(value > 0 if relation.sign == ">" else value < 0)
 

@@ -98,6 +98,8 @@ def slide(solving: Solving, found: Slide) -> None:
     result = over(progress.tree(amount), slope)
     if d not in shown or result not in shown:
         solving.equation(*shown)
+    else:
+        solving.equations.append(shown)
     solving.solved(d, [Choice(result)], Method(name="slide", unless=progress.may_vanish(slope)))
 
 

@@ -14,7 +14,8 @@ from derive.expression import Expr
 from derive.kinds.checks import SECOND_ROUTE, close
 from derive.kinds.robot._inverse import breaks
 from derive.kinds.robot._inverse.checks import Tried
-from derive.kinds.robot._inverse.subproblem import Solved, Taken, defined
+from derive.kinds.robot._inverse.readings import Reading
+from derive.kinds.robot._inverse.subproblem import Solved, Taken, course, defined
 from derive.kinds.robot._inverse.target import Target, Values
 from derive.kinds.robot._inverse.worked import Worked
 
@@ -44,6 +45,8 @@ class Lines:
         solved = [(self.chosen[k], values) for k, _, values in self.tried.solved]
         lines = [each for taken, known in solved for each in self.hold(known, taken)]
         yield Claim("lines", SECOND_ROUTE, bool(lines) and all(lines))
+        read = [each for _, known in solved for each in self.read(known)]
+        yield Claim("read-there", SECOND_ROUTE, bool(read) and all(read))
         bounds = [*self._bounds(solved)]
         if bounds:
             yield Claim("where-it-breaks", SECOND_ROUTE, all(bounds))
@@ -53,10 +56,12 @@ class Lines:
 
     def _bounds(self, tried: Sequence[tuple[Taken, Values]]) -> Iterator[bool]:
         """Of each sub-problem where it is real, where it is determined, and which factor decides a sign."""
-        for solved in self.worked.solved:
+        turning = [name for name in self.target.joints if name not in self.target.slides]
+        for k, solved in enumerate(self.worked.solved):
             yield from breaks.real(solved)
+            rates = course(solved, self.worked.solved[:k], turning)
             for taken, known in tried:
-                yield from breaks.determined(solved, known)
+                yield from breaks.determined(solved, known, rates)
                 yield from breaks.signed(solved, known, solved.choices.index(taken[solved.number]))
 
     def hold(self, known: Values, taken: Taken) -> Iterator[bool]:
@@ -68,12 +73,13 @@ class Lines:
             lines = [step for step in solved.steps if step.rule != "choice"]
             yield from (equal(step.chain, known, step.rule == "difference") for step in lines)
             yield equal(line_of(solved, taken).chain, known, turns)
-        for step in (*self.worked.pose, *self.worked.centre, *self.worked.turn):
-            yield equal(step.chain, meaning, False)
+        given = {name: value for name, value in meaning.items() if name not in self.target.joints}
+        yield from (equal(step.chain, given, False) for step in self.worked.pose)
+        yield from (equal(step.chain, meaning, False) for step in (*self.worked.centre, *self.worked.turn))
         yield from (equal(step.chain, known, False) for step in self.worked.elements)
         yield from (equal(pair, known, False) for pair in self.worked.conditions)
         if self.worked.at_end:
-            yield close(self._centre(known), self.target.oracle.tool(known)[:3, 3], SAME)
+            yield close(self._centre(known), self.target.oracle.tool(known)[:3, 3:], SAME)
 
     def leave_free(self, point: Values) -> Iterator[bool]:
         """Whether what is said of a singular wrist holds at a configuration: its sum or difference of angles
@@ -95,10 +101,15 @@ class Lines:
         T = self.target.oracle.tool(at)
         found: dict[str, Array] = {"T": T, "R": T[:3, :3]}
         if turn := self.worked.orientation:
-            before = int(turn.before.name.split("_")[1].split("^")[0])
-            R = self.target.oracle.poses(at)[before][:3, :3]
+            R = self.target.oracle.poses(at)[self._before][:3, :3]
             found |= {"p_w": self._centre(at), turn.before.name: R, turn.name.name: R.T @ T[:3, :3]}
         return found
+
+    @property
+    def _before(self) -> int:
+        """The frame before the wrist, by the name of its rotation."""
+        turn = self.worked.orientation
+        return int(turn.before.name.removeprefix("R_").removesuffix("^0")) if turn else 0
 
     def _centre(self, at: Values) -> Array:
         """The point (3 by 1) that none of the last three joints moves."""
@@ -112,6 +123,20 @@ class Lines:
         found: Array = np.linalg.lstsq(np.vstack(rows), np.concatenate(shifts), rcond=None)[0]
         return found[:, None]
 
+    def read(self, known: Values) -> Iterator[bool]:
+        """Whether the equations stand where they are said to be read."""
+        import numpy as np
+
+        known = defined(self.worked.all_items, known)
+        poses = self._poses(known)
+        centre: Array = np.ones((4, 1))
+        if "p_w" in poses:
+            centre[:3] = poses.pop("p_w")
+            centre = np.linalg.solve(self.target.oracle.poses(known)[self._before], centre)
+        reading = Reading(self.target, known, poses, self._before, centre[:, 0])
+        for k, solved in enumerate(self.worked.solved):
+            yield from reading.right(solved, self.worked.solved[:k])
+
 
 def line_of(solved: Solved, taken: Taken) -> Step:
     """The line that tells the unknown in a branch, of two the first where its sign is positive."""
@@ -122,9 +147,14 @@ def line_of(solved: Solved, taken: Taken) -> Step:
 
 
 def equal(chain: Sequence[Expr], known: Mapping[str, Any], turns: bool) -> bool:
-    """Whether all expressions of a chain have one value; angles up to whole turns. A name at its head that
-    stands for nothing, det(...) or a given one, is passed over."""
-    first, *others = (arrays(each, known) for each in chain)
+    """Whether all expressions of a chain have one value; angles up to whole turns. A chain of one, or with a
+    name that means nothing there, says nothing and is not right."""
+    try:
+        first, *others = (arrays(each, known) for each in chain)
+    except KeyError:
+        return False
     if turns:
-        return all(abs(math.remainder(each - first, 2 * math.pi)) < SAME for each in others)
-    return bool(others) and all(close(each, first, SAME) for each in others)
+        same = (abs(math.remainder(each - first, 2 * math.pi)) < SAME for each in others)
+    else:
+        same = (close(each, first, SAME) for each in others)
+    return bool(others) and all(same)

@@ -105,6 +105,18 @@ def _branches(solved: Sequence[Solved], signs: dict[int, int], taken: dict[int, 
             yield from _branches(rest, here, {**taken, first.number: choice})
 
 
+def course(solved: Solved, before: Sequence[Solved], turning: Sequence[str]) -> dict[str, float]:
+    """How fast each joint goes where the unknown goes by one and what was found `before` stands still."""
+    import numpy as np
+
+    if isinstance(solved.unknown, str):
+        return {solved.unknown: 1.0}
+    forms = [*(each.unknown for each in before if isinstance(each.unknown, Form)), solved.unknown]
+    rows = np.array([[float(dict(form.parts).get(name, 0)) for name in turning] for form in forms])
+    rates = np.linalg.lstsq(rows, np.eye(len(forms))[-1], rcond=None)[0]
+    return dict(zip(turning, map(float, rates), strict=True))
+
+
 @lru_cache(maxsize=1024)
 def shares(joint: str, forms: tuple[Form, ...], joints: tuple[str, ...]) -> tuple[int, ...] | None:
     """How a joint angle is made up of known sums, the angles nobody knows yet taken as zero."""
