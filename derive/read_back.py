@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 from functools import lru_cache
 
 from derive.algebra.fingerprint import fingerprint
+from derive.algebra.formulas.tokens import Kind, Token
 from derive.answers.latex.printed import parts_of, read_part
 from derive.answers.latex.scripts import Tokens
 from derive.errors import FormulaError, SheetError, SheetErrors, Unfit
@@ -94,14 +95,22 @@ def _doubts(found: Sequence[tuple[str, Tokens]], chain: Chain, notation: Notatio
         if link is not chain[0] and sign != wanted:
             raise Misprinted(f"{sign} stands for {wanted}")
         try:
-            read = read_part(part, link.tree, notation.atan2 == "xy")
+            same = _says(tuple((token.kind, token.text) for token in part), link.tree, notation)
         except Unfit as error:
             yield error.message
             continue
         except FormulaError as error:
             raise Misprinted(error.message) from error
-        if fingerprint(read, notation.digits) != fingerprint(link.tree, notation.digits):
+        if not same:
             raise Misprinted("what stands there is another expression")
+
+
+@lru_cache(REMEMBERED)
+def _says(part: tuple[tuple[Kind, str], ...], tree: Expr, notation: Notation) -> bool:
+    """Whether tokens say what a tree does, to the digits that are printed. Raises FormulaError."""
+    tokens = tuple(Token(kind, text, place, place) for place, (kind, text) in enumerate(part))
+    read = read_part(tokens, tree, notation.atan2 == "xy")
+    return fingerprint(read, notation.digits) == fingerprint(tree, notation.digits)
 
 
 def _names_entries(naming: Naming) -> bool:
