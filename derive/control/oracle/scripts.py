@@ -34,6 +34,7 @@ class Wired:
 
     inputs: tuple[tuple[int, str], ...]
     gain: complex
+    integrator: bool = False  # is drawn as one
 
 
 @dataclass(frozen=True)
@@ -195,4 +196,4 @@ def _matlab_block(
             gain = reader.ratio(reader.text(told["Numerator"]), reader.text(told["Denominator"]))
         else:
             raise ValueError(shape)
-        reader.blocks[name] = Wired(((1, only),), gain)
+        reader.blocks[name] = Wired(((1, only),), gain, kind == INTEGRATOR)

@@ -152,5 +152,5 @@ def _as_written(drive: Drive, work: Work, told: Facts, best: Expr) -> Iterator[b
         rises = 1.0 if told.tau_l is None else copysign(1, turning.push)
         yield rises * below > 0 > rises * above
         yield told.tau_l is not None or close(*(worth(side, top) for side in told.balance))
-        yield close(worth(told.tau_m, top), turning.push)
+        yield close(worth(told.tau_m, top), turning.push) and told.given == work.typed
         yield told.tau_l is None or close(worth(told.tau_l, top), turning.pull)

@@ -65,6 +65,7 @@ def _said(drive: Drive, work: Work, told: Facts) -> Iterator[bool]:
             return at(problem.final(replace(tree, work.definitions)), here)
 
         turning = Turning(worth(drive.rotor), worth(drive.load), worth(told.G))
+        yield close(turning.gear, worth(drive.gear or ONE)) and told.given == work.typed
         total, motor = told.energy
         omega = point["omega"]
         yield close(worth(motor), worth(drive.gear or ONE) * omega)

@@ -106,6 +106,8 @@ def _points(problem: Problem, duty: Expr) -> Iterator[Point]:
 def _said(voltage: PulseWidth, work: Work, told: Facts) -> Iterator[bool]:
     """The names in the sentences stand for what is given, and the law for the area under the wave."""
     problem, names = work.problem, work.definitions
+    yield told.given == work.typed and told.inverse == (voltage.duty is None)
+    yield told.timed == (voltage.frequency is not None)
     typed = [(told.high, voltage.high), (told.low, voltage.low)]
     typed += [] if voltage.duty is None else [(told.duty, voltage.duty)]
     yield from (work.scalar(name) == work.scalar(tree) for name, tree in typed)

@@ -13,6 +13,7 @@ from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.sensor._encoder import counted
 from derive.kinds.sensor._oracle import turned
+from derive.kinds.work import Work
 from derive.mechanics.sensing import Encoder, Incremental
 
 NEEDS = ("encoder",)
@@ -21,8 +22,9 @@ NEEDS = ("encoder",)
 def claims_of(encoder: Encoder, options: Options) -> tuple[str, ...]:
     """A disc whose size is a number is turned edge by edge."""
     disc = encoder.disc
+    always = ("whole-turn", "as-given")
     sizes = (disc.lines, disc.edges) if isinstance(disc, Incremental) else (disc.bits,)
-    return ("whole-turn", "edge-by-edge") if all(isinstance(x, Number) for x in sizes) else ("whole-turn",)
+    return (*always, "edge-by-edge") if all(isinstance(x, Number) for x in sizes) else always
 
 
 class Facts(PageFacts):
@@ -43,7 +45,17 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
         work = work.claim(route("edge-by-edge", seen))
     edges = encoder.disc.edges if isinstance(encoder.disc, Incremental) else None
     facts = Facts(edges=edges, gear=gear, gear_value=work[gear] if gear else None)
+    work = work.claim(route("as-given", _as_given(encoder, work, facts)))
     return work.answer("resolution", results, facts)
+
+
+def _as_given(encoder: Encoder, work: Work, told: Facts) -> Iterator[bool]:
+    """The sentences tell the edges and the gear of the sheet."""
+    disc = encoder.disc
+    yield told.edges == (disc.edges if isinstance(disc, Incremental) else None)
+    yield (told.gear is None) == (encoder.gear is None) == (told.gear_value is None)
+    if told.gear_value is not None and encoder.gear is not None:
+        yield work.value(told.gear_value) == work.value(encoder.gear)
 
 
 def _whole_turn(encoder: Encoder, problem: Problem, results: dict[str, Expr]) -> Iterator[bool]:

@@ -80,11 +80,11 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
         claims=(),
     )
     work = work.claim(*_claims(encoder, options, problem, results, base))
-    work = work.claim(route("as-given", _as_given(work, options, n, T)))
     facts = Facts(
         given=tuple((name, value) for name, value in work.typed if name in (n, T)),
         n=n, T=T, gear=gear, numbers=("omega", "omega_motor", "quantum", "relative"),
     )  # fmt: skip
+    work = work.claim(route("as-given", _as_given(work, options, facts)))
     return work.answer("speed", results, facts)
 
 
@@ -118,7 +118,10 @@ def _driven(
         yield close(at(results["omega_motor"], point) * T * edges / tau, n)
 
 
-def _as_given(work: Work, options: Options, n: Symbol, T: Symbol) -> Iterator[bool]:
+def _as_given(work: Work, options: Options, told: Facts) -> Iterator[bool]:
     """The names of what was counted, and in which time, stand for what is given."""
-    for name, typed in ((n, options.counts), (T, options.period)):
+    for name, typed in ((told.n, options.counts), (told.T, options.period)):
         yield work.value(put_in(name, work.definitions)) == work.value(typed)
+    yield told.given == tuple(pair for pair in work.typed if pair[0] in (told.n, told.T))
+    if told.gear is not None:
+        yield work.value(told.gear * OMEGA) == work.value(Symbol("omega_m"))

@@ -99,6 +99,7 @@ def _said(held: Held, files: Files, told: Facts) -> Iterator[bool]:
         yield told.reference.name == stepping and {each.name for each in told.disturbances} == others
         own = len(script.blocks) - _around(told)
         yield own == 1 if told.one_block else {each.name for each in signals} <= script.blocks.keys()
+    yield told.taps == _taps(held, read_matlab(files.texts["model.m"], 1.0 + 1.0j))
     yield told.error[0] in [Symbol(each) for each in scripts[0].blocks] if told.closed else True
     yield told.error[1] == told.reference - told.output
     known = {**held.problem.where, **(held.given or {})}
@@ -122,6 +123,14 @@ def _is_controller(held: Held, told: Facts, tree: Expr | None, typed: Mapping[Ex
         if isinstance(name, Symbol):
             known[name.name] = value(gain, dict(at))
     return tree is not None and is_close(value(tree, known), _filtered(held, told, reals(at), at["s"]))
+
+
+def _taps(held: Held, script: Script) -> bool:
+    """Whether a line begins in front of an integrator, at what is no signal of the equations, and leads
+    elsewhere."""
+    before = {name for block in script.blocks.values() if block.integrator for _, name in block.inputs}
+    others = {name for block in script.blocks.values() if not block.integrator for _, name in block.inputs}
+    return bool((before & others) - held.system.names)
 
 
 def _around(told: Facts) -> int:

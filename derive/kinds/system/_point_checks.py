@@ -6,13 +6,20 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 from derive.control.oracle import poles
+from derive.control.system import System
 from derive.derivation import Claim
-from derive.expression import Symbol
+from derive.expression import Expr, Symbol
 from derive.kinds.checks import route
 from derive.kinds.system._oracle import Held, as_printed, number_claims, same_roots
 from derive.kinds.system._plant import AtPoint
 
 AT_POINT = ("in-numbers", "shown-in-numbers", "values-as-given")
+
+
+def is_named(head: Expr, name: str, system: System) -> bool:
+    """Whether this is what a result of the name is called where the equations may have that name too."""
+    free = isinstance(head, Symbol) and head.name not in system.names
+    return free and head in (Symbol(name), Symbol(f"{name}_{system.output.name}"))
 
 
 def point_claims(
@@ -31,14 +38,15 @@ def point_claims(
     }
     yield from number_claims(held, functions)
     yield as_printed("shown-in-numbers", held, told.shown[0][-1])
-    yield route("values-as-given", _given(held, told))
+    yield route("values-as-given", _given(held, told, name))
     if "poles" in functions[name]:
         yield route("roots-as-printed", _roots(evaluated, functions[name], told))
         yield verdict_claim(whole or functions[name]["den"], told.verdict)
 
 
-def _given(held: Held, told: AtPoint) -> Iterator[bool]:
-    """The values in the sentence are those of the sheet."""
+def _given(held: Held, told: AtPoint, name: str) -> Iterator[bool]:
+    """The values in the sentence are those of the sheet, and the function is called by its name."""
+    yield all(len(chain) == 2 and is_named(chain[0], name, held.system) for chain in told.shown)
     known = {**held.problem.where, **(held.given or {})}
     yield {chain[0]: chain[-1] for chain in told.point} == {
         Symbol(name): tree for name, tree in known.items()

@@ -14,7 +14,18 @@ from derive.control.oracle import hurwitz, poles
 from derive.control.oracle.equations import Numeric, divides_by_s, is_close, value
 from derive.derivation import Claim, Result, Step
 from derive.errors import NotDerivable
-from derive.expression import ONE, ZERO, Expr, Indexed, Matrix, Relation, Symbol, free_symbols
+from derive.expression import (
+    ONE,
+    ZERO,
+    Approximate,
+    Expr,
+    Indexed,
+    Matrix,
+    Number,
+    Relation,
+    Symbol,
+    free_symbols,
+)
 from derive.kinds.checks import route
 from derive.kinds.fields import TREES
 from derive.kinds.system._oracle import Held, Point, complexes, reals, same_roots
@@ -282,10 +293,12 @@ def _limit(printed: Printed) -> Iterator[bool]:
                 polynomial = [number(each, there) for each in printed.coefficients]
                 yield poles.is_zero_at(polynomial, complex(0.0, square**0.5))
     if critical is not None:
-        (open_, gain), (_, *omegas) = critical
+        (open_, gain), (omega, *omegas) = critical
         there = {open_.name: number(gain, {})} if isinstance(open_, Symbol) else {}
         polynomial = [number(each, there) for each in printed.coefficients]
         yield from (poles.is_zero_at(polynomial, complex(0.0, number(each, {}))) for each in omegas)
+        yield isinstance(omegas[-1], Number | Approximate)
+        yield all(number(each, {}) > 0 for each in omegas) and omega**2 == step.chain[0]
         yield abs(number(apart, there)) <= CLEAR
 
 
@@ -316,6 +329,11 @@ def _said(held: Held, printed: Printed, results: Mapping[str, Result]) -> Iterat
     signs = [_signs(polynomial) for _, polynomial in printed.points()]
     met = [0 not in each and len(each) == 1 for each in signs]
     yield {"met": all(met), "violated": not any(met), "open": bool(printed.symbols)}[told.coefficients]
+    vanished = any(step.rule == "auxiliary" for step in printed.steps)
+    small = any(row[0] == told.epsilon for row in printed.routh.rows)
+    yield {*told.mended} == {*["derivative"] * vanished, *["epsilon"] * small}
+    decided = [_holds(each, {}) for each in printed.conditions if _is_plain(each)]
+    yield told.never or not ({False, None} & {*decided})
     if told.one_sign:
         yield told.one_sign == printed.coefficients and printed.degree <= 2
     if not printed.symbols:
@@ -323,9 +341,15 @@ def _said(held: Held, printed: Printed, results: Mapping[str, Result]) -> Iterat
         least, most = poles.on_right(polynomial)
         yield least <= told.changes <= most and results["unstable_poles"] == _whole(told.changes)
         places = [value(tree, {"j": 1j}) for tree in told.axis]
-        yield all(poles.is_zero_at(polynomial, place) and not place.real for place in places)
+        yield all(poles.is_zero_at(polynomial, z) and not z.real and z.imag >= 0 for z in places)
         on_axis = poles.possible(polynomial) <= MARGINAL
         yield bool(places) or not on_axis
+
+
+def _is_plain(relation: Relation) -> bool:
+    """Whether no symbols stand in it: then it holds or not, and equal numbers say that it does not."""
+    sides = (relation.left, relation.right)
+    return not any(free_symbols(side) - {"pi"} for side in sides if isinstance(side, TREES))
 
 
 def _whole(count: int) -> Expr:
@@ -353,6 +377,7 @@ def _at_values(held: Held, printed: Printed, evaluated: Mapping[str, Any], at: P
     if told is None:
         return
     place = reals(at)
+    yield len(told.shown[0]) == 2 and told.shown[0][0] == printed.steps[0].chain[0]
     yield is_close(value(told.shown[0][-1], at), _characteristic(printed, at))
     yield {chain[0]: chain[-1] for chain in told.point} == {
         Symbol(k): v for k, v in (held.given or {}).items()

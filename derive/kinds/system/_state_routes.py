@@ -152,6 +152,7 @@ def _in_numbers(held: Held, evaluated: Mapping[str, Any], told: Facts, at: Point
     if told.at is None:
         return
     shown = {name: chain[-1] for name, chain in zip(MATRICES, told.at.shown, strict=True)}
+    yield tuple(chain[0] for chain in told.at.shown) == told.matrices
     yield _same_gain(held, evaluated, at)
     for name, tree in shown.items():
         left, right = _array(evaluated[name], at), _array(tree, at) if isinstance(tree, Matrix) else None

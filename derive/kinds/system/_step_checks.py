@@ -12,7 +12,7 @@ from derive.control.oracle.equations import is_close, quotient, value, value_ove
 from derive.control.oracle.figures import Figures, Seen, agree
 from derive.control.response import StepResponse
 from derive.derivation import Claim, Result
-from derive.expression import Expr, Symbol
+from derive.expression import ZERO, Expr, Symbol
 from derive.kinds.checks import route
 from derive.kinds.fields import TREES
 from derive.kinds.system._oracle import IMAGINARY_UNIT, Held, as_printed, reals
@@ -47,7 +47,9 @@ def proofs(
     yield route("inverse-transform", seen.follows(times, values))
     yield verdict_claim(den, told.verdict)
     yield route("poles-as-printed", _roots(told.poles, den))
-    yield route("as-said", _said(held, told, seen, results, evaluated, poles.possible(whole)))
+    yield route(
+        "as-said", _said(held, told, seen, results, evaluated, poles.possible(whole), response.peak_time)
+    )
     if told.verdict == "stable" and not told.zero:
         figures = _read_off(results, response)
         yield route("figures", agree(seen, figures))
@@ -101,6 +103,7 @@ def _said(
     results: Mapping[str, Result],
     evaluated: Mapping[str, Any],
     whole: frozenset[str],
+    peak: float | None,
 ) -> Iterator[bool]:
     """The sentences: numbers of the page and of the JSON are the same; what it has no numbers for, and
     why."""
@@ -114,6 +117,13 @@ def _said(
     yield {chain[0]: chain[-1] for chain in told.point} == {
         Symbol(name): tree for name, tree in given.items()
     }
+    yield told.start == (Symbol("t"), ZERO) and told.origin == (Symbol("s"), ZERO)
+    yield is_close(value(told.step, {"s": 0.3 + 1.1j}), 1 / (0.3 + 1.1j))
+    yield (
+        peak is None
+        if told.peak_time is None
+        else peak is not None and _equal(number(told.peak_time, {}), peak)
+    )
     yield told.zero == (evaluated["steady_state"] == 0)
     if len(whole) == 1:
         yield told.hidden == ("unstable" in whole and told.verdict != "unstable")

@@ -36,7 +36,7 @@ from derive.kinds.system._plant import (
     verdict,
     zeros_json,
 )
-from derive.kinds.system._point_checks import AT_POINT, point_claims
+from derive.kinds.system._point_checks import AT_POINT, is_named, point_claims
 from derive.kinds.system._transfer_checks import denominator_degree, is_degree
 from derive.kinds.work import Work
 
@@ -200,7 +200,10 @@ def _said(held: Held, told: Facts, steps: Sequence[Step], results: Mapping[str, 
     controller, system = held.controller, held.system
     yield controller is not None and told.family == controller.family
     yield (told.input, told.output, told.motor) == (system.input, system.output, system.motor)
-    yield told.differentiates == ("D" in told.family)
+    yield told.differentiates == ("D" in told.family) and told.origin == (Symbol("s"), ZERO)
+    through = free_symbols(told.through)
+    yield value(told.through, dict(zip(sorted(through), (2, 3), strict=True))) == 6
+    yield all(any(is_named(Symbol(name), each, system) for each in "CG") for name in through)
     yield from held.compared(lambda at: _degrees(held, told, steps, results, at))
 
 

@@ -1,0 +1,163 @@
+"""What the words are told, changed in one place: such a sheet is refused, or reads as it did.
+
+Verdicts, names and mathematics that sentences hold come from the facts of a derivation. One after the other
+is turned into its opposite as the kind states it, before it claims anything."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import fields, replace
+from importlib import import_module
+from pathlib import Path
+from typing import Any, get_args
+
+import pytest
+
+from derive.derivation import PageFacts, Record, Table
+from derive.errors import SheetErrors
+from derive.expression import ZERO, Expr, Relation, negate
+from derive.render.questions import example_of
+from tests.kinds.planting import Built
+
+TREES = get_args(Expr)
+SHARED = {each.name for each in fields(PageFacts)}
+OTHER_WORDS = {
+    "verdict": ("stable", "integrator", "oscillator", "unstable"),
+    "coefficients": ("met", "violated", "open"),
+    "family": ("P", "PI", "PD", "PID"),
+    "mended": ("derivative", "epsilon"),
+    "space": ("planar", "spatial", "spherical"),
+}
+TRUE_ANYWAY = {  # what a sentence says then is less, or is so too
+    "system.state_space": "as_found",
+    "system.stability": "coefficients: met -> open",
+}
+SHEETS = {
+    "system.transfer_function": (
+        "- system: {equations: [\"(s + 1)*x = (s + 1)*u\", \"s*y = x\"], input: u, output: y}\n"
+        "  find: transfer-function\n  evaluate: true\n",
+        "- motor: {control: field, output: speed}\n  find: transfer-function\n  from: T_d\n",
+    ),
+    "system.closed_loop": (
+        "- system: {equations: [\"(s^2 + a*s)*y = u\"], input: u, output: y}\n  find: closed-loop\n"
+        "  controller: PI\n",
+    ),
+    "system.stability": (
+        "- system: {equations: [\"(s^3 + 2*s^2 + s + 2)*y = u\"], input: u, output: y}\n  find: stability\n",
+        "- system: {equations: [\"(s^3 + a*s^2 + b*s + a*b)*y = u\"], input: u, output: y}\n"
+        "  find: stability\n",
+        "- system: {equations: [\"(s^4 + s^3 + 3*s^2 + 3*s + 5)*y = u\"], input: u, output: y}\n"
+        "  find: stability\n",
+        "- motor: {control: armature, output: angle}\n  find: stability\n  controller: P\n"
+        "  evaluate: {J: 2, K_m: 10, R_a: 1, L_a: 1, b: 0.5, K_b: 0.1, K_p: 3}\n",
+    ),
+    "system.state_space": (
+        "- system: {equations: [\"(s^3 + a*s^2 + 2)*y = (s^3 + 1)*u\"], input: u, output: y}\n"
+        "  find: state-space\n  evaluate: {a: 2}\n",
+    ),
+    "system.step_response": (
+        "- system: {equations: [\"s*(s + 1)*y = 3*u\"], input: u, output: y}\n  find: step-response\n"
+        "  evaluate: true\n",
+        "- system: {equations: [\"(s^2 + 1)*y = s*u\"], input: u, output: y}\n  find: step-response\n",
+        "- system: {equations: [\"(s + 1)*y = s*u\"], input: u, output: y}\n  find: step-response\n",
+    ),
+    "system.model": (
+        "- motor: {control: armature, output: speed}\n  find: model\n"
+        "  evaluate: {J: 2, K_m: 10, R_a: 1, L_a: 1, b: 0.5, K_b: 0.1}\n",
+    ),
+    "sensor.mean_voltage": (
+        "- sensor: {pwm: U, low: -U, duty: D, frequency: f}\n  find: mean-voltage\n",
+    ),
+    "sensor.resolution": (),
+    "sensor.speed": (),
+    "drive.gear_ratio": (
+        "- drive: {rotor: 0.002, load: 0.6, torque: 0.5, load_torque: 4}\n  find: gear-ratio\n",
+    ),
+    "drive.reflected_inertia": ("- drive: {rotor: 0.002, load: 0.6, gear: 20}\n  find: reflected-inertia\n",),
+    "mechanism.mobility": (
+        "- mechanism: {space: spatial, bodies: 4, joints: [{revolute: 4}]}\n  find: mobility\n",
+        "- mechanism: {space: spatial, legs: [{chain: SPS, count: 6}]}\n  find: mobility\n",
+        "- mechanism: {space: spatial, bodies: 3, joints: [{spherical: 2}, {revolute: 1}]}\n"
+        "  find: mobility\n",
+        "- mechanism: {space: planar, bodies: 3, joints: [{revolute: 2}]}\n  find: mobility\n",
+    ),
+}  # fmt: skip
+
+
+def others(name: str, value: Any) -> Iterator[Any]:
+    """Values that a fact could have by mistake."""
+    match value:
+        case bool():
+            yield not value
+        case int():
+            yield from (value + 1, -value - 1)
+        case str():
+            yield from (each for each in OTHER_WORDS.get(name, (f"{value}x",)) if each != value)
+        case Relation(left, sign, right):
+            yield Relation(left, "<" if sign == ">" else ">", right)
+        case Table(headings, rows) if rows:
+            yield Table(headings, rows[:-1])
+            yield from (Table(headings, (*rows[:-1], row)) for row in others("", rows[-1]))
+        case tuple() if value:
+            yield value[:-1]
+            yield from ((other, *value[1:]) for other in others(name, value[0]))
+            yield from ((*value[:-1], other) for other in others(name, value[-1]))
+        case Record():
+            for each in fields(value):
+                if each.name not in SHARED:
+                    for other in others(each.name, getattr(value, each.name)):
+                        yield replace(value, **{each.name: other})
+        case _ if isinstance(value, TREES) and value != ZERO:
+            yield negate(value)
+
+
+def sheets(kind: str) -> Iterator[str]:
+    yield example_of(f"derive.kinds.{kind}")
+    yield from (f"title: x\nproblems:\n{problem}" for problem in SHEETS[kind])
+
+
+def survivors(kind: str, sheet: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
+    """Facts that a page tells wrong though it is built."""
+    facts = import_module(f"derive.kinds.{kind}").Facts
+    right, made = Built.of(sheet), facts.__init__
+    stated: list[dict[str, Any]] = []
+
+    def listen(self: Any, **told: Any) -> None:
+        stated.append(told)
+        made(self, **told)
+
+    monkeypatch.setattr(facts, "__init__", listen)
+    Built.of(sheet)
+    for place, told in enumerate(stated):
+        for name, value in told.items():
+            if name in SHARED:
+                continue
+            for other in others(name, value):
+                count = -1
+
+                def state(
+                    self: Any, *, name: str = name, other: Any = other, place: int = place, **now: Any
+                ) -> None:
+                    nonlocal count
+                    count += 1
+                    made(self, **{**now, name: other} if count == place else now)
+
+                monkeypatch.setattr(facts, "__init__", state)
+                try:
+                    if Built.of(sheet).page != right.page:
+                        yield f"{name}: {value} -> {other}"
+                except SheetErrors:
+                    continue
+                except Exception:  # the words cannot be written with it
+                    continue
+
+
+@pytest.mark.parametrize("kind", SHEETS)
+def test_a_changed_fact_is_refused(kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    sheet, found = tmp_path / "sheet.yaml", []
+    for text in sheets(kind):
+        sheet.write_text(text, encoding="utf-8")
+        told = survivors(kind, sheet, monkeypatch)
+        found += [each for each in told if not each.startswith(TRUE_ANYWAY.get(kind, "-"))]
+        monkeypatch.undo()
+    assert found == []
