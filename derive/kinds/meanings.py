@@ -102,12 +102,29 @@ def valued(tree: Expr, names: Names) -> Any:
         case Power(base, exponent):
             return _power(valued(base, names), valued(exponent, names))
         case Matrix(rows):
-            return np.block([[np.atleast_2d(valued(entry, names)) for entry in row] for row in rows])
+            return _of_blocks([[np.atleast_2d(valued(entry, names)) for entry in row] for row in rows])
         case Call(function, arguments):
             return _called(function, [valued(each, names) for each in arguments])
         case Symbol(name) if name != "pi":
             raise KeyError(name)
     return number(tree, {})
+
+
+def _of_blocks(rows: list[list[Any]]) -> Any:
+    """Entries or blocks beside each other; a zero stands for as many as there is room for."""
+    import numpy as np
+
+    heights = [max(len(block) for block in row) for row in rows]
+    widths = [max(block.shape[1] for block in column) for column in zip(*rows, strict=True)]
+    return np.block(
+        [
+            [
+                block if block.size > 1 or block.any() else np.zeros((h, w))
+                for block, w in zip(row, widths, strict=True)
+            ]
+            for row, h in zip(rows, heights, strict=True)
+        ]
+    )
 
 
 def _times(left: Any, right: Any) -> Any:
