@@ -22,7 +22,7 @@ from derive.kinds.checks import TRIES, close, random_points, route
 from derive.kinds.problem import TREES
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.work import Work
-from derive.mechanics.oracle.instant import Instant
+from derive.mechanics.oracle.heavy import Heavy
 
 NEAR = 1e-7  # what differences of poses in floats leave, and more
 POINTS = 2
@@ -58,12 +58,20 @@ BODIES: Mapping[str, Meaning] = {
     r"I_(xx|yy|zz|xy|yz|xz)([1-9]\d*)": lambda arm, at, i, _: arm.bodies[int(i) - 1].inertia[_place(at)],
     r"D_([1-9]\d*)": lambda arm, i, _: arm.D_of(int(i)),
     r"D": lambda arm, _: arm.D,
+    r"D_dot": lambda arm, _: arm.D_dot,
+    r"C": lambda arm, _: arm.C,
+    r"N": lambda arm, _: arm.D_dot - 2 * arm.C,
+    r"g": lambda arm, _: arm.g,
     r"P": lambda arm, _: arm.potential_energy,
+    r"K": lambda arm, _: arm.kinetic_energy,
+    r"tau": lambda arm, _: arm.tau,
+    r"h": lambda arm, _: arm.tau_without_acceleration,
+    r"h_([1-9]\d*)": lambda arm, k, _: arm.tau_without_acceleration[int(k) - 1],
     r"g_0": lambda arm, _: arm.oracle.gravity(arm.at),
     r"g_([1-9]\d*)": lambda arm, k, _: arm.g[int(k) - 1],
     r"P_([1-9]\d*)": lambda arm, i, _: arm.potential(int(i)),
     r"K_([1-9]\d*)": lambda arm, i, _: arm.kinetic(int(i)),
-    r"v_(c\d+)": lambda arm, a, _: arm.twist(a)[0],
+    r"v_(c\d+)": lambda arm, a, _: arm.courses[a].v,
     r"tau_([1-9]\d*)": lambda arm, k, _: arm.tau[int(k) - 1],
     _entry("[dm]", 2): lambda arm, i, j, _: arm.D[int(i) - 1, int(j) - 1],
     _entry("c", 3): lambda arm, i, j, k, _: arm.christoffel[int(i) - 1, int(j) - 1, int(k) - 1],
@@ -72,13 +80,10 @@ BODIES: Mapping[str, Meaning] = {
 EVERY = {**FRAMES, **BODIES}
 
 
-def by_index(
-    work: Work, results: Mapping[str, Result], meanings: Mapping[str, Meaning] = EVERY, **others: Meaning
-) -> Work:
+def by_index(work: Work, results: Mapping[str, Result], meanings: Mapping[str, Meaning] = EVERY) -> Work:
     """With the claim that each name with indices, of the board and of the results, is the thing of these
-    indices; names that the derivations it rests on have already are left to them. `others` are names that
-    have a meaning in this kind only."""
-    told = _Told(work, {**meanings, **{re.escape(name): of for name, of in others.items()}})
+    indices; names that the derivations it rests on have already are left to them."""
+    told = _Told(work, meanings)
     things = [*told.things(results)]
     return work.claim(route("names", told.held(things), count=len(things))) if things else work
 
@@ -91,7 +96,7 @@ class Thing:
     meaning: Meaning
     indices: tuple[str, ...]
 
-    def is_meant(self, arm: Instant, names: Point) -> bool:
+    def is_meant(self, arm: Heavy, names: Point) -> bool:
         """Whether it is what its indices say."""
         said = numbers(self.tree, names)
         try:
@@ -129,7 +134,7 @@ class _Told:
         met = 0
         for at in random_points(self._points, TRIES):
             with suppress(NotReal):
-                arm = Instant(oracle_of(self.work.problem), completed(at, self.work.problem.where))
+                arm = Heavy(oracle_of(self.work.problem), completed(at, self.work.problem.where))
                 yield from [thing.is_meant(arm, completed(arm.at, self._scalars)) for thing in things]
                 met += 1
             if met == POINTS:
@@ -179,7 +184,7 @@ def _numbers(name: str) -> tuple[int, int]:
     return int(i) - 1, int(j) - 1
 
 
-def _entry_of(whole: Meaning, place: tuple[int, int], arm: Instant, *indices: Any) -> Any:
+def _entry_of(whole: Meaning, place: tuple[int, int], arm: Heavy, *indices: Any) -> Any:
     return whole(arm, *indices)[place]
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterator
 from fractions import Fraction
 
 from derive.algebra.matrix import ScalarMatrix
@@ -20,6 +21,7 @@ from derive.mechanics.robot import Robot
 from derive.names import entry_symbol
 
 NEEDS = ("bodies",)
+CLAIMS = ("names", "symmetric", "skew-symmetric")
 Index = tuple[int, int, int]
 MOST_SHOWN = 3  # joints; with more, the symbols that vanish are only counted
 HALF = number("1/2")
@@ -45,7 +47,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     ordered = [ijk for ijk in symbols if ijk == _ordered(ijk)]
     found = {ijk: work[_name(ijk)] if ijk in shown else arm.final(symbols[ijk]) for ijk in ordered}
     work = work.knowing({_name(ijk): found[_ordered(ijk)] for ijk in symbols})
-    work = work.law("symmetric", all(value == symbols[j, i, k] for (i, j, k), value in symbols.items()))
+    work = work.law("symmetric", (value == symbols[j, i, k] for (i, j, k), value in symbols.items()))
     work = work.law("skew-symmetric", _skew(D, symbols, robot.variables))
     facts = Facts(
         big=big,
@@ -92,12 +94,12 @@ def _collected(raw: list[tuple[Expr, int]]) -> tuple[Expr, ...]:
     return (add(*(multiply(Number(Fraction(n, 2)), derivative) for derivative, n in kept)),)
 
 
-def _skew(D: ScalarMatrix, symbols: Christoffel, variables: tuple[str, ...]) -> bool:
-    """Whether dD/dt - 2C is skew-symmetric for every rate."""
+def _skew(D: ScalarMatrix, symbols: Christoffel, variables: tuple[str, ...]) -> Iterator[bool]:
+    """Whether dD/dt - 2C is skew-symmetric for each rate."""
     n = range(1, len(variables) + 1)
     by_rate = [ScalarMatrix.of([[symbols[i, j, k] for j in n] for k in n]) for i in n]
     skew = [D.diff(name) - C.scaled(2) for name, C in zip(variables, by_rate, strict=True)]
-    return all(N == -N.T for N in skew)
+    return (N == -N.T for N in skew)
 
 
 def _name(ijk: Index) -> Symbol:

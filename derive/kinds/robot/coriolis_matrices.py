@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 from itertools import combinations, combinations_with_replacement, product
 
 from derive.algebra.normal import normal_matrix
@@ -10,17 +10,31 @@ from derive.derivation import Derivation, PageFacts, Record
 from derive.expression import ZERO, Derivative, Expr, Matrix, Symbol, add, column, multiply, number, squared
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
-from derive.kinds.robot._by_index import by_index
+from derive.kinds.robot._by_index import EVERY, Meaning, by_index
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import Christoffel, christoffel, rate_column, velocity_terms
+from derive.mechanics.oracle.heavy import Heavy
 from derive.mechanics.robot import Robot
 from derive.names import entry_symbol, require_free
 
 NEEDS = ("bodies",)
+CLAIMS = ("makes-v", "names", "rates-alone")
 MOST_SHOWN = 3  # joints; with more, the symbols that vanish are only counted
 HALF, TWO = number("1/2"), number(2)
 C, B, V = Symbol("C"), Symbol("B"), Symbol("v")
+
+
+MEANINGS: Mapping[str, Meaning] = {
+    **EVERY,
+    "v": lambda arm, _: arm.C @ arm.rates,
+    "M": lambda arm, _: arm.D,
+    "G": lambda arm, _: arm.g,
+    "C": lambda arm, _: [[arm.christoffel[j, j, i] for j in range(n)] for i, n in _each(arm)],
+    "B": lambda arm, _: [
+        [2 * arm.christoffel[j, k, i] for j, k in combinations(range(n), 2)] for i, n in _each(arm)
+    ],
+}
 
 
 class Facts(PageFacts):
@@ -59,13 +73,19 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     made = _whole(arm, results["C"], results.get("B")) - work[V]
     work = arm.agrees(work.law("makes-v", not work.value_matrix(made)), "v", work[V])
     entries = {_b(*ijk).name: value for ijk, value in sorted(b.items())}
-    work = by_index(work, entries)
+    work = by_index(work, {**results, **entries, "v": work[V]}, MEANINGS)
     return work.answer(
         "coriolis-matrices",
         {**results, **entries, "v": work[V]},
         Facts(big=arm.long, one=n == 1, vanish=len(values) - len(shown)),
         matrices=frozenset({"C", "B"}),
     )
+
+
+def _each(arm: Heavy) -> Iterator[tuple[int, int]]:
+    """(joint, how many there are)."""
+    n = len(arm.oracle.robot.variables)
+    return ((i, n) for i in range(n))
 
 
 def _entries(work: Work, arm: Arm) -> Work:

@@ -8,6 +8,7 @@ from derive.derivation import Derivation, PageFacts, Step
 from derive.expression import ZERO, Expr, Matrix, Symbol, add, column, multiply
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
+from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import coriolis_matrix, rate_column, velocity_terms
@@ -15,6 +16,7 @@ from derive.mechanics.robot import Robot
 from derive.names import entry_symbol, require_free
 
 NEEDS = ("bodies",)
+CLAIMS = ("makes-the-terms", "names", "rates-alone")
 C = Symbol("C")
 
 
@@ -39,6 +41,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.law("makes-the-terms", value @ rate == velocity_terms(symbols, rate))
     product = column(add(*map(multiply, row, arm.rates)) for row in work.matrix(C).rows)
     work = arm.agrees(work, "C qdot", product)
+    work = by_index(work, {"C": work[C]})
     return work.answer("coriolis-matrix", {"C": work[C]}, Facts(big=arm.long), matrices=frozenset({"C"}))
 
 

@@ -18,6 +18,7 @@ from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 
 NEEDS = ("bodies",)
+CLAIMS = ("motion-of-each-body", "names")
 
 
 class Options(OptionsModel):

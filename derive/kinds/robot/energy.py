@@ -22,7 +22,7 @@ from derive.expression import (
 )
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
-from derive.kinds.robot._by_index import by_index
+from derive.kinds.robot._by_index import EVERY, by_index
 from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
@@ -33,8 +33,12 @@ from derive.mechanics.robot import Robot
 from derive.names import require_free
 
 NEEDS = ("bodies",)
+CLAIMS = ("quadratic-form", "names", "power")
 HALF = number("1/2")
 K, P, RATE = symbols("K P q_dot")
+
+
+MEANINGS = {**EVERY, r"omega_(\d+)": lambda arm, i, _: arm.courses[i].omega}
 
 
 class Facts(PageFacts):
@@ -72,7 +76,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     )
     parts = [*names, *(f"P_{body.i}" for body in bodies), "K", "P"]
     results = {name: work.final(name) for name in parts}
-    work = by_index(work, results)
+    work = by_index(work, results, MEANINGS)
     return work.answer("energy", results, Facts(big=arm.long, table=_table(results)))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
@@ -13,6 +13,7 @@ from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Matrix, Symbol, add, children, column, multiply, replace
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
+from derive.kinds.robot._by_index import EVERY, Meaning, by_index
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.terms import Term, equation, equations
 from derive.kinds.work import Work
@@ -20,10 +21,18 @@ from derive.mechanics.robot import Robot
 from derive.names import entry_symbol
 
 NEEDS = ("bodies",)
+CLAIMS = ("adjugate", "joint-forces", "names")
 MOST_JOINTS = 3
 MOST_REDUCED = 2  # joints; with more, fractions are not multiplied out
 D = Symbol("D")
 DET = Call("det", (D,))
+
+
+MEANINGS: Mapping[str, Meaning] = {
+    **EVERY,
+    "det": lambda arm, _: arm.det,
+    "D_inv": lambda arm, _: arm.D_inv,
+}
 
 
 class Facts(PageFacts):
@@ -83,6 +92,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         lambda at: arm.rubbing.torques({**at, **_moved(arm, results["qddot"], at)}),
         lambda at: [at[f"tau_{k}"] for k in indices],
     )
+    work = by_index(work, results, MEANINGS)
     return work.answer(
         "forward-dynamics", results, Facts(long=long, one=n == 1), matrices=frozenset({"D_inv"})
     )

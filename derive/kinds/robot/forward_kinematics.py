@@ -42,6 +42,12 @@ class Facts(PageFacts):
     product: str = ""  # a step
 
 
+def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:
+    """Of screws also that each exponential is one."""
+    screws = ("derivative", "exponential-series") if robot.by_screws else ()
+    return ("orthogonal", "right-handed", "poses-composed", "names", *screws)
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """T_1^0, T_2^1, ... and their product (4 by 4 each; Spong et al., eq. 3.11; Siciliano et al., eq. 2.52);
     of screws T = e^{[S_1] q_1} ... e^{[S_n] q_n} M (Lynch and Park, eq. 4.14).

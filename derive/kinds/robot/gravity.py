@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from derive.algebra.normal import normal_matrix
 from derive.derivation import Derivation
 from derive.expression import ZERO, Derivative, Symbol, add, column, symbols, transpose
 from derive.kinds.fields import NoOptions as Options
@@ -16,6 +15,7 @@ from derive.mechanics.robot import Robot
 from derive.names import require_free
 
 NEEDS = ("bodies",)
+CLAIMS = ("torques-at-rest", "names")
 P, G_0 = symbols("P g_0")
 
 
@@ -33,12 +33,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     for name, slope in slopes.items():
         work = work.line(name, slope, rule="gradient")
     g = column(map(work.final, slopes))
-    torques = normal_matrix(g)
-    work = work.agrees(
-        "torques-at-rest", problem.symbols | {"g"}, torques, oracle_of(problem).torques_at_rest
-    )
-    work = by_index(work, {})
-    return work.answer("gravity", {"P": work.final(P), "g": g})
+    work = work.agrees("torques-at-rest", problem.symbols | {"g"}, g, oracle_of(problem).torques_at_rest)
+    results = {"P": work.final(P), "g": g}
+    return by_index(work, results).answer("gravity", results)
 
 
 def _energy(work: Work, body: Weighted) -> Work:

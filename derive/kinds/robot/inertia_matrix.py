@@ -28,6 +28,7 @@ from derive.mechanics.robot import Robot
 from derive.names import entry_symbol, require_free
 
 NEEDS = ("bodies",)
+CLAIMS = ("symmetric", "unit-accelerations", "names")
 MOST_IN_THE_BASE = (
     60  # operations of an entry of D; an arm with a longer one is worked in the frames of its links
 )
@@ -70,7 +71,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.law("symmetric", value == value.T).agrees(
         "unit-accelerations",
         problem.symbols | {"g"},
-        problem.normal_matrix(results["D"]),
+        results["D"],
         oracle_of(problem).inertia_matrix,
     )
     work = by_index(work, results)

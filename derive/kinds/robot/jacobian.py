@@ -48,6 +48,14 @@ class Options(OptionsModel):
     evaluate: Evaluation = None
 
 
+def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:
+    """What is only turned or cut rests on the whole one in the base."""
+    if options.kind == "analytic":
+        return ("rates-agree",)
+    whole = not options.rows and options.frame == "base"
+    return ("linear", "angular", "differences") if whole else ("differences",)
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """J (6 by n): z x (o - o_i) over z for each revolute joint, z over 0 for each prismatic one
     (Spong et al., eq. 4.56 and 4.57; Siciliano et al., eq. 3.30)."""

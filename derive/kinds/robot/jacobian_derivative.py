@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+from derive.algebra.numbers.floats import numbers
 from derive.derivation import Derivation, PageFacts
 from derive.expression import Derivative, Symbol, add, column, symbols
 from derive.kinds.fields import OptionsModel
@@ -14,6 +15,8 @@ from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.oracle import STEP, slope
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import ROWS, moving_rows
+
+CLAIMS = ("differences",)
 
 DIFFERENCES = 1e-4  # of differences of what is known by differences itself
 J, J_DOT, Q_DOT = symbols("J J_dot q_dot")
@@ -41,19 +44,23 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     bias = J_DOT * Q_DOT
     work = task.board().knowing({Q_DOT: column(task.rates)}).line(J_DOT, total, rule="chain-rule")
     work = work.line(bias, label="bias", rule="product")
+    work = work.closed(J_DOT, bias)
+    facts = Facts(rows=task.velocities, all=len(task.rows) == len(ROWS), rates=task.rates)
+    results = {"J_dot": work.final(J_DOT), "bias": work.steps[-1].result}
     work = work.agrees(
         "differences",
         task.symbols | {name.name for name in task.rates},
-        work.value(J_DOT),
+        lambda at: [numbers(each, at) for each in results.values()],
         lambda at: _differences(task, at),
         DIFFERENCES,
-    ).closed(J_DOT, bias)
-    facts = Facts(rows=task.velocities, all=len(task.rows) == len(ROWS), rates=task.rates)
-    results = {"J_dot": work.final(J_DOT), "bias": work.steps[-1].result}
+    )
     return work.answer("jacobian-derivative", results, facts, matrices=frozenset({"J_dot"}))
 
 
 def _differences(task: Task, at: Mapping[str, float]) -> Any:
-    """Of the Jacobian a little later and a little earlier on the way."""
+    """Of the Jacobian a little later and a little earlier on the way, and what it makes of the rates."""
+    import numpy as np
+
     rates = {name: at[f"{name}_dot"] for name in task.found.variables}
-    return slope(task.numbers, at, rates, STEP * 100)  # each of the two is known to 1e-10 only
+    rise = np.array(slope(task.numbers, at, rates, STEP * 100))  # each of the two is known to 1e-10 only
+    return [rise, rise @ [*rates.values()]]

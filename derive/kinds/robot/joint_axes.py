@@ -20,6 +20,8 @@ from derive.kinds.work import Work
 from derive.mechanics.oracle import Oracle
 from derive.mechanics.robot import Robot
 
+CLAIMS = ("names",)
+
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """z and o (3 by 1 each, base frame) of each joint: the third columns of the poses are the axes, the

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import Any
+
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.scalar import Scalar
@@ -10,6 +14,7 @@ from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Symbol, column
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
+from derive.kinds.robot._by_index import EVERY, Meaning, by_index
 from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
@@ -17,12 +22,61 @@ from derive.kinds.robot._dynamics.body_steps import inertia_steps
 from derive.kinds.robot._dynamics.drives import with_rotors
 from derive.kinds.robot._dynamics.recursion import Line, Recursion, rotation
 from derive.kinds.work import Work
+from derive.mechanics.chain import Chain
 from derive.mechanics.dynamics import gravity_of, rate_column
 from derive.mechanics.newton_euler import LinkBody, NewtonEuler
+from derive.mechanics.oracle.heavy import Heavy
 from derive.mechanics.robot import Robot
 
 NEEDS = ("bodies",)
+CLAIMS = ("inertia", "christoffel", "gravity", "motion-of-each-body", "names")
 BASE = Symbol("o_0_ddot")
+
+
+Vector = Callable[[Heavy, int, Any], Any]  # of link i, in the base frame
+
+
+def _in_link(vector: Vector, shift: int = 0) -> Meaning:
+    """A vector as it is told, in the frame of the link, or of one before it."""
+    return lambda arm, i, said: arm.pose(str(int(i) + shift))[:3, :3].T @ vector(arm, int(i), said)
+
+
+def _rise(frame: str) -> Vector:
+    """The acceleration of its origin, the base accelerating upwards for gravity."""
+    return lambda arm, i, _: arm.courses[frame.format(i)].a - arm.oracle.gravity(arm.at)
+
+
+def _out(arm: Heavy, i: int, said: Any) -> Any:
+    """From the origin of the frame before to the nearest point of the axis, of a slide to its own frame."""
+    before, o = arm.pose(str(i - 1)), arm.pose(str(i))[:3, 3]
+    if arm.oracle.robot.links[i - 1].joint != "revolute":
+        return o - before[:3, 3]
+    return arm.on_axis(i, before[:3, :3] @ said + before[:3, 3]) - before[:3, 3]
+
+
+def _arm(arm: Heavy, i: int, said: Any) -> Any:
+    """From the nearest point of the axis to the origin of the frame; of a fixed row from that of the frame
+    before."""
+    T = arm.pose(str(i))
+    if arm.oracle.robot.links[i - 1].joint == "fixed":
+        return T[:3, 3] - arm.pose(str(i - 1))[:3, 3]
+    return T[:3, 3] - arm.on_axis(i, T[:3, 3] - T[:3, :3] @ said)
+
+
+MEANINGS: Mapping[str, Meaning] = {
+    **EVERY,
+    r"e_(\d+)": _in_link(lambda arm, i, _: arm.axis(i)),
+    r"p_(\d+)": _in_link(_out, -1),
+    r"r_(\d+)": _in_link(_arm),
+    r"r_c(\d+)": _in_link(lambda arm, i, _: arm.pose(f"c{i}")[:3, 3] - arm.pose(str(i))[:3, 3]),
+    r"omega_(\d+)": _in_link(lambda arm, i, _: arm.courses[str(i)].omega),
+    r"omega_(\d+)_dot": _in_link(lambda arm, i, _: arm.courses[str(i)].alpha),
+    r"o_(\d+)_ddot": _in_link(_rise("{}")),
+    r"o_c(\d+)_ddot": _in_link(_rise("c{}")),
+    r"F_(\d+)": _in_link(lambda arm, i, _: arm.force(i)),
+    r"N_(\d+)": _in_link(lambda arm, i, _: arm.moment(i)),
+    r"f_(\d+)": _in_link(lambda arm, i, _: arm.handed(i)),
+}
 
 
 class OfLink(Record):
@@ -66,7 +120,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         offsets=any(any(row.out) for row in sweeping.rows),
     )
     work = arm.moved(_same_as_lagrange(work, arm, sweeping), tau)
-    return work.answer("newton-euler", {"tau": tau}, facts)
+    return by_index(work, {"tau": tau}, MEANINGS).answer("newton-euler", {"tau": tau}, facts)
 
 
 def _sweeping(arm: Arm, bodies: tuple[Weighted, ...]) -> NewtonEuler:
@@ -76,7 +130,17 @@ def _sweeping(arm: Arm, bodies: tuple[Weighted, ...]) -> NewtonEuler:
     for body in bodies:
         carried[body.i - 1] = LinkBody(body.motion.mass, body.com, body.motion.inertia)
     moving = (*rate_column(variables).entries, *rate_column(variables, "ddot").entries)
-    return NewtonEuler.of(chain_of(problem), carried, (*moving, *_gravity(problem)))
+    return NewtonEuler.of(_from_the_base(chain_of(problem)), carried, (*moving, *_gravity(problem)))
+
+
+def _from_the_base(found: Chain) -> Chain:
+    """With the base motion as part of the first row, so that frame 0 is that of the base."""
+    base, (first, *others) = found.T[0], found.joints
+    if first is not None:
+        first = replace(first, before=base @ first.before)
+    still = ScalarMatrix.identity(4).into(base.ring)
+    local = (found.T[1], *found.T_local[1:])
+    return replace(found, T_local=local, T=(still, *found.T[1:]), joints=(first, *others))
 
 
 def _gravity(problem: Problem) -> tuple[Scalar, ...]:
@@ -120,5 +184,5 @@ def _same_as_lagrange(work: Work, arm: Arm, sweeping: NewtonEuler) -> Work:
     g = problem.ask("gravity").matrix("g")
     held = problem.readable_matrix(ScalarMatrix.column(sweeping.gravity_torques(_gravity(problem))))
     work = work.law("inertia", with_rotors(sweeping.inertia_matrix(), problem.subject) == arm.D)
-    work = work.law("christoffel", all(found[ijk] == symbols[ijk] for ijk in symbols))
+    work = work.law("christoffel", (found[ijk] == symbols[ijk] for ijk in symbols))
     return work.law("gravity", normal_matrix(held, problem.names) == normal_matrix(g))

@@ -21,6 +21,7 @@ from derive.mechanics.robot import Robot
 from derive.names import require_free
 
 NEEDS = ("bodies",)
+CLAIMS = ("symmetric", "kinetic-energy", "in-numbers")
 MOST_JOINTS = 3
 J, D, LAMBDA = symbols("J D Lambda")
 DET, INVERSE = Call("det", (J,)), J**-1

@@ -5,11 +5,12 @@ from __future__ import annotations
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import number_rows
-from derive.derivation import Cell, Claim, Derivation, PageFacts, Phrase, Table
+from derive.derivation import Cell, Derivation, PageFacts, Phrase, Result, Table
 from derive.expression import Approximate, Matrix, Symbol, add, multiply, symbols
-from derive.kinds.checks import SECOND_ROUTE
+from derive.kinds.checks import route
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
+from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import time_derivative
@@ -18,6 +19,7 @@ from derive.mechanics.sampled import physical_points
 from derive.names import require_free
 
 NEEDS = ("bodies",)
+CLAIMS = ("skew-symmetric", "names")
 D_DOT, C, N = symbols("D_dot C N")
 POINTS = 3
 ROUNDING = 1e-9
@@ -42,13 +44,15 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         work = work.knowing({N: _by_rates(arm, value), D_DOT: _by_rates(arm, rate)})
     else:
         work = work.line(D_DOT, value=rate, rule="matrix").line(N, D_DOT - 2 * C, rule="matrix")
-    work, minors = work.law("skew-symmetric", value == -value.T), _minors(arm, D)
+    results: dict[str, Result] = {"D_dot": work[D_DOT], "N": work[N]}
+    printed, minors = normal_matrix(work[N]), _minors(arm, D)
+    work = by_index(work.law("skew-symmetric", printed == -printed.T), results)
     if minors:
-        work = work.claim(Claim("minors", SECOND_ROUTE, not any(map(_negative, minors))))
+        work = work.claim(route("minors", (not _negative(each) for each in minors)))
     names = ("Y", "parameters", "Y_b", "base_parameters")
     return work.answer(
         "properties",
-        {"D_dot": work[D_DOT], "N": work[N], **{name: linear.results[name] for name in names}},
+        {**results, **{name: linear.results[name] for name in names}},
         Facts(big=arm.long, minors=_table(minors), definite=all(map(_positive, minors))),
         matrices=frozenset({"D_dot", "N", "Y", "Y_b"}),
     )

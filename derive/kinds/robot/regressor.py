@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 
 from derive.algebra.infix import text
@@ -38,6 +38,7 @@ from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 
 NEEDS = ("bodies",)
+CLAIMS = ("motion-of-each-body",)
 PRODUCTS = (("Y", "parameters"), ("Y_b", "base_parameters"))
 LONGEST_NUMBER = 10**6  # denominator of a number that is still written in full
 
@@ -76,7 +77,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         "groups": column(_plain(step.chain[1]) for step in gathered),
     }
     if not arm.long:
-        work = _linear(work.showing(*_columns(columns)), results)
+        shown = _columns(columns)
+        work = work.law("columns", _are_columns(work, shown, as_matrix(results["Y_b"], "Y_b")))
+        work = _linear(work.showing(*shown), results)
     for Y, name in PRODUCTS:
         ours = partial(_product, as_matrix(results[Y], Y), results[name])
         work = work.agrees("motion-of-each-body", arm.moving, ours, arm.rubbing.torques, Y=Y, theta=name)
@@ -138,6 +141,12 @@ def _columns(columns: Sequence[Matrix]) -> tuple[Step, ...]:
     """The columns of Y_b."""
     named = ((Symbol(f"y_{k}"), each) for k, each in enumerate(columns, 1))
     return tuple(Step(name.name, (name, each), "column", spare=(each,)) for name, each in named)
+
+
+def _are_columns(work: Work, shown: Sequence[Step], Y_b: Matrix) -> Iterator[bool]:
+    """Whether each column as it is shown is that of Y_b."""
+    for step, entries in zip(shown, zip(*Y_b.rows, strict=True), strict=True):
+        yield normal_matrix(step.result, work.problem.names) == normal_matrix(column(entries))
 
 
 def _beside(columns: Sequence[Matrix]) -> Matrix:

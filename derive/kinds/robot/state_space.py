@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
+from derive.algebra.numbers.floats import Point, numbers
 from derive.derivation import Derivation, PageFacts, Step
 from derive.expression import Expr, Symbol, children, column
 from derive.kinds.fields import Evaluation, OptionsModel
@@ -10,6 +14,7 @@ from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.drives import friction_sorts
 from derive.kinds.robot._dynamics.linearisation import linear_at, linearised
 from derive.kinds.work import Work
+from derive.mechanics.oracle.heavy import Heavy
 from derive.mechanics.robot import Robot
 
 NEEDS = ("bodies",)
@@ -31,6 +36,11 @@ class Facts(PageFacts):
     held: bool
 
 
+def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:
+    """With `at` those of the linearisation too."""
+    return ("accelerations", *(() if options.at is None else ("adjugate", "differences")))
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """x = (q, qdot), and A, B about rest at `at` (Spong et al., section 8.1; Siciliano et al., 8.4)."""
     arm, forward = Arm(problem), problem.ask("forward-dynamics")
@@ -44,6 +54,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     if linear:
         work = linearised(work, linear)
         results |= {"tau_0": work["tau_0"], "A": linear.A, "B": linear.B}
+    work = _moves_so(work, arm, results)
     facts = Facts(
         at=tuple((Symbol(name), value) for name, value in (options.at or ())),
         linear=linear is not None,
@@ -53,3 +64,22 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         held=bool(linear and linear.torques),
     )
     return work.answer("state-space", results, facts, matrices=frozenset({"A", "B"}))
+
+
+def _moves_so(work: Work, arm: Arm, results: Mapping[str, Expr]) -> Work:
+    """x and f as printed against the state, and what the joint forces make of it."""
+    names, oracle = arm.variables, arm.rubbing
+    forces = tuple(f"tau_{k}" for k, _ in enumerate(names, 1))
+
+    def moving(at: Point) -> list[Any]:
+        import numpy as np
+
+        rates, tau = [at[f"{name}_dot"] for name in names], np.array([at[force] for force in forces])
+        return [[at[name] for name in names], rates, rates, Heavy(oracle, at).accelerations(tau)]
+
+    return work.agrees(
+        "accelerations",
+        arm.moving.union(forces),
+        lambda at: [numbers(results["x"], at), numbers(results["f"], at)],
+        moving,
+    )

@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.numbers.floats import Point, numbers
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts
 from derive.expression import Matrix, Symbol, column, symbols
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import chain_of
+from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._point import PointOn, tracked
 from derive.kinds.work import Work
 from derive.mechanics.jacobian import halves
 from derive.mechanics.robot import Robot
 
+CLAIMS = ("rate-of-the-point", "twist-in-numbers")
+
+DIFFERENCES = 1e-6  # what central differences leave
 J, Q_DOT, V, OMEGA = symbols("J q_dot v omega")
 
 
@@ -42,7 +46,22 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         both, product, filled, value=twist, rule="velocity", label="twist", spare=(filled,)
     ).closed(both)
     work = work.law("rate-of-the-point", _by_chain_rule(options, problem) == v)
-    return work.answer("velocity", {"v": work.final(V), "omega": work.final(OMEGA)}, Facts(rates=rates))
+    results = {"v": work.final(V), "omega": work.final(OMEGA)}
+    work = work.agrees(
+        "twist-in-numbers",
+        problem.symbols.union(rate.name for rate in rates),
+        lambda at: [numbers(each, at) for each in results.values()],
+        lambda at: _by_differences(options, problem, at),
+        DIFFERENCES,
+    )
+    return work.answer("velocity", results, Facts(rates=rates))
+
+
+def _by_differences(options: Options, problem: Problem, at: Point) -> list[float]:
+    """v and omega (6) of J by differences of the poses."""
+    point, robot = tracked(problem, chain_of(problem), options.point), problem.subject
+    J_now = oracle_of(problem).jacobian(at, point.frame, point.offset)
+    return [row @ [at[f"{name}_dot"] for name in robot.variables] for row in J_now]
 
 
 def _by_chain_rule(options: Options, problem: Problem) -> ScalarMatrix:

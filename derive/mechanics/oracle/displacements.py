@@ -59,6 +59,33 @@ def velocities(pose: Callable[[Configuration], Array], at: Configuration, names:
     return np.array(columns, dtype=float).T
 
 
+@dataclass(frozen=True, slots=True)
+class Course:
+    """Of a frame along a motion, in the base (3 each): velocity and acceleration of its origin, angular
+    velocity and acceleration."""
+
+    v: Array
+    a: Array
+    omega: Array
+    alpha: Array
+
+
+def along(at: Configuration, names: Sequence[str]) -> tuple[Configuration, ...]:
+    """A step before, now, and a step after on the way that the rates and accelerations of the point begin."""
+    return tuple(
+        {**at, **{q: at[q] + h * at[f"{q}_dot"] + h * h / 2 * at[f"{q}_ddot"] for q in names}}
+        for h in (-STEP, 0, STEP)
+    )
+
+
+def course(behind: Array, now: Array, ahead: Array) -> Course:
+    """Of a frame whose poses (4 by 4) are these."""
+    rate, rise = _slope(ahead, behind), _bend(ahead, now, behind)
+    R = now[:3, :3]
+    moved = rate[:3, 3], rise[:3, 3], _vee(rate[:3, :3] @ R.T), _vee(rise[:3, :3] @ R.T)
+    return Course(*(part.astype(float) for part in moved))
+
+
 def joint_forces(place: Place, at: Configuration, names: Sequence[str], gravity: Array) -> Array:
     """tau (n): sum of m (a - g) . dc/dq_k + d(I omega)/dt . w_k - omega . dI/dq_k omega / 2 over the bodies,
     the last dI/dq_k in the body's own axes.

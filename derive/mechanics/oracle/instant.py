@@ -1,4 +1,4 @@
-"""An arm at one point, its frames, bodies and terms by their indices, as books number them.
+"""An arm at one point, its frames and how they move by their indices, as books number them.
 
 Frames are 0, 1, ..., n, e (the end-effector) and c1 (at the com of link 1, turned as that link).
 """
@@ -8,10 +8,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
-from derive.algebra.numbers.floats import Point
+from derive.algebra.ball_arithmetic import precise
 from derive.mechanics.oracle.arm import Oracle
-from derive.mechanics.oracle.displacements import Placed
+from derive.mechanics.oracle.displacements import Course, Placed, along, course, many_digits
 from derive.mechanics.oracle.sweep import Axis
 from derive.mechanics.oracle.values import Array
 
@@ -25,7 +26,7 @@ class Instant:
     of the point where a method says so."""
 
     oracle: Oracle
-    at: Point
+    at: Any
 
     # -- where it is ----------------------------------------------------------------------------------
 
@@ -78,6 +79,11 @@ class Instant:
     def _before(self, i: int) -> Array:
         return self.oracle.poses(self.at)[i - 1]
 
+    @cached_property
+    def bodies(self) -> list[Placed | None]:
+        """Of each link."""
+        return self.oracle.bodies(self.at)
+
     # -- how it moves ---------------------------------------------------------------------------------
 
     def jacobian(self, frame: str) -> Array:
@@ -103,86 +109,11 @@ class Instant:
             for name in self.oracle.robot.variables
         ]
 
-    # -- what it weighs -------------------------------------------------------------------------------
-
     @cached_property
-    def bodies(self) -> list[Placed | None]:
-        """Of each link."""
-        return self.oracle.bodies(self.at)
-
-    @cached_property
-    def D(self) -> Array:
-        """The inertia matrix (n by n), rotors included."""
-        return self._rigid.inertia_matrix(self.at)
-
-    def D_of(self, i: int) -> Array:
-        """What the body of link i alone brings to it (n by n)."""
-        links = (
-            replace(link, motor=None, body=link.body if k == i else None)
-            for k, link in enumerate(self.oracle.robot.links, 1)
-        )
-        return replace(self.oracle, robot=replace(self._rigid.robot, links=tuple(links))).inertia_matrix(
-            self.at
-        )
-
-    @cached_property
-    def g(self) -> Array:
-        """The joint forces (n) that hold the arm."""
-        return self._rigid.torques_at_rest(self.at)
-
-    @cached_property
-    def tau(self) -> Array:
-        """The joint forces (n) at the rates and accelerations of the point, friction included."""
-        return self.oracle.torques(self.at)
-
-    @cached_property
-    def christoffel(self) -> Array:
-        """c_ijk (n by n by n) from the torques of one and of two rates."""
-        import numpy as np
-
-        n = len(self.oracle.robot.variables)
-        unit = np.eye(n)
-        alone = [self._of_rates(each) for each in unit]
-        found = np.zeros((n, n, n))
-        for i in range(n):
-            found[i, i] = alone[i]
-            for j in range(i):
-                both = self._of_rates(unit[i] + unit[j])
-                found[i, j] = found[j, i] = (both - alone[i] - alone[j]) / 2
-        return found
-
-    def potential(self, i: int) -> float:
-        """The potential energy of link i, zero at the origin of the base."""
-        body = self.bodies[i - 1]
-        return 0.0 if body is None else -body.mass * float(self.oracle.gravity(self.at) @ body.com)
-
-    @property
-    def potential_energy(self) -> float:
-        """That of all links."""
-        return sum(self.potential(i) for i, _ in enumerate(self.bodies, 1))
-
-    def kinetic(self, i: int) -> float:
-        """The kinetic energy of link i at the rates of the point."""
-        body, (v, w) = self.bodies[i - 1], self.twist(f"c{i}")
-        return 0.0 if body is None else float(body.mass * v @ v + w @ body.turned @ w) / 2
-
-    def twist(self, frame: str) -> tuple[Array, Array]:
-        """v of the origin of a frame and its omega (3 each) at the rates of the point."""
-        import numpy as np
-
-        rates = np.array([self.at[f"{name}_dot"] for name in self.oracle.robot.variables])
-        v = self.jacobian(frame) @ rates
-        return v[:3], v[3:]
-
-    def _of_rates(self, rates: Array) -> Array:
-        """The torques (n) of these rates alone."""
-        moving = dict(self.at)
-        for name, rate in zip(self.oracle.robot.variables, rates, strict=True):
-            moving |= {f"{name}_dot": rate, f"{name}_ddot": 0.0}
-        return self._rigid.torques(moving) - self.g
-
-    @cached_property
-    def _rigid(self) -> Oracle:
-        """The arm without friction."""
-        links = tuple(replace(link, friction=None) for link in self.oracle.robot.links)
-        return replace(self.oracle, robot=replace(self.oracle.robot, links=links))
+    def courses(self) -> dict[str, Course]:
+        """How each frame moves at the rates and accelerations of the point."""
+        robot = self.oracle.robot
+        precisely = replace(self.oracle, value=precise)
+        with many_digits(self.at) as at:
+            shots = [Instant(precisely, now).frames for now in along(at, robot.variables)]
+            return {frame: course(*(shot[frame] for shot in shots)) for frame in self.frames}

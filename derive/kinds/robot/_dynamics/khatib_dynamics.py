@@ -13,6 +13,7 @@ from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._dynamics.drives import Facts, friction_terms
+from derive.kinds.robot.coriolis_matrices import MEANINGS
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import gravity_of
 from derive.names import require_free
@@ -51,7 +52,7 @@ def khatib_dynamics(problem: Problem) -> Derivation:
     work = arm.moved(work, tau)
     parts = {name: value for name, value in speed.results.items() if name in ("C", "B", "v")}
     results = {"M": work[M], **parts, "G": g, "tau": tau}
-    return by_index(work, results).answer(
+    return by_index(work, results, MEANINGS).answer(
         "dynamics",
         results,
         Facts(big=arm.long, friction=rubs, notation="khatib"),

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, normal, normal_matrix
-from derive.algebra.numbers.floats import Point, number
+from derive.algebra.numbers.floats import Point, number, numbers
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Step
@@ -19,7 +19,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.drives import diagonal, moving
 from derive.kinds.work import Work
 from derive.mechanics.drives import Friction
-from derive.mechanics.oracle import Oracle
+from derive.mechanics.oracle import Oracle, slope
 from derive.mechanics.robot import Robot
 
 MOST_WHOLE = 80  # operations of A and B together; longer ones are worked block by block
@@ -131,8 +131,8 @@ def linearised(work: Work, linear: Linear) -> Work:
     return work.agrees(
         "differences",
         problem.symbols | {"g"} | names,
-        linear.A,
-        lambda point: _differences(arm, linear.at, point),
+        lambda point: [numbers(each, point) for each in (*map(work.matrix, found), linear.A, linear.B)],
+        lambda point: _differences(arm, linear.at, point, bool(linear.friction)),
         LEFT,
     )
 
@@ -162,19 +162,23 @@ def _smooth(robot: Robot) -> Robot:
     return replace(robot, links=tuple(kept))
 
 
-def _differences(arm: Oracle, at: Mapping[str, Expr], point: Mapping[str, float]) -> Any:
-    """A (2n by 2n) by central differences of dx/dt about rest, the forces those of rest."""
+def _differences(arm: Oracle, at: Mapping[str, Expr], point: Point, rubs: bool) -> Any:
+    """tau_0 (n), D_0, K_0, where there is friction B_f (n by n), A (2n by 2n) and B (2n by n) by central
+    differences of torques and of dx/dt about rest, the forces those of rest."""
     import numpy as np
 
     names = arm.robot.variables
     rest = {**point, **{name: number(value, point) for name, value in at.items()}}
     rest |= {f"{name}_{dots}": 0.0 for name in names for dots in ("dot", "ddot")}
     forces = arm.torques(rest)
-    columns = []
-    for name in (*names, *(f"{name}_dot" for name in names)):
-        ahead, behind = (_rates(arm, {**rest, name: rest[name] + h}, forces) for h in (STEP, -STEP))
-        columns.append((ahead - behind) / (2 * STEP))
-    return np.array(columns).T
+    speeds, still = [f"{name}_dot" for name in names], arm.inertia_matrix(rest)
+
+    def slopes(value: Callable[[Point], Any], along: Iterable[str]) -> Any:
+        return np.array([slope(value, rest, {name: 1}, STEP) for name in along]).T
+
+    found = [forces, still, slopes(arm.torques, names), *([slopes(arm.torques, speeds)] if rubs else [])]
+    B = np.vstack([np.zeros_like(still), np.linalg.inv(still)])
+    return [*found, slopes(lambda state: _rates(arm, state, forces), (*names, *speeds)), B]
 
 
 def _rates(arm: Oracle, at: Point, forces: Any) -> Any:
