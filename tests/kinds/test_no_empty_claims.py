@@ -32,9 +32,6 @@ NOT_YET_COUNTED = {
     "robot/_singular/checks.py": 3,
     "robot/_velocity/ellipsoids.py": 1,
     "robot/_velocity/repeated.py": 6,
-    "robot/christoffel.py": 1,
-    "robot/newton_euler.py": 1,
-    "robot/properties.py": 1,
 }
 
 
