@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from derive.algebra.numbers.floats import Point
 from derive.algebra.numbers.floats import number as at
 from derive.derivation import Derivation, PageFacts
-from derive.expression import ONE, Expr, Symbol, replace
+from derive.expression import ONE, Expr, Symbol, replace, symbols
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.drive._oracle import Turning
 from derive.kinds.fields import NoOptions as Options
@@ -17,12 +17,16 @@ from derive.mechanics.sensing import Drive
 
 NEEDS = ("gear",)
 CLAIMS = ("same-energy", "as-said")
+OMEGA, OMEGA_M = symbols("omega omega_m")
 
 
 class Facts(PageFacts):
     given: tuple[tuple[Expr, Expr], ...]
     G: Symbol
-    energy: tuple[Expr, Expr]  # of the whole drive, and the speed of the motor
+    speeds: tuple[Symbol, Symbol]  # of the load and of the motor
+    squares: tuple[Expr, Expr]
+    speed: tuple[Expr, Expr]  # that of the motor by that of the load
+    energy: Expr  # of the whole drive
 
 
 def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
@@ -33,17 +37,19 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
     work = work.worked("J_motor", J_m + J_l / G**2)
     results = {name: work.final(name) for name in ("J_load", "J_motor")}
     work = work.claim(route("same-energy", _same_energy(drive, problem, results)))
-    facts = Facts(given=work.typed, G=G, energy=_energy(J_m, J_l, G))
+    speeds = (OMEGA, OMEGA_M)
+    facts = Facts(
+        given=work.typed, G=G, speeds=speeds, squares=(OMEGA**2, OMEGA_M**2), speed=(OMEGA_M, G * OMEGA),
+        energy=_energy(J_m, J_l),
+    )  # fmt: skip
     work = work.claim(route("as-said", _said(drive, work, facts)))
     return work.answer("reflected-inertia", results, facts)
 
 
-def _energy(J_m: Expr, J_l: Expr, G: Expr) -> tuple[Expr, Expr]:
-    """By the speeds of the motor and the load; with omega_m = G omega."""
-    omega, motor = Symbol("omega"), Symbol("omega_m")
+def _energy(J_m: Expr, J_l: Expr) -> Expr:
+    """By the speeds of the motor and the load."""
     half = ONE / 2
-    both = half * J_m * motor**2 + half * J_l * omega**2
-    return both, G * omega
+    return half * J_m * OMEGA_M**2 + half * J_l * OMEGA**2
 
 
 def _same_energy(drive: Drive, problem: Problem, results: dict[str, Expr]) -> Iterator[bool]:
@@ -66,7 +72,10 @@ def _said(drive: Drive, work: Work, told: Facts) -> Iterator[bool]:
 
         turning = Turning(worth(drive.rotor), worth(drive.load), worth(told.G))
         yield close(turning.gear, worth(drive.gear or ONE)) and told.given == work.typed
-        total, motor = told.energy
+        _, motor = told.speed
         omega = point["omega"]
+        yield told.speeds == (OMEGA, OMEGA_M) and told.speed[0] == OMEGA_M
+        yield close(worth(told.squares[0]), omega**2)
+        yield close(worth(replace(told.squares[1], {OMEGA_M: motor})), worth(motor) ** 2)
         yield close(worth(motor), worth(drive.gear or ONE) * omega)
-        yield close(worth(replace(total, {Symbol("omega_m"): motor})), turning.energy(omega))
+        yield close(worth(replace(told.energy, {OMEGA_M: motor})), turning.energy(omega))

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from derive.algebra.numbers.floats import number as at
 from derive.derivation import Claim, Phrase, Step, Table
+from derive.expression import Symbol
 from derive.expression import number as _tree
 from derive.kinds.checks import route
 from derive.kinds.fields import TREES
@@ -106,8 +107,11 @@ def _lines(steps: tuple[Step, ...], built: Built, dof: int) -> Iterator[bool]:
     """Each formula of the two lines in numbers; a line without one says nothing."""
     from derive.kinds.mechanism import _instance as made
 
-    taken = len(made.COORDINATES[built.space]) * (built.bodies - 1) - built.index
-    for step, worth in zip(steps, (taken, dof), strict=True):
+    size = len(made.COORDINATES[built.space])
+    taken = size * (built.bodies - 1) - built.index
+    known = {step.name: step for step in steps}
+    yield at(known["size"].result, {}) == size
+    for step, worth in ((known["constraints"], taken), (known["dof"], dof)):
         yield len(step.chain) > 1
         yield from (at(expr, {"C": float(taken)}) == worth for expr in step.chain[1:])
 
@@ -149,14 +153,21 @@ def _said(mechanism: Mechanism, told: Facts, built: Built) -> Iterator[bool]:
         for s in several
     )
     others = [(space, built.lying(space)) for space in CLOSED_OUTSIDE[built.space] if built.loops > 0]
-    yield told.others == tuple(
+    yield [(space, n) for space, _, n in told.others] == [
         (space, _tree(n)) for space, n in others if n is not None and n > 0 and n > built.index
-    )
+    ]
+    yield all(size == (Symbol("lambda"), _tree(_size(space))) for space, size, _ in told.others)
     spatial = built.space == "spatial" and built.loops > 0
     yield told.may_spin == (spatial and not rods and pairs["spherical"] > 1)
     yield told.known == (
         spatial and built.loops == 1 and pairs.keys() == {"revolute"} and 3 < pairs.total() < 7
     )
+
+
+def _size(space: Space) -> int:
+    from derive.kinds.mechanism import _instance as made
+
+    return len(made.COORDINATES[space])
 
 
 def _totals(table: Table) -> dict[str, int]:

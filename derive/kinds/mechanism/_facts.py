@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from typing import TypeAlias
+
 from derive.derivation import PageFacts, Phrase, Table
 from derive.expression import Expr
 from derive.mechanics.mobility import Space
+
+Other: TypeAlias = tuple[Space, tuple[Expr, Expr], Expr]  # its lambda, and the freedoms with that
 
 
 class Facts(PageFacts):
@@ -21,5 +25,5 @@ class Facts(PageFacts):
     idle: Expr | None
     effective: Expr
     may_spin: bool
-    others: tuple[tuple[Space, Expr], ...]
+    others: tuple[Other, ...]
     known: bool  # whether the formula does not see moving loops of so many revolute joints

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from derive.algebra.numbers.floats import number as at
-from derive.derivation import Cell, Derivation, Phrase, Table
-from derive.expression import Expr, Symbol, add, number
+from derive.derivation import Cell, Derivation, Phrase, Step, Table
+from derive.expression import ONE, Expr, add, number, symbols
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.mechanism._checks import proofs
 from derive.kinds.mechanism._facts import Facts as Facts
+from derive.kinds.mechanism._facts import Other
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.mobility import FREEDOMS, LAMBDA, Joints, Mechanism, Space
 
-C, DOF = Symbol("C"), Symbol("dof")
+C, DOF, SIZE, N, C_I, F_I = symbols("C dof lambda n c_i f_i")
 MOVING_LOOPS = (4, 5, 6)  # revolute joints of single loops that move although the formula says they do not
 HEADINGS = ("joint", "number", "freedoms", "constraints-of-each", "constraints-together")
 OTHERS: dict[Space, tuple[Space, ...]] = {"spatial": ("planar", "spherical"), "planar": (), "spherical": ()}
@@ -26,12 +29,23 @@ def derive(mechanism: Mechanism, options: Options, problem: Problem) -> Derivati
     taken = number(sum(each.total for each in mechanism.joints))
     free = number(size) * (number(mechanism.bodies) + -1)
     formulas = (free - C, number(size * (mechanism.bodies - 1)) - taken)
-    work = Work(problem).line(C, _total(mechanism), value=taken, label="constraints")
+    work = Work(problem).showing(Step("size", (SIZE, number(size)), "given"), *_laws(mechanism, taken))
+    work = work.line(C, _total(mechanism), value=taken, label="constraints")
     work = work.line(DOF, *formulas, value=number(mechanism.dof))
     told, results = _facts(mechanism, size), _results(mechanism)
     dof, idle = (round(at(results[name], {})) if name in results else 0 for name in ("dof", "idle"))
     work = work.claim(*proofs(mechanism, work.steps, told, dof, idle))
     return work.answer("mobility", results, told)
+
+
+def _laws(mechanism: Mechanism, taken: Expr) -> Iterator[Step]:
+    """What a joint takes away, and what is left; tried on the first sort of joint, and on the whole."""
+    first, size = mechanism.joints[0], number(LAMBDA[mechanism.space])
+    freedoms = number(LAMBDA[mechanism.space] - first.constraints)
+    of_joint: dict[Expr, Expr] = {C_I: number(first.constraints), SIZE: size, F_I: freedoms}
+    yield Step("joint", (C_I, SIZE - F_I), "law", instance=of_joint)
+    whole: dict[Expr, Expr] = {DOF: number(mechanism.dof), SIZE: size, N: number(mechanism.bodies), C: taken}
+    yield Step("gruebler", (DOF, SIZE * (N - ONE) - C), "law", instance=whole)
 
 
 def _results(mechanism: Mechanism) -> dict[str, Expr]:
@@ -90,12 +104,13 @@ def _row(each: Joints, size: int) -> tuple[Cell, ...]:
     return Phrase(each.name or "other"), *map(number, counts)
 
 
-def _others(mechanism: Mechanism) -> tuple[tuple[Space, Expr], ...]:
+def _others(mechanism: Mechanism) -> tuple[Other, ...]:
     """What its joints would leave if their axes were parallel, or met in a point, and that is more."""
     if mechanism.loops == 0:
         return ()
     counts = ((space, mechanism.counted_as(space)) for space in OTHERS[mechanism.space])
-    return tuple((space, number(n)) for space, n in counts if n is not None and n > max(mechanism.dof, 0))
+    known = ((space, n) for space, n in counts if n is not None and n > max(mechanism.dof, 0))
+    return tuple((space, (SIZE, number(LAMBDA[space])), number(n)) for space, n in known)
 
 
 def _known(mechanism: Mechanism) -> bool:

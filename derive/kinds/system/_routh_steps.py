@@ -103,6 +103,25 @@ class Array:
                 yield value if operations(value) <= IN_TABLE else self.name(i, j)
 
 
+def law_step(array: Array) -> Step:
+    """How an entry follows from the two rows above it, tried on the first that does, or else on numbers."""
+    i, j = Symbol("i"), Symbol("j")
+
+    def named(up: int, column: Expr) -> Indexed:
+        row = i - number(up) if up else i
+        return Indexed(array.letter, (row, column))
+
+    pivot, after = named(1, ONE), j + ONE
+    law = (pivot * named(2, after) - named(2, ONE) * named(1, after)) / pivot
+    rows = (k for k, row in enumerate(array.rows) if k > 1 and row.origin == "formula")
+    names = (named(1, ONE), named(2, after), named(2, ONE), named(1, after), named(0, j))
+    values: tuple[Expr, ...] = tuple(map(number, (2, 3, 5, 8, -17)))
+    if (k := next(rows, None)) is not None:
+        above, below = ((*row, ZERO) for row in array.trees[k - 2 : k])
+        values = below[0], above[1], above[0], below[1], array.trees[k][0]
+    return Step("law", (named(0, j), law), "law", instance=dict(zip(names, values, strict=True)))
+
+
 def entry_steps(array: Array) -> Iterator[Step]:
     """A step for each entry that is computed, and those of the rows that are zero."""
     for i, row in enumerate(array.rows, 1):

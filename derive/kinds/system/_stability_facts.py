@@ -19,7 +19,6 @@ class Facts(PageFacts):
     factor: Expr | None
     coefficients: str  # "met", "violated", "open"
     array: Table | None
-    letter: str
     column: tuple[Expr, ...]
     mended: tuple[str, ...]  # the special cases of the array
     epsilon: Symbol

@@ -50,6 +50,7 @@ class Printed:
     steps: Sequence[Step]
     told: Facts
     positive: frozenset[str]
+    letter: str  # of the entries
 
     @cached_property
     def symbols(self) -> list[str]:
@@ -186,7 +187,7 @@ def _array(printed: Printed) -> Iterator[bool]:
     yield told.column == tuple(row[0] for row in rows)
     heads = {step.chain[0]: step for step in printed.steps if step.rule == "entry"}
     for name, step in heads.items():
-        i, j = _place(name, told.letter)
+        i, j = _place(name, printed.letter)
         yield step.name == f"entry_{i}_{j}" and step.result == rows[i - 1][j - 1]
     if told.array is None:
         yield printed.degree < 2
@@ -196,7 +197,7 @@ def _array(printed: Printed) -> Iterator[bool]:
         for j, (entry, cell) in enumerate(zip(row, cells[2:], strict=True), 1):
             named = isinstance(cell, Symbol | Indexed) and cell != entry
             yield (
-                _place(cell, told.letter) == (i, j)
+                _place(cell, printed.letter) == (i, j)
                 if named
                 else cell == entry or (cell == "" and entry == ZERO)
             )

@@ -24,7 +24,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.system._options import ControllerField
 from derive.kinds.system._oracle import Held
 from derive.kinds.system._plant import mixed, point_chains, poles_json, root_tree, rounded, verdict
-from derive.kinds.system._routh_steps import entry_steps
+from derive.kinds.system._routh_steps import entry_steps, law_step
 from derive.kinds.system._stability_answer import Answer, answered, right_of_axis
 from derive.kinds.system._stability_checks import claims_about, signs_at
 from derive.kinds.system._stability_facts import Facts as Facts
@@ -69,7 +69,8 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     evaluated, numbers = _evaluated(answer, options)
     work = Work(problem, _definitions(answer), uses=(answer.base,), steps=tuple(_steps(answer)))
     told, held = _facts(answer, options, numbers), Held(problem, system.input, options.controller)
-    printed = Printed(answer.array.matrix, answer.written, work.steps, told, answer.positive)
+    letter = answer.array.letter
+    printed = Printed(answer.array.matrix, answer.written, work.steps, told, answer.positive, letter)
     there = replace(held, given=dict(options.evaluate or ()))
     work = work.claim(
         *claims_about(answer), *routes(held, printed, results), *point_routes(there, printed, evaluated)
@@ -91,6 +92,8 @@ def _steps(answer: Answer) -> Iterator[Step]:
     yield Step("characteristic", (_delta(answer), *found, whole), "denominator")
     if any(node in answer.plant.problem.names for node in walk(whole)):
         yield Step("values", (_delta(answer), collected(answer.final, style)), "substitute")
+    if len(answer.array.rows) > 2:
+        yield law_step(answer.array)
     yield from entry_steps(answer.array)
     yield from _limit_steps(answer)
 
@@ -136,7 +139,6 @@ def _facts(answer: Answer, options: Options, at: StabilityAtPoint | None) -> Fac
         factor=None if answer.factor.constant is not None else readable(answer.factor, solved.style),
         coefficients=necessary(answer),
         array=array.table if degree > 1 else None,
-        letter=array.letter,
         column=tuple(array.value(i, 1) for i in range(1, degree + 2)),
         mended=array.mended,
         epsilon=Symbol(array.epsilon),
