@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import re
 
+import mpmath
+
 from derive.audit.asked import Asked
-from derive.audit.points import Point, floating
+from derive.audit.points import NEAR, Point, floating
 from derive.audit.putting_back import is_real
 from derive.audit.text import Unreadable
 
@@ -29,8 +31,12 @@ def _relation(text: str, asked: Asked, point: Point) -> bool | None:
         return None
     if len(values) < 2 or not all(map(is_real, values)):
         return None
-    sides = [getattr(each, "real", each) for each in map(floating, values)]
-    pairs = zip(sides, parts[1::2], sides[1:], strict=False)
-    return all(
-        {"<": a < b, "<=": a <= b, ">": a > b, ">=": a >= b, "=": a == b}[sign] for a, sign, b in pairs
-    )
+    sides = [mpmath.re(floating(each)) for each in values]
+    return all(map(_compared, sides, parts[1::2], sides[1:]))
+
+
+def _compared(left: mpmath.mpf, sign: str, right: mpmath.mpf) -> bool:
+    """Numbers that differ by what their digits leave are equal."""
+    if abs(left - right) <= NEAR * max(abs(left), abs(right)):
+        return "=" in sign
+    return bool(left < right if "<" in sign else left > right if ">" in sign else False)

@@ -1,0 +1,123 @@
+"""A system in SymPy: its equations, which of their names are signals, what one signal makes of another."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+from typing import TypeAlias
+
+import sympy
+
+from derive.audit.asked import Asked
+from derive.audit.points import Point, floating
+from derive.audit.text import sympy_of_text
+
+S = sympy.Symbol("s")
+Values: TypeAlias = Mapping[sympy.Symbol, sympy.Expr]
+# Dorf and Bishop, Modern Control Systems, section 2.5; each side by side with what it is equal to.
+MOTORS = {
+    "armature": (("V_a", "(R_a + L_a*s)*I_a + V_b"), ("V_b", "K_b*speed"), ("T_m", "K_m*I_a")),
+    "field": (("V_f", "(R_f + L_f*s)*I_f"), ("T_m", "K_m*I_f")),
+}
+LOAD = (("T_m", "T_L + T_d"), ("T_L", "J*s*speed + b*speed"))
+SPEED = {"angle": "s*theta", "speed": "omega"}
+
+
+class Plant:
+    """The system of a question, `equations` that vanish."""
+
+    def __init__(self, asked: Asked) -> None:
+        system = asked.subject
+        self.asked = asked
+        self.input, self.output = (sympy.Symbol(each.name) for each in (system.input, system.output))
+        others = [] if system.disturbance is None else [sympy.Symbol(system.disturbance.name)]
+        source = getattr(asked.options, "source", None)
+        others += [] if source is None else [sympy.Symbol(source)]
+        self.driving = {self.input, *others}
+        if system.motor:
+            control, output = system.motor
+            self.equations = list(_of_motor(control, output, asked))
+        else:
+            self.equations = [asked.formula(e.left) - asked.formula(e.right) for e in system.equations]
+
+    @cached_property
+    def unknowns(self) -> list[sympy.Symbol]:
+        """The signals that nothing prescribes, as many as there are equations. Raises NotImplementedError
+        where it is not clear which these are."""
+        terms = [_names_in(term) for each in self.equations for term in _terms(each)]
+        known = {self.output, *self.driving}
+        found = {
+            frozenset(signals - self.driving)
+            for signals in _signals(terms, known, frozenset())
+            if len(signals - self.driving) == len(self.equations)
+        }
+        if len(found) != 1:
+            raise NotImplementedError("it is not clear which names are signals")
+        return sorted(found.pop(), key=str)
+
+    def transfer(self, values: Values, source: sympy.Symbol | None = None) -> sympy.Expr:
+        """The output for a source of 1, the input if left out, in terms of the names without a value."""
+        prescribed = {each: sympy.Integer(each == (source or self.input)) for each in self.driving}
+        rows = [each.subs({**prescribed, **values}) for each in self.equations]
+        found = sympy.linsolve(rows, *self.unknowns)
+        if not found:
+            raise NotImplementedError("the equations have no solution")
+        return found.args[0][self.unknowns.index(self.output)]
+
+    def at(self, point: Point) -> dict[sympy.Symbol, sympy.Expr]:
+        """Values of the parameters at a point."""
+        names = frozenset().union(*(each.free_symbols for each in self.equations))
+        return {name: sympified(point, name) for name in names - {S, *self.driving, *self.unknowns}}
+
+
+def sympified(point: Point, name: sympy.Expr) -> sympy.Expr:
+    """The value of an expression as SymPy has its numbers, exact where the author gave it."""
+    if name.is_Symbol and name.name in point.fixed and not point.fixed[name.name].free_symbols:
+        return point.fixed[name.name]
+    value = point.at(name)
+    if point.exact:
+        return sympy.Rational(value.numerator, value.denominator)
+    return sympy.nsimplify(sympy.Float(floating(value), 60), rational=True)
+
+
+def _of_motor(control: str, output: str, asked: Asked) -> Iterator[sympy.Expr]:
+    names = {**asked.names, "speed": sympy_of_text(SPEED[output], {})}
+    for left, right in (*MOTORS[control], *LOAD):
+        yield sympy_of_text(left, names) - sympy_of_text(right, names)
+
+
+def _terms(equation: sympy.Expr) -> tuple[sympy.Expr, ...]:
+    return tuple(sympy.Add.make_args(sympy.expand(equation)))
+
+
+def _names_in(term: sympy.Expr) -> frozenset[sympy.Symbol]:
+    """Those that can be signals: no divisors, no squares, nothing in a function."""
+    factors = sympy.Mul.make_args(term)
+    return frozenset(factor for factor in factors if factor.is_Symbol and factor != S)
+
+
+def _signals(
+    terms: list[frozenset[sympy.Symbol]], known: set[sympy.Symbol], others: frozenset[sympy.Symbol]
+) -> Iterator[set[sympy.Symbol]]:
+    """Every choice of signals of which each term holds one, and `others` none."""
+    while True:
+        open_: frozenset[sympy.Symbol] | None = None
+        for names in terms:
+            here, free = names & known, names - others - known
+            if len(here) > 1 or not (here or free):
+                return
+            if here and free:
+                others |= free
+                break
+            if not here and len(free) == 1:
+                known = known | free
+                break
+            if not here:
+                open_ = open_ or free
+        else:
+            break
+    if open_ is None:
+        yield known
+        return
+    for name in sorted(open_, key=str):
+        yield from _signals(terms, known | {name}, others | (open_ - {name}))
