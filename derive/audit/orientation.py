@@ -5,7 +5,8 @@ quaternion, and how the rates of Euler angles turn it. An answer is put back: th
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from itertools import product
+from contextlib import suppress
+from itertools import chain, combinations, islice, product
 from typing import Any, TypeAlias
 
 import mpmath
@@ -13,6 +14,7 @@ import numpy as np
 import sympy
 
 from derive.audit.asked import Asked, Beyond, Holds, Same, Test
+from derive.audit.conditions import holds
 from derive.audit.points import NEAR, ROUNDED, Number, Point, floating
 from derive.audit.poses import UNIT, turned, vector_of
 from derive.audit.putting_back import array, flat, put_back, rounded
@@ -27,6 +29,8 @@ ANGLES = (("phi", "theta", "psi"), ("alpha", "beta", "gamma"), ("phi_e", "theta_
 SPECIAL = (sympy.Integer(0), sympy.pi / 2, sympy.pi, -sympy.pi / 2)
 ONE, ZERO = sympy.Integer(1), sympy.Integer(0)
 IDENTITY = np.diag([ONE] * 3)
+TRIED = 4  # pairs of names in which a singular rotation is looked for
+STARTS = ((0.4, 0.7), (-1.1, 2.3))
 DIFFER = "its rotation is not the one of the sheet"
 
 
@@ -104,8 +108,7 @@ def quaternion(asked: Asked, point: Point, T: Pose) -> Iterator[Test]:
 
 def _up_to_pi(angle: sympy.Expr, point: Point) -> bool:
     """Whether it is an angle from 0 to pi: asked at 60 digits."""
-    there = Point(point.seed, False, point.angles, point.assumptions, point.fixed)
-    return bool(-ROUNDED <= floating(there.at(angle)) <= mpmath.pi + ROUNDED)
+    return bool(-ROUNDED <= floating(_floating(point).at(angle)) <= mpmath.pi + ROUNDED)
 
 
 # -- Euler angles -------------------------------------------------------------------------------------
@@ -123,26 +126,42 @@ def sequence(convention: str, turns: Sequence[tuple[Number, Number]]) -> Array:
 
 def euler_angles(asked: Asked, point: Point, pose: PoseOf) -> Iterator[Test]:
     """The matrix of the sequence, and every branch put back; a singular one where it is met."""
-    convention, R = asked.options.convention, pose(asked, point)[:3, :3]
-    branches = [_angles(each, asked) for each in asked.objects("solutions")]
-    names = tuple(branches[0]) if branches else ()
+    convention = asked.options.convention
+    branches = [(_angles(each, asked), str(each["when"])) for each in asked.objects("solutions")]
+    names = tuple(branches[0][0]) if branches else ()
     yield Holds("solutions", len(names) == 3, "every rotation has three Euler angles")
     yield Same("R", sequence(convention, [point.turn(sympy.Symbol(name)) for name in names]).tolist())
-    regular = 0
-    for angles in branches:
-        free = any(value == sympy.Symbol(name) for name, value in angles.items())
-        regular += not free
-        met = _met(point, R, convention, angles[names[1]]) if free else point
+    for angles, when in branches:
+        met = _met(asked, point, pose, angles[names[1]]) if _free(angles) else point
         if met is None:
             yield Beyond("solutions", "no point was found at which the rotation is singular")
-        elif met != NEVER:
+        elif isinstance(met, Point):
             again = sequence(convention, [met.turn(value) for value in angles.values()])
             near = ROUNDED if rounded(list(angles.values())) else NEAR
             said = f"the branch {_shown(angles)} is another rotation"
             yield put_back("solutions", met, again, array(pose(asked, met)[:3, :3], met), said, near)
+        yield from _said(angles, when, asked, point)
+    regular = sum(not _free(angles) for angles, _ in branches)
     yield Holds("solutions", regular in (0, 2), "two branches, but for a singular rotation")
     if asked.evaluated:
         yield from _in_numbers(asked, pose)
+
+
+def _free(angles: Mapping[str, sympy.Expr]) -> bool:
+    """Whether one of them may be anything: the branch is a singular one."""
+    return any(value == sympy.Symbol(name) for name, value in angles.items())
+
+
+def _said(angles: Mapping[str, sympy.Expr], when: str, asked: Asked, point: Point) -> Iterator[Test]:
+    """The condition of a branch, put to the test with its angles; a singular one has its middle angle."""
+    if _free(angles):
+        first, _, last = asked.options.convention.lower()
+        zeros = (ZERO, sympy.pi) if first == last else (sympy.pi / 2, -sympy.pi / 2)
+        yield Holds("solutions", list(angles.values())[1] in zeros, f"{_shown(angles)} is not singular")
+    else:
+        there = Point(point.seed, False, point.angles, point.assumptions, {**point.fixed, **angles})
+        met = holds(when, asked, there)
+        yield Holds("solutions", met is not False, f"{when} does not hold for {_shown(angles)}")
 
 
 def _in_numbers(asked: Asked, pose: PoseOf) -> Iterator[Test]:
@@ -151,9 +170,11 @@ def _in_numbers(asked: Asked, pose: PoseOf) -> Iterator[Test]:
     yield Same("evaluated R", R.tolist())
     for branch in asked.objects("evaluated solutions"):
         if branch.get("real", True):
-            turns = [asked.here.turn(angle) for angle in _angles(branch, asked).values()]
-            again = sequence(asked.options.convention, turns)
+            angles = _angles(branch, asked)
+            again = sequence(asked.options.convention, [asked.here.turn(angle) for angle in angles.values()])
             yield put_back("evaluated solutions", asked.here, again, R, f"{branch} is another", ROUNDED)
+            if not _free(angles):
+                yield from _said(angles, branch["when"], asked, asked.here)
 
 
 def _angles(branch: Mapping[str, Any], asked: Asked) -> dict[str, sympy.Expr]:
@@ -163,22 +184,51 @@ def _angles(branch: Mapping[str, Any], asked: Asked) -> dict[str, sympy.Expr]:
 NEVER = "never"
 
 
-def _met(point: Point, R: Pose, convention: str, middle: sympy.Expr) -> Any:
-    """A point at which the rotation has this middle angle, some symbols having special values: the entry that
-    holds the middle angle alone is then what it is for that angle. NEVER where that entry is fixed and is
-    not so; None where none is found."""
+def _met(asked: Asked, point: Point, pose: PoseOf, middle: sympy.Expr) -> Point | str | None:
+    """A point at which the rotation has this middle angle: the entry that holds the middle one alone is then
+    what it is for that angle. NEVER where that entry is fixed and is not so; None where none is found."""
     names = sympy.symbols("_first _middle _last")
-    E = sequence(convention, [(sympy.cos(name), sympy.sin(name)) for name in names])
+    E = sequence(asked.options.convention, [(sympy.cos(name), sympy.sin(name)) for name in names])
     i, j = next((i, j) for i, j in product(range(3), range(3)) if E[i, j].free_symbols == {names[1]})
-    entry, wanted = R[i, j], floating(point.at(E[i, j].subs(names[1], middle)))
-    symbols = sorted(entry.free_symbols, key=str) if isinstance(entry, sympy.Basic) else []
-    for values in product((None, *SPECIAL), repeat=min(len(symbols), 3)):
-        chosen = {s.name: v for s, v in zip(symbols, values, strict=False) if v is not None}
-        there = Point(point.seed, point.exact, point.angles, point.assumptions, {**point.fixed, **chosen})
-        value = there.at(entry) if isinstance(entry, sympy.Basic) else entry
-        if abs(floating(value) - wanted) <= NEAR:
+    entry, wanted = pose(asked, point)[i, j], floating(point.at(E[i, j].subs(names[1], middle)))
+    free = entry.free_symbols if isinstance(entry, sympy.Basic) else asked.subject.variables
+    symbols = sorted(map(str, free))
+
+    def row(there: Point) -> list[Number]:
+        return flat(list(pose(asked, there)[i, :3]), there)
+
+    for there in chain(_special(point, symbols), _rooted(point, symbols, j, row)):
+        if abs(floating(row(there)[j]) - wanted) <= NEAR:
             return there
     return None if symbols else NEVER
+
+
+def _special(point: Point, names: Sequence[str]) -> Iterator[Point]:
+    """The point, then such at which one name has a special value."""
+    yield point
+    yield from (point.where(**{name: value}) for name in names for value in SPECIAL)
+
+
+def _rooted(
+    point: Point, names: Sequence[str], j: int, row: Callable[[Point], list[Number]]
+) -> Iterator[Point]:
+    """Points at which the other two entries of a row of the rotation vanish: Newton in two names."""
+    here = row(point)
+    turning = [name for name in names if row(point.where(**{name: SPECIAL[1]})) != here]
+    for pair in islice(combinations(reversed(turning), 2), TRIED):
+
+        def others(*values: mpmath.mpf, pair: tuple[str, ...] = pair) -> list[mpmath.mpf]:
+            there = _floating(point).where(**dict(zip(pair, values, strict=True)))
+            return [floating(each) for k, each in enumerate(row(there)) if k != j]
+
+        for start in STARTS:
+            with suppress(ValueError, ZeroDivisionError, TypeError):
+                found = mpmath.findroot(others, start, tol=NEAR**2, maxsteps=12)
+                yield _floating(point).where(**dict(zip(pair, found, strict=True)))
+
+
+def _floating(point: Point) -> Point:
+    return Point(point.seed, False, point.angles, point.assumptions, point.fixed)
 
 
 def _shown(angles: Mapping[str, sympy.Expr]) -> str:

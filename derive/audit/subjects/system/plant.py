@@ -72,8 +72,9 @@ class Plant:
 
 def sympified(point: Point, name: sympy.Expr) -> sympy.Expr:
     """The value of an expression as SymPy has its numbers, exact where the author gave it."""
-    if name.is_Symbol and name.name in point.fixed and not point.fixed[name.name].free_symbols:
-        return point.fixed[name.name]
+    given = point.fixed.get(name.name) if name.is_Symbol else None
+    if isinstance(given, sympy.Basic) and not given.free_symbols:
+        return given
     value = point.at(name)
     if point.exact:
         return sympy.Rational(value.numerator, value.denominator)
