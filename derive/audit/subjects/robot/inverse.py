@@ -13,8 +13,8 @@ from typing import TypeAlias
 
 import mpmath
 
-from derive.audit.asked import Asked, Holds, Test
-from derive.audit.points import ROUNDED, Irrational, Number, Point, agree, floating, shown
+from derive.audit.asked import Asked, Beyond, Holds, Test
+from derive.audit.points import Irrational, Number, Point, agree, floating, shown
 from derive.audit.subjects.robot.arm import Arm, entries, numbers
 from derive.audit.subjects.robot.linear import is_zero
 from derive.audit.subjects.robot.series import values
@@ -23,6 +23,8 @@ from derive.audit.text import Json, Unreadable
 Values: TypeAlias = dict[str, Number]
 PLACES = 3  # configurations at each point
 NEAR = mpmath.mpf(10) ** -25
+ROUNDED_STEP = mpmath.mpf(10) ** -6  # of floats, where a formula turns on a square root
+TURN = mpmath.mpf(3) / 10
 RELATION = re.compile(r"^([^<>=]+?) ([<>]) ([^<>=]+)$")
 
 
@@ -39,7 +41,7 @@ def inverse_kinematics(asked: Asked, point: Point) -> Iterator[Test]:
     if "order" in asked.results:
         yield Holds("order", True, "")
     if asked.evaluated:
-        yield from _in_numbers(asked, point)
+        yield from in_numbers(asked, point)
 
 
 def _branches(asked: Asked, here: Point) -> Iterator[Test]:
@@ -47,7 +49,7 @@ def _branches(asked: Asked, here: Point) -> Iterator[Test]:
     target, q = goal(asked, arm), {name: here[name] for name in arm.robot.variables}
     known = here.where(**target)
     found = False
-    for k, branch in enumerate(_solutions(asked), 1):
+    for k, branch in enumerate(asked.objects("solutions"), 1):
         name = f"solutions[{k}]"
         there = branch_values(asked, branch, known, q)
         if there is None:
@@ -55,38 +57,65 @@ def _branches(asked: Asked, here: Point) -> Iterator[Test]:
         joints = {joint: there[joint] for joint in q}
         reached = goal(asked, Arm(asked, here.where(**joints), 1))
         if branch.get("true_at", True):
-            right = all(_same(reached[each], target[each], each not in "xyz") for each in target)
-            yield Holds("solutions", right, f"{name} brings it to {_told(reached)}, not {_told(target)}")
+            said = f"{name} brings it to {told(reached)}, not {told(target)}"
+            yield Holds("solutions", reaches(asked, reached, target), said)
         for condition in str(branch["when"]).split(", "):
             yield Holds("solutions", _met(asked, condition, known.where(**there)), f"{name}: not {condition}")
-        found = found or all(_same(joints[joint], q[joint], joint in here.angles) for joint in q)
+        found = found or all(same(joints[joint], q[joint], joint in here.angles) for joint in q)
     yield Holds(
-        "solutions", found, f"a branch {_told(q)} is missing where the end-effector is at {_told(target)}"
+        "solutions", found, f"a branch {told(q)} is missing where the end-effector is at {told(target)}"
     )
 
 
-def _in_numbers(asked: Asked, point: Point) -> Iterator[Test]:
-    """The branches at the point that the author gave, angles up to whole turns."""
+def in_numbers(asked: Asked, point: Point) -> Iterator[Test]:
+    """What is told at the point that the author gave: each branch brings the end-effector there, and none of
+    the formulas' is left out; where letters are left the formulas are compared."""
     here = asked.here
-    free = {name: here[name] for name in asked.subject.variables}
-    there = [branch_values(asked, branch, here, free) for branch in _solutions(asked)]
-    told = asked.objects("evaluated solutions")
-    yield Holds("evaluated solutions", len(told) == len(there), f"{len(there)} branches")
-    for k, (values_told, found) in enumerate(zip(told, there, strict=False), 1):
-        name = f"branch {k}"
-        real = values_told.get("real", True)
-        yield Holds("evaluated solutions", real == (found is not None), f"{name} is real, or is not")
-        for joint, value in values_told.items():
-            if found is not None and joint in found:
-                right = _same(here.at(asked.read(value)), found[joint], joint in point.angles, ROUNDED)
-                yield Holds("evaluated solutions", right, f"{name} has {joint} = {shown(found[joint])}")
+    q = {name: here[name] for name in asked.subject.variables}
+    formulas = [branch_values(asked, branch, here, q) for branch in asked.objects("solutions")]
+    branches = asked.objects("evaluated solutions")
+    tolds = [
+        branch_values(asked, branch, here, q) if branch.get("real", True) else None for branch in branches
+    ]
+    target = {name: here[name] for name in goal(asked, Arm(asked, here, 1))}
+    tried = 0
+    for branch, values_told in zip(branches, tolds, strict=True):
+        if values_told is None:
+            continue
+        for moved in _along(branch, {joint: values_told[joint] for joint in q}):
+            reached = goal(asked, Arm(asked, here.where(**moved), 1))
+            right = not branch.get("true_at", True) or reaches(asked, reached, target, ROUNDED_STEP)
+            tried += 1
+            yield Holds("evaluated solutions", right, f"{told(moved)} brings it to {told(reached)}")
+    free = any("free" in branch for branch in branches)
+    for formula in formulas:
+        if formula is not None and not free:
+            found = any(
+                other is not None
+                and all(
+                    same(other[joint], formula[joint], joint in point.angles, ROUNDED_STEP) for joint in q
+                )
+                for other in tolds
+            )
+            yield Holds("evaluated solutions", found, f"{told(formula)} is one of them")
+    if not tried and any(formula is not None for formula in formulas):
+        yield Holds("evaluated solutions", False, "a branch is real there")
+    if not tried:
+        yield Beyond("evaluated solutions", "none is real there")
 
 
-def _solutions(asked: Asked) -> list[Mapping[str, Json]]:
-    solutions = asked.results["solutions"]
-    if not isinstance(solutions, list) or not solutions:
-        raise NotImplementedError("there are no solutions")
-    return solutions
+def _along(branch: Mapping[str, Json], joints: Values) -> Iterator[Values]:
+    """The joints as they are told, and where joints are free another choice, with their sums as they are."""
+    yield joints
+    free, fixed = branch.get("free"), branch.get("fixed")
+    if not isinstance(free, list) or not isinstance(fixed, Mapping):
+        return
+    names = list(map(str, free))
+    if not fixed:
+        yield {**joints, names[0]: joints[names[0]] + TURN}
+    elif len(names) == 2 and len(fixed) == 1:
+        back = TURN if " - " in next(iter(fixed)) else -TURN
+        yield {**joints, names[0]: joints[names[0]] + TURN, names[1]: joints[names[1]] + back}
 
 
 def branch_values(asked: Asked, branch: Mapping[str, Json], known: Point, q: Values) -> Values | None:
@@ -140,7 +169,15 @@ def goal(asked: Asked, arm: Arm) -> Values:
     return found
 
 
-def _same(one: Number, other: Number, angle: bool, near: mpmath.mpf = NEAR) -> bool:
+def reaches(asked: Asked, reached: Values, target: Values, near: mpmath.mpf = NEAR) -> bool:
+    """Whether the end-effector is where it should be; the angle of a plane counts up to whole turns."""
+    angle = asked.options.given[-1] if len(asked.options.given) in (3, 4) else ""
+    return all(
+        same(reached[each], target[each], each == angle and each not in "xyz", near) for each in target
+    )
+
+
+def same(one: Number, other: Number, angle: bool, near: mpmath.mpf = NEAR) -> bool:
     """Whether two numbers are one; angles up to whole turns."""
     gap = floating(one) - floating(other)
     if angle:
@@ -160,5 +197,5 @@ def _met(asked: Asked, condition: str, there: Point) -> bool:
     return bool(left > right) if relation[2] == ">" else bool(left < right)
 
 
-def _told(numbers_by_name: Values) -> str:
+def told(numbers_by_name: Values) -> str:
     return ", ".join(f"{name} = {shown(value)}" for name, value in numbers_by_name.items())

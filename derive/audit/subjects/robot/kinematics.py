@@ -13,11 +13,12 @@ from derive.audit.orientation import ANGLES
 from derive.audit.points import Number, Point, agree, shown
 from derive.audit.subjects.robot.arm import Arm, entries, numbers
 from derive.audit.subjects.robot.displacements import UNITS, modified, rotation, standard
-from derive.audit.subjects.robot.linear import product, solve, transposed
+from derive.audit.subjects.robot.linear import is_zero, product, solve, transposed
 from derive.audit.subjects.robot.series import Array, Series, diff, values
 from derive.audit.subjects.robot.task import ROWS, Task
 from derive.mechanics.robot import DHRow
 
+COLUMNS = {"x": 0, "z": 2, "o": 3}
 FORCES = dict(zip(ROWS, ("fx", "fy", "fz", "mx", "my", "mz"), strict=True))
 
 
@@ -26,11 +27,12 @@ def forward_kinematics(asked: Asked, point: Point) -> Iterator[Test]:
     arm = Arm(asked, point, 1)
     links = len(arm.local)
     to = asked.options.to or links
-    for i in range(1, to + 1):
-        if f"T_{i}^{i - 1}" in asked.results:
-            yield Same(f"T_{i}^{i - 1}", numbers(arm.local[i - 1]))
     if arm.robot.by_screws:
         yield from screws(arm)
+    for i in range(1, to + 1):
+        name = f"T_{i}^{i - 1}"
+        if not arm.robot.by_screws or (name in asked.results and name != f"T_{to}^0"):
+            yield Same(name, numbers(arm.local[i - 1]))
     yield Same(f"T_{to}^0", numbers(arm.end if to == links else arm.poses[to]))
 
 
@@ -98,14 +100,30 @@ def _exponential(S: Array, arm: Arm, i: int) -> Array:
 
 
 def joint_axes(asked: Asked, point: Point) -> Iterator[Test]:
-    """z_k and o_k: third and fourth column of the pose of frame k."""
-    arm = Arm(asked, point, 0)
+    """z_k and o_k: third and fourth column of the pose of frame k. k_i and p_i: the axis of the joint of row
+    i and a point on it, by the twist of that joint."""
+    arm = Arm(asked, point, 1)
     for name in asked.results:
-        if found := re.fullmatch(r"([zo])_(\d+)", name):
-            column = 2 if found[1] == "z" else 3
-            yield Same(name, entries(arm.poses[int(found[2])][:3, column]))
-        else:
+        found = re.fullmatch(r"([xzokp])_(\d+)", name)
+        if found is None:
             yield Beyond(name, "no column of a pose")
+        elif found[1] in COLUMNS:
+            yield Same(name, entries(arm.poses[int(found[2])][:3, COLUMNS[found[1]]]))
+        else:
+            yield _of_joint(arm, name, int(found[2]))
+
+
+def _of_joint(arm: Arm, name: str, i: int) -> Test:
+    """The axis of the joint of row i, or a point of it: v + w x p lies along w."""
+    variable = arm.robot.links[i - 1].variable
+    if arm.robot.coupled or variable is None:
+        return Beyond(name, "the axis of one of several motions")
+    S = diff(arm.end, arm.robot.variables.index(variable)) @ inverse_pose(arm.end)
+    v, w = np.split(values(twist(S)), 2)
+    if name[0] == "k":
+        return Same(name, (v if all(map(is_zero, w)) else w).tolist())
+    p = np.array(arm.asked.ours(name, arm.point), dtype=object)
+    return Holds(name, all(map(is_zero, np.cross(v + np.cross(w, p), w))), "a point of the axis")
 
 
 def jacobian(asked: Asked, point: Point) -> Iterator[Test]:

@@ -43,7 +43,8 @@ def singularities(asked: Asked, point: Point) -> Iterator[Test]:
             yield Beyond("solutions", f"no configuration was found in set {k}")
             continue
         found = rank_near(Task(Arm(asked, there, 1)).rows_in(names))
-        yield Holds("solutions", found == each["rank"], f"set {k} has rank {found}")
+        right = found == each["rank"] if "rank" in each else found <= each["rank_at_most"]
+        yield Holds("solutions", right, f"set {k} has rank {found}")
     if asked.results.get("complete") and not point.seed:
         yield from _complete(asked, point, names, sets)
     else:
@@ -58,14 +59,16 @@ def rank_near(J: Rows) -> int:
 
 
 def _inside(asked: Asked, each: Mapping[str, Json], point: Point) -> Point | None:
-    """A random configuration in a set: by the values it gives, else by Newton's method for its equations."""
+    """A random configuration in a set: by the values it gives, and by Newton's method for what its equations
+    ask beyond them."""
     joints = asked.subject.variables
     values = {name: asked.read(each[name]) for name in joints if name in each}
-    if values:
-        return point.where(**values)
-    equations = asked.read(each["equations"])
-    here = {name: point[name] for name in joints}
-    return solved(equations, here, point)
+    given = {sympy.Symbol(name): value for name, value in values.items()}
+    equations = [equation.subs(given) for equation in asked.read(each["equations"])]
+    left = [equation for equation in equations if abs(floating(point.at(equation))) > ZERO]
+    free = {name: point[name] for name in joints if name not in values}
+    there = solved(left, free, point) if left else point
+    return None if there is None else there.where(**values)
 
 
 def solved(equations: list[sympy.Expr], here: Mapping[str, Number], point: Point) -> Point | None:
