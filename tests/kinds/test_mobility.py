@@ -83,7 +83,7 @@ def test_overconstrained_loops_are_named_as_such(tmp_path: Path, name: str) -> N
     mechanism, expected, others = OVERCONSTRAINED[name]
     found = ask(tmp_path, mechanism)
     assert dof(found) == expected
-    assert {space: int(count.value) for space, count in found.facts.others} == others
+    assert {space: int(count.value) for space, _, count in found.facts.others} == others
     page = render(built(tmp_path, mechanism), "md")
     assert "**Here it may be blind**" in page
 

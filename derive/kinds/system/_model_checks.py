@@ -32,10 +32,21 @@ class Files:
 def proofs(held: Held, files: Files, told: Facts) -> Iterator[Claim]:
     """Each script by its formulas and by its blocks; what is said of them."""
     for name, text in files.texts.items():
+        if not _is_understood(name, text):
+            yield route("script", (False,), file=name)
+            return
         of_file = partial(_script, held, name, text, told)
         yield route("script", held.compared(of_file), file=name)
         yield route("simulation", _simulates(name, text, held, files), file=name)
     yield route("as-said", _said(held, files, told))
+
+
+def _is_understood(name: str, text: str) -> bool:
+    """Whether a script is one that simulates the step of one source."""
+    try:
+        return bool(_stepping(READERS[name](text, 1.0 + 1.0j)))
+    except (ValueError, KeyError):
+        return False
 
 
 def _script(held: Held, name: str, text: str, told: Facts, at: Point) -> Iterator[bool]:
@@ -59,8 +70,9 @@ def _script(held: Held, name: str, text: str, told: Facts, at: Point) -> Iterato
 
 
 def _stepping(script: Script) -> str:
-    (name,) = (name for name, height in script.steps.items() if height)
-    return name
+    """The source that steps; none where several do."""
+    names = [name for name, height in script.steps.items() if height]
+    return names[0] if len(names) == 1 else ""
 
 
 def _filtered(held: Held, told: Facts, point: Mapping[str, float], s: complex) -> complex:

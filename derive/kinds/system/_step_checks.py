@@ -52,7 +52,7 @@ def proofs(
     )
     if told.verdict == "stable" and not told.zero:
         figures = _read_off(results, response)
-        yield route("figures", agree(seen, figures))
+        yield route("figures", (False,) if figures is None else agree(seen, figures))
     else:
         yield route("no-figures", (results[name] == NONE for name in FIGURES if name != "steady_state"))
 
@@ -85,10 +85,12 @@ def _roots(printed: Sequence[Expr], den: Sequence[float]) -> Iterator[bool]:
         yield is_close(poles.product(den[0], found, s), quotient(den, (1.0,), s), CLOSE)
 
 
-def _read_off(results: Mapping[str, Result], response: StepResponse) -> Figures:
+def _read_off(results: Mapping[str, Result], response: StepResponse) -> Figures | None:
     """The figures as they are printed; the times between which it rises, and its peak, as they were found."""
     told = {name: number(tree, {}) for name, tree in results.items() if isinstance(tree, TREES)}
-    start, _ = response.rises or (math.nan, math.nan)
+    if response.rises is None or told.keys() != {*FIGURES}:
+        return None
+    start, _ = response.rises
     rises = (start, start + told["rise_time"])
     return Figures(
         told["steady_state"], rises, told["settling_time"], told["overshoot"], response.peak_time,
