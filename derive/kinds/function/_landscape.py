@@ -83,10 +83,11 @@ class Landscape:
         if plane.shape[1] == 0:
             return "isolated"
         values = np.linalg.eigvalsh(plane.T @ whole @ plane)
-        up, down = values.max() > FLAT * abs(whole).max(), values.min() < -FLAT * abs(whole).max()
+        flat = FLAT * max(abs(whole).max(), FLAT)
+        up, down = values.max() > flat, values.min() < -flat
         if up and down:
             return "saddle"
-        if (abs(values) <= FLAT * abs(whole).max()).any():
+        if (abs(values) <= flat).any():
             return "undecided"
         return "minimum" if up else "maximum"
 
