@@ -7,11 +7,16 @@ from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from derive.derivation import Record, Step
+from derive.errors import NotDerivable
 from derive.expression import Expr, Relation, Symbol, symbols
 from derive.kinds.problem import Problem
 from derive.kinds.profile._trapezoid import Given, Outcome, begun, shortest, timed
 from derive.mechanics.profile import Axis, Profile
 
+SHORTEST = (
+    "the time is too short for some values of the symbols, and the shortest that is possible has not one "
+    "formula for all of them; give values under where:"
+)
 Equation: TypeAlias = tuple[Expr, Expr]
 
 
@@ -48,13 +53,17 @@ class Solved:
 
 
 def solved(axis: Axis, time: Expr | None, profile: Profile, problem: Problem) -> Solved:
-    """The fastest way, or the one in a given time."""
+    """The fastest way, or the one in a given time. Raises NotDerivable where that is too short, and symbols
+    leave open which time would do."""
     angular = profile.sort == "angle" and problem.style.degrees
     fast = begun(problem, axis, None, angular)
     if time is None:
         return Solved(axis, None, fast, shortest(fast))
     given = begun(problem, axis, time, angular)
-    return Solved(axis, time, given, timed(given), () if axis.a_max is None else shortest(fast))
+    found = Solved(axis, time, given, timed(given), () if axis.a_max is None else shortest(fast))
+    if found.infeasible and len(found.fastest) > 1:
+        raise NotDerivable(SHORTEST)
+    return found
 
 
 def steps_of(each: Solved, prefix: str = "") -> Iterator[Step]:

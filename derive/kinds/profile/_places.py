@@ -13,8 +13,10 @@ TRIES, WIDER = 60, 200
 
 
 def places(symbols: frozenset[str]) -> Iterator[Point]:
-    """Random ones, then ones of any size, for what is possible at few of them."""
+    """Random ones, then ones of any size and ones of any sign, for what is possible at few of them."""
     yield from random_points(symbols, TRIES)
     draw = Random(" ".join(sorted(symbols)))
     for _ in range(WIDER if symbols else 0):
         yield {name: exp(draw.uniform(log(1e-3), log(1e3))) for name in sorted(symbols)}
+    for _ in range(WIDER if symbols else 0):
+        yield {name: draw.choice((-1, 1)) * draw.uniform(0.2, 1.9) for name in sorted(symbols)}
