@@ -30,7 +30,9 @@ SPECIAL = (sympy.Integer(0), sympy.pi / 2, sympy.pi, -sympy.pi / 2)
 ONE, ZERO = sympy.Integer(1), sympy.Integer(0)
 IDENTITY = np.diag([ONE] * 3)
 TRIED = 4  # pairs of names in which a singular rotation is looked for
-STARTS = ((0.4, 0.7), (-1.1, 2.3))
+STARTS = (("0.4", "0.7"), ("-1.1", "2.3"))
+STEPS = 12
+FIRST, MIDDLE, LAST = sympy.symbols("_first _middle _last")
 DIFFER = "its rotation is not the one of the sheet"
 
 
@@ -131,11 +133,12 @@ def euler_angles(asked: Asked, point: Point, pose: PoseOf) -> Iterator[Test]:
     names = tuple(branches[0][0]) if branches else ()
     yield Holds("solutions", len(names) == 3, "every rotation has three Euler angles")
     yield Same("R", sequence(convention, [point.turn(sympy.Symbol(name)) for name in names]).tolist())
+    places = list(_singular(asked, point, pose)) if any(_free(angles) for angles, _ in branches) else []
     for angles, when in branches:
-        met = _met(asked, point, pose, angles[names[1]]) if _free(angles) else point
-        if met is None:
+        met = _met(asked, point, angles[names[1]], places) if _free(angles) else point
+        if met is None and len(places) != FIXED:
             yield Beyond("solutions", "no point was found at which the rotation is singular")
-        elif isinstance(met, Point):
+        elif met is not None:
             again = sequence(convention, [met.turn(value) for value in angles.values()])
             near = ROUNDED if rounded(list(angles.values())) else NEAR
             said = f"the branch {_shown(angles)} is another rotation"
@@ -181,50 +184,84 @@ def _angles(branch: Mapping[str, Any], asked: Asked) -> dict[str, sympy.Expr]:
     return {name: asked.read(value) for name, value in branch.items() if name not in ("when", "real")}
 
 
-NEVER = "never"
+# -- where a rotation is singular ----------------------------------------------------------------------
+
+FIXED = 1  # places where the entry that tells never changes
+Place: TypeAlias = tuple[Point, mpmath.mpf]  # and the entry that holds the middle angle alone
 
 
-def _met(asked: Asked, point: Point, pose: PoseOf, middle: sympy.Expr) -> Point | str | None:
-    """A point at which the rotation has this middle angle: the entry that holds the middle one alone is then
-    what it is for that angle. NEVER where that entry is fixed and is not so; None where none is found."""
-    names = sympy.symbols("_first _middle _last")
-    E = sequence(asked.options.convention, [(sympy.cos(name), sympy.sin(name)) for name in names])
-    i, j = next((i, j) for i, j in product(range(3), range(3)) if E[i, j].free_symbols == {names[1]})
-    entry, wanted = pose(asked, point)[i, j], floating(point.at(E[i, j].subs(names[1], middle)))
+def _met(asked: Asked, point: Point, middle: sympy.Expr, places: Sequence[Place]) -> Point | None:
+    """The place where the rotation has this middle angle, if one is known."""
+    entry, _, _ = _middle_entry(asked.options.convention)
+    wanted = floating(point.at(entry.subs(MIDDLE, middle)))
+    return next((there for there, value in places if abs(value - wanted) <= NEAR), None)
+
+
+def _middle_entry(convention: str) -> tuple[sympy.Expr, int, int]:
+    """The entry of the matrix of a sequence that holds the middle angle alone, and its row and column."""
+    turns = [(sympy.cos(name), sympy.sin(name)) for name in (FIRST, MIDDLE, LAST)]
+    E = sequence(convention, turns)
+    i, j = next((i, j) for i, j in product(range(3), range(3)) if E[i, j].free_symbols == {MIDDLE})
+    return E[i, j], i, j
+
+
+def _singular(asked: Asked, point: Point, pose: PoseOf) -> Iterator[Place]:
+    """The point, and places where that entry is 1 and -1 so far as some are found; the point alone where the
+    entry never changes."""
+    _, i, j = _middle_entry(asked.options.convention)
+    entry = pose(asked, point)[i, j]
     free = entry.free_symbols if isinstance(entry, sympy.Basic) else asked.subject.variables
-    symbols = sorted(map(str, free))
+    found: set[int] = set()
 
-    def row(there: Point) -> list[Number]:
-        return flat(list(pose(asked, there)[i, :3]), there)
+    def row(there: Point) -> list[mpmath.mpf]:
+        return [floating(each) for each in flat(list(pose(asked, there)[i, :3]), there)]
 
-    for there in chain(_special(point, symbols), _rooted(point, symbols, j, row)):
-        if abs(floating(row(there)[j]) - wanted) <= NEAR:
-            return there
-    return None if symbols else NEVER
+    names = sorted(map(str, free))
+    yield point, row(point)[j]
+    for there in chain(_special(point, names), _rooted(point, names, j, row)) if names else ():
+        value = row(there)[j]
+        if abs(abs(value) - 1) <= NEAR and int(mpmath.sign(value)) not in found:
+            found.add(int(mpmath.sign(value)))
+            yield there, value
+        if len(found) == 2:
+            return
+    if names and not found:
+        raise NotImplementedError("no point was found at which the rotation is singular")
 
 
 def _special(point: Point, names: Sequence[str]) -> Iterator[Point]:
-    """The point, then such at which one name has a special value."""
-    yield point
+    """Such at which one name has a special value."""
     yield from (point.where(**{name: value}) for name in names for value in SPECIAL)
 
 
 def _rooted(
-    point: Point, names: Sequence[str], j: int, row: Callable[[Point], list[Number]]
+    point: Point, names: Sequence[str], j: int, row: Callable[[Point], list[mpmath.mpf]]
 ) -> Iterator[Point]:
     """Points at which the other two entries of a row of the rotation vanish: Newton in two names."""
     here = row(point)
     turning = [name for name in names if row(point.where(**{name: SPECIAL[1]})) != here]
     for pair in islice(combinations(reversed(turning), 2), TRIED):
 
-        def others(*values: mpmath.mpf, pair: tuple[str, ...] = pair) -> list[mpmath.mpf]:
+        def others(values: Array, pair: tuple[str, ...] = pair) -> Array:
             there = _floating(point).where(**dict(zip(pair, values, strict=True)))
-            return [floating(each) for k, each in enumerate(row(there)) if k != j]
+            return np.array([each for k, each in enumerate(row(there)) if k != j], dtype=object)
 
         for start in STARTS:
-            with suppress(ValueError, ZeroDivisionError, TypeError):
-                found = mpmath.findroot(others, start, tol=NEAR**2, maxsteps=12)
-                yield _floating(point).where(**dict(zip(pair, found, strict=True)))
+            with suppress(ZeroDivisionError):
+                if (found := _root(others, start)) is not None:
+                    yield _floating(point).where(**dict(zip(pair, found, strict=True)))
+
+
+def _root(of: Callable[[Array], Array], start: tuple[str, str]) -> Array | None:
+    """Two numbers at which two functions vanish."""
+    x, small = np.array([mpmath.mpf(each) for each in start], dtype=object), mpmath.mpf(10) ** -30
+    for _ in range(STEPS):
+        value = of(x)
+        if max(map(abs, value)) <= NEAR**2:
+            return x
+        (a, c), (b, d) = ((of(x + small * unit) - value) / small for unit in np.eye(2, dtype=int))
+        x = x - np.array([d * value[0] - b * value[1], a * value[1] - c * value[0]]) / (a * d - b * c)
+    return None
 
 
 def _floating(point: Point) -> Point:
