@@ -19,4 +19,4 @@ def places(symbols: frozenset[str]) -> Iterator[Point]:
     for _ in range(WIDER if symbols else 0):
         yield {name: exp(draw.uniform(log(1e-3), log(1e3))) for name in sorted(symbols)}
     for _ in range(WIDER if symbols else 0):
-        yield {name: draw.choice((-1, 1)) * draw.uniform(0.2, 1.9) for name in sorted(symbols)}
+        yield {name: draw.choice((-1, 1)) * exp(draw.uniform(log(0.1), log(30))) for name in sorted(symbols)}
