@@ -30,6 +30,9 @@ NO_GLYPH = re.compile(r'the text `"(.+?)"` could not be displayed')
 # A sign that continues a sum after an indent: something before it makes Typst space it as binary.
 CONTINUED = re.compile(r"(&\s*quad)\s+([+\-])")
 
+# A fraction that is all of a denominator: pandoc writes a / b / c for it, which Typst reads from the left.
+FRACTION_BELOW = re.compile(r"\}\{(?=\\d?frac\{)")
+
 # The paragraph that leads to a display stays on its page; the template says how.
 LEAD_IN = re.compile(r"(?<=\n\n)(?![#=+\-\s]|\$\s)((?:(?!`{3}).+\n)+)(?=\n\$ )")
 
@@ -65,9 +68,14 @@ def render_typst(document: Document, read: Reader = unread) -> str:
     template = templates() / "typst" / "sheet.typ"
     # Headings move up one level: the title of the sheet is no heading of the body.
     arguments = [f"--template={template}", "--shift-heading-level-by=-1"]
-    markdown = render_markdown(document, False, read)
+    markdown = with_fractions_below(render_markdown(document, False, read))
     page = pandoc(markdown, "typst", arguments, metadata(document)).decode()
     return LEAD_IN.sub(r"#lead-in[\1]\n", CONTINUED.sub(r'\1 "" \2', page))
+
+
+def with_fractions_below(markdown: str) -> str:
+    """The same Markdown, with something beside each fraction that is all of a denominator."""
+    return FRACTION_BELOW.sub(r"}{{}", markdown)
 
 
 def write_pdf_with_latex(source: Path, target: Path) -> None:

@@ -144,8 +144,10 @@ def _names_below(below: Tokens) -> tuple[Tokens, ...]:
     names: list[Tokens] = []
     for piece in pieces:
         times, kept = 1, tuple(piece)
-        if len(kept) > 2 and kept[-2].text == "^" and kept[-1].kind == "number":
-            times, kept = int(_whole(kept[-1:])), kept[:-2]
+        power = next((k for k, token in enumerate(kept) if token.text == "^"), None)
+        if power and group(_ended(kept), power + 1)[1] == len(kept):
+            order = group_text(_ended(kept), power + 1)
+            times, kept = (int(order), kept[:power]) if order.isdigit() else (1, kept)
         if not kept:
             raise FormulaError("a derivative is taken by a name", below[0].offset)
         names += [_ended(kept)] * times

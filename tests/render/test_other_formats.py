@@ -1,0 +1,83 @@
+"""Every node of a tree in every shape as HTML and Typst have it: MathML and Typst are read as LaTeX is."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from xml.etree.ElementTree import fromstring
+
+from derive.algebra.fingerprint import fingerprint
+from derive.answers.latex.printed import parts_of, read_part
+from derive.errors import FormulaError, Unfit
+from derive.expression import Expr
+from derive.render.latex import latex
+from derive.render.notation import Notation
+from derive.render.pandoc import pandoc
+from derive.render.pdf import with_fractions_below
+from derive.render.web import mended
+from tests.render import mathml, typst
+from tests.render.shapes import nested
+
+MATH = re.compile(r"<math\b.*?</math>", re.DOTALL)
+
+
+@cache
+def trees() -> tuple[tuple[str, Expr], ...]:
+    return tuple(nested())
+
+
+def page() -> str:
+    """All of them, each a paragraph of its own."""
+    return "\n\n".join(f"${latex(tree, Notation())}$" for _, tree in trees())
+
+
+def wrong(read: list[str]) -> list[tuple[str, str]]:
+    """Those that do not say what their trees do, as LaTeX."""
+    assert len(read) == len(trees())
+    found = []
+    for (name, tree), written in zip(trees(), read, strict=True):
+        try:
+            ((_, part),) = parts_of([written])[0]
+            if fingerprint(read_part(part, tree, False), 3) != fingerprint(tree, 3):
+                found.append((name, written))
+        except Unfit:
+            continue
+        except FormulaError as error:
+            found.append((name, f"{written}: {error}"))
+    return found
+
+
+def test_mathml_says_what_the_trees_do() -> None:
+    made = mended(pandoc(page(), "html5", ["--mathml"], {}).decode())
+    read = [mathml.latex_of(fromstring(each)) for each in MATH.findall(made)]
+    assert wrong(read) == []
+
+
+def test_typst_says_what_the_trees_do() -> None:
+    made = pandoc(with_fractions_below(page()), "typst", [], {}).decode()
+    read = [typst.latex_of(line[1:-1]) for line in made.splitlines() if line.startswith("$")]
+    assert wrong(read) == []
+
+
+def test_a_mistake_of_either_is_seen() -> None:
+    typst_page = pandoc(with_fractions_below(page()), "typst", [], {}).decode()
+    read = [typst.latex_of(line[1:-1]) for line in typst_page.splitlines() if line.startswith("$")]
+    for right, mistaken in (
+        (" - ", " + "),
+        ("cos", "sin"),
+        (r"\sqrt", ""),
+        ("^{2}", "^{3}"),
+        (" & ", r" \\ "),
+    ):
+        assert wrong([written.replace(right, mistaken) for written in read])
+
+
+def test_typst_reads_fractions_from_the_left() -> None:
+    """Why a fraction below a line is written with something beside it."""
+    from typst import compile as compiled
+
+    pictures = [
+        compiled(f"#set page(width: 2cm, height: 2cm)\n$ {formula} $".encode(), format="svg")
+        for formula in ("a / b / c", "frac(frac(a, b), c)", "frac(a, frac(b, c))")
+    ]
+    assert pictures[0] == pictures[1] != pictures[2]
