@@ -260,6 +260,18 @@ def test_figures_of_a_step_response(mistake: str, tmp_path: Path, monkeypatch: p
     assert is_refused(tmp_path, MOTOR.replace("OUTPUT", "angle"), "step-response", PD, VALUES)
 
 
+def test_a_peak_that_is_not_the_highest(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A place of the curve beside it, with the value there."""
+    right = response.highest
+
+    def beside(curve: Any, *about: Any) -> Any:
+        time, _ = right(curve, *about)
+        return 1.05 * time, curve.at(1.05 * time)
+
+    monkeypatch.setattr(response, "highest", beside)
+    assert is_refused(tmp_path, MOTOR.replace("OUTPUT", "angle"), "step-response", PD, VALUES)
+
+
 def test_a_wrong_exponential(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Of the fastest mode, which nothing shows late in the response."""
     from derive.control.modes import Curve

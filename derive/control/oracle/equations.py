@@ -7,6 +7,7 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any
 
 from derive.algebra.fold import Domain, fold
@@ -78,15 +79,7 @@ class Numeric:
     @staticmethod
     def of(system: System, source: Symbol, point: Mapping[str, float]) -> Numeric:
         """The equations at a point, driven by one of the inputs."""
-        unknown = unknowns(system, signals(system))
-        inputs = tuple(each for each in (system.input, system.disturbance) if each is not None)
-        entries = tuple(
-            (row, column)
-            for row, equation in enumerate(system.equations)
-            for column, signal in enumerate((*unknown, *inputs))
-            if signal.name in free_symbols(equation.left) | free_symbols(equation.right)
-        )
-        return Numeric(system, source, point, unknown, inputs, entries)
+        return Numeric(system, source, point, *_places(system))
 
     def gain(self, s: complex) -> complex:
         """output / source at one s, all other inputs zero."""
@@ -141,6 +134,21 @@ class Numeric:
         for row, column in self.entries:
             whole[row, column] = _coefficient(self.system.equations[row], columns[column], quiet)
         return whole[:, : len(self.unknown)], whole[:, len(self.unknown) :]
+
+
+@lru_cache(maxsize=16)
+def _places(system: System) -> tuple[tuple[Symbol, ...], tuple[Symbol, ...], tuple[tuple[int, int], ...]]:
+    """The unknowns and the inputs, and which equation holds which of them."""
+    unknown = unknowns(system, signals(system))
+    inputs = tuple(each for each in (system.input, system.disturbance) if each is not None)
+    inside = [free_symbols(each.left) | free_symbols(each.right) for each in system.equations]
+    entries = tuple(
+        (row, column)
+        for row, names in enumerate(inside)
+        for column, signal in enumerate((*unknown, *inputs))
+        if signal.name in names
+    )
+    return unknown, inputs, entries
 
 
 def divides_by_s(system: System) -> bool:

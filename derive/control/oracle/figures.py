@@ -17,7 +17,9 @@ if TYPE_CHECKING:
 CLOSE = 2e-6  # of the height of the curve
 MOST_TERMS = 6000  # of an inverted transform
 TERMS = 60  # that are always taken
-PLACES = 48  # of the curve, or of a part of it
+PLACES, MOST_PLACES = 48, 320  # of the curve, or of a part of it
+WORK = 2e5  # terms of all places together
+SWINGS, CLOSER = 2, 3  # the first ones, and how often a peak is looked at more closely
 CIRCLE = 64  # points on which a transfer function is averaged about the origin
 LOW, HIGH, BAND = 0.1, 0.9, 0.02
 
@@ -103,21 +105,48 @@ def agree(seen: Seen, told: Figures) -> Iterator[bool]:
     close = CLOSE * top
     yield abs(told.last - last) <= CLOSE * abs(last)
 
-    def shares(*times: float) -> list[float]:
+    def shares(times: Sequence[float]) -> list[float]:
         return [float(y) for y in seen.at(times) / last if not math.isnan(y)]
-
-    def between(start: float, stop: float) -> list[float]:
-        return shares(*(start + (stop - start) * (k + 0.5) / PLACES for k in range(PLACES)))
 
     for time, level in zip(told.rises, (LOW, HIGH), strict=True):
         if time > 0:
-            yield from (abs(share - level) <= close for share in shares(time))
-            yield from (share < level + close for share in between(0.0, time))
+            yield from (abs(share - level) <= close for share in shares([time]))
+            yield from (share < level + close for share in shares(between(0.0, time, PLACES)))
         else:
-            yield from (share >= level - close for share in shares(1e-9 * told.end))
+            yield from (share >= level - close for share in shares([1e-9 * told.end]))
     if told.settling > 0:
-        yield from (abs(abs(share - 1) - BAND) <= close for share in shares(told.settling))
-    yield from (abs(share - 1) <= BAND + close for share in between(told.settling, told.end))
-    yield from (share <= top + close for share in between(0.0, told.end))
+        yield from (abs(abs(share - 1) - BAND) <= close for share in shares([told.settling]))
+    for times in _after(seen, told.settling, told.end):
+        yield from (abs(share - 1) <= BAND + close for share in shares(times))
+    for times in _after(seen, 0.0, told.end):
+        yield all(share <= top + close for share in shares(times))
+        yield _highest(shares, times) <= top + close
     if told.peak is not None and told.peak > 0:
-        yield from (abs(share - top) <= close for share in shares(told.peak))
+        yield from (abs(share - top) <= close for share in shares([told.peak]))
+
+
+def between(start: float, stop: float, count: int) -> list[float]:
+    """Times spread evenly between two, without these."""
+    return [start + (stop - start) * (k + 0.5) / count for k in range(count)]
+
+
+def _after(seen: Seen, start: float, end: float) -> Iterator[list[float]]:
+    """Times from one on: over all that is looked at, and over the first swings."""
+    most = max(PLACES, min(MOST_PLACES, round(WORK / (TERMS + seen.fastest * end))))
+    yield between(start, end, most)
+    if seen.fastest:
+        yield between(start, min(end, start + SWINGS * 2 * math.pi / seen.fastest), PLACES * SWINGS)
+
+
+def _highest(shares: Callable[[Sequence[float]], list[float]], times: Sequence[float]) -> float:
+    """The highest place of a curve near the highest of some times, looked at closer and closer."""
+    found = -math.inf
+    for _ in range(CLOSER):
+        values = shares(times)
+        if len(values) < len(times):
+            break
+        place = max(range(len(values)), key=values.__getitem__)
+        found = max(found, values[place])
+        around = times[max(0, place - 1)], times[min(len(times) - 1, place + 1)]
+        times = between(*around, PLACES)
+    return found

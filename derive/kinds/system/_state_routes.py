@@ -84,20 +84,12 @@ def _moves(held: Held, matrices: Mapping[str, Matrix], state: Sequence[Expr], at
     import numpy
 
     found = Numeric.of(held.system, held.source, reals(at)).signals(at["s"], {held.source: 1.0})
-    x = numpy.array([[_signal(name, found, at["s"])] for name in state])
+    rates = {f"{name}{dot}": at["s"] ** k * y for name, y in found.items() for dot, k in RATES.items()}
+    x = numpy.array([[value(entry, rates | found)] for entry in state])
     A, B, C, D = (_array(matrices[name], at) for name in MATRICES)
     size = max(1.0, float(abs(at["s"] * x).max()))
     yield bool(abs(at["s"] * x - A @ x - B).max() <= 1e-9 * size)
     yield is_close(complex((C @ x + D)[0, 0]), found[held.system.output.name])
-
-
-def _signal(name: Expr, found: Mapping[str, complex], s: complex) -> complex:
-    """A signal, or one of its derivatives."""
-    text = name.name if isinstance(name, Symbol) else ""
-    for ending, times in RATES.items():
-        if text.endswith(ending) and text not in found:
-            return s**times * found[text.removesuffix(ending)]
-    return found[text]
 
 
 def _said(
