@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from derive.derivation import Claim, Derivation, Phrase
 from derive.errors import NotAsWritten, NotDerivable, Place, SheetError, SheetErrors
-from derive.kinds.checks import SECOND_ROUTE, far_apart
-from derive.kinds.problem import Problem
+from derive.expression import Number, walk
+from derive.kinds.checks import SECOND_ROUTE
+from derive.kinds.problem import Problem, expressions
 from derive.kinds.registry import words_folder
 from derive.sheet.model import Question
 from derive.sheet.source import At
@@ -16,6 +17,7 @@ from derive.sheet.source import At
 if TYPE_CHECKING:
     from derive.render.phrases import Speech
 
+FAR = 1e12  # times as large: of the sum of such floats a claim at 1e-9 has too few digits left
 UNPROVED = "nothing proves the answer of '{}': links from line to line hold of a wrong formula too"
 AS_WRITTEN = (
     "the answer failed its own check: a formula of it, read as it is written, is not the value it stands for"
@@ -55,6 +57,17 @@ def _failure(derivation: Derivation, claim: Claim, question: Question, working: 
         message = f"numbers as far apart as {small:.3g} and {large:.3g} cannot be checked in floating point"
         return SheetError(message, question.place, "give them in other units")
     return failed(claim, speech_of(derivation, working), question)
+
+
+def far_apart(value: Any) -> tuple[float, float] | None:
+    """The smallest and the largest number of a subject, where floats that add them lose the smaller one."""
+    sizes = sorted(
+        abs(float(node.value))
+        for tree in expressions(value)
+        for node in walk(tree)
+        if isinstance(node, Number) and node.value
+    )
+    return (sizes[0], sizes[-1]) if sizes and sizes[-1] > FAR * sizes[0] else None
 
 
 def failed(claim: Claim, speech: Speech, question: Question) -> SheetError:

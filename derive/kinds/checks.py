@@ -9,14 +9,11 @@ from typing import Any
 from derive.algebra.matrix import ScalarMatrix
 from derive.derivation import Claim, Said
 from derive.errors import NotReal
-from derive.expression import Number, walk
-from derive.kinds.problem import expressions
 
 NORMAL_FORM = "normal-form"
 SECOND_ROUTE = "independent-route"
 FLOATS = "floating-point"
 TOLERANCE = 1e-9
-FAR = 1e12  # times as large: of the sum of such floats a claim at 1e-9 has too few digits left
 TRIES = 40  # points drawn for those that count
 
 
@@ -87,17 +84,6 @@ def flat(value: Any) -> Iterator[float]:
             yield from flat(part)
     else:
         yield float(value)
-
-
-def far_apart(value: Any) -> tuple[float, float] | None:
-    """The smallest and the largest number of a subject, where floats that add them lose the smaller one."""
-    sizes = sorted(
-        abs(float(node.value))
-        for tree in expressions(value)
-        for node in walk(tree)
-        if isinstance(node, Number) and node.value
-    )
-    return (sizes[0], sizes[-1]) if sizes and sizes[-1] > FAR * sizes[0] else None
 
 
 def is_rotation(R: ScalarMatrix, name: str = "R") -> tuple[Claim, ...]:

@@ -19,6 +19,7 @@ from derive.derivation import Derivation
 from derive.expression import Degrees, Expr, Indexed, Matrix, Number, Symbol, free_symbols, walk
 from derive.kinds.declared import with_all_claims
 from derive.kinds.registry import load
+from derive.kinds.told import with_results_told
 from derive.names import require_free
 
 TREES = get_args(Expr)
@@ -65,7 +66,8 @@ class Problem:
                 derivation = module.derive(self.subject, options, self)
             own = {name.name for name in derivation.definitions if isinstance(name, Symbol)}
             require_free(self.symbols - getattr(self.subject, "defines", frozenset()), *own)
-            self.memo.answers[key] = with_all_claims(derivation, module, self.subject, options)
+            complete = with_all_claims(derivation, module, self.subject, options)
+            self.memo.answers[key] = with_results_told(complete, module, self.names)
         return self.memo.answers[key]
 
     @cached_property

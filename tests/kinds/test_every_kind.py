@@ -18,7 +18,7 @@ from derive.render.questions import example_of, results_of
 from derive.sheet.load import load_sheet
 from derive.sheet.subjects.registry import subjects
 from derive.writing import render
-from tests.kinds.planting import Planting, lines, printed_wrong, values
+from tests.kinds.planting import Planting, lines, printed_wrong, results, values
 
 KINDS = [(subject, kind) for subject in subjects() for kind in registry.kinds_of(subject)]
 MODULES = sorted({registry.module_name(subject, kind) for subject, kind in KINDS})
@@ -132,7 +132,7 @@ def test_its_laws_are_tried_in_an_instance(document, subject: str, kind: str) ->
     assert untried == set()
 
 
-@pytest.mark.parametrize("planting", [values, lines])
+@pytest.mark.parametrize("planting", [values, lines, results])
 @pytest.mark.parametrize("module", MODULES)
 def test_a_wrong_sign_is_refused(module: str, planting: Planting, tmp_path: Path) -> None:
     sheet = tmp_path / "example.yaml"

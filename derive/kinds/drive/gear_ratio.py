@@ -28,6 +28,7 @@ DRAWS = 200  # points among which some have positive inertias
 
 
 CLAIMS = ("gears-beside", "as-written")
+CLAIMED = ("alpha",)
 
 
 class Options(OptionsModel):

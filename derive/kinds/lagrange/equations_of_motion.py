@@ -26,6 +26,8 @@ from derive.mechanics.lagrangian import (
     without,
 )
 
+CLAIMED = ("M", "equations")
+
 
 class Options(OptionsModel):
     """`solve: true` solves for the accelerations; under constraints that is done anyway."""

@@ -21,6 +21,7 @@ HEADINGS = ("joint", "number", "freedoms", "constraints-of-each", "constraints-t
 OTHERS: dict[Space, tuple[Space, ...]] = {"spatial": ("planar", "spherical"), "planar": (), "spherical": ()}
 
 CLAIMS = ("constraints-of-a-joint", "as-written", "random-instance|random-joints", "as-said")
+CLAIMED = ("effective", "idle")
 
 
 def derive(mechanism: Mechanism, options: Options, problem: Problem) -> Derivation:

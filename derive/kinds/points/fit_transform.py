@@ -11,6 +11,8 @@ from derive.kinds.points._data import Facts as Facts
 from derive.kinds.problem import Problem
 from derive.mechanics.fitting import PointPairs
 
+CLAIMED = ("R", "p", "rms")
+
 
 class Options(OptionsModel):
     """`svd`: the best rotation; `rows`: each row of the transform by itself, which need be no rotation."""

@@ -21,6 +21,7 @@ NEEDS = ("journey",)
 USES = frozenset({"cruise", "acceleration", "blend"})
 q = Symbol("q")
 CLAIMS = ("q-is-continuous", "velocity-is-continuous", "ends-there", "ends-at-rest", "as-told")
+CLAIMED = ("q", "t_f")
 
 
 class Options(OptionsModel):

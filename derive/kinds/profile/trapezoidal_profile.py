@@ -23,6 +23,8 @@ from derive.mechanics import trapezoid
 from derive.mechanics.course import Course
 from derive.mechanics.profile import Axis, Profile, Units
 
+CLAIMED = ("a", "solutions", "t_1", "t_2", "t_3", "t_min", "v")
+
 NEEDS = ("limits",)
 Found = tuple[trapezoid.Switching, ...]
 

@@ -15,6 +15,8 @@ from derive.mechanics.motion import Move
 from derive.mechanics.poses import composed
 from derive.mechanics.robot import Convention, DHRow, Robot
 
+CLAIMED = ("DH",)
+
 Mode: TypeAlias = Literal["given", "found", "restated"]
 
 

@@ -20,6 +20,8 @@ from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 from derive.names import entry_symbol
 
+CLAIMED = ("D_inv",)
+
 NEEDS = ("bodies",)
 CLAIMS = ("adjugate", "joint-forces", "names")
 MOST_JOINTS = 3

@@ -14,6 +14,8 @@ from derive.kinds.robot._inverse.sampled import sample_points
 from derive.mechanics.inverse.two_link import two_link
 from derive.mechanics.robot import Robot
 
+CLAIMED = ("solutions",)
+
 
 class Options(OptionsModel):
     """`given`: `pose` (r11 ... r33, x, y, z), `orientation`, or names for the known coordinates of the

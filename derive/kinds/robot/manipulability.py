@@ -35,6 +35,8 @@ from derive.mechanics.minors import minors
 from derive.mechanics.robot import Robot
 from derive.mechanics.zeros import zeros
 
+CLAIMED = ("axes", "directions", "force_axes", "force_directions")
+
 DIFFERENCES = 1e-6
 SIX = 6
 SHORT = 12  # terms of all minors, whose squares may add up to something short

@@ -25,6 +25,8 @@ from derive.mechanics.iteration import CLOSE, Iteration, Row, Verdict, iterate
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import ROWS, moving_rows
 
+CLAIMED = ("iterations", "solution")
+
 NOTHING = 1e-16  # an error too small for a logarithm
 J, R, F, H = map(Symbol, ("J", "r_d", "f", "H"))
 

@@ -20,6 +20,8 @@ from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.robot import Robot
 from derive.names import require_free
 
+CLAIMED = ("J_inv",)
+
 NEEDS = ("bodies",)
 CLAIMS = ("symmetric", "kinetic-energy", "in-numbers")
 MOST_JOINTS = 3

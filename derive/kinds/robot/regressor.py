@@ -37,6 +37,8 @@ from derive.kinds.robot._dynamics.regressor import (
 from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 
+CLAIMED = ("groups", "names")
+
 NEEDS = ("bodies",)
 CLAIMS = ("motion-of-each-body",)
 PRODUCTS = (("Y", "parameters"), ("Y_b", "base_parameters"))

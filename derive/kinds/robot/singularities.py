@@ -20,6 +20,8 @@ from derive.mechanics.seen import easiest
 from derive.mechanics.strata import Strata, searching
 from derive.mechanics.wrist import wrist_of
 
+CLAIMED = ("det", "solutions")
+
 WHOLE = ("vx", "vy", "vz", "wx", "wy", "wz")
 
 

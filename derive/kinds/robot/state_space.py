@@ -17,6 +17,8 @@ from derive.kinds.work import Work
 from derive.mechanics.oracle.heavy import Heavy
 from derive.mechanics.robot import Robot
 
+CLAIMED = ("A", "B")
+
 NEEDS = ("bodies",)
 
 
