@@ -17,7 +17,7 @@ from derive.algebra.solving.polynomials import known_sign, odd_part
 from derive.derivation import Branch, Claim, Condition, Derivation, PageFacts, Phrase, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Call, Derivative, Expr, Relation, Sum, Symbol, add, multiply
-from derive.kinds.checks import NORMAL_FORM, law, random_points, route
+from derive.kinds.checks import NORMAL_FORM, every, law, random_points, route
 from derive.kinds.function._case_checks import cases_told
 from derive.kinds.function._extremes import extremes, reach
 from derive.kinds.function._landscape import Landscape
@@ -218,11 +218,10 @@ def _put_back(
     for k, (point, branch) in enumerate(zip(found, solutions, strict=True), 1):
         same = _is_told(branch, {**_values(point, task), name.name: point.value})
         if point.multipliers is None:
-            yield law("on-the-constraints", same and all(_vanishes(g, point, task) for g in task.g), k=k)
+            yield law("on-the-constraints", (same, *(_vanishes(g, point, task) for g in task.g)), k=k)
         else:
-            holds = same and all(_vanishes(each, point, task) for each in equations)
             by = NORMAL_FORM if point.is_exact else "ball-arithmetic"
-            yield Claim("satisfies", by, holds, {"k": k})
+            yield every("satisfies", (same, *(_vanishes(each, point, task) for each in equations)), by, k=k)
 
 
 def _values(point: Point, task: Task) -> dict[str, Value]:

@@ -27,6 +27,8 @@ def derive(function: Function, options: Options, problem: Problem) -> Derivation
     )
     work = Work(problem).resting_on(gradient)
     work = work.line(H, derivatives, value=ScalarMatrix.of(exact), rule="hessian")
-    work = work.law("symmetric", all(exact[i][j] == exact[j][i] for i in range(len(first)) for j in range(i)))
+    work = work.law(
+        "symmetric", (exact[i][j] == exact[j][i] for i in range(len(first)) for j in range(i + 1))
+    )
     work = differences(work, work.entries(H), [(step.result, x) for step in first for x in variables])
     return work.answer("hessian", {"H": work.final(H)})

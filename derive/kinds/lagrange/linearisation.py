@@ -15,7 +15,7 @@ from derive.algebra.solving.polynomials import known_sign
 from derive.derivation import Claim, Derivation, PageFacts, Step, as_matrix
 from derive.errors import NotDerivable, NotReal
 from derive.expression import ZERO, Expr, Matrix, Symbol, column, free_symbols
-from derive.kinds.checks import SECOND_ROUTE, close, random_points, route
+from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import Evaluation, Name, OptionsModel
 from derive.kinds.lagrange._equations import written_fraction
 from derive.kinds.lagrange._model import Model
@@ -228,7 +228,7 @@ def _second_route(model: Model, linear: Linear, at: Mapping[Expr, Expr], told: M
     real = list(islice((holds for holds in found if holds is not None), 2))
     if not real:
         raise NotDerivable("this state is not real wherever it was tried, so nothing could be checked", "at")
-    return Claim("small-motion", SECOND_ROUTE, all(real))
+    return route("small-motion", real)
 
 
 def _agree(

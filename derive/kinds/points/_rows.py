@@ -12,7 +12,7 @@ from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Matrix, Symbol, number, transpose
-from derive.kinds.checks import SECOND_ROUTE, close, law
+from derive.kinds.checks import close, law, route
 from derive.kinds.points._data import Data, Facts, RowsTold, point_table, rounded, rounded_matrix, shown
 from derive.kinds.points._fit_checks import Pairs, rows_fitted
 from derive.kinds.problem import Problem
@@ -151,8 +151,4 @@ def _claims(
         np.linalg.lstsq(numbers, np.array(matrix_numbers(target, {}))[:, 0], rcond=None)[0]
         for target in targets
     ]
-    yield Claim(
-        "singular-values",
-        SECOND_ROUTE,
-        close(ours, [*map(list, theirs)], 1e-7),
-    )
+    yield route("singular-values", (close(a, list(b), 1e-7) for a, b in zip(ours, theirs, strict=True)))

@@ -10,7 +10,7 @@ from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Matrix, Product, Symbol, column, transpose
 from derive.expression import number as whole
-from derive.kinds.checks import SECOND_ROUTE, close, law
+from derive.kinds.checks import FLOATS, close, every, law, route
 from derive.kinds.points._data import Data, Facts, SvdTold, point_table, rounded, rounded_matrix, shown
 from derive.kinds.points._fit_checks import Pairs, best_rotation
 from derive.kinds.problem import Problem
@@ -124,11 +124,11 @@ def _claims(
     import numpy as np
 
     turned = np.array(fit.R)
-    yield Claim("orthogonal-in-floats", "floating-point", close(turned.T @ turned, np.eye(len(turned))))
-    yield Claim("right-handed-in-floats", "floating-point", close([float(np.linalg.det(turned))], [1.0]))
+    yield every("orthogonal-in-floats", close(turned.T @ turned, np.eye(len(turned))), FLOATS)
+    yield every("right-handed-in-floats", close([float(np.linalg.det(turned))], [1.0]), FLOATS)
     other = by_quaternion(matrix_numbers(exact_H, {}))
     claim = "eigenvector" if len(other) == 3 else "angle"
-    yield Claim(claim, SECOND_ROUTE, close(fit.R, other, 1e-7))
+    yield route(claim, close(fit.R, other, 1e-7))
     if exact is not None:
         yield law("exactly", exact_rotation(*data.centred) is not None)
-        yield Claim("exact-agrees", SECOND_ROUTE, close(fit.R, matrix_numbers(exact, {})))
+        yield route("exact-agrees", close(fit.R, matrix_numbers(exact, {})))

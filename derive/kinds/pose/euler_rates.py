@@ -104,14 +104,13 @@ def _axis(euler: Euler, name: str, body: bool) -> Expr:
 def _proved(work: Work, euler: Euler, body: bool, singular: list[Expr]) -> Work:
     """S(t_i) = dR/dangle R^T for each angle, T T^-1 = 1, det zero where it is said to be; and omega by
     differences of rotations composed in numbers."""
-    T_now, R, turning, middle = work.value_matrix(T), euler.matrix, True, Symbol(euler.outer[1])
-    for k, name in enumerate(euler.names):
-        turning &= (R.T @ R.diff(name) if body else R.diff(name) @ R.T) == skew(T_now.columns(k))
-    work = work.law("angular-velocities", turning)
+    T_now, R, middle = work.value_matrix(T), euler.matrix, Symbol(euler.outer[1])
+    turning = (R.T @ R.diff(name) if body else R.diff(name) @ R.T for name in euler.names)
+    work = work.law("angular-velocities", (skew(T_now.columns(k)) == S for k, S in enumerate(turning)))
     rates = normal_matrix(work.steps[-1].result)
     work = work.law("inverse", T_now @ rates == normal_matrix(column(AXES)))
     det = work.problem.readable(T_now.det())
-    work = work.law("singular", all(normal(det, {middle: value}) == 0 for value in singular))
+    work = work.law("singular", (normal(det, {middle: value}) == 0 for value in singular))
 
     symbols = {*euler.names, *(f"{name}_dot" for name in euler.names)}
     return as_told(work, partial(_meant, euler, body), (), "differences", DIFFERENCES, symbols)

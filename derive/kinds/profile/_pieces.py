@@ -73,12 +73,12 @@ def times_of(piece: Branch) -> Relation:
 def joined(spans: Sequence[Span], working: Work, orders: int) -> Iterator[Claim]:
     """Where two pieces meet, the derivatives below `orders` agree."""
     for order in range(orders):
-        holds = True
-        for before, after in pairwise(spans):
-            length = working.scalar(before.end - before.start)
-            left = before.derivative(working, length, order)
-            holds &= left == after.derivative(working, Scalar.of(0), order)
-        yield law(CONTINUOUS[order], holds)
+        lengths = (working.scalar(before.end - before.start) for before, _ in pairwise(spans))
+        met = (
+            before.derivative(working, length, order) == after.derivative(working, Scalar.of(0), order)
+            for length, (before, after) in zip(lengths, pairwise(spans), strict=True)
+        )
+        yield law(CONTINUOUS[order], met)
 
 
 def in_floats(spans: Sequence[Span], evaluate: Place | None, problem: Problem) -> Course | None:

@@ -1,13 +1,11 @@
-"""What holds of every cubic spline, as steps; each law is tried in the spline at hand."""
+"""What holds of every cubic spline, as steps; each law is tried in a spline of plain numbers."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from itertools import pairwise
 
 from derive.derivation import Step
-from derive.expression import MINUS_ONE, ONE, Expr, Indexed, Symbol, add, multiply, number, symbols
-from derive.kinds.profile._pieces import Span
+from derive.expression import MINUS_ONE, ONE, Expr, Indexed, add, multiply, number, symbols
 
 K, TAU, Q = symbols("k tau q")
 C = symbols("c_0 c_1 c_2 c_3")
@@ -23,23 +21,14 @@ def _over(top: Expr, bottom: Expr) -> Expr:
     return top / bottom
 
 
-def laws(
-    times: Sequence[Expr], places: Sequence[Expr], velocities: Sequence[Expr], spans: Sequence[Span],
-    free: Sequence[int], natural: bool,
-) -> Iterator[Step]:  # fmt: skip
-    """A piece by its coefficients, these by places and velocities; the condition at the points that are
-    `free`, and at a natural end."""
-    h = [after - before for before, after in pairwise(times)]
-    piece = _piece(h, places, velocities, spans[0])
+def laws(natural: bool) -> Iterator[Step]:
+    """A piece by its coefficients, these by places and velocities; the condition between two pieces, and that
+    at a natural end."""
     for name, chain in _coefficients():
-        yield Step(name, chain, "law", instance=piece)
-    yield Step("condition", _condition(), "law", instance=_around(h, places, velocities, free))
+        yield Step(name, chain, "law", instance=_piece())
+    yield Step("condition", _condition(), "law", instance=_two_pieces())
     if natural:
-        at_the_start: dict[Expr, Expr] = {
-            Symbol("v_0"): velocities[0], Symbol("v_1"): velocities[1],
-            Symbol("q_0"): places[0], Symbol("q_1"): places[1], Symbol("h_0"): h[0],
-        }  # fmt: skip
-        yield Step("natural", _natural(), "law", instance=at_the_start)
+        yield Step("natural", _natural(), "law", instance=_at_rest())
 
 
 def _coefficients() -> Iterator[tuple[str, tuple[Expr, ...]]]:
@@ -69,24 +58,27 @@ def _natural() -> tuple[Expr, Expr]:
 # -- where they are tried --------------------------------------------------------------------------------
 
 
-def _piece(h: Sequence[Expr], q: Sequence[Expr], v: Sequence[Expr], span: Span) -> Mapping[Expr, Expr]:
-    """The first piece of the spline; q at a time in it."""
-    within = h[0] / THREE
-    place = add(*(multiply(c, within ** number(k)) if k else c for k, c in enumerate(span.coefficients)))
-    found: dict[Expr, Expr] = {Q: place, TAU: within, _at("h", HERE): h[0]}
-    found |= {_at("q", HERE): q[0], _at("q", AFTER): q[1], _at("v", HERE): v[0], _at("v", AFTER): v[1]}
-    return found | dict(zip(C, span.coefficients, strict=True))
+def _numbers(names: Sequence[Expr], values: Sequence[int | str]) -> Mapping[Expr, Expr]:
+    return dict(zip(names, map(number, values), strict=True))
 
 
-def _around(
-    h: Sequence[Expr], q: Sequence[Expr], v: Sequence[Expr], free: Sequence[int]
-) -> Mapping[Expr, Expr]:
-    """A point at which no velocity is given; where there is none, that of the spline through 0, 1 and 3 at
-    the times 0, 1 and 3, at rest at both ends: its velocity in the middle is 3/2."""
-    k = free[0] if free else 1
-    if not free:
-        h, q, v = (ONE, TWO), (number(0), ONE, THREE), (number(0), number("3/2"), number(0))
-    found: dict[Expr, Expr] = {_at("h", BEFORE): h[k - 1], _at("h", HERE): h[k]}
-    for place, shift in ((BEFORE, -1), (HERE, 0), (AFTER, 1)):
-        found |= {_at("q", place): q[k + shift], _at("v", place): v[k + shift]}
-    return found
+def _places(letter: str, *places: Expr) -> list[Expr]:
+    return [_at(letter, place) for place in places]
+
+
+def _piece() -> Mapping[Expr, Expr]:
+    """q = 1 + 2 tau + 3 tau^2 + 4 tau^3 for a time of 2, at tau = 1/2."""
+    names = [Q, TAU, *C, _at("h", HERE), *_places("q", HERE, AFTER), *_places("v", HERE, AFTER)]
+    return _numbers(names, ["13/4", "1/2", 1, 2, 3, 4, 2, 1, 49, 2, 62])
+
+
+def _two_pieces() -> Mapping[Expr, Expr]:
+    """The same, and after it q = 49 + 62 tau + 27 tau^2 + 5 tau^3 for a time of 1: where they meet the
+    acceleration is 54 on both sides."""
+    places, velocities = (_places(letter, BEFORE, HERE, AFTER) for letter in "qv")
+    return _numbers([*_places("h", BEFORE, HERE), *places, *velocities], [2, 1, 1, 49, 143, 2, 62, 131])
+
+
+def _at_rest() -> Mapping[Expr, Expr]:
+    """q = 1 + 2 tau + 4 tau^3 for a time of 2, which begins without acceleration."""
+    return _numbers(symbols("v_0 v_1 q_0 q_1 h_0"), [2, 50, 1, 37, 2])

@@ -105,9 +105,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     spans = tuple(_span(knots, velocities, k) for k in range(knots.spans))
     drawn = Drawn.of(spans, profile, problem, options.evaluate)
     names: dict[Expr, Expr] = {Symbol(f"v_{k}"): value for k, value in enumerate(written)}
-    inner = range(1, len(knots.velocities) - 1)
-    free = [k for k in inner if knots.velocities[k] is None]
-    general = laws(knots.times, knots.places, written, spans, free, options.ends == "natural")
+    general = laws(options.ends == "natural")
     work = working.knowing(names).showing(*general, *_steps(knots, A, b, written)).linked()
     work = work.claim(*joined(spans, working, 3 if all(v is None for v in knots.velocities[1:-1]) else 2))
     work = work.claim(*_passes(knots, spans))
@@ -231,9 +229,8 @@ def _passes(knots: Knots, spans: Sequence[Span]) -> Iterator[Claim]:
     working = knots.working
     lengths = [working.scalar(span.end - span.start) for span in spans]
     places = knots.scalars(knots.places)
-    holds = all(span.derivative(working, Scalar.of(0), 0) == places[k] for k, span in enumerate(spans))
-    holds &= spans[-1].derivative(working, lengths[-1], 0) == places[-1]
-    yield law("passes-every-point", holds)
+    through = [span.derivative(working, Scalar.of(0), 0) == places[k] for k, span in enumerate(spans)]
+    yield law("passes-every-point", (*through, spans[-1].derivative(working, lengths[-1], 0) == places[-1]))
     ends = ((0, Scalar.of(0), "velocity-at-the-start", "acceleration-at-the-start"),
             (-1, lengths[-1], "velocity-at-the-end", "acceleration-at-the-end"))  # fmt: skip
     for k, at, moving, free in ends:
