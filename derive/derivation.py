@@ -111,6 +111,14 @@ class Claim:
     def __post_init__(self) -> None:
         object.__setattr__(self, "holds", bool(self.holds) and self.tried > 0)
 
+    @property
+    def truth(self) -> str:
+        """What kind of proof it is: a "step" from line to line or to a result, a "law", a "second-route", or
+        a "number" found again at a point."""
+        if self.link:
+            return "step"
+        return {"normal-form": "law", "ball-arithmetic": "number"}.get(self.by, "second-route")
+
     def within(self, key: str, **about: Said) -> Claim:
         """The same claim as part of another phrase, whose field `claim` it fills."""
         return replace(self, key=key, about={**about, "claim": Phrase(self.key, self.about)})

@@ -32,7 +32,13 @@ def _question(question: QuestionPage) -> dict[str, Any]:
         speech = spoken(question.folder, question.derivation.kind)
         found |= _derivation(question.derivation, speech)
         found["checks"] = [
-            {"claim": speech.claim(claim), "by": speech.say(Phrase(claim.by)), "holds": claim.holds}
+            {
+                "claim": speech.claim(claim),
+                "by": speech.say(Phrase(claim.by)),
+                "holds": claim.holds,
+                "tried": claim.tried,
+                "truth": claim.truth,
+            }
             for speech, claim in _claims(question, speech)
         ]
     return found

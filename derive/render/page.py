@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import re
 
-from derive.derivation import Phrase
 from derive.render.author_text import latex_prose, markdown_prose
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked, file_path, plot_path
 from derive.render.evaluated import evaluated_words
-from derive.render.phrases import Speech, shared_lines
+from derive.render.foot import Proved
 from derive.render.plain_text import latex_text, markdown_text
 from derive.render.printed import Printed, Reader, Said, unread
 from derive.render.skin import HELD_LINE, Skin, environment
@@ -42,11 +41,8 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
         answers[problem.number, question.number] = _answer(document, problem, question, skin, printed)
         said.append(Said(f"{problem.number}.{question.number}", question.place, tuple(printed)))
     template = environment().get_template(f"{skin.name}/page.j2")
-    shared = Speech(shared_lines(), plain=skin.plain)
-    verified = {shared.say(Phrase(means)): count for means, count in document.verified().items()}
-    return template.render(
-        document=document, answers=answers, skin=skin, front=front, verified=verified, reading=read(said)
-    )
+    verified = Proved.of(document.verified(), read(said)).said() if document.solutions else ""
+    return template.render(document=document, answers=answers, skin=skin, front=front, verified=verified)
 
 
 def _answer(

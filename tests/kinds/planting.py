@@ -151,12 +151,12 @@ def results(planter: Planter) -> Iterator[None]:
         self: Derivation,
         kind: str,
         steps: tuple[Step, ...],
-        told: Mapping[str, Result],
+        results: Mapping[str, Result],
         *others: Any,
         **more: Any,
     ) -> None:
-        found = dict(told)
-        for name, result in told.items():
+        found = dict(results)
+        for name, result in results.items():
             wrong = turned(result) if isinstance(result, TREES) else None
             if wrong is not None and planter.here(name, (kind, name, id(steps))):
                 found[name] = wrong

@@ -37,7 +37,7 @@ def test_the_page_has_its_parts() -> None:
     parts = ("# Solutions & more", "Robotics · A. Teacher", "## Problem 1: Two links",
              "### Question 1 (10 marks)",
              "*Hint*: Use *both*", "#### Solution", "At $\\theta_1 = 30^\\circ$, $a_1 = 0.5$:",
-             "Verified: 1 claim by normal form, 1 by independent route.")  # fmt: skip
+             "Verified: 1 law holds of the answers exactly; 1 answer was found again")  # fmt: skip
     assert [part for part in parts if part not in page] == []
     assert "\n\n\n" not in page
 
@@ -63,7 +63,8 @@ def test_json_has_the_shapes_of_the_contract() -> None:
     assert results["o"] == ["a1", "7/20", "pi/6"]
     assert results["solutions"] == [{"theta2": "-theta", "when": "elbow up"}]
     assert question["evaluated"]["T_2^0"][0][1] == -0.8660254037844386
-    assert question["checks"][0] == {"claim": "R^T R = 1", "by": "normal form", "holds": True}
+    law = {"claim": "R^T R = 1", "by": "normal form", "holds": True, "tried": 1, "truth": "law"}
+    assert question["checks"][0] == law
     sympy.sympify(results["T_2^0"][1][3])
 
 
