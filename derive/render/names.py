@@ -111,5 +111,6 @@ def _piece(piece: str) -> str:
     word, rest = found.groups()
     if word in GREEK:
         return "\\" + word + script("_", rest)
-    upright = len(word) > 2 and word.islower() and not set(word) <= set("xyz")
+    counted = set(word) <= set("xyz") or set(word) <= set("ijk")  # axes, or indices side by side
+    upright = len(word) > 2 and word.islower() and not counted
     return rf"\mathrm{{{word}}}{rest}" if upright else piece

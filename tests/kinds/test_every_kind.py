@@ -59,7 +59,7 @@ NOT_YET_DECLARED = {
         """,
 }
 NOT_YET_TRIED = {
-    "robot": "A_i w det motion-rates rates_*",
+    "robot": "w det rates_*",
 }
 WORDS = Path(__file__).parents[2] / "templates" / "words"
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from derive.algebra.normal import normal_matrix
 from derive.derivation import Step
-from derive.expression import Symbol, column
+from derive.expression import Expr, Symbol, column
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.coupling import Coupling, Drive
+from derive.mechanics.dynamics import time_derivative
 from derive.mechanics.robot import DHRow, Robot
 from derive.names import free
 
@@ -30,7 +32,13 @@ def motion_lines(work: Work, coupling: Coupling) -> Work:
     phi, gamma = phi_of(work.problem), gamma_of(work.problem)
     rates = (Symbol(f"{phi.name}_dot"), gamma * Symbol("q_dot"))
     work = work.line(phi, value=column(drive.by for drive in coupling.drives), rule="motions", label="phi")
-    work = work.step(Step("motion-rates", rates, "law"))
+    turning = column(drive.by for drive in coupling.drives)
+    case: dict[Expr, Expr] = {
+        rates[0]: work.readable(time_derivative(normal_matrix(turning), work.problem.subject.variables)),
+        gamma: work.readable(coupling.gamma),
+        Symbol("q_dot"): column(Symbol(f"{name}_dot") for name in work.problem.subject.variables),
+    }
+    work = work.step(Step("motion-rates", rates, "law", instance=case))
     return work.line(gamma, value=coupling.gamma, rule="motion-rates", label="Gamma")
 
 

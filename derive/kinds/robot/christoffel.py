@@ -14,6 +14,7 @@ from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._dynamics.arm import Arm
+from derive.kinds.robot._dynamics.laws import christoffel_law
 from derive.kinds.robot.inertia_matrix import Facts as InertiaFacts
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import Christoffel
@@ -40,7 +41,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """c_ijk = (d_kj,i + d_ki,j - d_ij,k) / 2 (Spong et al., eq. 6.38)."""
     arm = Arm(problem)
     big, D, symbols = arm.inertia.told(InertiaFacts).big, arm.D, arm.christoffel
-    work = Work(problem).resting_on(arm.inertia)
+    work = Work(problem).resting_on(arm.inertia).showing(christoffel_law(problem.taken))
     shown = () if big else _shown(symbols, len(robot.variables))
     for ijk in shown:
         work = _line(work, arm, ijk, symbols[ijk])

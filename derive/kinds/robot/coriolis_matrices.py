@@ -12,6 +12,7 @@ from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import EVERY, Meaning, by_index
 from derive.kinds.robot._dynamics.arm import Arm
+from derive.kinds.robot._dynamics.laws import khatib_laws, speed_law
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import Christoffel, christoffel, rate_column, velocity_terms
 from derive.mechanics.oracle.heavy import Heavy
@@ -58,7 +59,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     arm, n = Arm(problem), len(robot.variables)
     symbols = christoffel(normal_matrix(arm.inertia.definitions[Symbol("D")]), arm.variables)
     values = {(i, j, k): symbols[j, k, i] for i, j, k in sorted((i, j, k) for j, k, i in symbols if j <= k)}
-    work = Work(problem).resting_on(arm.inertia)
+    laws = (speed_law(), *khatib_laws(problem.taken))
+    work = Work(problem).resting_on(arm.inertia).showing(*laws)
     work = work.linked() if arm.long else _entries(work, arm)  # in names alone there is nothing to compare
     shown = [] if arm.long else [ijk for ijk in values if values[ijk] or n <= MOST_SHOWN]
     for i, j, k in shown:

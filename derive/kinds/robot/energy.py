@@ -27,6 +27,7 @@ from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._dynamics.drives import ROTORS, rotors
+from derive.kinds.robot._dynamics.laws import energy_law
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import kinetic_energy, link_inertia, rate_column, time_derivative
 from derive.mechanics.robot import Robot
@@ -52,12 +53,14 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     arm = Arm(problem)
     bodies = weighted(problem, chain_of(problem))
     work = Work(problem).resting_on(arm.inertia, problem.ask("gravity")).knowing({RATE: column(arm.rates)})
+    work = work.showing(energy_law())
     work = work.linked() if arm.long else _velocities(work, bodies)  # in names there is nothing to compare
     for body in bodies:
         work = _link(work, arm, body)
     if matrix := rotors(robot):
         work = _form(work, arm, "m", ROTORS, matrix, "rotors")
-    names = [step.name for step in work.steps if step.name.startswith("K_")]
+    sorts = ("kinetic-energy", "rotors")
+    names = [step.name for step in work.steps if step.rule in sorts]
     whole = add(*map(Symbol, names))
     if arm.long:
         value = add(*(part for name in names for part in terms_of(work[name])))

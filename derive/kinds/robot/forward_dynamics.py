@@ -15,6 +15,7 @@ from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import EVERY, Meaning, by_index
 from derive.kinds.robot._dynamics.arm import Arm
+from derive.kinds.robot._dynamics.laws import acceleration_law
 from derive.kinds.robot._dynamics.terms import Term, equation, equations
 from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
@@ -63,7 +64,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     by_names = normal_matrix(names)
     det, adjugate = readable(by_names.det()), readable_matrix(by_names.adjugate())
     rest = [equation(f"h_{k}", _rest(terms), "rest") for k, terms in enumerate(equations(problem), 1)]
-    work, long = work.step(*rest), n > MOST_REDUCED or arm.long
+    work, long = work.step(*rest, *([acceleration_law()] if n > 1 else [])), n > MOST_REDUCED or arm.long
 
     def written(expr: Expr) -> Expr:
         """In full as a person would write it; of a long arm with values where the names stand."""

@@ -10,7 +10,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.readable.form import readable_matrix
 from derive.derivation import Derivation, PageFacts, Step
 from derive.errors import NotDerivable
-from derive.expression import Expr, Symbol, symbols
+from derive.expression import ZERO, Expr, Symbol, symbols
 from derive.kinds.checks import is_rotation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -20,6 +20,7 @@ from derive.kinds.robot._columns import product_lines
 from derive.kinds.robot._rows.exponentials import NAMED, Exponentials, ScrewsTold
 from derive.kinds.work import Work
 from derive.mechanics.dh import CONVENTIONS
+from derive.mechanics.oracle.rows import TYPED
 from derive.mechanics.poses import composed, rotation_part
 from derive.mechanics.robot import DHRow, Robot
 
@@ -117,12 +118,27 @@ def _rotation_name(pose: Symbol) -> str:
     return pose.name.replace("T", "R", 1)
 
 
+def _parts(row: DHRow) -> tuple[Expr, ...]:
+    return row.theta, row.d, row.a, row.alpha
+
+
+PARAMETERS = {"standard": "theta_i d_i a_i alpha_i", "modified": "theta_i d_i a_i-1 alpha_i-1"}
+
+
 def _law(work: Work, robot: Robot) -> Work:
-    """A_i, the transformation of any row of the table."""
-    before = "i" if robot.convention == "standard" else "i-1"
-    row = DHRow(*symbols(f"theta_i d_i a_{before} alpha_{before}"))
-    A = readable_matrix(composed(CONVENTIONS[robot.convention](row)))
-    return work.step(Step("A_i", (Symbol("A_i"), A), "law"))
+    """A_i, the transformation of any row of the table; tried in the row that has most of the parameters."""
+    names = symbols(PARAMETERS[robot.convention])
+    A = readable_matrix(composed(CONVENTIONS[robot.convention](DHRow(*names))))
+    rows = {i: _parts(link.row) for i, link in enumerate(robot.links) if isinstance(link.row, DHRow)}
+    i = max(rows, key=lambda i: sum(part != ZERO for part in rows[i]))
+    row = work.problem.readable_matrix(chain_of(work.problem).T_local[i])
+    case: dict[Expr, Expr] = {Symbol("A_i"): row, **dict(zip(names, rows[i], strict=True))}
+    return work.step(Step("A_i", (Symbol("A_i"), A), "law", instance=case)).agrees(
+        "row-in-general",
+        (name.name for name in names),
+        A,
+        lambda at: TYPED[robot.convention](*(at[name.name] for name in names)),
+    )
 
 
 def _as_in_numbers(work: Work, T: ScalarMatrix, last: int, whole: bool) -> Work:
