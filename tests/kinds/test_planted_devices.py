@@ -23,7 +23,7 @@ from derive.expression import ONE, Expr, Symbol, negate, number
 from derive.expression import replace as put_in
 from derive.kinds.drive import gear_ratio
 from derive.kinds.mechanism import mobility
-from derive.kinds.sensor import _encoder, mean_voltage, resolution
+from derive.kinds.sensor import _encoder, mean_voltage
 from derive.kinds.system import _routh_steps, closed_loop, model, stability, step_response, transfer_function
 from derive.kinds.work import Work
 from derive.mechanics.mobility import Joints, Mechanism
@@ -382,4 +382,3 @@ def test_the_disc_that_is_turned_counts_as_any_does() -> None:
 
     assert [counts_of_a_line(edges) for edges in (1, 2, 4)] == [1, 2, 4]
     assert [readings(bits) for bits in (1, 3, 8, 12, 17)] == [2**1, 2**3, 2**8, 2**12, 2**17]
-    assert resolution.tau == pytest.approx(6.283185307)

@@ -17,7 +17,7 @@ from derive.kinds.mechanism._facts import Facts
 from derive.mechanics.mobility import Mechanism, Space
 
 if TYPE_CHECKING:
-    from derive.kinds.mechanism._instance import Instance, Pair, Sort
+    from derive.kinds.mechanism._oracle import Instance, Pair, Sort
 
 CLOSED_OUTSIDE: dict[Space, tuple[Space, ...]] = {
     "spatial": ("planar", "spherical"),
@@ -44,7 +44,7 @@ class Built:
     @staticmethod
     def of(mechanism: Mechanism) -> Built:
         """By its legs, where it is given by them, or else by its joints."""
-        from derive.kinds.mechanism import _instance as made
+        from derive.kinds.mechanism import _oracle as made
 
         legs: tuple[tuple[Pair, ...], ...] = ()
         size = len(made.COORDINATES[mechanism.space])
@@ -79,7 +79,7 @@ class Built:
 
     def lying(self, space: Space) -> int | None:
         """The index of the same joints in a plane or about a point; None where they cannot lie so."""
-        from derive.kinds.mechanism import _instance as made
+        from derive.kinds.mechanism import _oracle as made
 
         possible = self.pairs.keys() <= FLAT[space]
         return made.index(space, self.bodies, self.sorts) if possible else None
@@ -105,7 +105,7 @@ def proofs(
 
 def _lines(steps: tuple[Step, ...], built: Built, dof: int) -> Iterator[bool]:
     """Each formula of the two lines in numbers; a line without one says nothing."""
-    from derive.kinds.mechanism import _instance as made
+    from derive.kinds.mechanism import _oracle as made
 
     size = len(made.COORDINATES[built.space])
     taken = size * (built.bodies - 1) - built.index
@@ -118,7 +118,7 @@ def _lines(steps: tuple[Step, ...], built: Built, dof: int) -> Iterator[bool]:
 
 def _is_counted(row: tuple[object, ...], built: Built) -> bool:
     """A row of the table: joint, number, freedoms, constraints of each, constraints together."""
-    from derive.kinds.mechanism import _instance as made
+    from derive.kinds.mechanism import _oracle as made
 
     sort, *told = row
     if not isinstance(sort, Phrase):
@@ -165,7 +165,7 @@ def _said(mechanism: Mechanism, told: Facts, built: Built) -> Iterator[bool]:
 
 
 def _size(space: Space) -> int:
-    from derive.kinds.mechanism import _instance as made
+    from derive.kinds.mechanism import _oracle as made
 
     return len(made.COORDINATES[space])
 

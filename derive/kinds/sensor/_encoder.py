@@ -7,7 +7,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.sensing import Absolute, Encoder, Incremental
 
-DELTA_M, DELTA = symbols("Delta_m Delta")
+DELTA_M, DELTA, OMEGA = symbols("Delta_m Delta omega")
 TURN = 2 * PI
 
 

@@ -2,29 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
-from math import tau
 
 from pydantic import field_validator
 
 from derive.algebra.formulas.quantities import rational
-from derive.algebra.numbers.floats import Point
-from derive.algebra.numbers.floats import number as at
-from derive.derivation import Claim, Derivation, PageFacts
-from derive.expression import ONE, Call, Expr, Symbol, free_symbols
-from derive.expression import replace as put_in
-from derive.kinds.checks import close, random_points, route
+from derive.derivation import Derivation
+from derive.expression import ONE, Call, Expr, Symbol
+from derive.kinds.checks import route
 from derive.kinds.fields import Formula, OptionsModel, Time
 from derive.kinds.problem import Problem
-from derive.kinds.sensor._encoder import DELTA, counted
-from derive.kinds.sensor._oracle import turned
-from derive.kinds.work import Work
+from derive.kinds.sensor._encoder import DELTA, OMEGA, counted
+from derive.kinds.sensor._facts import SpeedFacts as Facts
+from derive.kinds.sensor._speed_checks import as_given, turning_claims
 from derive.mechanics.sensing import Encoder
 
 NEEDS = ("encoder",)
 CLAIMS = ("edge-by-edge|turned-so-far", "as-given")
-OMEGA = Symbol("omega")
 
 
 class Options(OptionsModel):
@@ -46,13 +40,6 @@ class Options(OptionsModel):
         if (size := rational(value)) is not None and size <= 0:
             raise ValueError("a period must be positive")
         return value
-
-
-class Facts(PageFacts):
-    given: tuple[tuple[Expr, Expr], ...]
-    n: Expr
-    T: Expr
-    gear: Symbol | None
 
 
 def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
@@ -79,49 +66,10 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
         steps=(*work.steps[told:-1], replace(last, chain=(share, *last.chain[1:]))),
         claims=(),
     )
-    work = work.claim(*_claims(encoder, options, problem, results, base))
+    work = work.claim(*turning_claims(encoder, (options.counts, options.period), problem, results, base))
     facts = Facts(
         given=tuple((name, value) for name, value in work.typed if name in (n, T)),
         n=n, T=T, gear=gear, numbers=("omega", "omega_motor", "quantum", "relative"),
     )  # fmt: skip
-    work = work.claim(route("as-given", _as_given(work, options, facts)))
+    work = work.claim(route("as-given", as_given(work, (options.counts, options.period), facts)))
     return work.answer("speed", results, facts)
-
-
-def _claims(
-    encoder: Encoder, options: Options, problem: Problem, results: dict[str, Expr], base: Derivation
-) -> Iterator[Claim]:
-    """The encoder driven as fast as that for so long; by the counts of a turn where it cannot be built."""
-    counts, period, gear = (problem.final(e) for e in (options.counts, options.period, encoder.gear or ONE))
-    symbols = sorted(problem.symbols | free_symbols(counts) | free_symbols(period))
-    turn = base.scalar("counts")
-    built = [*turned(encoder, symbols, problem.final)]
-    driven = built or [(at_, at(turn, at_), at(gear, at_)) for at_ in random_points(symbols, 3)]
-    found = [
-        each
-        for point, edges, ratio in driven
-        for each in _driven(results, point, at(counts, point), at(period, point), edges, ratio)
-    ]
-    yield route("edge-by-edge" if built else "turned-so-far", found)
-
-
-def _driven(
-    results: dict[str, Expr], point: Point, n: float, T: float, edges: float, gear: float
-) -> Iterator[bool]:
-    """What is counted within T at the speed found and at a quantum more; what the motor does meanwhile."""
-    omega, quantum, relative = (at(results[name], point) for name in ("omega", "quantum", "relative"))
-    per_turn = edges * gear
-    yield close(omega * T * per_turn / tau, n)
-    yield close((omega + quantum) * T * per_turn / tau, n + 1)
-    yield close(relative * abs(n), 1.0)
-    if "omega_motor" in results:
-        yield close(at(results["omega_motor"], point) * T * edges / tau, n)
-
-
-def _as_given(work: Work, options: Options, told: Facts) -> Iterator[bool]:
-    """The names of what was counted, and in which time, stand for what is given."""
-    for name, typed in ((told.n, options.counts), (told.T, options.period)):
-        yield work.value(put_in(name, work.definitions)) == work.value(typed)
-    yield told.given == tuple(pair for pair in work.typed if pair[0] in (told.n, told.T))
-    if told.gear is not None:
-        yield work.value(told.gear * OMEGA) == work.value(Symbol("omega_m"))

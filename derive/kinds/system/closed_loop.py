@@ -2,30 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
 from derive.control.controllers import Controller, Loop
-from derive.control.oracle import poles
-from derive.control.oracle.equations import is_close, quotient, value
-from derive.control.oracle.growth import degree
 from derive.control.rational import Rational
 from derive.control.ratios import Ratio, total
 from derive.control.roots import roots
 from derive.control.signals import signals
 from derive.control.system import System
-from derive.derivation import Claim, Derivation, PageFacts, Step
+from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import ONE, ZERO, Expr, Symbol, free_symbols, walk
 from derive.kinds.chains import distinct
 from derive.kinds.checks import law, route
 from derive.kinds.fields import Evaluation, OptionsModel, Place
 from derive.kinds.problem import Problem
+from derive.kinds.system._loop_checks import loop_point_claims, said
+from derive.kinds.system._loop_facts import Facts as Facts
+from derive.kinds.system._loop_facts import LoopAtPoint
 from derive.kinds.system._options import ControllerField
-from derive.kinds.system._oracle import Held, Point, as_printed, controller_as_printed, reals
+from derive.kinds.system._oracle import Held, as_printed, controller_as_printed
 from derive.kinds.system._plant import (
-    AtPoint,
     Plant,
     asked,
     plant,
@@ -36,8 +35,7 @@ from derive.kinds.system._plant import (
     verdict,
     zeros_json,
 )
-from derive.kinds.system._point_checks import AT_POINT, is_named, point_claims
-from derive.kinds.system._transfer_checks import denominator_degree, is_degree
+from derive.kinds.system._point_checks import AT_POINT
 from derive.kinds.work import Work
 
 SUBJECTS = ("system", "motor")
@@ -87,25 +85,6 @@ def plant_or_loop(
     return asked(problem, "closed-loop", controller=controller), loop.transfer, loop.plant
 
 
-class LoopAtPoint(AtPoint):
-    hidden: bool = False  # what grows cancels out of the output
-
-
-class Facts(PageFacts):
-    family: str
-    through: Expr
-    origin: tuple[Expr, Expr]
-    input: Symbol
-    output: Symbol
-    motor: tuple[str, ...]
-    differentiates: bool
-    order: int
-    realisable: bool
-    tracks: bool
-    cancelled: int
-    at: LoopAtPoint | None
-
-
 def claims_of(system: System, options: Options) -> tuple[str, ...]:
     """With those of the values asked for."""
     always = ("loop", "controller", "in-complex-numbers", "as-said")
@@ -130,8 +109,8 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     work = work.claim(
         controller_as_printed("controller", held, results["C"]),
         as_printed("in-complex-numbers", held, results["T"]),
-        route("as-said", _said(held, told, work.steps, results)),
-        *_point_claims(replace(held, given=dict(options.evaluate or ())), found, evaluated, told),
+        route("as-said", said(held, told, work.steps, results)),
+        *loop_point_claims(replace(held, given=dict(options.evaluate or ())), _whole(found), evaluated, told),
     )
     return work.answer("closed-loop", results, told, evaluated=evaluated)
 
@@ -195,53 +174,10 @@ def _claims(found: Closed) -> Iterator[Claim]:
         yield law("no-error", _value_at_zero(found.reduced))
 
 
-def _said(held: Held, told: Facts, steps: Sequence[Step], results: Mapping[str, Expr]) -> Iterator[bool]:
-    """Degree, what can be built and what follows without error; which signals, which controller."""
-    controller, system = held.controller, held.system
-    yield controller is not None and told.family == controller.family
-    yield (told.input, told.output, told.motor) == (system.input, system.output, system.motor)
-    yield told.differentiates == ("D" in told.family) and told.origin == (Symbol("s"), ZERO)
-    through = free_symbols(told.through)
-    yield value(told.through, dict(zip(sorted(through), (2, 3), strict=True))) == 6
-    yield all(any(is_named(Symbol(name), each, system) for each in "CG") for name in through)
-    yield from held.compared(lambda at: _degrees(held, told, steps, results, at))
-
-
-def _degrees(
-    held: Held, told: Facts, steps: Sequence[Step], results: Mapping[str, Expr], at: Point
-) -> Iterator[bool]:
-    plant = replace(held, controller=None)
-    whole = next(step.result for step in steps if step.name == "T")
-    left = next((step.result for step in steps if step.rule == "cancel"), whole)
-
-    def through(s: complex) -> complex:
-        return held.strength(reals(at), s) * plant.gain(reals(at), s)
-
-    def missing(s: complex) -> complex:
-        return 1 - value(results["T"], {**at, "s": s})
-
-    yield from is_degree(told.order, denominator_degree(whole, at))
-    yield from is_degree(told.order - told.cancelled, denominator_degree(left, at))
-    if (far := degree(through)) is not None:
-        yield told.realisable == (far <= 0)
-    if (near := degree(missing, inward=True)) is not None:
-        yield near > 0 if told.tracks else near <= 0 or told.cancelled > 0
-
-
-def _point_claims(held: Held, found: Closed, evaluated: Mapping[str, Any], told: Facts) -> Iterator[Claim]:
-    """The loop in numbers, and its verdict by the polynomial in which nothing has cancelled."""
-    if told.at is None or found.plant.there(found.reduced).symbols():
-        yield from point_claims(held, evaluated, "T", told.at)
-        return
-    num, den = found.plant.numeric(found.transfer).numbers()
-    yield from point_claims(held, evaluated, "T", told.at, den)
-    yield route(
-        "nothing-cancelled",
-        held.compared(lambda at: [is_close(quotient(num, den, at["s"]), held.gain(reals(at), at["s"]))]),
-    )
-    shown, whole = poles.possible(evaluated["T"]["den"]), poles.possible(den)
-    if len(shown) == len(whole) == 1:
-        yield route("hidden", (told.at.hidden == ("stable" in shown and "stable" not in whole),))
+def _whole(found: Closed) -> Rational | None:
+    """T in numbers with nothing cancelled; None where symbols are left."""
+    value = found.plant.there(found.transfer)
+    return None if value.symbols() else value
 
 
 def _value_at_zero(rational: Rational) -> bool:

@@ -21,6 +21,7 @@ from derive.derivation import Derivation, Result, Step
 from derive.expression import Expr, Quotient, Relation, Sum, Symbol, number, walk
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
+from derive.kinds.system._checked_array import Printed
 from derive.kinds.system._options import ControllerField
 from derive.kinds.system._oracle import Held
 from derive.kinds.system._plant import mixed, point_chains, poles_json, root_tree, rounded, verdict
@@ -37,7 +38,8 @@ from derive.kinds.system._stability_limit import (
     of_one_sign,
     possible,
 )
-from derive.kinds.system._stability_routes import Printed, point_routes, routes
+from derive.kinds.system._stability_proofs import routes
+from derive.kinds.system._values_checks import point_routes
 from derive.kinds.work import Work
 from derive.names import free
 

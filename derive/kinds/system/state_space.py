@@ -20,6 +20,7 @@ from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol, add, column, multiply
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
+from derive.kinds.system._matrix_checks import routes
 from derive.kinds.system._oracle import Held, given_claims, motor_claims
 from derive.kinds.system._plant import (
     AtPoint,
@@ -34,7 +35,6 @@ from derive.kinds.system._plant import (
 )
 from derive.kinds.system._state_checks import characteristic_of, claims_about
 from derive.kinds.system._state_facts import Facts as Facts
-from derive.kinds.system._state_routes import routes
 from derive.kinds.system._states import MATRICES, Answer, answered, readable_form
 from derive.kinds.work import Work
 

@@ -1,0 +1,29 @@
+"""What the words read of encoders and of switched voltages."""
+
+from __future__ import annotations
+
+from derive.derivation import PageFacts
+from derive.expression import Expr, Symbol
+
+
+class ResolutionFacts(PageFacts):
+    edges: Expr | None  # that are counted; None of an absolute encoder
+    gear: Symbol | None
+    gear_value: Expr | None
+
+
+class SpeedFacts(PageFacts):
+    given: tuple[tuple[Expr, Expr], ...]
+    n: Expr
+    T: Expr
+    gear: Symbol | None
+
+
+class VoltageFacts(PageFacts):
+    given: tuple[tuple[Expr, Expr], ...]
+    bipolar: bool
+    inverse: bool
+    timed: bool
+    high: Expr
+    low: Expr
+    duty: Expr

@@ -1,0 +1,39 @@
+"""An answer about stability as it is printed, held to the equations, to determinants and to roots."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from derive.control.oracle.equations import divides_by_s
+from derive.derivation import Claim, Result
+from derive.kinds.checks import route
+from derive.kinds.system._array_checks import as_printed, is_determinant, is_of_array, minors
+from derive.kinds.system._checked_array import Printed
+from derive.kinds.system._oracle import Held
+from derive.kinds.system._point_checks import verdict_claim
+from derive.kinds.system._verdict_checks import changes, limit, marginal, said, stable
+
+MOST = 12  # equations whose determinant is taken
+
+
+def routes(held: Held, printed: Printed, results: Mapping[str, Result]) -> Iterator[Claim]:
+    """The polynomial against the equations, the array against determinants, what is concluded against
+    roots."""
+    told = printed.told
+    yield route("polynomial", held.compared(lambda at: is_of_array(printed, at)))
+    if not divides_by_s(held.system) and len(held.system.equations) <= MOST:
+        yield route("determinant", held.compared(lambda at: is_determinant(held, printed, at)))
+    yield route("minors", minors(printed))
+    yield route("array-as-printed", as_printed(printed))
+    if found := [*stable(printed)]:
+        yield route("exactly-stable", found)
+    if told.marginal is not None and (found := [*marginal(printed, told.marginal)]):
+        yield route("marginally-stable", found)
+    if "epsilon" not in told.mended and (found := [*changes(printed)]):
+        yield route("sign-changes-at-random", found)
+    yield route("as-said", said(held, printed, results))
+    if found := [*limit(printed)]:
+        yield route("limit", found)
+    if not printed.symbols:
+        (_, polynomial), *_ = printed.points()
+        yield verdict_claim(polynomial, told.verdict)
