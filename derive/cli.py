@@ -94,6 +94,9 @@ def _build_options(command: Callable[..., Any]) -> Callable[..., Any]:
         click.option(
             "--audit", is_flag=True, help="Have SymPy derive every answer again, from the sheet alone."
         ),
+        click.option(
+            "--explain", is_flag=True, help="Say of every answer what was proved how, and what was not."
+        ),
         click.option("--pdf-engine", type=engines, default="typst", show_default=True, help=engine),
     )
     for option in reversed(options):
@@ -110,6 +113,7 @@ def build(
     output: str,
     problems: bool,
     audit: bool,
+    explain: bool,
     pdf_engine: str,
 ) -> None:
     """Build solution sheets (the default command). A directory stands for the sheets in it."""
@@ -119,7 +123,7 @@ def build(
     if target is None and len(sheets) > 1:
         raise click.UsageError("--output - prints one sheet")
     with guarded():
-        _build(sheets, formats, target, problems, audit, pdf_engine)
+        _build(sheets, formats, target, problems, audit, explain, pdf_engine)
 
 
 def _build(
@@ -128,10 +132,13 @@ def _build(
     target: Path | None,
     problems: bool,
     audit: bool,
+    explain: bool,
     pdf_engine: str,
 ) -> None:
     if audit and problems:
         raise click.UsageError("--problems leaves out the answers that --audit is about")
+    if explain and problems:
+        raise click.UsageError("--problems leaves out the answers that --explain is about")
     import gc
 
     from derive.build import build as build_sheets
@@ -140,8 +147,10 @@ def _build(
     gc.set_threshold(100_000, 50, 50)  # trees are many and hold no cycles
     try:
         with progress() as step:
-            asked = (_audit(step),) if audit else ()
-            made = build_sheets(sheets, formats, target, problems, pdf_engine, step, warn, *asked)
+            seen: list[Document] = []
+            made = build_sheets(
+                sheets, formats, target, problems, pdf_engine, step, warn, _looked(audit, seen, step)
+            )
     except PagesFailed as failed:
         _say_pages(failed.files, target)
         raise
@@ -149,17 +158,25 @@ def _build(
         if isinstance(text, str):
             page(text)
     _say_pages(made, target)
+    if explain:
+        from derive.explaining import explained
 
-
-def _audit(step: Progress) -> Audit:
-    """The auditor of a build, who says what came of it."""
-    from derive.auditing import audited, report
-
-    def audit(sheets: Sequence[Sheet], documents: Sequence[Document]) -> None:
-        for line in report(audited(sheets, documents, step)):
+        for line in explained(seen):
             say(line)
 
-    return audit
+
+def _looked(audit: bool, seen: list[Document], step: Progress) -> Audit:
+    """Who looks at what is built: keeps it to be explained, and audits it where that is asked."""
+
+    def look(sheets: Sequence[Sheet], documents: Sequence[Document]) -> None:
+        seen.extend(documents)
+        if audit:
+            from derive.auditing import audited, report
+
+            for line in report(audited(sheets, documents, step)):
+                say(line)
+
+    return look
 
 
 def _say_pages(files: tuple[Path | str, ...], folder: Path | None) -> None:
@@ -232,7 +249,13 @@ def schema() -> None:
 @click.argument("sheet", type=click.Path(exists=True, dir_okay=False, path_type=Path))
 @_build_options
 def watch(
-    sheet: Path, formats: tuple[str, ...], output: str, problems: bool, audit: bool, pdf_engine: str
+    sheet: Path,
+    formats: tuple[str, ...],
+    output: str,
+    problems: bool,
+    audit: bool,
+    explain: bool,
+    pdf_engine: str,
 ) -> None:
     """Rebuild a sheet whenever it, or a YAML file beside it, is saved. Ctrl-C ends it."""
     from watchfiles import watch as changes
@@ -243,7 +266,7 @@ def watch(
     def again() -> None:
         try:
             with guarded():
-                _build((sheet,), formats, Path(output), problems, audit, pdf_engine)
+                _build((sheet,), formats, Path(output), problems, audit, explain, pdf_engine)
         except SystemExit:  # the faults are printed already
             pass
         say(f"watching {sheet}; Ctrl-C ends it")

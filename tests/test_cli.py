@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import json
+import re
 from errno import ENOSPC
 from pathlib import Path
 
@@ -45,6 +46,18 @@ def test_output_to_the_terminal(folder: Path) -> None:
     done = run("build", "week1.yaml", "--format", "json", "--output", "-")
     assert json.loads(done.stdout)["title"] == "A planar arm"
     assert not (folder / "output").exists()
+
+
+def test_what_was_proved_is_explained(folder: Path) -> None:
+    (folder / "week1.yaml").write_text(SHEET.replace("dh-table", "jacobian"), encoding="utf-8")
+    done = run("week1.yaml", "--format", "md", "--explain")
+    assert done.exit_code == 0, done.output
+    lines = done.stderr.splitlines()
+    assert lines[1] == "week1, question 1.1, jacobian"
+    assert any(line.startswith("  second route, ") for line in lines)
+    assert re.fullmatch(r"week1, the page: \d+ formulas read back", lines[-1])
+    assert max(map(len, lines)) < 80
+    assert run("week1.yaml", "--problems", "--explain").exit_code == 2
 
 
 def test_a_directory_stands_for_its_sheets(folder: Path) -> None:
