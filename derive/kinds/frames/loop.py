@@ -61,14 +61,15 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     results: dict[str, Result] = {"closes": ", ".join("yes" if loop.closes else "no" for loop in loops)}
     errors = {loop.E.name: problem.final(problem.readable_matrix(loop.error)) for loop in loops}
     results |= errors
-    told = tuple(loop.facts() for loop in loops)
+    facts = Facts(loops=tuple(loop.facts() for loop in loops))
+    told = facts.loops
     chains: list[Chain] = [(loop.E, errors[loop.E.name]) for loop in loops]
     chains += [(each.first, pose_name(each.number, each.parent)) for each in told]
     work = frames_told(work, frames, chains, others=partial(_around, loops))
     for loop, each in zip(loops, told, strict=True):
         said = [float(each.closes), float(each.turned), float(each.shifted)]
         work = work.agrees("verdict", problem.symbols, partial(_said, said), loop.verdict, E=loop.E.name)
-    return work.answer("loop", results, Facts(loops=told))
+    return work.answer("loop", results, facts)
 
 
 def _around(loops: Sequence[_Loop], at: Point) -> Names:

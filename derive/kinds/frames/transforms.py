@@ -38,8 +38,9 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     for frame, name in zip(frames.frames, names, strict=True):
         T = normal_matrix(work[name], problem.names)
         work = work.claim(*is_rotation(rotation_part(T), f"R_{frame.number}^{frame.parent}"))
-    facts = Facts(product=whole.name, read=read_axes(work.matrix(whole), len(frames.frames), 0))
+    read = read_axes(work.matrix(whole), len(frames.frames), 0)
+    facts = Facts(product=whole.name, read=read) if len(path) > 1 else Facts(product="", read=())
     observed = (step.facts.axes for step in work.steps if isinstance(step.facts, Axes))
     printed = ((Symbol(name), value) for name, value in results.items())
     work = frames_told(work, frames, (*printed, *facts.read, *(axis for axes in observed for axis in axes)))
-    return work.answer("transforms", results, facts if len(path) > 1 else Facts(product="", read=()))
+    return work.answer("transforms", results, facts)

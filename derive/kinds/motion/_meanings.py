@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from derive.algebra.numbers.floats import Point
-from derive.expression import Expr, Indexed, Symbol
+from derive.expression import Expr, Indexed, Product, Symbol
 from derive.kinds.meanings import Chain, Names, column_of, skew_of, valued
-from derive.kinds.motion._factors import IDENTITY, NO_ROW, Factors
+from derive.kinds.motion._factors import IDENTITY, NO_ROW, Factors, Placed
 from derive.mechanics.oracle import made
 
 
@@ -29,11 +29,26 @@ def meant(factors: Factors, whole: Symbol, at: Point) -> Names:
     return {**names, whole: made(factors.moves, at)[:size, :size]}
 
 
-def placed_chains(factors: Factors) -> Iterator[Chain]:
+def order_told(factors: Factors, mode: str) -> bool:
+    """Whether the axes of the moves after the first are taken as it is told."""
+    taken = {move.about for move in factors.moves[1:]}
+    return taken == {"single": set(), "mixed": {"world", "current"}}.get(mode, {mode})
+
+
+def order_chains(factors: Factors, mode: str, whole: Symbol) -> Iterator[Chain]:
+    """The order in which the factors stand where all axes are taken alike."""
+    names = tuple(factor.name for factor in factors.factors)
+    if mode == "world":
+        yield whole, Product(names[::-1])
+    if mode == "current":
+        yield whole, Product(names)
+
+
+def placed_chains(placed_moves: Sequence[Placed]) -> Iterator[Chain]:
     """The motion after each move, as the words tell it: the product so far, made of the one before it by
     multiplying the new factor on from the side that is told."""
     before: Expr | None = None
-    for k, placed in enumerate(factors.placed(), 1):
+    for k, placed in enumerate(placed_moves, 1):
         reached: tuple[Expr, ...] = (_reached(k), placed.product)
         if before is not None:
             left = placed.side == "left"

@@ -13,7 +13,7 @@ from derive.expression import Expr, Matrix, Symbol
 from derive.kinds.checks import is_rotation, law
 from derive.kinds.meanings import as_told
 from derive.kinds.motion._factors import Factors, Placed, factors_of, product_of, rounded_matrix, value_of
-from derive.kinds.motion._meanings import meant, placed_chains
+from derive.kinds.motion._meanings import meant, order_chains, order_told, placed_chains
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.motion import Move
@@ -45,9 +45,13 @@ def composed(
     parts = _factor_results(factors, problem)
     work = work.claim(*_laws(problem.exact(value), name.name))
     work = motion_made(work, name.name, moves, exact, *parts.values())
-    work = as_told(work, partial(meant, factors, name), placed_chains(factors))
-    results: dict[str, Result] = {name.name: exact, **parts}
     facts, point = _facts(factors, numeric, name), completed({}, problem.where)
+    chains = (*placed_chains(facts.placed), *order_chains(factors, facts.mode, name))
+    work = as_told(work, partial(meant, factors, name), chains)
+    work = work.law(
+        "told", (facts.noun == ("rotation" if size == 3 else "move"), order_told(factors, facts.mode))
+    )
+    results: dict[str, Result] = {name.name: exact, **parts}
     evaluated: dict[str, Any] = {}
     if numeric:  # the page shows them so already
         evaluated = {

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
+from typing import Any, Literal
 
 from derive.algebra.infix import text
 from derive.derivation import Derivation, PageFacts, Phrase, Record, Step
@@ -14,9 +14,11 @@ from derive.kinds.motion._factors import Factors, factors_of, product_of
 from derive.kinds.motion._product import motion_made
 from derive.kinds.problem import Problem
 from derive.mechanics.motion import Axis, Motion, Move
-from derive.mechanics.sequences import Alternative, equivalents, order
+from derive.mechanics.sequences import Alternative, equivalents, mode, order
 
 CLAIMS = ("same-matrix", "motion-made")
+
+ABOUT: tuple[Literal["world", "current"], ...] = ("world", "current")
 
 
 class MoveTold(Record):
@@ -52,14 +54,16 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
     axes = tuple(step for step in factors.work.steps if step.rule == "unit-vector")
     work = replace(factors.work, steps=(*axes, Step(name.name, (name, product)))).knowing({name: written})
     work, found, exact = work.linked(), tuple(equivalents(motion.moves)), problem.final(written)
-    for number, alternative in enumerate(found, 1):
-        same = product_of(alternative.moves, factors.size) == value
-        work = work.law("same-matrix", same, number=number)
-        work = motion_made(work, Phrase("sequence", {"number": number}), alternative.moves, exact)
     facts = Facts(
         product=name,
         sequences=tuple(_told(alternative, factors) for alternative in found),
     )
+    for number, (alternative, sequence) in enumerate(zip(found, facts.sequences, strict=True), 1):
+        same = product_of(alternative.moves, factors.size) == value
+        work = work.law("same-matrix", same, number=number)
+        told = tuple(_move(each, factors) for each in (sequence.first, *sequence.rest))
+        work = motion_made(work, Phrase("sequence", {"number": number}), told, exact)
+        work = work.law("told", mode(told) == sequence.mode)
     results: dict[str, Any] = {"sequences": tuple(_typed(each.moves) for each in found)}
     return work.answer("equivalent-sequences", results, facts)
 
@@ -72,6 +76,14 @@ def _told(alternative: Alternative, factors: Factors) -> SequenceTold:
         for move in alternative.moves
     )
     return SequenceTold(mode=alternative.mode, first=first, rest=tuple(rest))
+
+
+def _move(told: MoveTold, factors: Factors) -> Move:
+    """The move that is meant by what is told. Raises StopIteration for an axis that there is not."""
+    axis = next(factor.move.axis for factor in factors.factors if factor.axis == told.axis)
+    kind = next(move.kind for move in factors.moves if move.kind == told.move)
+    about = next(each for each in ABOUT if each == told.about)
+    return Move(kind, axis, told.by, about)
 
 
 def _typed(moves: tuple[Move, ...]) -> tuple[dict[str, Any], ...]:

@@ -49,8 +49,10 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
         lambda at: made(motion.moves, at)[:3, :3],
         1e-8,
     )
+    facts = Facts(numeric=told.numeric, zero=told.zero)
     work = as_told(work, partial(_meant, motion, told, work.matrix(r)))
-    return work.answer("rotation-vector", {"r": work[r]}, Facts(numeric=told.numeric, zero=told.zero))
+    work = work.law("told", facts.zero == (set(work.entries(r)) == {ZERO}))
+    return work.answer("rotation-vector", {"r": work[r]}, facts)
 
 
 def _meant(motion: Motion, told: axis_angle.Facts, r: Matrix, at: Point) -> Names:

@@ -71,7 +71,10 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
         (name, results[key]) for key, name in (("omega", omega), ("S", S), ("v", V)) if key in results
     ]
     work = as_told(work, means, as_printed, "differences", DIFFERENCES, names)
-    return work.answer("velocity", results, Facts(rates=tuple(map(Symbol, turning)), shifted=bool(shifting)))
+    facts = Facts(rates=tuple(map(Symbol, turning)), shifted=bool(shifting))
+    turned = tuple(Symbol(name) for name in varying if normal_matrix(work[R]).diff(name))
+    work = work.law("told", (facts.rates == turned, facts.shifted == ("v" in results)))
+    return work.answer("velocity", results, facts)
 
 
 def _varying(motion: Motion, options: Options, problem: Problem) -> tuple[str, ...]:

@@ -27,7 +27,7 @@ from derive.expression import (
     squared,
     transpose,
 )
-from derive.kinds.meanings import Names, as_told, column_of
+from derive.kinds.meanings import Chain, Names, as_told, column_of
 from derive.kinds.pose._given import Given, given_pose, lacking
 from derive.kinds.pose._given import PoseOptions as Options
 from derive.kinds.pose._meanings import entries_of, printed, turn_of
@@ -93,10 +93,6 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     work = work.agrees(
         "orientation-again", problem.symbols, lambda at: elementary(turn, at)[:3, :3], given.turns, 1e-8
     )
-    told = facts.law if half else facts.twice
-    work = as_told(
-        work, partial(_meant, given, names, axis), (told, (names.angle, angle), (names.axis, axis))
-    )
     facts = replace(
         facts,
         zero=False,
@@ -106,6 +102,12 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
         style=problem.style,
         page_names={"angle": names.angle, "axis": names.axis},
     )
+    work = as_told(
+        work,
+        partial(_meant, given, names, axis),
+        (*_told(given, names, facts), (names.angle, angle), (names.axis, axis)),
+    )
+    work = work.law("told", (facts.half == half, not facts.zero))
     return work.answer("axis-angle", {"angle": angle, "axis": axis}, facts)
 
 
@@ -120,6 +122,12 @@ def _meant(given: Given, names: _Names, axis: Matrix | None, at: Point) -> Names
         **entries_of(R), given.rotation: R, Symbol("I"): np.eye(3), names.angle: angle,
         names.axis: column_of(k), names.turn: column_of(w), **dict(zip(names.components, w, strict=True)),
     }  # fmt: skip
+
+
+def _told(given: Given, names: _Names, facts: Facts) -> tuple[Chain, ...]:
+    """The law that is told, and what the words call the rotation, its angle, its axis and w."""
+    pairs = (given.rotation, facts.rotation), (names.angle, facts.angle), (names.axis, facts.axis)
+    return (facts.law if facts.half else facts.twice, *pairs, (names.turn, facts.turned))
 
 
 def _facts(given: Given, names: _Names) -> Facts:
@@ -144,7 +152,8 @@ def _nothing(work: Work, given: Given, names: _Names, facts: Facts) -> Derivatio
     """The identity: the angle is zero, and every axis is as good as another."""
     work = work.line(cos(names.angle), _trace() / 2, value=ONE, label="cosine")
     work = work.line(names.angle, value=ZERO, label="angle")
-    work = as_told(work, partial(_meant, given, names, None))
+    work = as_told(work, partial(_meant, given, names, None), _told(given, names, facts)[1:])
+    work = work.law("told", facts.zero)
     results: dict[str, Result] = {"angle": ZERO, "axis": "any"}
     return work.answer("axis-angle", results, facts)
 

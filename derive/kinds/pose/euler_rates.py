@@ -90,7 +90,7 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
         outer=(Symbol(euler.outer[0]), Symbol(euler.outer[2])),
         short_names=euler.names,
     )
-    return _proved(work, euler, body, singular).answer("euler-rates", results, facts)
+    return _proved(work, euler, facts).answer("euler-rates", results, facts)
 
 
 def _axis(euler: Euler, name: str, body: bool) -> Expr:
@@ -101,19 +101,22 @@ def _axis(euler: Euler, name: str, body: bool) -> Expr:
     return multiply(*(map(transpose, factors[:place:-1]) if body else factors[:place]), unit)
 
 
-def _proved(work: Work, euler: Euler, body: bool, singular: list[Expr]) -> Work:
+def _proved(work: Work, euler: Euler, facts: Facts) -> Work:
     """S(t_i) = dR/dangle R^T for each angle, T T^-1 = 1, det zero where it is said to be; and omega by
     differences of rotations composed in numbers."""
-    T_now, R, middle = work.value_matrix(T), euler.matrix, Symbol(euler.outer[1])
+    T_now, R, body = work.value_matrix(T), euler.matrix, facts.body
     turning = (R.T @ R.diff(name) if body else R.diff(name) @ R.T for name in euler.names)
     work = work.law("angular-velocities", (skew(T_now.columns(k)) == S for k, S in enumerate(turning)))
     rates = normal_matrix(work.steps[-1].result)
     work = work.law("inverse", T_now @ rates == normal_matrix(column(AXES)))
     det = work.problem.readable(T_now.det())
-    work = work.law("singular", (normal(det, {middle: value}) == 0 for value in singular))
-
+    zeros = [normal(det, {name: value}) == 0 for name, value in facts.zeros]
+    work = work.law(
+        "singular", (*zeros, len(set(facts.zeros)) == 2)
+    )  # twice in each turn of the middle angle
+    ends = zip(map(Symbol, (euler.outer[0], euler.outer[2])), facts.outer, strict=True)
     symbols = {*euler.names, *(f"{name}_dot" for name in euler.names)}
-    return as_told(work, partial(_meant, euler, body), (), "differences", DIFFERENCES, symbols)
+    return as_told(work, partial(_meant, euler, body), ends, "differences", DIFFERENCES, symbols)
 
 
 def _meant(euler: Euler, body: bool, at: Point) -> Names:

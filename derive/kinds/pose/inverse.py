@@ -40,8 +40,9 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     back = normal_matrix(exact, problem.names)
     work = work.law("inverse", problem.exact(given.T) @ back == ScalarMatrix.identity(4))
     work = work.agrees("in-numbers", problem.symbols, exact, lambda at: _inverted(given.oracle(at)))
-    work = as_told(work, partial(_meant, given))
-    return work.answer("inverse", {"T": exact}, Facts(pose=given.name))
+    facts = Facts(pose=given.name)
+    work = as_told(work, partial(_meant, given), ((given.name, facts.pose),))
+    return work.answer("inverse", {"T": exact}, facts)
 
 
 def _meant(given: Given, at: Point) -> Names:

@@ -39,8 +39,11 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     steps = (Step("q_0", (scalar, ZERO)), Step("q", (name, q))) if half else _steps(given, name, scalar, q)
     work = Work(problem, {**given.entries, name: q}, uses=given.uses, steps=steps).linked(but=("q_0", "q"))
     work = work.agrees("turns-the-axes", problem.symbols, lambda at: _turned(q, at), given.turns, 1e-8)
-    work = as_told(work, partial(_meant, given, name, scalar, q), ((name, q),))
-    return work.answer("quaternion", {"q": q}, Facts(rotation=given.rotation, half=half, scalar=scalar))
+    facts = Facts(rotation=given.rotation, half=half, scalar=scalar)
+    told = (name, q), (given.rotation, facts.rotation), (scalar, facts.scalar)
+    work = as_told(work, partial(_meant, given, name, scalar, q), told)
+    work = work.law("told", facts.half == (q.rows[0][0] == ZERO))
+    return work.answer("quaternion", {"q": q}, facts)
 
 
 def _meant(given: Given, name: Symbol, scalar: Symbol, q: Matrix, at: Point) -> Names:
@@ -50,7 +53,7 @@ def _meant(given: Given, name: Symbol, scalar: Symbol, q: Matrix, at: Point) -> 
     R = given.turns(at)
     angle, axis = turn_of(R, printed(q, at)[1:])
     parts = np.array([np.cos(angle / 2), *(np.sin(angle / 2) * axis)])
-    return {**entries_of(R), name: column_of(parts), scalar: parts[0]}
+    return {**entries_of(R), given.rotation: R, name: column_of(parts), scalar: parts[0]}
 
 
 def _steps(given: Given, name: Symbol, scalar: Symbol, q: Matrix) -> tuple[Step, ...]:
