@@ -45,7 +45,6 @@ NOT_YET_REFUSED = {
     "robot.inertia_matrix": ("J_v? J_w? value", INNER),
     "robot.properties": ("value y_?", GIVEN),
     "robot.regressor": ("y_?", NO_CHAIN),
-    "robot.singularities": ("matrix", NO_CHAIN),
     "robot.space_jacobian": ("matrix S", NO_CHAIN),
     "robot.state_space": ("B f theta2_ddot x matrix", LINEAR),
     "robot.workspace": ("r_min", NO_CHAIN),  # greatest values have no normal form

@@ -15,6 +15,7 @@ from derive.mechanics.inverse.two_link import two_link
 from derive.mechanics.robot import Robot
 
 CLAIMED = ("solutions",)
+CLAIMS = ("pose-found", "when-holds", "lines", "as-printed", "read-there|elbow-seen")
 
 
 class Options(OptionsModel):

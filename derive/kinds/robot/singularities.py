@@ -7,7 +7,7 @@ from derive.errors import NotDerivable
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._point import PointOn
-from derive.kinds.robot._singular.checks import checked
+from derive.kinds.robot._singular.checks import Checked
 from derive.kinds.robot._singular.facts import Facts as Facts
 from derive.kinds.robot._singular.facts import facts_of
 from derive.kinds.robot._singular.saying import branches
@@ -21,7 +21,7 @@ from derive.mechanics.strata import Strata, searching
 from derive.mechanics.wrist import wrist_of
 
 CLAIMED = ("det", "solutions")
-
+CLAIMS = ("jacobian-seen", "determinant-seen", "full-rank")
 WHOLE = ("vx", "vy", "vz", "wx", "wy", "wz")
 
 
@@ -41,12 +41,14 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     _refuse_out_of_proportion(task)
     way = _way(task, options)
     sets = _analysed(task, way)
+    solutions, facts = branches(problem, sets, way.point), facts_of(problem, way, sets)
     results: dict[str, Result] = {
         "det": problem.final(way.det),
-        "solutions": branches(problem, sets, way.point),
+        "solutions": solutions,
         "complete": way.complete,
     }
-    return way.work.claim(*checked(task, sets)).answer("singularities", results, facts_of(problem, way, sets))
+    work = way.work.claim(*Checked(task, way, sets, solutions, facts.sets).claims())
+    return work.answer("singularities", results, facts)
 
 
 def _refuse_out_of_proportion(task: Task) -> None:

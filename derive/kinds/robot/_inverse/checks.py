@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, reduce
 
@@ -12,7 +12,7 @@ from derive.algebra.numbers.compiled import compiled
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Branch, Claim, Condition, Phrase
 from derive.expression import ZERO, Expr, Relation, Symbol, is_negative, terms_of
-from derive.kinds.checks import SECOND_ROUTE
+from derive.kinds.checks import route
 from derive.kinds.robot._inverse.target import SAME, Target, Values
 
 Conditions = Sequence[Condition]
@@ -62,11 +62,11 @@ class Tried:
 
     def claims(self) -> Iterator[Claim]:
         """What has to hold; of a branch nothing where it need not reach."""
-        for when, holds in zip(self.conditions, self.reached, strict=True):
-            if holds or not self.target.spare:
-                yield reaches(when, holds)
-        yield Claim("pose-found", SECOND_ROUTE, bool(self.points) and all(map(self._found, self._each)))
-        yield Claim("when-holds", SECOND_ROUTE, bool(self.points) and all(self._sorted()))
+        for when, there, always in zip(self.conditions, self._there, self.reached, strict=True):
+            if always or not self.target.spare:
+                yield reaches(when, there)
+        yield route("pose-found", map(self._found, self._each))
+        yield route("when-holds", self._sorted())
 
     @property
     def _each(self) -> Iterator[tuple[Point, Sequence[Values | None]]]:
@@ -113,23 +113,25 @@ class Tried:
         return {name: values[name] for name in self.target.joints}
 
 
-def reaches(when: Conditions, holds: bool) -> Claim:
-    """That the branch with these conditions brings the end-effector to its place."""
+def reaches(when: Conditions, there: Iterable[bool]) -> Claim:
+    """That the branch with these conditions brings the end-effector to its place, wherever it is real."""
     if not when:
-        return Claim("only-branch-reaches", SECOND_ROUTE, holds)
+        return route("only-branch-reaches", there)
     first, *rest = when
     whole = reduce(lambda done, then: Phrase("also", {"first": done, "then": then}), rest, first)
-    return Claim("branch-reaches", SECOND_ROUTE, holds, {"when": whole})
+    return route("branch-reaches", there, when=whole)
 
 
 def as_printed(tried: Tried, branches: Sequence[Branch], order: Sequence[str]) -> Claim:
     """That the branches as results, with everything put in and in short formulas, have the values that were
     put back."""
-    checked = [
-        _prints(branches[k], order, _given(point, tried.target.joints), values)
-        for k, point, values in tried.solved
-    ]
-    return Claim("as-printed", SECOND_ROUTE, bool(checked) and all(checked))
+    return route(
+        "as-printed",
+        (
+            _prints(branches[k], order, _given(point, tried.target.joints), values)
+            for k, point, values in tried.solved
+        ),
+    )
 
 
 def _prints(branch: Branch, order: Sequence[str], given: Values, values: Values) -> bool:

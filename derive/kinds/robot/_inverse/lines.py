@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from derive.algebra.numbers.arrays import arrays
 from derive.derivation import Claim, Step
 from derive.expression import Expr
-from derive.kinds.checks import SECOND_ROUTE, close
+from derive.kinds.checks import close, route
 from derive.kinds.robot._inverse import breaks
 from derive.kinds.robot._inverse.checks import Tried
 from derive.kinds.robot._inverse.readings import Reading
@@ -43,16 +43,13 @@ class Lines:
     def claims(self) -> Iterator[Claim]:
         """Of every line, of where a rule breaks, and of a wrist that is singular."""
         solved = [(self.chosen[k], values) for k, _, values in self.tried.solved]
-        lines = [each for taken, known in solved for each in self.hold(known, taken)]
-        yield Claim("lines", SECOND_ROUTE, bool(lines) and all(lines))
-        read = [each for _, known in solved for each in self.read(known)]
-        yield Claim("read-there", SECOND_ROUTE, bool(read) and all(read))
-        bounds = [*self._bounds(solved)]
-        if bounds:
-            yield Claim("where-it-breaks", SECOND_ROUTE, all(bounds))
+        yield route("lines", (each for taken, known in solved for each in self.hold(known, taken)))
+        yield route("read-there", (each for _, known in solved for each in self.read(known)))
+        if bounds := [*self._bounds(solved)]:
+            yield route("where-it-breaks", bounds)
         if self.worked.singular:
-            free = [each for point in self.tried.points for each in self.leave_free(dict(point))]
-            yield Claim("singular-wrist", SECOND_ROUTE, bool(free) and all(free))
+            free = (each for point in self.tried.points for each in self.leave_free(dict(point)))
+            yield route("singular-wrist", free)
 
     def _bounds(self, tried: Sequence[tuple[Taken, Values]]) -> Iterator[bool]:
         """Of each sub-problem where it is real, where it is determined, and which factor decides a sign."""

@@ -15,7 +15,7 @@ from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.scalar import Scalar
 from derive.derivation import Branch, Claim, Condition, Derivation, Phrase, Step
 from derive.expression import ONE, PI, Expr, Symbol, atan2, cos, multiply, number, sin, sqrt
-from derive.kinds.checks import SECOND_ROUTE, close
+from derive.kinds.checks import close, route
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.at_pose import Configuration
@@ -163,10 +163,8 @@ class Seen:
     def claims(self) -> Iterator[Claim]:
         """Of every line, and of the triangle and its elbow."""
         solved = [*self.tried.solved]
-        lines = [each for k, _, known in solved for each in self._lines(k, known)]
-        yield Claim("lines", SECOND_ROUTE, bool(lines) and all(lines))
-        elbows = [each for k, _, known in solved for each in self._elbow(k, known)]
-        yield Claim("elbow-seen", SECOND_ROUTE, bool(elbows) and all(elbows))
+        yield route("lines", (each for k, _, known in solved for each in self._lines(k, known)))
+        yield route("elbow-seen", (each for k, _, known in solved for each in self._elbow(k, known)))
 
     def _lines(self, k: int, known: Values) -> Iterator[bool]:
         """Those of the other elbow left out."""

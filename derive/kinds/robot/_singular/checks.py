@@ -1,36 +1,158 @@
-"""That a singular set is one, in numbers: the rank drops there and nowhere else."""
+"""That singular sets are what is said of them, in numbers: the Jacobian and its determinant by the poses, the
+rank on each set, what the arm looks like there, and that a search finds no other."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import Any
 
+from derive.algebra.infix import text
 from derive.algebra.numbers import floats as numeric
-from derive.derivation import Claim
-from derive.kinds.checks import SECOND_ROUTE, random_points
+from derive.algebra.numbers.arrays import arrays
+from derive.algebra.numbers.compiled import compiled
+from derive.derivation import Branch, Claim, Phrase
+from derive.expression import Symbol
+from derive.kinds.checks import close, random_points, route
 from derive.kinds.robot._chain import oracle_of
-from derive.kinds.robot._singular.sets import Analysed, Case
+from derive.kinds.robot._singular.facts import CaseTold, SetTold
+from derive.kinds.robot._singular.postures import Postures
+from derive.kinds.robot._singular.search import Values, inside, placed, zeros_along
+from derive.kinds.robot._singular.sets import Analysed, Block, Case
+from derive.kinds.robot._singular.ways import Way
 from derive.kinds.robot._velocity.task import Task
 from derive.mechanics.task import ROWS
 
 SMALL = 1e-5  # a singular value, relative to the largest; differences leave less
+DIFFERENCES = 1e-6
+POINTS, TRIES = 3, 60
+SETS = ("on-the-set", "inside-larger-sets")
 
 
-def checked(task: Task, sets: Iterable[Analysed]) -> Iterator[Claim]:
-    """Claims about every case, and about configurations at random."""
-    full = min(task.J.shape)
-    regular = all(_rank(task.numbers(at)) == full for at in random_points(task.symbols, 3))
-    yield Claim("full-rank", SECOND_ROUTE, regular)
-    for each in sets:
-        for zeros in each.places:
-            name = ", ".join(zero.variable for zero in zeros)
-            ranks = [_rank(task.numbers(here)) for here in each.block.seeing.places(zeros)]
-            holds = all(rank == each.rank for rank in ranks)
-            yield Claim("rank", SECOND_ROUTE, holds, {"rank": each.rank, "names": name})
-        for case in each.cases:
-            if case.J is not None:
-                name = ", ".join(zero.variable for zero in case.zeros)
-                yield Claim("spaces", SECOND_ROUTE, _spaces(task, each, case), {"names": name})
+@dataclass(frozen=True)
+class Checked:
+    """A Jacobian with its singular sets (`sets`, and the same as results and as told in words)."""
+
+    task: Task
+    way: Way
+    sets: Sequence[Analysed]
+    solutions: Sequence[Branch]
+    told: Sequence[SetTold]
+
+    @property
+    def points(self) -> Iterator[Values]:
+        oracle = oracle_of(self.task.problem)
+        return (dict(oracle.at(at)) for at in random_points(self.task.symbols, TRIES))
+
+    def claims(self) -> Iterator[Claim]:
+        """About the lines, the sets, and what is said of each."""
+        some = [at for _, at in zip(range(POINTS), self.points, strict=False)]
+        yield route("jacobian-seen", (self._seen(part.block, at) for part in self.way.parts for at in some))
+        yield route("determinant-seen", (self._determined(at) for at in some))
+        full = min(self.task.J.shape)
+        yield route("full-rank", (_rank(self.task.numbers(at)) == full for at in some))
+        for branch, each, case in self._listed():
+            yield from self._of_branch(branch, each, case)
+            if case is not None and case.J is not None:
+                names = ", ".join(zero.variable for zero in case.zeros)
+                yield route("spaces", _spaces(self.task, each, case), names=names)
+        if said := [*self._words()]:
+            yield route("looks-in-words", said)
+        if spaces := [*self._spaces_told()]:
+            yield route("spaces-told", spaces)
+        if self.way.complete and (found := [*self._found(some[0])]):
+            yield route("all-found", found)
+
+    def _listed(self) -> Iterator[tuple[Branch, Analysed, Case | None]]:
+        """Each result with the set, and the choice of values in it, that it tells."""
+        cases = ((each, case) for each in self.sets for case in (each.cases or (None,)))
+        return ((branch, *pair) for branch, pair in zip(self.solutions, cases, strict=True))
+
+    def _seen(self, block: Block, at: Values) -> bool:
+        """The Jacobian as it is printed, seen from its frame."""
+        printed = numeric.numbers(self.way.work[Symbol(block.name)], at)
+        return close(printed, block_numbers(self.task, block, at), DIFFERENCES)
+
+    def _determined(self, at: Values) -> bool:
+        """det J, or that of the smaller of J J^T and J^T J."""
+        import numpy as np
+
+        J = self.task.numbers(at)
+        m, n = J.shape
+        gram = J if m == n else J @ J.T if m < n else J.T @ J
+        return close(numeric.number(self.way.det, at), float(np.linalg.det(gram)), DIFFERENCES)
+
+    def _of_branch(self, branch: Branch, each: Analysed, case: Case | None) -> Iterator[Claim]:
+        """The rank there, and what is said of it; of a set that is told by equations without values, the
+        search says it."""
+        there = list(placed(branch.values, self.points)) if case else _sampled(each)
+        if not there and case is None:
+            return
+        names = ", ".join(branch.values) or ", ".join(map(text, each.equations))
+        exact, rank = "rank" in branch.facts, branch.facts.get("rank", branch.facts.get("rank_at_most"))
+        ranks = [_rank(self.task.numbers(here)) for here in there]
+        yield route("rank", (r == rank if exact else r <= rank for r in ranks), rank=rank, names=names)
+        yield route("on-it", (inside(branch, here, self._slides) for here in there), names=names)
+        seen = self._postures(each.block)
+        looks = [when for when in branch.when if isinstance(when, Phrase) and when.key not in SETS]
+        if looks:
+            yield route("looks", (seen.true(look, here) for look in looks for here in there), names=names)
+
+    @property
+    def _cases(self) -> Iterator[tuple[Block, CaseTold, Values]]:
+        """Each case that is told in words, at places with the values that stand beside it."""
+        outer = [each for each in self.sets if not each.inner]
+        for each, told in zip(outer, self.told, strict=True):
+            for case in told.cases:
+                values = {name.name: value for name, value in case.places if isinstance(name, Symbol)}
+                yield from ((each.block, case, here) for here in placed(values, self.points))
+
+    def _words(self) -> Iterator[bool]:
+        """What is said of each case in words."""
+        for block, case, here in self._cases:
+            seen = self._postures(block)
+            yield from (seen.true(look, here) for look in case.looks)
+
+    def _spaces_told(self) -> Iterator[bool]:
+        """The matrices of each case as they are printed."""
+        import numpy as np
+
+        for block, case, here in self._cases:
+            J = block_numbers(self.task, block, here)
+            size = SMALL * max(1.0, float(np.abs(J).max()))
+            told = (
+                [arrays(chain[-1], here) for chain in each]
+                for each in (case.J, case.null, case.lost, case.range)
+            )
+            printed, null, lost, spanned = told
+            yield from (close(each, J, DIFFERENCES) for each in printed)
+            yield from (bool(np.abs(J @ N).max() <= size * max(1.0, np.abs(N).max())) for N in null)
+            yield from (bool(np.abs(U.T @ J).max() <= size * max(1.0, np.abs(U).max())) for U in lost)
+            yield from (_rank(np.hstack([J, R])) == _rank(R) == case.rank for R in spanned)
+
+    def _postures(self, block: Block) -> Postures:
+        hand = tuple(i for i, _ in self.task.found.moving)[-3:] if self.way.name == "wrist" else ()
+        return Postures(self.task, block.seeing.rows, hand)
+
+    @property
+    def _slides(self) -> list[str]:
+        found = self.task.found
+        return [joint.variable for _, joint in found.moving if joint.type == "prismatic"]
+
+    def _found(self, at: Values) -> Iterator[bool]:
+        """Whether every configuration that a search finds is singular and lies in a set that is told; a
+        determinant of squares changes no sign, and its zeros are not sought."""
+        if not self.task.square:
+            return
+        J = self.task
+        for here in zeros_along(compiled(self.way.det), at, J.found.variables, self._slides):
+            told = any(inside(branch, here, self._slides) for branch in self.solutions)
+            yield told and _rank(J.numbers(here)) < len(J.rows)
+
+
+def _sampled(each: Analysed) -> list[Values]:
+    """Some places of a set that is told by its equations."""
+    return [here for zeros in each.places for here in each.block.seeing.places(zeros)]
 
 
 def _rank(J: Any) -> int:
@@ -40,29 +162,26 @@ def _rank(J: Any) -> int:
     return int((values > SMALL * max(1.0, values[0])).sum())
 
 
-def _spaces(task: Task, each: Analysed, case: Case) -> bool:
+def _spaces(task: Task, each: Analysed, case: Case) -> Iterator[bool]:
     """J x = 0 and u J = 0 of the block in numbers, and its rank."""
     import numpy as np
 
-    holds = True
     for here in each.block.seeing.places(case.zeros):
-        J = _block_numbers(task, each, here)
+        J = block_numbers(task, each.block, here)
         size = max(1.0, float(np.abs(J).max()))
-        holds &= _rank(J) == case.rank
+        yield _rank(J) == case.rank
         for vectors, matrix in ((case.null, J), (case.lost, J.T)):
             for vector in vectors:
                 v = np.array(numeric.matrix_numbers(vector, here))
                 longest = max(1.0, float(np.abs(v).max()))
-                holds &= bool(np.abs(matrix @ v).max() <= SMALL * size * longest)
-    return holds
+                yield bool(np.abs(matrix @ v).max() <= SMALL * size * longest)
 
 
-def _block_numbers(task: Task, each: Analysed, here: dict[str, float]) -> Any:
+def block_numbers(task: Task, block: Block, here: Values) -> Any:
     """The block by differences of the poses: its rows and columns of the Jacobian of its own point, turned
     into its own frame."""
     import numpy as np
 
-    block = each.block
     oracle = oracle_of(task.problem)
     known = oracle.at(here)
     columns = [task.found.variables.index(name) for name in block.variables]

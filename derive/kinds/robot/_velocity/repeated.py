@@ -6,13 +6,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers.floats import number
 from derive.derivation import Claim, Table
 from derive.expression import Symbol
-from derive.kinds.checks import SECOND_ROUTE, close
+from derive.kinds.checks import close, route
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._velocity.task import Task
 from derive.mechanics.iteration import Verdict
@@ -62,19 +63,15 @@ class Repeated:
         variables `told` beside it."""
         rows = [self._row(table, row) for row in table.rows]
         first, last, names = rows[0], rows[-1], self.task.found.variables
-        numbered = [row.k for row in rows] == list(range(len(rows)))
-        begun = numbered and all(first.at[name] == start[name] for name in names)
-        yield Claim("begun", SECOND_ROUTE, begun)
-        yield Claim("errors", SECOND_ROUTE, all(map(self._measured, rows)))
+        yield route("begun", (first.at[name] == start[name] for name in names))
+        yield route("numbered", (row.k == k for k, row in enumerate(rows)))
+        yield route("errors", map(self._measured, rows))
         if len(rows) > 1:
-            yield Claim("steps-repeated", SECOND_ROUTE, all(self._follows(*pair) for pair in pairwise(rows)))
-        yield Claim("ended", SECOND_ROUTE, self._ended(first, last, verdict))
-        yield Claim(
-            "as-listed",
-            SECOND_ROUTE,
-            close([[each.k, *map(each.at.get, names), each.error, each.H] for each in rows], listed, NEAR),
-        )
-        yield Claim("last-row", SECOND_ROUTE, {name: last.at[name] for name in names} == told)
+            yield route("steps-repeated", (self._follows(*pair) for pair in pairwise(rows)))
+        yield route("ended", self._ended(first, last, verdict))
+        told_rows = ([row.k, *(row.at[name] for name in names), row.error, row.H] for row in rows)
+        yield route("as-listed", map(partial(close, tolerance=NEAR), told_rows, listed))
+        yield route("last-row", (told.get(name) == last.at[name] for name in names))
 
     def _row(self, table: Table, row: Sequence[Any]) -> Row:
         """By the headings: k, the joint variables, the error, H."""

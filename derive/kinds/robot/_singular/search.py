@@ -1,0 +1,97 @@
+"""Singular configurations sought in numbers, along lines through the joint variables; each has to lie in one
+of the sets that are told."""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import pairwise
+
+from derive.algebra.numbers.floats import number
+from derive.derivation import Branch, Phrase
+from derive.expression import Expr, Relation
+
+LINES, SAMPLES, HALVINGS = 5, 64, 60
+CLOSE = 1e-5  # of a variable or an equation, at a zero found
+Values = dict[str, float]
+
+
+def zeros_along(
+    value: Callable[[Values], float], at: Mapping[str, float], names: Sequence[str], slides: Sequence[str]
+) -> Iterator[Values]:
+    """Where a function changes its sign on lines at random, which an angle follows for a whole turn."""
+    draw = random.Random(" ".join(names))
+    for _ in range(LINES):
+        start = {name: draw.uniform(-math.pi, math.pi) for name in names}
+        way = {name: draw.choice((-1, 1)) * draw.uniform(0.5, 1.0) for name in names}
+        if slides:
+            start |= {name: draw.uniform(-2.0, 2.0) for name in slides}
+
+        def there(s: float, start: Values = start, way: Values = way) -> Values:
+            return {**at, **{name: start[name] + s * way[name] for name in names}}
+
+        def height(s: float, there: Callable[[float], Values] = there) -> float:
+            return value(there(s))
+
+        marks = [2 * math.pi * k / SAMPLES for k in range(SAMPLES + 1)]
+        heights = list(map(height, marks))
+        for (a, fa), (b, fb) in pairwise(zip(marks, heights, strict=True)):
+            if fa * fb < 0:
+                yield there(_halved(height, a, b, fa))
+
+
+def _halved(value: Callable[[float], float], a: float, b: float, fa: float) -> float:
+    """The zero between two signs."""
+    for _ in range(HALVINGS):
+        middle = (a + b) / 2
+        a, b = (middle, b) if value(middle) * fa > 0 else (a, middle)
+    return (a + b) / 2
+
+
+def inside(branch: Branch, here: Values, slides: Sequence[str]) -> bool:
+    """Whether a configuration lies in a set, by its values and equations as they are told."""
+    try:
+        return all(
+            _near(here[name], number(value, here), name in slides) for name, value in branch.values.items()
+        ) and all(_holds(each, here) for each in branch.when if isinstance(each, Phrase))
+    except (ValueError, ZeroDivisionError):
+        return False
+
+
+def _near(one: float, other: float, slide: bool) -> bool:
+    gap = one - other
+    return abs(gap if slide else math.remainder(gap, 2 * math.pi)) < CLOSE
+
+
+def _holds(said: Phrase, here: Values) -> bool:
+    """The equations of a set; of what a configuration looks like nothing is asked here."""
+    equations = said.about.get("equations", ())
+    relations = (
+        [each for each in equations if isinstance(each, Relation)] if isinstance(equations, tuple) else []
+    )
+    return all(_met(each, here) for each in relations)
+
+
+def _met(relation: Relation, here: Values) -> bool:
+    left, right = relation.left, relation.right
+    if isinstance(left, Relation):
+        return False
+    gap = number(left, here) - number(right, here)
+    return abs(gap) < CLOSE or abs(math.remainder(gap, 2 * math.pi)) < CLOSE
+
+
+def placed(values: Mapping[str, Expr], points: Iterator[Values], most: int = 3) -> Iterator[Values]:
+    """Points moved to these values, where they are real."""
+    count = 0
+    for at in points:
+        here = dict(at)
+        try:
+            for _ in values:  # a value may hold another one
+                here |= {name: number(value, here) for name, value in values.items()}
+        except ValueError:
+            continue
+        yield here
+        count += 1
+        if count == most:
+            return
