@@ -382,3 +382,16 @@ def test_the_disc_that_is_turned_counts_as_any_does() -> None:
 
     assert [counts_of_a_line(edges) for edges in (1, 2, 4)] == [1, 2, 4]
     assert [readings(bits) for bits in (1, 3, 8, 12, 17)] == [2**1, 2**3, 2**8, 2**12, 2**17]
+
+
+def test_a_fraction_that_is_not_that_of_its_delay(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As the step shows it: with the signs of N and D exchanged, a delay that looks ahead."""
+    right = transfer_function.delay_steps
+
+    def steps(system: System) -> list[Step]:
+        made = [*right(system)]
+        return [replace(each, chain=(ONE / each.chain[0],)) for each in made]
+
+    monkeypatch.setattr(transfer_function, "delay_steps", steps)
+    sheet = 'system: {equations: ["y = exp(-T*s)/(s + 1)*u"], input: u, output: y, delay: {pade: 2}}'
+    assert is_refused(tmp_path, sheet, "transfer-function")

@@ -20,6 +20,7 @@ from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol, add, column, multiply
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
+from derive.kinds.system._delay_checks import fraction_claims
 from derive.kinds.system._matrix_checks import routes
 from derive.kinds.system._oracle import Held, given_claims, motor_claims
 from derive.kinds.system._plant import (
@@ -71,6 +72,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
         *delay_claims(system),
         *claims_about(answer),
         *given_claims(held, work.steps),
+        *fraction_claims(held, work.steps),
         *motor_claims(held),
         *routes(held, work.steps, results, evaluated, told, given),
     )

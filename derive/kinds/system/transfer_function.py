@@ -17,6 +17,7 @@ from derive.expression import ZERO, Expr, free_symbols, walk
 from derive.kinds.checks import law
 from derive.kinds.fields import Evaluation, Name, OptionsModel
 from derive.kinds.problem import Problem
+from derive.kinds.system._delay_checks import fraction_claims
 from derive.kinds.system._oracle import Held, as_printed, given_claims, motor_claims
 from derive.kinds.system._plant import (
     AtPoint,
@@ -64,6 +65,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     held = Held(problem, solved.solution.source)
     work = work.claim(
         *given_claims(held, work.steps),
+        *fraction_claims(held, work.steps),
         as_printed("in-complex-numbers", held, G),
         *motor_claims(held),
         eliminations(held, work.steps),
