@@ -249,7 +249,8 @@ def _rooted(
         for start in STARTS:
             with suppress(ZeroDivisionError):
                 if (found := _root(others, start)) is not None:
-                    yield _floating(point).where(**dict(zip(pair, found, strict=True)))
+                    for turn in product((0, mpmath.pi), repeat=2):
+                        yield _floating(point).where(**dict(zip(pair, found + turn, strict=True)))
 
 
 def _root(of: Callable[[Array], Array], start: tuple[str, str]) -> Array | None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
 from typing import Any
 
 import mpmath
@@ -24,6 +26,20 @@ def put_back(
     close = near or (ROUNDED if rounded(left) or rounded(right) else NEAR)
     same = len(one) == len(other)
     return Holds(name, same and all(agree(a, b, scale, close) for a, b in zip(one, other, strict=True)), said)
+
+
+def vanishes(
+    name: str, point: Point, exprs: Iterable[sympy.Expr], values: Mapping[sympy.Symbol, sympy.Expr], said: str
+) -> Holds:
+    """Whether expressions vanish with these values of their symbols, as far as their terms are sure."""
+    there = point.where(**{key.name: value for key, value in values.items() if value != key})
+    near = ROUNDED if rounded(list(values.values())) else NEAR
+    for expr in exprs:
+        terms = [there.at(term) for term in sympy.Add.make_args(sympy.expand(expr))]
+        scale = max(abs(floating(term)) for term in terms) or 1
+        if not agree(sum(terms), Fraction(0), scale, near):
+            return Holds(name, False, said)
+    return Holds(name, True, "")
 
 
 def rounded(exprs: Any) -> bool:

@@ -14,7 +14,7 @@ from derive.algebra.function import Function
 from derive.audit.asked import Asked, Holds, Same, Test
 from derive.audit.conditions import holds
 from derive.audit.points import Number, Point, floating
-from derive.audit.putting_back import is_real, put_back, told
+from derive.audit.putting_back import is_real, told, vanishes
 from derive.audit.roots import found_from_anywhere
 
 NOTHING = 1e-7  # an eigenvalue this small beside the others is none
@@ -105,14 +105,14 @@ def _put_back(
     places = {sympy.Symbol(name): each for name, each in values.items()}
     said = f"the point {_shown(values)} is none of them"
     regular = all(name in places for name in task.multipliers)
-    for equation in task.equations if regular else task.g:
-        yield put_back("solutions", point, equation.subs(places), sympy.Integer(0), said)
+    yield vanishes("solutions", point, task.equations if regular else task.g, places, said)
     if not regular:
-        normals = sympy.Matrix([[g.diff(x) for x in task.x] for g in task.g]).subs(places)
+        normals = sympy.Matrix([[g.diff(x) for x in task.x] for g in task.g])
         gram = (normals * normals.T).det()
-        yield put_back("solutions", point, gram, sympy.Integer(0), f"{said}: it lacks a multiplier")
+        yield vanishes("solutions", point, [gram], places, f"{said}: it lacks a multiplier")
         yield Holds("solutions", "singular" in when or "global" in when, "a singular point")
-    yield put_back("solutions", point, task.f.subs(places), values[value], f"f at {_shown(values)}")
+    height = task.f - sympy.Symbol(value)
+    yield vanishes("solutions", point, [height], places, f"f is another at {_shown(values)}")
 
 
 def _curvature(

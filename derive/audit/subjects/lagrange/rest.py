@@ -13,7 +13,7 @@ import sympy
 from derive.audit.asked import Asked, Holds, Same, Test
 from derive.audit.conditions import holds
 from derive.audit.points import Point, floating
-from derive.audit.putting_back import array, is_real, put_back, told
+from derive.audit.putting_back import array, is_real, put_back, told, vanishes
 from derive.audit.roots import found_from_anywhere
 from derive.audit.subjects.lagrange.energies import TIME, Energies, as_bodies_are
 
@@ -22,13 +22,15 @@ Values: TypeAlias = Mapping[sympy.Symbol, sympy.Expr]
 ZERO = sympy.Integer(0)
 GROWS = 1e-5  # of the fastest motion: one that grows slower may not grow
 NEAR = 1e-6
+PLACES = 20  # where masses are looked for that are positive
+OPEN = "stability not decided by the terms of second order"
 CASES = re.compile(r"(stable|unstable) if (.+?)(?=, unstable if |$)")
 
 
 def equilibria(asked: Asked, point: Point) -> Iterator[Test]:
     """No equation is left over at any of them, none is missing, and small motions grow or do not."""
     system = Energies(asked)
-    there = as_bodies_are(system, point)
+    there = _of_masses(system, point)
     given = {sympy.Symbol(name): asked.formula(value) for name, value in asked.options.inputs or ()}
     still = {**dict.fromkeys((*inputs(system), *system.rates, *system.accelerations), ZERO), **given}
     equations = [left - force for left, force in zip(system.lefts, system.forces, strict=True)]
@@ -38,13 +40,25 @@ def equilibria(asked: Asked, point: Point) -> Iterator[Test]:
         for each in asked.objects("solutions")
     ]
     for place, when in branches:
-        again = [each.subs(place) for each in left]
-        said = f"it does not rest at {_shown(place)}"
-        yield put_back("solutions", there, again, [ZERO] * len(again), said)
+        yield vanishes("solutions", there, left, place, f"it does not rest at {_shown(place)}")
+        strange = sympy.Matrix(list(place.values())).free_symbols - sympy.Matrix(left).free_symbols
+        yield Holds("solutions", strange <= set(place), f"{strange} stands nowhere on the sheet")
         if all(is_real(there.at(value)) for value in place.values()):
             growth = _growth(system, equations, {**still, **place}, there)
-            yield from _judged(when, growth, _shown(place), asked, there)
+            if growth is not None:
+                yield from _judged(when, growth, _shown(place), asked, there)
     yield _complete(system, left, [place for place, _ in branches], there)
+
+
+def _of_masses(system: Energies, point: Point) -> Point:
+    """A point near this one where every motion has kinetic energy, if there is one."""
+    for place in range(PLACES):
+        there = as_bodies_are(system, Point(point.seed + 100 * place, point.exact, (), point.assumptions))
+        free = Point(there.seed, False, (), there.assumptions)
+        M = np.array(system.mass.applyfunc(lambda e, at=free: float(floating(at.at(e)))).tolist(), float)
+        if np.linalg.eigvalsh(M).min() > 0:
+            break
+    return there
 
 
 def inputs(system: Energies) -> list[sympy.Symbol]:
@@ -61,9 +75,12 @@ def inputs(system: Energies) -> list[sympy.Symbol]:
     return [name for name, drives in found.items() if drives]
 
 
-def _growth(system: Energies, equations: list[sympy.Expr], at: Values, point: Point) -> float:
-    """The largest real part among the eigenvalues of the linear motion, the fastest of them being 1."""
+def _growth(system: Energies, equations: list[sympy.Expr], at: Values, point: Point) -> float | None:
+    """The largest real part among the eigenvalues of the linear motion, the fastest of them being 1; None
+    where the names have values that no mass has."""
     M, C, K = (_floats(equations, by, at, point) for by in (system.accelerations, system.rates, system.q))
+    if np.linalg.eigvalsh(M + M.T).min() <= 0:
+        return None
     n = len(K)
     below = -np.linalg.solve(M, np.hstack([K, C]))
     found = np.linalg.eigvals(np.vstack([np.hstack([np.zeros((n, n)), np.eye(n)]), below]))
@@ -84,7 +101,7 @@ def _judged(when: str, growth: float, place: str, asked: Asked, point: Point) ->
     cases = CASES.findall(said) or [(said, "")]
     for word, condition in cases:
         if not condition or holds(condition, asked, point):
-            right = {"stable": growth <= GROWS, "unstable": growth > GROWS}.get(word, True)
+            right = {"stable": growth <= GROWS, "unstable": growth > GROWS, OPEN: True}.get(word, False)
             yield Holds("solutions", right, f"{place} is not {when}")
 
 

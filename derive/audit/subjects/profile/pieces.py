@@ -41,9 +41,10 @@ def _pieces(asked: Asked) -> list[Piece]:
     known = {sympy.Symbol(n): asked.result(n) for n in asked.results if n in ("t_b", "v", "a")}
     found = []
     for each in asked.objects("q"):
-        start, t, end = (asked.read(side) for side in SIGN.split(each["when"].replace("^", "**"))[::2])
-        if t != TIME:
+        first, since, t, until, last = SIGN.split(each["when"].replace("^", "**"))
+        if (since, t, until) != ("<=", "t", "<="):
             raise NotImplementedError(f"{each['when']} is no stretch of time")
+        start, end = asked.read(first), asked.read(last)
         found.append(Piece(asked.read(each["q"]), start.subs(known), end.subs(known)))
     return found
 

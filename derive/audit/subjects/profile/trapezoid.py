@@ -36,17 +36,19 @@ class Trapezoid:
 
 def trapezoid(d: mpmath.mpf, v_max: mpmath.mpf, a_max: mpmath.mpf, time: mpmath.mpf | None) -> Trapezoid:
     """Over a distance d > 0: with the peak v the way takes d/v + t_1, and t_1 = v/a."""
+    at_most = v_max * (1 + NEAR)
     if time is None:
+        case = "trapezoidal" if d * a_max * (1 + NEAR) >= v_max**2 else "triangular"
         v = min(v_max, mpmath.sqrt(d * a_max))
         t_1, a = v / a_max, a_max
         time = d / v + t_1
     else:
+        case = "triangular" if 2 * d / time <= at_most else "trapezoidal"
         v = min(v_max, 2 * d / time)
         t_1 = time - d / v
         a = v / t_1 if t_1 > 0 else mpmath.inf
     if t_1 <= 0 or a > a_max * (1 + NEAR):
-        return Trapezoid("infeasible", t_1, time - t_1, time, v, a)
-    case = "triangular" if d / v - t_1 <= NEAR * time and v < v_max * (1 - NEAR) else "trapezoidal"
+        case = "infeasible"
     return Trapezoid(case, t_1, time - t_1, time, v, a)
 
 

@@ -126,7 +126,8 @@ def _in_numbers(asked: Asked, coefficients: list[sympy.Expr]) -> Iterator[Test]:
     results = asked.results["conditions"]
     conditions = results if isinstance(results, list) else []
     met = [holds(str(one), asked, here) for one in conditions]
-    right = all(isinstance(a, str) or bool(a) == b for a, b in zip(each, met, strict=True) if b is not None)
+    ours = [holds(one, asked, here) if isinstance(one, str) else bool(one) for one in each]
+    right = all(a == b for a, b in zip(ours, met, strict=True) if b is not None)
     yield Holds(EVALUATED + "conditions", right and len(each) == len(met), f"they are {met}")
     if "poles" in told:
         found = _roots(coefficients, here)
