@@ -11,7 +11,7 @@ from functools import lru_cache
 
 from derive.algebra.fingerprint import fingerprint
 from derive.algebra.formulas.tokens import Kind, Token
-from derive.answers.latex.printed import parts_of, read_part
+from derive.answers.latex.printed import SIGNS, parts_of, read_part, require_tex
 from derive.answers.latex.scripts import Tokens
 from derive.errors import FormulaError, SheetError, SheetErrors, Unfit
 from derive.expression import Approximate, Expr, Indexed, Matrix, Symbol, walk
@@ -20,6 +20,7 @@ from derive.render.document import Document
 from derive.render.layout import Chain
 from derive.render.notation import Notation
 from derive.render.printed import Naming, Printed, Reading, Said
+from derive.render.typed import is_law
 
 REMEMBERED = 20_000  # formulas of one process: a sheet is printed in several formats
 MISPRINTED = "the page says something else than was derived"
@@ -50,7 +51,7 @@ def reading_of(document: Document) -> Reading:
 def read_back(said: Sequence[Said]) -> Reading:
     """How many formulas of a page were read and found to say what they were printed from. Raises SheetErrors
     for those that do not, with the question and the formula."""
-    read, unread, faults = 0, dict[str, None](), list[SheetError]()
+    read, typed, unread, faults = 0, 0, dict[str, None](), list[SheetError]()
     for part in said:
         for formula in dict.fromkeys(part.printed):
             try:
@@ -59,11 +60,12 @@ def read_back(said: Sequence[Said]) -> Reading:
                 message = f"question {part.question} failed its own check: {MISPRINTED}: {error}"
                 faults.append(SheetError(message, part.place, REPORT))
                 continue
-            read += 0 if doubts else 1
+            typed += not formula.chains
+            read += bool(formula.chains and not doubts)
             unread |= dict.fromkeys(doubts)
     if faults:
         raise SheetErrors(faults)
-    return Reading(read, tuple(unread))
+    return Reading(read, tuple(unread), typed)
 
 
 @lru_cache(REMEMBERED)
@@ -74,6 +76,9 @@ def _unread(printed: Printed) -> tuple[str, ...]:
     if not all(map(_names_entries, printed.namings)):
         raise Misprinted(f"{shown} (the names of its entries stand for others)")
     try:
+        if not printed.chains:
+            _require_law(printed.lines)
+            return ()
         chains = parts_of(printed.lines)
         if [*map(len, chains)] != [*map(len, printed.chains)]:
             raise Misprinted("a part is missing, or is one too many")
@@ -83,6 +88,15 @@ def _unread(printed: Printed) -> tuple[str, ...]:
         return (f"{shown} ({error.message})",)
     except (FormulaError, Misprinted) as error:
         raise Misprinted(f"{shown} ({error})") from error
+
+
+def _require_law(lines: Sequence[str]) -> None:
+    """Raises FormulaError for typed mathematics that TeX would refuse, Misprinted where it is a formula that
+    is no law of the house's words."""
+    for line in lines:
+        found = require_tex(line)
+        if any(token.text in SIGNS for token in found) and not is_law(line):
+            raise Misprinted("it was typed, and is no law that is listed")
 
 
 def _doubts(found: Sequence[tuple[str, Tokens]], chain: Chain, notation: Notation) -> Iterator[str]:

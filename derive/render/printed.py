@@ -26,7 +26,7 @@ class Naming:
 @dataclass(frozen=True, slots=True)
 class Printed:
     """A formula as it stands on a page, in the lines of a display or in one line of text; it says the chains
-    side by side, in which entries of matrices may be named."""
+    side by side, in which entries of matrices may be named. One that was typed says none."""
 
     lines: tuple[str, ...]
     chains: tuple[Chain, ...]
@@ -46,10 +46,12 @@ class Printed:
 
 @dataclass(frozen=True, slots=True)
 class Reading:
-    """How many formulas of a page were read back and found right, and those that could not be read."""
+    """How many formulas of a page were read back and found right, those that could not be read, and how many
+    its words have as they were typed."""
 
     read: int = 0
     unread: tuple[str, ...] = ()
+    typed: int = 0
 
 
 @dataclass(frozen=True, slots=True)

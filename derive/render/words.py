@@ -25,6 +25,7 @@ from derive.render.phrases import PHRASES, Speech, on_page
 from derive.render.printed import Naming, Printed
 from derive.render.room import abridged, has_room, kept
 from derive.render.skin import Skin, environment, words_file
+from derive.render.typed import typed_in
 
 QUESTION = "question"  # the block of a words template that asks for its derivation
 APART = (QUESTION, PHRASES, "results", "example")  # said elsewhere: see render/questions.py and phrases.py
@@ -62,6 +63,8 @@ def words(
     for block in APART:
         context.blocks[block] = [lambda _: iter(())]
     written = "".join(template.root_render_func(context))
+    if "." not in folder:  # the words of another package have laws of their own
+        seen.extend(typed_in(written, seen, notation))
     if asked and (forgotten := telling.forgotten()):
         raise ForgottenStep(derivation.kind, forgotten)
     return written.strip()
@@ -142,6 +145,7 @@ class Telling:
 
     def formula(self, *lines: str) -> str:
         """A general law, displayed as the words write it in LaTeX; what is derived goes through `show`."""
+        self.printed.append(Printed(lines, (), self.notation))
         return self.skin.display(Display(lines))
 
     def inline(self, name: str | Step, trig: Trig = None) -> str:

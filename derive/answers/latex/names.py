@@ -77,8 +77,9 @@ class Names:
             return self.moving(Symbol(found))
         cursor.at = name.power
         found = letters.find(name.plain + name.accent)
-        if not found and name.lower and name.stem in letters.indexed:
-            return Indexed(name.stem, self._indices(name.lower_tokens))
+        stem = name.stem + name.accent
+        if not found and name.lower and stem in letters.indexed:
+            return Indexed(stem, self._indices(name.lower_tokens))
         turns = name.stem in TRIG and not name.lower and not name.accent and is_greek(cursor.next)
         if turns and found not in letters.own:
             return TRIG[name.stem]

@@ -51,11 +51,19 @@ def parts_of(lines: Sequence[str]) -> list[list[Part]]:
     chains: list[list[Part]] = []
     depth = 0
     for line in lines:
-        _require_fences(line)
-        found = subscripts_first(tokens(line))
-        _require_scripts(found)
+        found = require_tex(line)
+        if found[0].text in ("_", "^"):
+            raise FormulaError(f"this {found[0].text} stands on nothing", 0)
         depth = _line(found, chains, depth)
     return [[(sign, _ended(part)) for sign, part in chain] for chain in chains]
+
+
+def require_tex(line: str) -> Tokens:
+    """The tokens of a line. Raises FormulaError where TeX would refuse it."""
+    _require_fences(line)
+    found = subscripts_first(tokens(line))
+    _require_scripts(found)
+    return found
 
 
 def _line(found: Tokens, chains: list[list[Part]], depth: int) -> int:
@@ -114,7 +122,7 @@ def _require_scripts(found: Tokens) -> None:
             before, used = token.text, set()
             at += 1
             continue
-        if token.text in used or not before or before in "+-=(&":
+        if token.text in used or (before and before in "+-=(&"):
             raise FormulaError(f"this {token.text} stands on nothing", token.offset)
         used.add(token.text)
         inner, after = group(found, at + 1)
@@ -129,4 +137,4 @@ def _is_one_sign(token: Token) -> bool:
     commands: Collection[str] = LETTERS | {"circ", "ast"}
     if token.kind == "command":
         return token.text in commands
-    return len(token.text) == 1 and (token.kind in ("name", "number"))
+    return len(token.text) == 1 and (token.kind in ("name", "number") or token.text == "+")
