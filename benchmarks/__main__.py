@@ -13,6 +13,7 @@ from benchmarks.commands import time_commands
 from benchmarks.peers import PEERS
 from benchmarks.race import race
 from benchmarks.table import Results, page, tables
+from benchmarks.truths import truth_shares
 
 LETTERS = ",".join(case.letter for case in CASES)
 MODULES = ",".join(peer.module for peer in PEERS)
@@ -53,7 +54,8 @@ def _measured(
 ) -> Results:
     chosen = tuple(peer for peer in PEERS if peer.module in ("ours", *modules))
     cells = {case: race(case, chosen, rounds, limit, say) for case in CASES if case.letter in letters}
-    return Results(chosen, cells, time_commands(rounds, say) if commands else {}, rounds, limit)
+    whole, truths = (time_commands(rounds, say), truth_shares(say)) if commands else ({}, {})
+    return Results(chosen, cells, whole, rounds, limit, truths)
 
 
 if __name__ == "__main__":

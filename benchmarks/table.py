@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import platform
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import date
 from importlib.metadata import PackageNotFoundError, version
 from typing import TYPE_CHECKING
@@ -30,6 +30,7 @@ class Results:
     commands: Mapping[Command, float | None]
     rounds: int
     limit: float
+    truths: Mapping[str, float] = field(default_factory=dict)
 
 
 def tables(results: Results) -> Sequence[Table]:
@@ -42,7 +43,10 @@ def tables(results: Results) -> Sequence[Table]:
     whole = Table("whole command", "derive", "aim")
     for command, ratio in results.commands.items():
         whole.add_row(command.title, *_command_texts(command, ratio))
-    return [table for table in (derivations, whole) if table.row_count]
+    truths = Table("truths", "share of a build")
+    for truth, share in _with_sum(results.truths):
+        truths.add_row(truth, share)
+    return [table for table in (derivations, whole, truths) if table.row_count]
 
 
 def page(results: Results, note: str) -> str:
@@ -68,8 +72,17 @@ def page(results: Results, note: str) -> str:
             ("", "derive", "aim"),
             [(c.title, *_command_texts(c, ratio)) for c, ratio in results.commands.items()],
         ),
+        "## Truths",
+        "Their share of the time in which all exercises are built to Markdown, by samples of where it goes.",
+        _rows(("", "share"), _with_sum(results.truths)),
     ]
     return "\n\n".join(parts) + "\n"
+
+
+def _with_sum(truths: Mapping[str, float]) -> list[tuple[str, str]]:
+    """Shares as texts, and what they add up to."""
+    whole = {**truths, "all": sum(truths.values())} if truths else {}
+    return [(truth, f"{share:.1%}") for truth, share in whole.items()]
 
 
 def _sample(rounds: int) -> str:
