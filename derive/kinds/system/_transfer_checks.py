@@ -70,6 +70,8 @@ def _told(steps: Sequence[Step]) -> Iterator[bool]:
         if not isinstance(told, Eliminated):
             yield False
             continue
+        if told.explicit:
+            yield step.chain[0] in told.equation and step.chain[1] in told.equation
         inside = frozenset[str]().union(*map(free_symbols, told.equation))
         before = {each for each in known if each.name in inside}
         yield {*told.put} <= before and bool(told.put) == bool(before)
