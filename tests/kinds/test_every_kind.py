@@ -47,7 +47,6 @@ NOT_YET_REFUSED = {
     "robot.regressor": ("y_?", NO_CHAIN),
     "robot.space_jacobian": ("matrix S", NO_CHAIN),
     "robot.state_space": ("B f theta2_ddot x matrix", LINEAR),
-    "robot.workspace": ("r_min", NO_CHAIN),  # greatest values have no normal form
 }
 # Kinds that do not declare their claims yet, and laws that are tried in no instance yet, by folder; these
 # lists too can only grow shorter.

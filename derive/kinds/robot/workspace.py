@@ -11,13 +11,14 @@ from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._point import PointOn, Tracked, tracked
-from derive.kinds.robot._reach.checks import second_route
+from derive.kinds.robot._reach.checks import Reached
 from derive.kinds.robot._reach.regions import Region, Secondary, final_distance, region_of, secondary
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
 from derive.mechanics.reach import moving_joints, turns_freely
 from derive.mechanics.robot import Robot
 
+CLAIMS = ("largest-distance", "smallest-distance", "lines", "link-lengths", "hole")
 R_MIN, R_MAX = Symbol("r_min"), Symbol("r_max")
 
 
@@ -61,9 +62,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         closing(Step("r_min", (R_MIN, *region.smallest), "folded"), r_min),
     )
     work = Work(problem, uses=(problem.ask("forward-kinematics"),), steps=steps).linked(but=("r_min",))
-    work = work.claim(*second_route(problem, found, point, region, {1: r_max, -1: r_min}))
     plots = _pictures(problem, region, options)
     facts = _facts(problem, region, point, plots)
+    reached = Reached(problem, found, point, region, {1: r_max, -1: r_min})
+    work = work.claim(*reached.claims(steps, region.smallest[-1] == ZERO, facts.secondary))
     results = {"r_min": r_min, "r_max": r_max, "description": facts.description}
     return work.answer("workspace", results, facts, plots=plots)
 

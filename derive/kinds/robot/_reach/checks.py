@@ -1,76 +1,154 @@
-"""A workspace checked by a search over the joints, with poses in NumPy."""
+"""A workspace checked by a search over the joints, with poses in NumPy, and its links by the axes as seen."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
-from itertools import product
-from typing import Any
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise, product
+from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers import floats as numeric
-from derive.derivation import Claim
-from derive.expression import Expr
-from derive.kinds.checks import SECOND_ROUTE, random_points
+from derive.derivation import Claim, Step
+from derive.expression import Expr, free_symbols
+from derive.kinds.checks import close, random_points, route
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._point import Tracked
-from derive.kinds.robot._reach.regions import Region
+from derive.kinds.robot._reach.regions import Region, Secondary
+from derive.kinds.robot._seen import apart, axis_seen
 from derive.mechanics.chain import Chain
 from derive.mechanics.reach import moving_joints
 
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Array = NDArray[Any]
+
 SMALL = 1e-6
-NEAR = 1e-2  # a search creeps where links of 2, 2 and 4 are folded
-SWEEPS = 40  # of a search joint by joint
+NEAR, TOUCHING = 1e-4, 1e-2  # a search creeps where links of 2, 2 and 4 are folded to nothing
+SWEEPS = 100  # of a search joint by joint
+POINTS, STARTS = 4, 3
+Values = dict[str, float]
 
 
-def second_route(
-    problem: Problem, found: Chain, point: Tracked, region: Region, bounds: Mapping[int, Expr]
-) -> tuple[Claim, ...]:
-    """The largest distance (1) and the smallest (-1) by a search over the joints, one after the other; of a
-    torus the largest alone."""
-    signs = (1,) if region.kind == "torus" else (1, -1)
-    return tuple(_reached(problem, found, point, region, bounds[sign], sign) for sign in signs)
+@dataclass(frozen=True)
+class Reached:
+    """What a point of an arm reaches, against its region and the distances that are told: the largest (1)
+    and the smallest (-1)."""
+
+    problem: Problem
+    found: Chain
+    point: Tracked
+    region: Region
+    bounds: Mapping[int, Expr]
+
+    def claims(self, steps: Sequence[Step], closed: bool, secondary: Secondary | None) -> Iterator[Claim]:
+        """About the distances, every line that leads to them, the lengths, and whether there is a hole."""
+        points = list(self._points)
+        yield route("largest-distance", (self._reaches(1, at) for at in points))
+        yield route("smallest-distance", (self._reaches(-1, at) for at in points))
+        yield route("lines", (_same(step.chain[1:], at) for step in steps for at in points))
+        yield route("link-lengths", (each for at in points for each in self._lengths(at)))
+        yield route("hole", ((numeric.number(self.bounds[-1], at) < SMALL) == closed for at in self._general))
+        if secondary:
+            yield route("secondary", (each for at in points for each in self._secondary(secondary, at)))
+
+    @property
+    def _points(self) -> Iterator[Values]:
+        oracle = oracle_of(self.problem)
+        return (dict(oracle.at(at)) for at in random_points(self.problem.symbols, POINTS))
+
+    @property
+    def _general(self) -> Iterator[Values]:
+        """Lengths of which one is the longest by far, so that there is a hole if ever there is."""
+        names = sorted(set().union(*map(free_symbols, self.region.lengths)))
+        for at in self._points:
+            yield at
+            yield from ({**at, name: 40.0 * at[name]} for name in names if name in at)
+
+    @cached_property
+    def _turning(self) -> list[int]:
+        rows = moving_joints(self.found, self.point.position, self.point.last)
+        return [i for i in rows if self.found.joint(i).type == "revolute"]
+
+    def _reaches(self, sign: int, at: Values) -> bool:
+        """Whether a search comes near to the distance, and never further."""
+        torus = self.region.kind == "torus"
+        turning = self._turning[1:] if torus and sign < 0 else self._turning
+        names = [self.found.joint(i).variable for i in turning]
+        bound, size = (numeric.number(tree, at) for tree in (self.bounds[sign], self.region.largest[-1]))
+
+        counted = self._counted(turning[0], at)
+
+        def distance(here: Values) -> float:
+            return counted(self._place(here))
+
+        search = _scan if torus and sign > 0 else _search
+        starts = [{**at, **{name: at[name] + 1.3 * k for name in names}} for k in range(STARTS)]
+        best = max((search(distance, start, names, sign) for start in starts), key=lambda each: sign * each)
+        beyond = sign * (best - bound)
+        near = TOUCHING if bound < SMALL * size else NEAR
+        return -near * size < beyond < SMALL * size
+
+    def _place(self, here: Values) -> Array:
+        """The point (3)."""
+        import numpy as np
+
+        oracle, point = oracle_of(self.problem), self.point
+        last = point.frame > len(self.problem.subject.links)
+        T = oracle.tool(here) if last else oracle.poses(here)[point.frame]
+        return np.array(T[:3, :3] @ [numeric.number(x, here) for x in point.offset] + T[:3, 3])
+
+    def _counted(self, i: int, at: Values) -> Callable[[Array], float]:
+        """Which distance of a place counts: from an axis, that of joint i, in a plane and where it is swung;
+        else from the center."""
+        import numpy as np
+
+        if self.region.kind in ("planar", "torus"):
+            z, o = axis_seen(self.problem, self.found, i, at)
+            return lambda place: apart(z, place - o)
+        center = np.array(numeric.matrix_numbers(self.region.center, at)).ravel()
+        return lambda place: float(np.linalg.norm(place - center))
+
+    def _lengths(self, at: Values) -> Iterator[bool]:
+        """Whether each length is that between two axes, the last one that to the point, seen along them."""
+        links = self._turning if self.region.kind == "planar" else self._turning[1:]
+        axes = [axis_seen(self.problem, self.found, i, at) for i in links]
+        points = [*(o for _, o in axes), self._place(at)]
+        z = axes[0][0]
+        found = [apart(z, there - here) for here, there in pairwise(points)]
+        told = [numeric.number(length, at) for length in self.region.lengths]
+        yield close(told, found, SMALL)
+        if self.region.kind != "planar":
+            w, o = axis_seen(self.problem, self.found, self._turning[0], at)
+            across = abs((points[0] - o) @ _unit(w, z)), abs((points[-1] - o) @ z)
+            told = [numeric.number(tree, at) for tree in (self.region.offset, self.region.side)]
+            yield close(told, across, SMALL)
+
+    def _secondary(self, told: Secondary, at: Values) -> Iterator[bool]:
+        """Whether the other links reach as far, and leave open as much, as is told."""
+        *others, last = (numeric.number(length, at) for length in self.region.lengths)
+        yield close(numeric.number(told.far, at), sum(others) - last, SMALL)
+        yield close(numeric.number(told.gap, at), max(0.0, 2 * max(others) - sum(others)), SMALL)
+        yield close(numeric.number(told.inside, {**at, "r": 5.0}), abs(5.0 - last), SMALL)
 
 
-def _reached(problem: Problem, found: Chain, point: Tracked, region: Region, bound: Expr, sign: int) -> Claim:
+def _unit(w: Array, z: Array) -> Array:
+    """Square to both directions."""
     import numpy as np
 
-    turning = [
-        i for i in moving_joints(found, point.position, point.last) if found.joint(i).type == "revolute"
-    ]
-    names = [found.joint(i).variable for i in turning]
-    holds = True
-    for at in random_points(problem.symbols, 2):
-        known = dict(oracle_of(problem).at(at))
-        axis = np.array(numeric.matrix_numbers(found.axis(turning[0]), known)).ravel()
-
-        def distance(here: dict[str, float], axis: Any = axis) -> float:
-            return _distance(problem, point, region, here, axis)
-
-        search = _scan if region.kind == "torus" else _search
-        best = search(distance, known, names, sign)
-        beyond = sign * (best - numeric.number(bound, known))  # the search comes near, and never further
-        size = numeric.number(region.largest[-1], known)
-        holds &= -NEAR * size < beyond < SMALL * size
-    return Claim("largest-distance" if sign > 0 else "smallest-distance", SECOND_ROUTE, holds)
+    across = np.cross(w, z)
+    return np.array(across / np.linalg.norm(across))
 
 
-def _distance(problem: Problem, point: Tracked, region: Region, here: dict[str, float], axis: Any) -> float:
-    """From the center; in the plane of a planar arm, from the first axis where that is what counts."""
-    import numpy as np
-
-    oracle = oracle_of(problem)
-    T = oracle.tool(here) if point.frame > len(problem.subject.links) else oracle.poses(here)[point.frame]
-    p = T[:3, :3] @ np.array([numeric.number(x, here) for x in point.offset]) + T[:3, 3]
-    d = p - np.array(numeric.matrix_numbers(region.center, here)).ravel()
-    if region.kind in ("planar", "torus"):
-        d = d - axis * (axis @ d)
-    return float(np.linalg.norm(d))
+def _same(chain: Sequence[Expr], at: Values) -> bool:
+    first, *others = (numeric.number(each, at) for each in chain)
+    return all(close(each, first, SMALL) for each in others)
 
 
-def _search(
-    distance: Callable[[dict[str, float]], float], at: dict[str, float], names: list[str], sign: int
-) -> float:
+def _search(distance: Callable[[Values], float], at: Values, names: list[str], sign: int) -> float:
     """The square of the distance is a + b cos q + c sin q in each joint: its extreme in closed form."""
     here = dict(at)
     for _ in range(SWEEPS):
@@ -86,9 +164,7 @@ def _search(
     return distance(here)
 
 
-def _scan(
-    distance: Callable[[dict[str, float]], float], at: dict[str, float], names: list[str], sign: int
-) -> float:
+def _scan(distance: Callable[[Values], float], at: Values, names: list[str], sign: int) -> float:
     """The extreme by ever finer steps around the best so far; the first joint swings everything about the
     axis and is left where it is."""
     here, step = dict(at), math.pi / 4
@@ -100,5 +176,5 @@ def _scan(
     return distance(here)
 
 
-def _moved(here: dict[str, float], names: list[str], by: list[float]) -> dict[str, float]:
+def _moved(here: Values, names: list[str], by: list[float]) -> Values:
     return {name: here[name] + step for name, step in zip(names, by, strict=True)}

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from derive.algebra.numbers.floats import number, numbers
 from derive.derivation import Phrase, Said
 from derive.kinds.robot._chain import oracle_of
+from derive.kinds.robot._seen import apart, axis_seen, meeting, motion
 from derive.kinds.robot._velocity.task import Task
 
 if TYPE_CHECKING:
@@ -17,7 +18,6 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
-MOVE = 0.5  # of a joint
 NEAR = 1e-6
 ROUND = tuple(2 * math.pi * k / 24 for k in range(1, 24))
 Values = dict[str, float]
@@ -54,11 +54,11 @@ class Postures:
         z, o = self._axis(first, here)
         match said.key:
             case "on-an-axis":
-                return _apart(z, point - o) < NEAR
+                return apart(z, point - o) < NEAR
             case "axes-parallel":
                 return self._parallel(first, last, here)
             case "axes-coincide":
-                return self._parallel(first, last, here) and _apart(z, self._axis(last, here)[1] - o) < NEAR
+                return self._parallel(first, last, here) and apart(z, self._axis(last, here)[1] - o) < NEAR
             case "in-a-plane":
                 w, _ = self._axis(last, here)
                 return bool(abs(_cross(z, w) @ (point - o)) < NEAR)
@@ -69,7 +69,7 @@ class Postures:
         if point.key == "point-of-axis":
             return self._named(int(str(point.about["axis"])), here)
         if point.key == "center-of-the-wrist":
-            return _meeting([self._motion(i, here) for i in self.hand])
+            return self._centre(here)
         return self._point(here)
 
     def _named(self, i: int, here: Values) -> Array:
@@ -79,7 +79,7 @@ class Postures:
         at = oracle_of(self.task.problem).at(here)
         p = np.array(numbers(self.task.found.point(i), at)).ravel()
         z, o = self._axis(i, here)
-        return p if _apart(z, p - o) < NEAR else np.full(3, np.nan)
+        return p if apart(z, p - o) < NEAR else np.full(3, np.nan)
 
     def _point(self, here: Values) -> Array:
         """The point (3) of the task."""
@@ -91,29 +91,11 @@ class Postures:
         T = oracle.tool(at) if last else oracle.poses(at)[point.frame]
         return np.array(T[:3, :3] @ [number(x, at) for x in point.offset] + T[:3, 3])
 
-    def _motion(self, i: int, here: Values) -> Array:
-        """The displacement (4 by 4) of what joint i carries against what carries it."""
-        import numpy as np
-
-        name = self.task.found.joint(i).variable
-        oracle = oracle_of(self.task.problem)
-        (base, before), (carried, after) = (
-            oracle.poses(oracle.at(at))[i - 1 : i + 1] for at in (here, {**here, name: here[name] + MOVE})
-        )
-        found: Array = base @ np.linalg.inv(carried) @ after @ np.linalg.inv(before)
-        return found
-
     def _axis(self, i: int, here: Values) -> tuple[Array, Array]:
-        """The direction of a joint that turns and a point on its axis (3 each)."""
-        import numpy as np
-
-        D = self._motion(i, here)
-        S = D[:3, :3] - D[:3, :3].T
-        w = np.array([S[2, 1], S[0, 2], S[1, 0]])
-        return w / np.linalg.norm(w), _meeting([D])
+        return axis_seen(self.task.problem, self.task.found, i, here)
 
     def _parallel(self, i: int, j: int, here: Values) -> bool:
-        return _apart(self._axis(i, here)[0], self._axis(j, here)[0]) < NEAR
+        return apart(self._axis(i, here)[0], self._axis(j, here)[0]) < NEAR
 
     def _bent(self, joint: int, here: Values) -> str:
         """Whether the point, or else the first later axis of which that is so, is as far from the axis
@@ -126,7 +108,7 @@ class Postures:
             reach = []
             for at in around:
                 z, o = self._axis(before, at)
-                reach.append(_apart(z, (self._axis(i, at)[1] if i else self._of_rows(at)) - o))
+                reach.append(apart(z, (self._axis(i, at)[1] if i else self._of_rows(at)) - o))
             if max(reach) - min(reach) < NEAR:
                 continue
             if reach[0] > max(reach) - NEAR:
@@ -136,7 +118,11 @@ class Postures:
         return ""
 
     def _of_rows(self, here: Values) -> Array:
-        return _meeting([self._motion(i, here) for i in self.hand]) if self.hand else self._point(here)
+        return self._centre(here) if self.hand else self._point(here)
+
+    def _centre(self, here: Values) -> Array:
+        """Where the axes of the hand meet (3)."""
+        return meeting([motion(self.task.problem, self.task.found, i, here) for i in self.hand])
 
 
 def _phrase(said: Said) -> Phrase:
@@ -149,18 +135,3 @@ def _cross(a: Array, b: Array) -> Array:
     import numpy as np
 
     return np.array(np.cross(a, b))
-
-
-def _apart(z: Array, d: Array) -> float:
-    """How far d points away from a direction."""
-    import numpy as np
-
-    return float(np.linalg.norm(np.cross(z, d)))
-
-
-def _meeting(motions: list[Array]) -> Array:
-    """The point (3) that all these displacements leave where it is."""
-    import numpy as np
-
-    rows = np.vstack([D[:3, :3] - np.eye(3) for D in motions])
-    return np.array(np.linalg.lstsq(rows, np.concatenate([-D[:3, 3] for D in motions]), rcond=None)[0])
