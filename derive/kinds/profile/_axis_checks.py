@@ -39,8 +39,9 @@ def claims_about(
     chains = [_chains(each, k, steps, told, results) for k in range(len(each.outcomes))]
     if told_at:
         yield route("as-told", (farthest(chains[k], _meant(each, at)) < LOOSE for k, at in told_at))
+        yield route("told", (_verdicts(each, told, k, at) for k, at in told_at))
     if each.open:
-        yield route("when", (_told_when(each, at) for at in points))
+        yield route("when", (_told_when(each, told, at) for at in points))
 
 
 def _limits(each: Solved, at: Point) -> tuple[float, float, float, float | None] | None:
@@ -84,11 +85,35 @@ def _is_case(outcome: Outcome, found: Switching, v_max: float) -> bool:
     return outcome.case == found.case or (border and "infeasible" not in (outcome.case, found.case))
 
 
-def _told_when(each: Solved, at: Point) -> bool:
+def _verdicts(each: Solved, told: AxisTold, k: int, at: Point) -> bool:
+    """What the words read of a case, at a point where it occurs."""
+    given, found, case = _limits(each, at), _searched(each, at), told.cases[k]
+    if given is None or found is None:
+        return False
+    d, v_max, _, t_3 = given
+    names, last = each.given, case.when[1 if len(told.cases) > 1 else 0 :]
+    rates = {names.d: 0, names.fastest: 1, names.strongest: 2, names.t_3: None}
+    plateau = found.t_2 - found.t_1 > trapezoid.FLAT * found.t_3
+    border = not plateau and found.v >= v_max * (1 - LOOSE)
+    return (
+        told.timed == (t_3 is not None)
+        and told.open == any(one.when for one in told.cases)
+        and told.infeasible == any(one.case == "infeasible" for one in told.cases)
+        and told.backwards == (value_of(each.axis.distance, completed(at, each.problem.where)) < 0)
+        and all(rates[name] == rate for name, _, rate in told.given if isinstance(name, Symbol))
+        and (case.plateau == plateau or border or (case.too_fast and found.case == "infeasible"))
+        and case.too_fast == (t_3 is not None and v_max * t_3 <= d)
+        and (case.case == found.case or border)
+        and case.conditions == last
+    )
+
+
+def _told_when(each: Solved, told: AxisTold, at: Point) -> bool:
     """Whether just the case that the search finds is said to be the one here."""
     given, found = _limits(each, at), _searched(each, at)
     known = completed(at, each.problem.where)
-    said = [outcome for outcome in each.outcomes if all(_holds(need, known) for need in outcome.when)]
+    pairs = zip(each.outcomes, told.cases, strict=True)
+    said = [outcome for outcome, case in pairs if all(_holds(need, known) for need in case.when)]
     if given is None or found is None or found.case == "infeasible":
         return not said
     return len(said) == 1 and _is_case(said[0], found, given[1])
@@ -132,8 +157,12 @@ def _chains(
     if outcome.probe:
         chains.append((PROBE, *steps[told.probe].chain))
     chains += _said(told, case)
+    names = each.given
+    chains += [(names.d, told.d), (names.fastest, told.fastest), (Symbol("t_3"), told.t_3)]
+    chains += [(names.strongest, told.strongest)] if each.axis.a_max is not None else []
     if case.case == "infeasible":
-        return [*chains, *((Symbol("t_min"), tree) for tree in results.get("t_min", ()))]
+        least = (told.least[1], *results.get("t_min", ()))
+        return [*chains, *((Symbol("t_min"), tree) for tree in least)]
     own = {name: [*(results.get(name, ()) if k == 0 else ()), tree] for name, tree in outcome.values.items()}
     symbol = outcome.working.symbol
     return [*chains, *((symbol(name), tree) for name, trees in own.items() for tree in trees)]

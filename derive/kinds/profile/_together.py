@@ -55,35 +55,38 @@ class Together:
                 steps += steps_of(axis, f"axis_{k + 1}_")
         return tuple(steps)
 
-    def claims(self) -> list[Claim]:
+    def claims(self, said: TogetherTold) -> list[Claim]:
+        """Those of each axis, and of what is said of all."""
         found = [
             claim.within(key, axis=k)
             for key, axes, prefix in (("axis-alone", self.alone, "alone"), ("on-axis", self.axes, "axis"))
             for k, axis in enumerate(axes, 1)
-            for claim in self._about(axis, f"{prefix}_{k}_", k if prefix == "axis" else 0)
+            for claim in self._about(axis, f"{prefix}_{k}_", k if prefix == "axis" else 0, said)
         ]
-        return [*found, self._slowest_again()]
+        return [*found, self._slowest_again(said)]
 
-    def _about(self, axis: Solved, prefix: str, k: int) -> Iterator[Claim]:
+    def _about(self, axis: Solved, prefix: str, k: int, together: TogetherTold) -> Iterator[Claim]:
         """The claims of an axis, also for what the results and the table say of axis k."""
         steps = {step.name: step for step in (*steps_of(axis, prefix), *self.steps)}
         results = self.results() if k else {}
         said = {
             name: [result.rows[k - 1][0]] for name, result in results.items() if isinstance(result, Matrix)
         }
-        if k and (table := self._table()):
+        if k and (table := together.table):
             for name, cell in zip(NAMES, table.rows[k - 1][2:], strict=True):
                 said.setdefault(name, []).extend([cell] if isinstance(cell, TREES) else [])
-        return claims_about(axis, steps, told(axis, prefix), said)
+        told_of = together.axes[k - 1] if k else together.alone[self.alone.index(axis)]
+        return claims_about(axis, steps, told_of, said)
 
-    def _slowest_again(self) -> Claim:
+    def _slowest_again(self, said: TogetherTold) -> Claim:
         """The time of all is the longest that any axis needs by search, and is told to be that axis's; the
         least possible one is the longest too."""
         times = [fastest_time(axis) for axis in self.alone]
-        least = value_of(self.alone[slowest(self.alone)].least, {})
-        holds = [close(least, max(times), LOOSE)]
-        if self.slowest is not None:
-            holds.append(close([times[self.slowest], value_of(self.time, {})], [max(times)] * 2, LOOSE))
+        holds = [close(value_of(said.least[1], {}), max(times), LOOSE)]
+        holds.append((said.table is None) == any(axis.infeasible for axis in said.axes))
+        if said.slowest is not None:
+            pair = [times[said.slowest - 1], value_of(said.time[1], {})]
+            holds.append(close(pair, [max(times)] * 2, LOOSE))
         return route("slowest", holds)
 
     def results(self) -> dict[str, Result]:

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from math import inf
 from typing import Any
 
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Branch, Derivation, Figure, Label, PageFacts, Phrase, Result
+from derive.derivation import Branch, Claim, Derivation, Figure, Label, PageFacts, Phrase, Result
 from derive.errors import NotDerivable
 from derive.expression import Expr, is_negative
 from derive.figures.courses import panels
+from derive.kinds.checks import law, route
 from derive.kinds.fields import TREES, Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.profile._axis import AxisTold, Solved, solved, steps_of, told
@@ -58,34 +59,39 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     if len(profile.axes) > 1:
         return _several(profile, options, problem)
     each = solved(profile.axes[0], profile.time, profile, problem)
-    steps, results, axis = tuple(steps_of(each)), _results(each), told(each)
+    found = _numbers(profile, profile.time, options, problem)
+    facts = replace(_facts(profile, found, options), axis=told(each))
+    steps, results, axis = tuple(steps_of(each)), _results(each), facts.axis or told(each)
     by_name = {step.name: step for step in steps}
     told_again = {name: (tree,) for name, tree in results.items() if isinstance(tree, TREES)}
     claims = claims_about(each, by_name, axis, told_again)
-    found = _numbers(profile, profile.time, options, problem)
     return Derivation(
         "trapezoidal-profile",
         steps,
         results,
-        tuple(claims),
+        (*claims, *_drawn_again(profile, facts, options, problem)),
         each.outcomes[0].working.definitions,
         _evaluated(found, options),
         plots=_plots(profile, found, problem),
-        facts=replace(_facts(profile, found, options), axis=axis),
+        facts=facts,
     )
 
 
 def _several(profile: Profile, options: Options, problem: Problem) -> Derivation:
     all_axes = together(profile, problem)
     found = _numbers(profile, all_axes.time, options, problem)
+    facts = replace(_facts(profile, found, options), together=all_axes.told())
     return Derivation(
         "trapezoidal-profile",
         all_axes.steps,
         all_axes.results(),
-        tuple(all_axes.claims()),
+        (
+            *all_axes.claims(facts.together or all_axes.told()),
+            *_drawn_again(profile, facts, options, problem),
+        ),
         evaluated=_evaluated(found, options),
         plots=_plots(profile, found, problem),
-        facts=replace(_facts(profile, found, options), together=all_axes.told()),
+        facts=facts,
     )
 
 
@@ -136,6 +142,26 @@ def _evaluated(found: Found | None, options: Options) -> dict[str, Any]:
     if len(found) == 1:
         return {name: getattr(found[0], name) for name in names}
     return {name: [getattr(each, name) for each in found] for name in names} | {"t_3": found[0].t_3}
+
+
+def _drawn_again(profile: Profile, facts: Facts, options: Options, problem: Problem) -> Iterator[Claim]:
+    """Whether there is a picture, and the case at the point asked for, by search; where numbers say it."""
+    point = point_of(dict(options.evaluate or ()), problem.where)
+    try:
+        time = None if profile.time is None else value_of(profile.time, point)
+        found = [_searched(axis, time, point) for axis in profile.axes]
+    except KeyError:
+        yield law("drawn", (not facts.drawn, not facts.at_point))
+        return
+    feasible = all(each.case != "infeasible" for each in found)
+    at_point = found[0].case if options.evaluate else ""
+    border = found[0].t_2 - found[0].t_1 <= trapezoid.FLAT * found[0].t_3 and facts.at_point != "infeasible"
+    yield route("drawn", (facts.drawn == feasible, facts.at_point == at_point or border))
+
+
+def _searched(axis: Axis, time: float | None, point: Mapping[str, float]) -> trapezoid.Switching:
+    d, v = (value_of(expr, point) for expr in (axis.distance, axis.v_max))
+    return trapezoid.searched(abs(d), v, inf if axis.a_max is None else value_of(axis.a_max, point), time)
 
 
 def _facts(profile: Profile, found: Found | None, options: Options) -> Facts:
