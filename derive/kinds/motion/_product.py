@@ -49,7 +49,7 @@ def composed(
     chains = (*placed_chains(facts.placed), *order_chains(factors, facts.mode, name))
     work = as_told(work, partial(meant, factors, name), chains)
     work = work.law(
-        "told", (facts.noun == ("rotation" if size == 3 else "move"), order_told(factors, facts.mode))
+        "said", (facts.noun == ("rotation" if size == 3 else "move"), order_told(factors, facts.mode))
     )
     results: dict[str, Result] = {name.name: exact, **parts}
     evaluated: dict[str, Any] = {}

@@ -63,7 +63,7 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
         work = work.law("same-matrix", same, number=number)
         told = tuple(_move(each, factors) for each in (sequence.first, *sequence.rest))
         work = motion_made(work, Phrase("sequence", {"number": number}), told, exact)
-        work = work.law("told", mode(told) == sequence.mode)
+        work = work.law("said", mode(told) == sequence.mode)
     results: dict[str, Any] = {"sequences": tuple(_typed(each.moves) for each in found)}
     return work.answer("equivalent-sequences", results, facts)
 

@@ -51,7 +51,7 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
     )
     facts = Facts(numeric=told.numeric, zero=told.zero)
     work = as_told(work, partial(_meant, motion, told, work.matrix(r)))
-    work = work.law("told", facts.zero == (set(work.entries(r)) == {ZERO}))
+    work = work.law("said", facts.zero == (set(work.entries(r)) == {ZERO}))
     return work.answer("rotation-vector", {"r": work[r]}, facts)
 
 

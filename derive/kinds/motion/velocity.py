@@ -73,7 +73,7 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
     work = as_told(work, means, as_printed, "differences", DIFFERENCES, names)
     facts = Facts(rates=tuple(map(Symbol, turning)), shifted=bool(shifting))
     turned = tuple(Symbol(name) for name in varying if normal_matrix(work[R]).diff(name))
-    work = work.law("told", (facts.rates == turned, facts.shifted == ("v" in results)))
+    work = work.law("said", (facts.rates == turned, facts.shifted == ("v" in results)))
     return work.answer("velocity", results, facts)
 
 

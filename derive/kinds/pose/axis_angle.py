@@ -107,7 +107,7 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
         partial(_meant, given, names, axis),
         (*_told(given, names, facts), (names.angle, angle), (names.axis, axis)),
     )
-    work = work.law("told", (facts.half == half, not facts.zero))
+    work = work.law("said", (facts.half == half, not facts.zero))
     return work.answer("axis-angle", {"angle": angle, "axis": axis}, facts)
 
 
@@ -153,7 +153,7 @@ def _nothing(work: Work, given: Given, names: _Names, facts: Facts) -> Derivatio
     work = work.line(cos(names.angle), _trace() / 2, value=ONE, label="cosine")
     work = work.line(names.angle, value=ZERO, label="angle")
     work = as_told(work, partial(_meant, given, names, None), _told(given, names, facts)[1:])
-    work = work.law("told", facts.zero)
+    work = work.law("said", facts.zero)
     results: dict[str, Result] = {"angle": ZERO, "axis": "any"}
     return work.answer("axis-angle", results, facts)
 

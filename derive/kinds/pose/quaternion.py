@@ -42,7 +42,7 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     facts = Facts(rotation=given.rotation, half=half, scalar=scalar)
     told = (name, q), (given.rotation, facts.rotation), (scalar, facts.scalar)
     work = as_told(work, partial(_meant, given, name, scalar, q), told)
-    work = work.law("told", facts.half == (q.rows[0][0] == ZERO))
+    work = work.law("said", facts.half == (q.rows[0][0] == ZERO))
     return work.answer("quaternion", {"q": q}, facts)
 
 

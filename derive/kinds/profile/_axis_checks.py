@@ -25,10 +25,14 @@ PROBE, TO_THE_LIMIT = Symbol("probe"), Symbol("time to the limit")
 
 
 def claims_about(
-    each: Solved, steps: Mapping[str, Step], told: AxisTold, results: Mapping[str, Sequence[Expr]]
+    each: Solved,
+    steps: Mapping[str, Step],
+    told: AxisTold,
+    results: Mapping[str, Sequence[Expr]],
+    met: int = 0,
 ) -> Iterator[Claim]:
     """The lines as they stand on the page, by normal form and against the search; `results` are what each
-    name is told to be elsewhere, of the first case."""
+    name is told to be elsewhere, of the case that is `met`."""
     for outcome in each.outcomes:
         for claim in outcome.working.linked().claims:
             yield claim.within("in-case", case=Phrase(outcome.case))
@@ -36,10 +40,11 @@ def claims_about(
     points = [at for at in random_points(each.problem.symbols, TRIES) if _limits(each, at)]
     yield route("too-short" if each.infeasible else key, (_agrees(each, at) for at in points))
     told_at = [(k, at) for k in range(len(each.outcomes)) for at in islice(_of_case(each, k), EACH)]
-    chains = [_chains(each, k, steps, told, results) for k in range(len(each.outcomes))]
+    own = [results if k == met else {} for k in range(len(each.outcomes))]
+    chains = [_chains(each, k, steps, told, own[k]) for k in range(len(each.outcomes))]
     if told_at:
         yield route("as-told", (farthest(chains[k], _meant(each, at)) < LOOSE for k, at in told_at))
-        yield route("told", (_verdicts(each, told, k, at) for k, at in told_at))
+        yield route("said", (_verdicts(each, told, k, at) for k, at in told_at))
     if each.open:
         yield route("when", (_told_when(each, told, at) for at in points))
 
@@ -163,7 +168,7 @@ def _chains(
     if case.case == "infeasible":
         least = (told.least[1], *results.get("t_min", ()))
         return [*chains, *((Symbol("t_min"), tree) for tree in least)]
-    own = {name: [*(results.get(name, ()) if k == 0 else ()), tree] for name, tree in outcome.values.items()}
+    own = {name: [*results.get(name, ()), tree] for name, tree in outcome.values.items()}
     symbol = outcome.working.symbol
     return [*chains, *((symbol(name), tree) for name, trees in own.items() for tree in trees)]
 

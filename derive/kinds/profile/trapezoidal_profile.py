@@ -61,10 +61,11 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     each = solved(profile.axes[0], profile.time, profile, problem)
     found = _numbers(profile, profile.time, options, problem)
     facts = replace(_facts(profile, found, options), axis=told(each))
-    steps, results, axis = tuple(steps_of(each)), _results(each), facts.axis or told(each)
+    met = next((k for k, one in enumerate(each.outcomes) if one.case == facts.at_point), 0)
+    steps, results, axis = tuple(steps_of(each)), _results(each, met), facts.axis or told(each)
     by_name = {step.name: step for step in steps}
     told_again = {name: (tree,) for name, tree in results.items() if isinstance(tree, TREES)}
-    claims = claims_about(each, by_name, axis, told_again)
+    claims = claims_about(each, by_name, axis, told_again, met)
     return Derivation(
         "trapezoidal-profile",
         steps,
@@ -95,8 +96,9 @@ def _several(profile: Profile, options: Options, problem: Problem) -> Derivation
     )
 
 
-def _results(each: Solved) -> dict[str, Result]:
-    first = each.outcomes[0]
+def _results(each: Solved, met: int) -> dict[str, Result]:
+    """The values are those of the case that is met at the point asked for, else of the first."""
+    first = each.outcomes[met]
     if each.infeasible:
         return {"case": "infeasible", "t_min": each.least}
     if not each.open:
