@@ -51,7 +51,8 @@ class Reached:
         yield route("smallest-distance", (self._reaches(-1, at) for at in points))
         yield route("lines", (_same(step.chain[1:], at) for step in steps for at in points))
         yield route("link-lengths", (each for at in points for each in self._lengths(at)))
-        yield route("hole", ((numeric.number(self.bounds[-1], at) < SMALL) == closed for at in self._general))
+        holes = [numeric.number(self.bounds[-1], at) > SMALL for at in self._general]
+        yield route("hole", (not each for each in holes) if closed else max(holes))
         if secondary:
             yield route("secondary", (each for at in points for each in self._secondary(secondary, at)))
 
@@ -62,7 +63,7 @@ class Reached:
 
     @property
     def _general(self) -> Iterator[Values]:
-        """Lengths of which one is the longest by far, so that there is a hole if ever there is."""
+        """Lengths at random, and such that one is by far the longest: then there is a hole if ever."""
         names = sorted(set().union(*map(free_symbols, self.region.lengths)))
         for at in self._points:
             yield at
