@@ -169,11 +169,12 @@ class _Elimination:
         explicit = self.is_explicit(place, signal)
         own = _solved_for(signal, form, self.decimals) if signal in form else {}
         typed = equation.right if equation.left == signal else equation.left
-        first = typed if explicit else tree(own, self.decimals)
+        first = (typed if explicit else tree(own, self.decimals),) if explicit or own else ()
         put = tuple(each for each in form if each in self.known)
         pieces = [self._piece(each, c) for each, c in own.items()]
         last = tree(_solved_for(signal, self.put_in(form), self.decimals), self.decimals)
-        chain = _distinct((signal, first, add(*pieces), last) if put else (signal, first, last))
+        put_in = (add(*pieces),) if put and first else ()
+        chain = _distinct((signal, *first, *put_in, last))
         return Elimination(signal, place, chain, put, explicit)
 
     def _piece(self, signal: Symbol, coefficient: Ratio) -> Expr:

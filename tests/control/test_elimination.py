@@ -129,3 +129,11 @@ def test_a_sum_that_equals_a_factor_beside_it_is_one_more_of_it() -> None:
     s = 0.3 + 1.1j
     ours = value(solve(system_).ratio.expr(), {"s": s})
     assert cmath.isclose(ours, Numeric.of(system_, Symbol("u"), {}).gain(s), rel_tol=1e-12)
+
+
+def test_a_signal_that_comes_in_with_what_is_put_in_is_found_without_a_line_of_its_own() -> None:
+    """x2 is not in the equation of x4 that it is found by: it comes with x3."""
+    equations = ["x2 = 1/(s + 2)*(x1 - x2 - x3)", "x4 = 2/(s + 3)*(x3 + x1)", "x3 = 1/(s + 2)*x2",
+                 "(s^2 + s + 4)*x1 = u + x1 - x2"]  # fmt: skip
+    chains = {step.signal.name: step.chain for step in solve(system(equations, "u", "x4")).steps}
+    assert len(chains["x2"]) == 2

@@ -62,7 +62,7 @@ def value(expr: Expr, point: Mapping[str, complex]) -> complex:
 
 def value_over(expr: Expr, s: Any) -> Any:
     """A function of s without other symbols, at each place of an array."""
-    return fold(expr, _Complex({"s": s}))
+    return fold(expr, _Complex({"s": s})) + 0 * s  # of a constant an array too
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from derive.algebra.infix import text
 from derive.algebra.numbers.floats import number
 from derive.control.oracle import hurwitz
 from derive.control.oracle.equations import Numeric, is_close, value
@@ -72,7 +73,7 @@ def as_printed(printed: Printed) -> Iterator[bool]:
     heads = {step.chain[0]: step for step in printed.steps if step.rule == "entry"}
     for name, step in heads.items():
         i, j = _place(name, printed.letter)
-        yield step.name == f"entry_{i}_{j}" and step.result == rows[i - 1][j - 1]
+        yield step.name == f"entry_{i}_{j}" and text(step.result) == text(rows[i - 1][j - 1])
     if told.array is None:
         yield printed.degree < 2
         return
@@ -92,8 +93,8 @@ def _place(name: object, letter: str) -> tuple[int, int]:
     if isinstance(name, Indexed) and name.base == letter:
         i, j = (round(number(index, {})) for index in name.lower)
         return i, j
-    text = name.name if isinstance(name, Symbol) else ""
-    start, _, index = text.partition("_")
+    written = name.name if isinstance(name, Symbol) else ""
+    start, _, index = written.partition("_")
     return (int(index[0]), int(index[1])) if start == letter and len(index) == 2 else (0, 0)
 
 

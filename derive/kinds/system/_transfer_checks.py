@@ -76,7 +76,8 @@ def _told(steps: Sequence[Step]) -> Iterator[bool]:
         before = {each for each in known if each.name in inside}
         yield {*told.put} <= before and bool(told.put) == bool(before)
         if step.name != "relation":
-            yield told.signal == step.chain[0] and told.signal.name in inside and told.signal not in known
+            yield told.signal == step.chain[0] and told.signal not in known
+            yield told.signal.name in inside or bool(told.put)
             yield told.explicit == (told.signal in told.equation)
             known.append(told.signal)
 
