@@ -290,6 +290,9 @@ def euler_rates(asked: Asked, point: Point) -> Iterator[Test]:
     omega = list(sympy.symbols("omega_x omega_y omega_z"))
     again = array(rate_matrix, point) @ array(asked.result("rates"), point)
     yield put_back("rates", point, again, omega, "T times them is not omega")
+    said = [str(each["when"]) for each in asked.objects("singular")]
+    right = all(each.startswith("det(") and each.endswith("= 0") for each in said)
+    yield Holds("singular", right, "where det T is zero")
     told = (pair for each in asked.objects("singular") for pair in each.items() if pair[0] != "when")
     places = [(name, asked.read(value)) for name, value in told]
     for name, value in places:

@@ -16,6 +16,7 @@ from derive.audit.subjects.system.plant import Plant, S, sympified
 from derive.audit.subjects.system.rationals import lowest, roots, same_roots
 from derive.audit.text import Unreadable
 
+ZERO = sympy.Integer(0)
 PLACES = 12  # where conditions and roots are held against each other
 ON_AXIS = mpmath.mpf(10) ** -12
 
@@ -60,9 +61,12 @@ def _candidates(asked: Asked) -> Iterator[list[sympy.Expr]]:
 
 
 def _is_multiple(told: list[sympy.Expr], wanted: list[sympy.Expr], point: Point) -> bool:
-    """Whether two polynomials are one but for a factor; a row of zeros is told by another."""
+    """Whether two polynomials are one but for a factor; a row of zeros is told by another, and a zero in
+    front of others by the letter of a small number."""
     if len(told) != len(wanted):
         return False
+    small = told[1].free_symbols - sympy.Matrix(wanted).free_symbols
+    told = [told[0], ZERO, *told[2:]] if told[1].is_Symbol and small else told
     step = 2 if _vanish(wanted[1::2], point) else 1
     left, right = [k * wanted[0] for k in told[::step]], [k * told[0] for k in wanted[::step]]
     return put_back("", point, left, right, "").holds
