@@ -45,7 +45,7 @@ def _rows(*rows: Iterable[int]) -> Matrix:
 INERTIA, STIFFNESS, RUBBING = _rows((3, 1), (1, 2)), _rows((1, 2), (-2, 5)), _rows((2, 0), (0, 7))
 
 
-def law(name: str, formula: Expr, case: dict[Expr, Expr], *more: Expr) -> Step:
+def in_general(name: str, formula: Expr, case: dict[Expr, Expr], *more: Expr) -> Step:
     """A line of a law and the case in which it is tried; the step is called `c_ijk-law`."""
     return Step(f"{name}-law", (Symbol(name), formula, *more), "law", instance=case)
 
@@ -68,7 +68,7 @@ def christoffel_law(taken: Collection[str]) -> Step:
     entries = D.rows[2][1], D.rows[2][0], D.rows[0][1]
     case: dict[Expr, Expr] = dict(zip(slopes, map(Derivative, entries, variables), strict=True))
     case[Symbol("c_ijk")] = readable(found)
-    return law("c_ijk", multiply(HALF, Sum((slopes[0], slopes[1], -slopes[2]))), case)
+    return in_general("c_ijk", multiply(HALF, Sum((slopes[0], slopes[1], -slopes[2]))), case)
 
 
 def khatib_laws(taken: Collection[str]) -> tuple[Step, Step]:
@@ -82,8 +82,8 @@ def khatib_laws(taken: Collection[str]) -> tuple[Step, Step]:
     slope, taken_so = Derivative(m_ij, q_k), Derivative(M.rows[2][0], variables[1])
     case: dict[Expr, Expr] = {m_ijk: m[3, 1, 2], m_ikj: m[3, 2, 1], m_jki: m[1, 2, 3]}
     case[Symbol("b_ijk")] = readable(christoffel(value, names)[1, 2, 3])
-    first = law("m_ijk", slope, {slope: taken_so, m_ijk: m[3, 1, 2]})
-    return first, law("b_ijk", multiply(HALF, Sum((m_ijk, m_ikj, -m_jki))), case)
+    first = in_general("m_ijk", slope, {slope: taken_so, m_ijk: m[3, 1, 2]})
+    return first, in_general("b_ijk", multiply(HALF, Sum((m_ijk, m_ikj, -m_jki))), case)
 
 
 def speed_law() -> Step:
@@ -97,7 +97,7 @@ def speed_law() -> Step:
         products: column((x * y,)),
         Symbol("v"): _rows((9 + 50 + 90,), (36 - 75 + 105,)),
     }
-    return law("v", C * squares + B * products, case)
+    return in_general("v", C * squares + B * products, case)
 
 
 # -- energies and motion ----------------------------------------------------------------------------------
@@ -115,7 +115,7 @@ def energy_law() -> Step:
         HALF * transpose(omega) * R * I * transpose(R) * omega,
     )
     case: dict[Expr, Expr] = {m: mass, v: shift, omega: spin, R: turn, I: moments}
-    return law("K_i", linear + angular, {**case, Symbol("K_i"): HALF * readable(twice)})
+    return in_general("K_i", linear + angular, {**case, Symbol("K_i"): HALF * readable(twice)})
 
 
 def acceleration_law() -> Step:
@@ -125,7 +125,7 @@ def acceleration_law() -> Step:
     forces = normal_matrix(INERTIA) @ normal_matrix(rise) + normal_matrix(rest)
     case: dict[Expr, Expr] = {D: INERTIA, h: rest, tau: readable_matrix(forces), RISE: rise}
     left = tau - h
-    return law("q_ddot", D**-1 * left, case, Quotient(Call("adj", (D,)), Call("det", (D,))) * left)
+    return in_general("q_ddot", D**-1 * left, case, Quotient(Call("adj", (D,)), Call("det", (D,))) * left)
 
 
 def linear_laws(taken: Collection[str], rubs: bool) -> tuple[Step, ...]:
@@ -149,10 +149,10 @@ def linear_laws(taken: Collection[str], rubs: bool) -> tuple[Step, ...]:
     slope: dict[Expr, Expr] = {gradient: Derivative(sin(variable), variable), K: Call("cos", (variable,))}
     return (
         Step("rest-law", (add(D * RISE, damping, K * Q), U), "law", instance=case),
-        law("K_0", gradient, slope),
-        law("x_dot", A * x + B * U, case),
-        law("A", Matrix(((nothing, one), below)), case),
-        law("B", Matrix(((nothing,), (D**-1,))), case),
+        in_general("K_0", gradient, slope),
+        in_general("x_dot", A * x + B * U, case),
+        in_general("A", Matrix(((nothing, one), below)), case),
+        in_general("B", Matrix(((nothing,), (D**-1,))), case),
     )
 
 
