@@ -82,7 +82,7 @@ def _split(head: str) -> tuple[str, str]:
 
 
 def _stem(stem: str) -> str:
-    if stem in GREEK:
+    if stem in GREEK or stem == "sum":  # which stands before what is summed, over its indices
         return "\\" + stem
     if re.fullmatch("cal[A-Z]", stem):  # a Lagrangian beside a length L
         return rf"\mathcal{{{stem[3]}}}"

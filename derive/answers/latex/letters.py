@@ -18,7 +18,19 @@ _GREEK = (
     " psi omega Gamma Delta Theta Lambda Xi Sigma Upsilon Phi Psi Omega"
 )
 GREEK_NAMES = frozenset(_GREEK.split(" "))
-LETTERS = GREEK_NAMES | {"Pi", "pi", "omicron", "ell", "hbar", "nabla", "imath", "jmath", "varpi", "digamma"}
+LETTERS = GREEK_NAMES | {
+    "Pi",
+    "pi",
+    "omicron",
+    "ell",
+    "hbar",
+    "nabla",
+    "imath",
+    "jmath",
+    "varpi",
+    "digamma",
+    "sum",
+}
 VARIANTS = ("theta", "phi", "epsilon", "rho", "sigma", "kappa")  # \\varphi is \\phi unless there are both
 LETTERS |= {f"var{name}" for name in VARIANTS}
 _VARIANT = re.compile(rf"var(?=(?:{'|'.join(VARIANTS)}))")

@@ -14,7 +14,7 @@ from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._dynamics.arm import Arm
-from derive.kinds.robot._dynamics.laws import christoffel_law
+from derive.kinds.robot._dynamics.index_laws import christoffel_law
 from derive.kinds.robot.inertia_matrix import Facts as InertiaFacts
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import Christoffel

@@ -12,7 +12,8 @@ from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import EVERY, Meaning, by_index
 from derive.kinds.robot._dynamics.arm import Arm
-from derive.kinds.robot._dynamics.laws import khatib_laws, speed_law
+from derive.kinds.robot._dynamics.index_laws import khatib_laws
+from derive.kinds.robot._dynamics.matrix_laws import speed_law
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import Christoffel, christoffel, rate_column, velocity_terms
 from derive.mechanics.oracle.heavy import Heavy

@@ -10,6 +10,7 @@ from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._dynamics.arm import Arm
+from derive.kinds.robot._dynamics.index_laws import coriolis_law
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import coriolis_matrix, rate_column, velocity_terms
 from derive.mechanics.robot import Robot
@@ -33,6 +34,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     symbols, rate = arm.christoffel, rate_column(arm.variables)
     value = coriolis_matrix(symbols, rate)
     work = Work(problem).resting_on(arm.inertia, problem.ask("christoffel"))
+    work = work.showing(coriolis_law(problem.taken))
     if arm.long:
         work = work.knowing({C: _sums(arm, lambda symbol: work[symbol])})
     else:

@@ -12,6 +12,7 @@ from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.drives import Facts as Facts
 from derive.kinds.robot._dynamics.drives import friction_sorts
+from derive.kinds.robot._dynamics.index_laws import motion_law
 from derive.kinds.robot._dynamics.terms import equation, equations
 from derive.kinds.robot.inertia_matrix import Facts as InertiaFacts
 from derive.kinds.work import Work
@@ -36,7 +37,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     arm, speed, weight = Arm(problem), problem.ask("christoffel"), problem.ask("gravity")
     big = arm.inertia.told(InertiaFacts).big
     work = Work(problem).resting_on(arm.inertia, speed, weight)
-    found = equations(problem)
+    viscous, coulomb = friction_sorts(robot)
+    work, found = work.showing(motion_law(problem.taken, viscous, coulomb)), equations(problem)
     if not big:
         lines = (equation(f"tau_{k}", terms, "euler-lagrange") for k, terms in enumerate(found, 1))
         work = work.showing(*lines)
@@ -44,6 +46,5 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = arm.moved(work, tau)
     results = {"D": arm.inertia.results["D"], **speed.results, **weight.results, "tau": tau}
     work = by_index(work, results)
-    viscous, coulomb = friction_sorts(robot)
     facts = Facts(big=big, notation="spong", viscous=viscous, coulomb=coulomb)
     return work.answer("dynamics", results, facts, matrices=frozenset({"D"}))

@@ -27,7 +27,7 @@ from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._dynamics.drives import ROTORS, rotors
-from derive.kinds.robot._dynamics.laws import energy_law
+from derive.kinds.robot._dynamics.matrix_laws import energy_law
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import kinetic_energy, link_inertia, rate_column, time_derivative
 from derive.mechanics.robot import Robot

@@ -15,7 +15,7 @@ from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import EVERY, Meaning, by_index
 from derive.kinds.robot._dynamics.arm import Arm
-from derive.kinds.robot._dynamics.laws import acceleration_law
+from derive.kinds.robot._dynamics.matrix_laws import acceleration_law
 from derive.kinds.robot._dynamics.terms import Term, equation, equations
 from derive.kinds.work import Work
 from derive.mechanics.robot import Robot

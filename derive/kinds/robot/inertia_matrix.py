@@ -21,6 +21,7 @@ from derive.kinds.robot._dynamics.body_steps import (
     pose_definitions,
 )
 from derive.kinds.robot._dynamics.drives import ROTORS, rotors, with_rotors
+from derive.kinds.robot._dynamics.matrix_laws import quadratic_law
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.dynamics import inertia_matrix, link_inertia
@@ -59,6 +60,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     moments = {name: value for body in bodies for name, value in body.named.items()}
     big = max(map(operations, children(written))) > MOST_IN_THE_BASE
     work = Work(problem).resting_on(problem.ask("forward-kinematics" if big else "joint-axes"))
+    work = work.showing(quadratic_law())
     for body in bodies:
         work = work.knowing(body_definitions(problem, body))
     work = _local(work, bodies) if big else _base(work, found, bodies)

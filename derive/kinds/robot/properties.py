@@ -12,6 +12,7 @@ from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._dynamics.arm import Arm
+from derive.kinds.robot._dynamics.index_laws import skew_law
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import time_derivative
 from derive.mechanics.robot import Robot
@@ -39,7 +40,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     D = arm.inertia.matrix("D")
     rate = time_derivative(normal_matrix(D), arm.variables)
     value = rate - normal_matrix(coriolis.matrix("C")).scaled(2)
-    work = Work(problem).resting_on(arm.inertia, coriolis, linear)
+    work = Work(problem).resting_on(arm.inertia, coriolis, linear).showing(skew_law(problem.taken))
     if arm.long:
         work = work.knowing({N: _by_rates(arm, value), D_DOT: _by_rates(arm, rate)})
     else:

@@ -27,6 +27,7 @@ from derive.expression import (
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
+from derive.kinds.robot._dynamics.matrix_laws import regressor_laws
 from derive.kinds.robot._dynamics.regressor import (
     Base,
     Standard,
@@ -69,7 +70,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     all_columns = [problem.readable_matrix(part.column) for part in parameters]
     work = Work(problem, aside=arm.moments).knowing({**values, **theta})
     work = work.knowing({_y(part.name): y for part, y in zip(parameters, all_columns, strict=True)})
-    work = work.showing(*lost, *gathered).linked(but=[step.name for step in lost] if arm.long else ())
+    work = work.showing(*regressor_laws(), *lost, *gathered).linked(
+        but=[step.name for step in lost] if arm.long else ()
+    )
     results: dict[str, Expr] = {
         "Y": problem.final(_beside(all_columns)),
         "parameters": problem.final(column(values.values())),

@@ -12,8 +12,8 @@ from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.drives import friction_sorts
-from derive.kinds.robot._dynamics.laws import linear_laws
 from derive.kinds.robot._dynamics.linearisation import linear_at, linearised
+from derive.kinds.robot._dynamics.matrix_laws import linear_laws
 from derive.kinds.work import Work
 from derive.mechanics.oracle.heavy import Heavy
 from derive.mechanics.robot import Robot

@@ -1,7 +1,6 @@
-"""The general laws of an arm's dynamics as lines, each tried on small matrices of numbers or functions.
+"""The laws of an arm's dynamics in matrices, each tried on small ones of numbers.
 
-What stands for the names in that case is found in another way than the law says, so that a sign or an index
-of the law cannot be wrong.
+What stands for the names in that case is found in another way than the law says.
 """
 
 from __future__ import annotations
@@ -13,14 +12,12 @@ from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.readable.form import readable, readable_matrix
 from derive.derivation import Step
 from derive.expression import (
-    ONE,
     ZERO,
     Call,
     Derivative,
     Expr,
     Matrix,
     Quotient,
-    Sum,
     Symbol,
     add,
     column,
@@ -31,7 +28,14 @@ from derive.expression import (
     symbols,
     transpose,
 )
-from derive.mechanics.dynamics import LinkMotion, christoffel, link_inertia
+from derive.kinds.robot._dynamics.index_laws import in_general
+from derive.kinds.robot._dynamics.sums import over, written_out
+from derive.mechanics.dynamics import (
+    LinkMotion,
+    inertia_matrix,
+    kinetic_energy,
+    link_inertia,
+)
 from derive.names import free
 
 HALF = number("1/2")
@@ -43,47 +47,6 @@ def _rows(*rows: Iterable[int]) -> Matrix:
 
 
 INERTIA, STIFFNESS, RUBBING = _rows((3, 1), (1, 2)), _rows((1, 2), (-2, 5)), _rows((2, 0), (0, 7))
-
-
-def in_general(name: str, formula: Expr, case: dict[Expr, Expr], *more: Expr) -> Step:
-    """A line of a law and the case in which it is tried; the step is called `c_ijk-law`."""
-    return Step(f"{name}-law", (Symbol(name), formula, *more), "law", instance=case)
-
-
-# -- the symbols of Christoffel ---------------------------------------------------------------------------
-
-
-def varying(taken: Collection[str]) -> tuple[Matrix, tuple[Symbol, ...]]:
-    """A symmetric matrix (3 by 3) of three variables, none of whose derivatives are alike."""
-    x, y, z = found = tuple(Symbol(free(taken, f"zeta_{k}")) for k in (1, 2, 3))
-    return Matrix(((ONE, x * z, y * z**2), (x * z, ONE, x * y), (y * z**2, x * y, ONE))), found
-
-
-def christoffel_law(taken: Collection[str]) -> Step:
-    """c_ijk, tried for the symbol 123."""
-    D, variables = varying(taken)
-    found = christoffel(normal_matrix(D), tuple(name.name for name in variables))[1, 2, 3]
-    d_kj, d_ki, d_ij, q_i, q_j, q_k = symbols("d_kj d_ki d_ij q_i q_j q_k")
-    slopes = Derivative(d_kj, q_i), Derivative(d_ki, q_j), Derivative(d_ij, q_k)
-    entries = D.rows[2][1], D.rows[2][0], D.rows[0][1]
-    case: dict[Expr, Expr] = dict(zip(slopes, map(Derivative, entries, variables), strict=True))
-    case[Symbol("c_ijk")] = readable(found)
-    return in_general("c_ijk", multiply(HALF, Sum((slopes[0], slopes[1], -slopes[2]))), case)
-
-
-def khatib_laws(taken: Collection[str]) -> tuple[Step, Step]:
-    """m_ijk and b_ijk, tried for 312: b_312 is the symbol c_123."""
-    M, variables = varying(taken)
-    names = tuple(name.name for name in variables)
-    value = normal_matrix(M)
-    places = ((3, 1, 2), (3, 2, 1), (1, 2, 3))
-    m = {(i, j, k): readable(value[i - 1, j - 1].diff(names[k - 1])) for i, j, k in places}
-    m_ij, q_k, m_ijk, m_ikj, m_jki = symbols("m_ij q_k m_ijk m_ikj m_jki")
-    slope, taken_so = Derivative(m_ij, q_k), Derivative(M.rows[2][0], variables[1])
-    case: dict[Expr, Expr] = {m_ijk: m[3, 1, 2], m_ikj: m[3, 2, 1], m_jki: m[1, 2, 3]}
-    case[Symbol("b_ijk")] = readable(christoffel(value, names)[1, 2, 3])
-    first = in_general("m_ijk", slope, {slope: taken_so, m_ijk: m[3, 1, 2]})
-    return first, in_general("b_ijk", multiply(HALF, Sum((m_ijk, m_ikj, -m_jki))), case)
 
 
 def speed_law() -> Step:
@@ -100,7 +63,19 @@ def speed_law() -> Step:
     return in_general("v", C * squares + B * products, case)
 
 
-# -- energies and motion ----------------------------------------------------------------------------------
+def regressor_laws() -> tuple[Step, Step]:
+    """tau = Y Theta, and the same column by column."""
+    Y, small, theta = symbols("Y Y_b Theta")
+    matrix, values = _rows((1, 2, 3), (4, 0, -5)), _rows((2,), (-1,), (7,))
+    case: dict[Expr, Expr] = {Y: matrix, small: matrix, theta: values, Symbol("tau"): _rows((21,), (-27,))}
+    total = over("k", *symbols("y_k Theta_k"))
+    columns: dict[Expr, Expr] = {Symbol(f"y_{k}"): column(matrix.T.rows[k - 1]) for k in (1, 2, 3)}
+    columns |= {Symbol(f"Theta_{k}"): values.rows[k - 1][0] for k in (1, 2, 3)}
+    case[total] = written_out(total, {}, columns)
+    return (
+        in_general("tau", Y * theta, case),
+        Step("columns-law", (Symbol("tau"), small * theta, total), "law", instance=case),
+    )
 
 
 def energy_law() -> Step:
@@ -116,6 +91,26 @@ def energy_law() -> Step:
     )
     case: dict[Expr, Expr] = {m: mass, v: shift, omega: spin, R: turn, I: moments}
     return in_general("K_i", linear + angular, {**case, Symbol("K_i"): HALF * readable(twice)})
+
+
+def quadratic_law() -> Step:
+    """K of all links as a quadratic form in the rates, tried on two links and two joints."""
+    m, v, omega, R, I, D = symbols("m_i v_ci omega_i R_i^0 I_i D")
+    rates, links, case = _rows((3,), (-2,)), [], dict[Expr, Expr]()
+    for i in (1, 2):
+        J_v, J_w = _rows((1, i), (2, -1), (0, 3)), _rows((0, 1), (i, 1), (1, 0))
+        turn, moments = _rows((0, -1, 0), (1, 0, 0), (0, 0, 1)), _rows((2, 1, 0), (1, 7 * i, 0), (0, 0, 4))
+        parts = [*map(normal_matrix, (J_v, J_v, J_w, turn, moments))]
+        links.append(LinkMotion(normal(number(i)), *parts))
+        moved = (readable_matrix(J @ normal_matrix(rates)) for J in parts[1:3])
+        named = symbols(f"m_{i} v_c{i} omega_{i} R_{i}^0 I_{i}")
+        case |= dict(zip(named, (number(i), *moved, turn, moments), strict=True))
+    energy = add(m * transpose(v) * v, transpose(omega) * R * I * transpose(R) * omega)
+    total, whole = over("i", energy), inertia_matrix(links)
+    form = HALF * transpose(RATE) * D * RATE
+    found: dict[Expr, Expr] = {total: written_out(total, {}, case, 2), D: readable_matrix(whole), RATE: rates}
+    found[Symbol("K")] = readable(kinetic_energy(whole, normal_matrix(rates)))
+    return in_general("K", HALF * total, found, form)
 
 
 def acceleration_law() -> Step:
