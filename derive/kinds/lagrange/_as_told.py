@@ -53,6 +53,9 @@ def _told_chains(model: Model, work: Work) -> Iterator[Chain]:
             case ["equation", k]:
                 yield left_side(int(k)), step.chain[0]
                 yield right_side(int(k)), step.chain[1]
+            case ["lagrange"]:
+                yield left_side(1), step.chain[0]
+                yield right_side(1), step.chain[1]
             case ["constraint", k]:
                 yield across(int(k)), step.chain[0]
             case _ if step.rule not in SOLVED:

@@ -3,7 +3,7 @@ constraints, and the accelerations that solve the equations so found."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -110,8 +110,29 @@ class Meanings:
             held = sum(at[name.name] * A[i, k] for i, name in enumerate(self.multipliers))
             names[left_side(k + 1)], names[right_side(k + 1)] = lefts[k], push[k] + held
             names[Symbol(f"Q_{q}")] = push[k]
+        names |= dict(self._of_any_coordinate(at, A, push))
         still = self.differences.left_sides(self._accelerated(at))
         return {**names, INERTIAL: column_of([a - b for a, b in zip(lefts, still, strict=True)])}
+
+    def _of_any_coordinate(self, at: Point, A: Any, push: Sequence[float]) -> Iterator[tuple[Expr, Any]]:
+        """What the letters of Lagrange's equation are for the first coordinate."""
+        along, L, D = Symbol("q_dot"), Symbol(self.letters.lagrangian), Symbol(self.letters.dissipation)
+        name = self.system.rates[0]
+        with self.differences.digits(at) as point:
+            yield (
+                Derivative(Derivative(L, along), Symbol(TIME)),
+                _floats(self.differences.momentum_rate(0, point)),
+            )
+            yield Derivative(L, Symbol("q")), _floats(self.differences.force(0, point))
+            lost = slope(lambda x: self._lost({**point, name: x}), point[name])
+            yield Derivative(D, along), _floats(lost)
+        yield Symbol("Q_q"), push[0]
+        several = len(self.multipliers) > 1
+        for i, row in enumerate(A, 1):
+            yield Symbol(f"a_{i}q" if several else "a_q"), row[0]
+
+    def _lost(self, at: Numbers) -> arb:
+        return precise(self.system.dissipation, self.differences.completed(at))
 
     # -- the constraints ---------------------------------------------------------------------------
 

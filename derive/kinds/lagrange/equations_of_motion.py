@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, PageFacts, Result, Step
-from derive.expression import ZERO, Derivative, Expr, Symbol, column
+from derive.expression import ZERO, Derivative, Expr, Symbol, add, column
 from derive.kinds.checks import law
 from derive.kinds.fields import OptionsModel
 from derive.kinds.lagrange._as_told import Conserved, as_told
@@ -39,7 +39,6 @@ class Facts(PageFacts):
     coordinates: tuple[Symbol, ...]
     L: str
     P: str
-    D: str
     several: bool  # bodies
     turning: bool
     gravity: Expr | None
@@ -48,7 +47,7 @@ class Facts(PageFacts):
     forces: tuple[tuple[Expr, Expr], ...]
     constraints: tuple[tuple[Expr, Expr], ...]
     velocity: bool  # a constraint of velocities is among them
-    multiplier: str
+    slopes: tuple[Symbol, ...]  # of the constraints
     multipliers: tuple[Symbol, ...]
     equations: tuple[str, ...]  # steps
     across: tuple[str, ...]  # steps
@@ -70,6 +69,7 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     rights = [problem.readable(model.forces[q] + model.reaction(k)) for k, q in enumerate(system.coordinates)]
     steps = (
         *energy_steps(model),
+        _general(model),
         *_partials(model),
         *_equations(model, lefts, rights),
         *_conserved(model),
@@ -80,6 +80,22 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     results, facts = _results(model, lefts, equations, solution), _facts(model, lefts, rights)
     work = work.claim(*as_told(model, work, results, facts.forces, facts.cyclic))
     return work.answer("equations-of-motion", results, facts)
+
+
+def _general(model: Model) -> Step:
+    """Lagrange's equation of a coordinate q."""
+    letters, along = model.letters, Symbol("q_dot")
+    L, D = Symbol(letters.lagrangian), Symbol(letters.dissipation)
+    lost = () if model.system.dissipation == ZERO else (Derivative(D, along),)
+    left = Derivative(Derivative(L, along), Symbol(TIME)) - Derivative(L, Symbol("q"))
+    held = (name * slope for name, slope in zip(model.multipliers, slopes_of(model), strict=True))
+    return Step("lagrange", (add(left, *lost), add(Symbol("Q_q"), *held)), "in-numbers")
+
+
+def slopes_of(model: Model) -> tuple[Symbol, ...]:
+    """a_q, or a_1q, a_2q, ...: the derivatives of the constraints."""
+    many = len(model.conditions) > 1
+    return tuple(Symbol(f"a_{k}q" if many else "a_q") for k in range(1, len(model.conditions) + 1))
 
 
 def _partials(model: Model) -> Iterator[Step]:
@@ -175,7 +191,7 @@ def _facts(model: Model, lefts: list[Expr], rights: list[Expr]) -> Facts:
     lost = None if system.dissipation == ZERO else (Symbol(letters.dissipation), system.dissipation)
     return Facts(
         coordinates=tuple(map(Symbol, system.coordinates)),
-        L=letters.lagrangian, P=letters.potential, D=letters.dissipation,
+        L=letters.lagrangian, P=letters.potential,
         several=letters.indexed,
         turning=any(body.inertia is not None for body in system.bodies),
         gravity=column(system.gravity) if any(map(model.scalar, system.gravity)) else None,
@@ -184,7 +200,7 @@ def _facts(model: Model, lefts: list[Expr], rights: list[Expr]) -> Facts:
         forces=tuple((Symbol(f"Q_{q}"), value) for q, value in system.forces),
         constraints=tuple((c.left, c.right) for c in system.constraints),
         velocity=any(condition.sort == "velocity" for condition in model.conditions),
-        multiplier=letters.multiplier, multipliers=model.multipliers,
+        slopes=slopes_of(model), multipliers=model.multipliers,
         equations=tuple(f"equation_{k}" for k in range(1, len(lefts) + 1)),
         across=tuple(f"constraint_{k}" for k in range(1, len(model.conditions) + 1)),
         cyclic=tuple(_cyclic(model)),

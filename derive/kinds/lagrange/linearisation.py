@@ -4,27 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import islice
 from typing import Any
 
 from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import normal_matrix
+from derive.algebra.normal import Names, normal_matrix
 from derive.algebra.numbers.floats import completed, number, number_rows, numbers
 from derive.algebra.solving.polynomials import known_sign
 from derive.derivation import Claim, Derivation, PageFacts, Step, as_matrix
 from derive.errors import NotDerivable, NotReal
-from derive.expression import ZERO, Expr, Matrix, Symbol, column, free_symbols
+from derive.expression import ZERO, Expr, Matrix, Symbol, add, column, free_symbols
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import Evaluation, Name, OptionsModel
 from derive.kinds.lagrange._equations import written_fraction
 from derive.kinds.lagrange._model import Model
 from derive.kinds.lagrange._oracle import Differences
 from derive.kinds.lagrange._rest import equations, inputs_of, require_steady, surely_positive, there
+from derive.kinds.meanings import told
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.lagrangian import TIME, LagrangianSystem
 
+DELTA = Symbol("delta")
 SMALL = 1e-5  # a displacement small enough for the linear equations
 LEFT_OVER = 1e-6
 TRIED = 40  # points, of which two are looked at where the state is real
@@ -78,18 +81,63 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
         raise NotDerivable("the mass matrix is singular at this state: a coordinate has no inertia there")
     steps = (*_matrix_steps(model, linear), *_state_steps(model, linear))
     results = {step.name: problem.final(step.result) for step in steps}
-    work = Work(problem, uses=(equations(problem),)).step(*steps)
+    motion = _small_motion(linear)
+    work = Work(problem, uses=(equations(problem),)).step(*steps).showing(motion)
+    letters = problem.symbols.union(*map(free_symbols, at.values()))
+    means = partial(_moving, results, problem)
+    work = work.claim(told([motion.chain], means, letters, problem.where, "linear-equation"))
     facts = _facts(model, options, linear, at)
     work = work.law("symmetric", linear.M == linear.M.T).claim(_second_route(model, linear, at, results))
     work = work.law("as-told", (_same(step.result, results[step.name], problem) for step in steps))
+    work = work.law("said", _said(system, linear, facts, options))
     if facts.stability:
         work = work.claim(_comes_back(results, facts.stability, problem, at))
     return work.answer("linearisation", results, facts)
 
 
+def _said(system: LagrangianSystem, linear: Linear, facts: Facts, options: Options) -> Iterator[bool]:
+    """What the words read: the state as it was given, the inputs, and what z holds."""
+    given = dict(options.at or ())
+    yield {name.name: value for name, value in facts.at} == {
+        q: given[q] for q in system.coordinates if q in given
+    }
+    yield all(given[name.name] == value for name, value in facts.held)
+    yield tuple(name.name for name in facts.inputs) == linear.inputs
+    yield facts.damped == any(entry for row in linear.C.rows for entry in row)
+    yield facts.single == (len(system.coordinates) == 1)
+    _, z = facts.state
+    names = (*system.coordinates, *system.rates)
+    yield isinstance(z, Matrix) and [text(entry) for (entry,) in z.rows] == [
+        f"delta*{name}" for name in names
+    ]
+
+
 def _same(shown: Expr, result: Expr, problem: Problem) -> bool:
     """Whether a matrix on the page is the one in the results."""
     return normal_matrix(shown, problem.names) == normal_matrix(result, problem.names)
+
+
+def _small_motion(linear: Linear) -> Step:
+    """M_0 q'' + C_0 q' + K_0 q = F_0 u of the displacements."""
+    damping = (Symbol("C_0") * DELTA * Symbol("q_dot"),) if linear.C else ()
+    left = add(Symbol("M_0") * DELTA * Symbol("q_ddot"), *damping, Symbol("K_0") * DELTA * Symbol("q"))
+    right = ZERO if linear.F is None else Symbol("F_0") * DELTA * Symbol("u")
+    return Step("motion", (left, right), "in-numbers")
+
+
+def _moving(results: Mapping[str, Expr], problem: Problem, at: Mapping[str, float]) -> Names:
+    """The matrices, and a small motion that obeys them: its displacement, rate and input are any."""
+    import numpy as np
+
+    found = {name: np.array(number_rows(as_matrix(tree, name), at)) for name, tree in results.items()}
+    n = len(found["K_0"])
+    q, rate = np.linspace(0.3, 1.1, n)[:, None], np.linspace(-0.7, 0.4, n)[:, None]
+    u = np.linspace(0.5, 0.9, found["F_0"].shape[1])[:, None] if "F_0" in found else np.zeros((1, 1))
+    force = found["F_0"] @ u if "F_0" in found else np.zeros((n, 1))
+    rest = found["K_0"] @ q + (found["C_0"] @ rate if "C_0" in found else 0.0)
+    names: dict[Expr, Any] = {Symbol(name): value for name, value in found.items()}
+    names |= {DELTA: 1.0, Symbol("q"): q, Symbol("q_dot"): rate, Symbol("u"): u}
+    return {**names, Symbol("q_ddot"): np.linalg.solve(found["M_0"], force - rest)}
 
 
 def _comes_back(results: Mapping[str, Expr], said: str, problem: Problem, at: Mapping[Expr, Expr]) -> Claim:

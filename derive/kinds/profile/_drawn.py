@@ -12,7 +12,7 @@ from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Claim, Figure, Record
 from derive.expression import Approximate, Degrees, Expr, Relation
 from derive.figures.courses import panels
-from derive.kinds.checks import close, route
+from derive.kinds.checks import close, law, route
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.profile._pieces import Span, in_floats
@@ -65,18 +65,30 @@ class Drawn:
             panels(name, {"": kept}, self.profile.sort, turned, limits_drawn(self.profile, self.problem)),
         )
 
-    def claims(self, pieces: Sequence[tuple[Expr, Relation | None]]) -> Iterator[Claim]:
+    def claims(
+        self, pieces: Sequence[tuple[Expr, Relation | None]], told: Sequence[LimitTold], drawn: bool
+    ) -> Iterator[Claim]:
         """What is told of the limits, and of q at a time, against the trajectory as it is written."""
+        yield law("drawn", drawn == (self.course is not None))
         if self.course is None:
             return
         point = point_of({n: v for n, v in self.evaluate or () if n != "t"}, self.problem.where)
         written = Written(pieces, point, self.course[-1].end)
-        if told := self.limits():
-            yield route("limits", (written.keeps(each, self._most(each.limit)) for each in told))
+        given = [(limit, rate) for limit, rate in self._given if self._most(limit) < inf]
+        if told or given:
+            listed = [(each.limit, each.rate) for each in told] == given
+            yield route("limits", (listed, *(written.keeps(each, self._most(each.limit)) for each in told)))
         asked = point_of(dict(self.evaluate or ()), self.problem.where)
         if "t" in asked and 0 <= asked["t"] <= self.course[-1].end:
             here = float(written.place(asked["t"]))
             yield route("at-the-time", close(here, at(self.course, asked["t"]), 1e-8))
+
+    @property
+    def _given(self) -> list[tuple[Expr, int]]:
+        """The limits of the sheet, each with how often what it limits is differentiated."""
+        journey = self.profile.journey
+        pairs = ((journey.v_max, 1), (journey.a_max, 2)) if journey else ()
+        return [(limit, rate) for limit, rate in pairs if limit is not None]
 
     def _most(self, limit: Expr) -> float:
         size = _size(self.problem.final(limit), self.evaluate or ())

@@ -73,9 +73,12 @@ def polynomial(
     )
     means = BothEnds(journey, profile.time or ONE, ends)
     printed = ((Symbol(name), tree) for name, tree in results.items())
-    told_too = (*printed, *((name, value) for name, value, _ in facts.given))
+    told_too = (*printed, *((name, value) for name, value, _ in facts.given), (ends.T, facts.T))
+    rates = {name: rate for places in (ends.start, ends.end) for rate, name in enumerate(places)}
+    told_rates = [rate == (None if name == ends.T else rates[name]) for name, _, rate in facts.given]
+    work = work.law("said", (*told_rates, 2 * facts.order == len(names)))
     work = as_told(work, means.names, told_too, "both-ends", symbols=problem.symbols | {t.name})
-    work = work.claim(*drawn.claims(((results["q"], None),)))
+    work = work.claim(*drawn.claims(((results["q"], None),), facts.limits, facts.drawn))
     evaluated = drawn.evaluated({name: tree for name, tree in results.items() if name != "q"})
     return work.answer(kind, results, facts, evaluated=evaluated, plots=drawn.plots("trajectory"))
 

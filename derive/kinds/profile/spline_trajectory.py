@@ -116,7 +116,8 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     chains += [(Symbol(name), tree) for name, tree in results.items()]
     given = knots.times, knots.places, knots.velocities
     work = work.claim(*claims(given, chains, pieces, facts.pieces, problem))
-    work = work.claim(*drawn.claims([(piece.values["q"], times_of(piece)) for piece in pieces]))
+    timed = [(piece.values["q"], times_of(piece)) for piece in pieces]
+    work = work.claim(*drawn.claims(timed, facts.limits, facts.drawn))
     return work.answer(
         "spline-trajectory",
         {**results, "q": pieces},
