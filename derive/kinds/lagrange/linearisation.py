@@ -28,6 +28,7 @@ from derive.kinds.work import Work
 from derive.mechanics.lagrangian import TIME, LagrangianSystem
 
 DELTA = Symbol("delta")
+NOTHING = Symbol("0")
 SMALL = 1e-5  # a displacement small enough for the linear equations
 LEFT_OVER = 1e-6
 TRIED = 40  # points, of which two are looked at where the state is real
@@ -85,7 +86,8 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     work = Work(problem, uses=(equations(problem),)).step(*steps).showing(motion)
     letters = problem.symbols.union(*map(free_symbols, at.values()))
     means = partial(_moving, results, problem)
-    work = work.claim(told([motion.chain], means, letters, problem.where, "linear-equation"))
+    sides = tuple(NOTHING if side == ZERO else side for side in motion.chain)  # a column of zeros
+    work = work.claim(told([sides], means, letters, problem.where, "linear-equation"))
     facts = _facts(model, options, linear, at)
     work = work.law("symmetric", linear.M == linear.M.T).claim(_second_route(model, linear, at, results))
     work = work.law("as-told", (_same(step.result, results[step.name], problem) for step in steps))
@@ -137,6 +139,7 @@ def _moving(results: Mapping[str, Expr], problem: Problem, at: Mapping[str, floa
     rest = found["K_0"] @ q + (found["C_0"] @ rate if "C_0" in found else 0.0)
     names: dict[Expr, Any] = {Symbol(name): value for name, value in found.items()}
     names |= {DELTA: 1.0, Symbol("q"): q, Symbol("q_dot"): rate, Symbol("u"): u}
+    names[NOTHING] = np.zeros((n, 1))
     return {**names, Symbol("q_ddot"): np.linalg.solve(found["M_0"], force - rest)}
 
 
