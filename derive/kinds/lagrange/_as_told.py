@@ -7,7 +7,16 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from derive.derivation import Claim, Phrase, Record, Result, as_matrix
 from derive.expression import ZERO, Derivative, Expr, Matrix, Symbol, column
-from derive.kinds.lagrange._meanings import INERTIAL, TOTAL, Meanings, across, left_side, right_side
+from derive.kinds.lagrange._meanings import (
+    INERTIAL,
+    LEFT,
+    RIGHT,
+    TOTAL,
+    Meanings,
+    across,
+    left_side,
+    right_side,
+)
 from derive.kinds.lagrange._model import Model
 from derive.kinds.lagrange._oracle import Differences
 from derive.kinds.meanings import Chain, told
@@ -54,8 +63,8 @@ def _told_chains(model: Model, work: Work) -> Iterator[Chain]:
                 yield left_side(int(k)), step.chain[0]
                 yield right_side(int(k)), step.chain[1]
             case ["lagrange"]:
-                yield left_side(1), step.chain[0]
-                yield right_side(1), step.chain[1]
+                yield LEFT, step.chain[0]
+                yield RIGHT, step.chain[1]
             case ["constraint", k]:
                 yield across(int(k)), step.chain[0]
             case _ if step.rule not in SOLVED:

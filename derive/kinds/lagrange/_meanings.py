@@ -38,6 +38,8 @@ def across(k: int) -> Symbol:
     return Symbol(f"constraint {k} on the accelerations")
 
 
+SOME_FORCE = 0.7
+LEFT, RIGHT = Symbol("the left side for any coordinate"), Symbol("the right side for any coordinate")
 INERTIAL, TOTAL = Symbol("the left sides less those without accelerations"), Symbol("T + P")
 
 
@@ -110,26 +112,32 @@ class Meanings:
             held = sum(at[name.name] * A[i, k] for i, name in enumerate(self.multipliers))
             names[left_side(k + 1)], names[right_side(k + 1)] = lefts[k], push[k] + held
             names[Symbol(f"Q_{q}")] = push[k]
-        names |= dict(self._of_any_coordinate(at, A, push))
+        names |= dict(self._of_any_coordinate(at, A, lefts))
         still = self.differences.left_sides(self._accelerated(at))
         return {**names, INERTIAL: column_of([a - b for a, b in zip(lefts, still, strict=True)])}
 
-    def _of_any_coordinate(self, at: Point, A: Any, push: Sequence[float]) -> Iterator[tuple[Expr, Any]]:
-        """What the letters of Lagrange's equation are for the first coordinate."""
+    def _of_any_coordinate(self, at: Point, A: Any, lefts: Sequence[float]) -> Iterator[tuple[Expr, Any]]:
+        """What the letters of Lagrange's equation are for the coordinate that shows most of them, with some
+        force along it."""
         along, L, D = Symbol("q_dot"), Symbol(self.letters.lagrangian), Symbol(self.letters.dissipation)
-        name = self.system.rates[0]
         with self.differences.digits(at) as point:
-            yield (
-                Derivative(Derivative(L, along), Symbol(TIME)),
-                _floats(self.differences.momentum_rate(0, point)),
-            )
-            yield Derivative(L, Symbol("q")), _floats(self.differences.force(0, point))
+            pairs = [
+                (_floats(self.differences.momentum_rate(k, point)), _floats(self.differences.force(k, point)))
+                for k in range(len(lefts))
+            ]
+            k = max(range(len(pairs)), key=lambda each: min(map(abs, pairs[each])))
+            name = self.system.rates[k]
             lost = slope(lambda x: self._lost({**point, name: x}), point[name])
             yield Derivative(D, along), _floats(lost)
-        yield Symbol("Q_q"), push[0]
+        yield Derivative(Derivative(L, along), Symbol(TIME)), pairs[k][0]
+        yield Derivative(L, Symbol("q")), pairs[k][1]
+        yield Symbol("Q_q"), SOME_FORCE
         several = len(self.multipliers) > 1
         for i, row in enumerate(A, 1):
-            yield Symbol(f"a_{i}q" if several else "a_q"), row[0]
+            yield Symbol(f"a_{i}q" if several else "a_q"), row[k]
+        held = sum(at[each.name] * A[i, k] for i, each in enumerate(self.multipliers))
+        yield LEFT, lefts[k]
+        yield RIGHT, SOME_FORCE + held
 
     def _lost(self, at: Numbers) -> arb:
         return precise(self.system.dissipation, self.differences.completed(at))
