@@ -20,6 +20,7 @@ from derive.render.latex import Printer
 from derive.render.notation import Notation
 from derive.render.page import render_markdown
 from derive.render.printed import Naming, Printed, Said, says
+from derive.render.skin import Skin
 from derive.sheet.load import load_sheet
 from tests.sheets import ROOT
 
@@ -35,7 +36,7 @@ def derived(name: str) -> Document:
 
 @cache
 def page(name: str) -> str:
-    return render_markdown(derived(name))
+    return render_markdown(derived(name), read=read_back)
 
 
 def of_printer(name: str, wrong: Callable[..., Any]) -> Patch:
@@ -148,6 +149,8 @@ MISTAKES: dict[str, Patch] = {
     "equations side by side in another order": of_module(
         layout, "_grid_lines", lambda right, chains, count: right(chains[::-1], count)
     ),
+    "a format that loses a sign": of_module(Skin, "display", in_text(" - ", " + ")),
+    "a format that loses a line": of_module(Skin, "display", in_text(" \\\\\n", "")),
     "another relation": of_module(phrases.Speech, "_relation", in_text(">", "<")),
     "an equal sign for what is rounded": of_module(words, "is_approximate", lambda right, expr: False),
 }  # fmt: skip

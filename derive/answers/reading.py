@@ -11,6 +11,7 @@ from derive.algebra.formulas.functions import ARGUMENTS
 from derive.algebra.formulas.grammar import parse
 from derive.algebra.formulas.tokens import tokens
 from derive.algebra.formulas.units import ANY, INSTEAD, UNITS
+from derive.algebra.values import MATRIX_FUNCTIONS
 from derive.answers.chains import read_published
 from derive.answers.latex.letters import Letters
 from derive.answers.latex.matrices import MAX_ENTRIES
@@ -193,7 +194,8 @@ def _whole_matrix(tree: Expr) -> Expr:
             matrix = next(factor for factor in factors if isinstance(factor, Matrix))
             return Matrix(tuple(tuple(multiply(scale, entry) for entry in row) for row in matrix.rows))
     for node in walk(tree):
-        if isinstance(node, Call) and any(isinstance(argument, Matrix) for argument in node.arguments):
+        holds = isinstance(node, Call) and any(isinstance(argument, Matrix) for argument in node.arguments)
+        if isinstance(node, Call) and holds and node.function not in MATRIX_FUNCTIONS:
             raise FormulaError(f"{node.function} of a matrix", 0)
     if any(isinstance(node, Matrix) for node in walk(tree)):
         return _worked_out(tree)

@@ -15,17 +15,36 @@ from derive.render.printed import Printed
 from derive.render.skin import templates
 
 INLINE = re.compile(r"(?<![\\$])\$([^$\n]+)\$(?!\$)")
-DISPLAY = re.compile(r"\$\$.*?\$\$", re.DOTALL)
+DISPLAY = re.compile(
+    r"\$\$\n(?P<md>.*?)\n\$\$|\\\[\n(?P<tex>.*?)\n\\\]|\\begin\{align\*\}\n(?P<lined>.*?)\n\\end\{align\*\}",
+    re.DOTALL,
+)
+ALIGNED = r"\\begin\{aligned\}\n(.*)\n\\end\{aligned\}"
+FRAME = re.compile(rf"\\fitted\{{{ALIGNED}\}}|{ALIGNED}|\\fitted\{{(.*)\}}", re.DOTALL)
 LETTER = re.compile(r"@([A-Za-z])")
 NAME = r"\\?[A-Za-z]+(?:\{[A-Za-z]\})?(?:_(?:\w|\{[^{}]*\}))?"
 
 
 def typed_in(written: str, printed: Collection[Printed], notation: Notation) -> Iterator[Printed]:
-    """The formulas in a text that were not printed from trees."""
-    ours = {line for formula in printed for line in formula.lines}
-    for found in INLINE.finditer(DISPLAY.sub("", written)):
-        if found[1] not in ours:
-            yield Printed((found[1],), (), notation)
+    """The formulas in a text, in Markdown or LaTeX, that are not as they were printed from trees or typed."""
+    ours = {tuple(map(_aligned, formula.lines)) for formula in printed}
+    inline = ((found[1],) for found in INLINE.finditer(DISPLAY.sub("", written)))
+    for lines in (*map(_lines, DISPLAY.finditer(written)), *inline):
+        if lines not in ours:
+            yield Printed(lines, (), notation)
+
+
+def _lines(display: re.Match[str]) -> tuple[str, ...]:
+    """The lines of a display, out of what the format sets them in."""
+    body = display[display.lastgroup or 0]
+    framed = FRAME.fullmatch(body)
+    whole: str = body if framed is None else framed[framed.lastindex or 0]
+    return tuple(map(_aligned, whole.split(" \\\\\n")))
+
+
+def _aligned(line: str) -> str:
+    """A line with one gap between equations side by side, which LaTeX has by itself."""
+    return line.replace(r"&\qquad ", "& ")
 
 
 def is_law(latex: str) -> bool:

@@ -7,7 +7,7 @@ from derive.answers.latex.letters import Letters
 from derive.answers.reading import read_text
 from derive.errors import FormulaError
 
-TYPED = "theta1 theta2 q4 d3 L L_c a1 a2 m g phi omega t theta1_dot T_1^0 J_w1 I_xx"
+TYPED = "theta1 theta2 q4 d3 L L_c a1 a2 m g phi omega t theta1_dot T_1^0 J_w1 I_xx theta2*"
 NAMES = frozenset(TYPED.split(" "))
 LETTERS = Letters(NAMES, xy=True, own=NAMES)
 
@@ -49,6 +49,10 @@ LETTERS = Letters(NAMES, xy=True, own=NAMES)
         (r"\operatorname{atan}_{2}{\left(a_{1},a_{2} \right)}", "atan2(a2, a1)"),
         (r"s\varphi C\theta_1", "sin(phi)*cos(theta1)"),
         (r"a_1 \in \mathbb{R}, \quad (2.3a)", "a1"),
+        (r"\det\begin{bmatrix} a_1 & 1 \\ 0 & a_2 \end{bmatrix}", "a1*a2"),
+        (r"\mathrm{adj}\begin{bmatrix} a_1 & 1 \\ 0 & a_2 \end{bmatrix}", "Matrix([[a2, -1], [0, a1]])"),
+        (r"\frac{\partial}{\partial a_1} (a_1^2 m)", "Derivative(a1**2*m, a1)"),
+        (r"\theta_2^* + \theta_2^\ast", "theta2* + theta2*"),
     ],
 )
 def test_it_is_read(typed: str, meant: str) -> None:
@@ -69,7 +73,7 @@ def test_it_is_read(typed: str, meant: str) -> None:
         "\\begin{bmatrix} \\begin{bmatrix} 1 \\end{bmatrix} \\end{bmatrix}",
         "__import__('os')", "lambda: 1", "\\input{/etc/passwd}", "\\def\\a{1}", "1/0",
         "\\frac10", "a_1 (2)", r"a_1, \quad a_2", r"a_1 \quad \det J = a_2", r"a_1, \quad a_2 = 2",
-        "a_1 % + a_2",
+        "a_1 % + a_2", r"a_1 + \M", r"\frac{\partial^2 m}{\partial a_1}", r"\frac{\partial m}{\partial 2}",
         r"a_1 \neq 0", r"a_1 k, \quad k = 2 k", r"\theta_1(t)", "a_1 & a_2", r"a_1 \text{ in metres}",
         "a_1 k_0, " + ", ".join(f"k_{{{i}}} = k_{{{i + 1}}}^2 k_{{{i + 1}}}" for i in range(40)),
     ],
