@@ -31,8 +31,8 @@ def forward_kinematics(asked: Asked, point: Point) -> Iterator[Test]:
         yield from screws(arm)
     for i in range(1, to + 1):
         name = f"T_{i}^{i - 1}"
-        if not arm.robot.by_screws or (name in asked.results and name != f"T_{to}^0"):
-            yield Same(name, numbers(arm.local[i - 1]))
+        if name != f"T_{to}^0" and (name in asked.results or not arm.robot.by_screws):
+            yield Same(name, numbers(arm.local[i - 1] if i > 1 else arm.poses[1]))
     yield Same(f"T_{to}^0", numbers(arm.end if to == links else arm.poses[to]))
 
 
@@ -69,6 +69,8 @@ def product_of_exponentials(asked: Asked, point: Point) -> Iterator[Test]:
     if arm.robot.by_screws:
         yield from screws(arm)
         return
+    if arm.robot.coupled:
+        raise NotImplementedError("the screws of coupled joints are not sought")
     zero = {name: sympy.Integer(0) for name in arm.robot.variables}
     home = Arm(asked, point.where(**zero), 1)
     yield Same("M", numbers(home.end))

@@ -27,7 +27,7 @@ def workspace(asked: Asked, point: Point) -> Iterator[Test]:
     said = str(asked.results["description"])
     lengths = Point(point.seed, False, point.angles, _positive(asked))
     r_min, r_max = (abs(floating(asked.ours(name, lengths))) for name in ("r_min", "r_max"))
-    if "swung" in said or not ("ball" in said or "axis" in said):
+    if asked.subject.coupled or "swung" in said or not ("ball" in said or "axis" in said):
         yield Beyond("description", f"no search for {said}")
         return
     found: list[Number] = []
@@ -38,10 +38,17 @@ def workspace(asked: Asked, point: Point) -> Iterator[Test]:
     near = mpmath.sqrt(NEAR) * max(1, r_max)
     for name, told, extreme in (("r_max", r_max, max(sizes)), ("r_min", r_min, min(sizes))):
         yield Holds(name, abs(told - extreme) <= near, f"a search finds {shown(extreme)}")
-    open_ = any(word in said for word in ("hollow", "annulus"))
-    yield Holds("description", (r_min > near) == open_, f"r_min is {shown(r_min)}")
+    shape = "line" if r_max - r_min <= near else "solid" if r_min <= near else "hollow"
+    yield Holds("description", _shape(said) == shape, f"r_min is {shown(r_min)}, r_max {shown(r_max)}")
     if "description" in asked.evaluated:
         yield Holds("evaluated description", asked.evaluated["description"] == said, said)
+
+
+def _shape(said: str) -> str:
+    """What is said of the region: a circle, or the side of a cylinder; with a hole or without."""
+    if "circle" in said or "side" in said:
+        return "line"
+    return "hollow" if "hollow" in said or "annulus" in said else "solid"
 
 
 def _positive(asked: Asked) -> dict[str, str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from itertools import pairwise
+from typing import Any
 
 import mpmath
 import sympy
@@ -38,13 +39,9 @@ def singularities(asked: Asked, point: Point) -> Iterator[Test]:
         raise Irrational
     sets = asked.objects("solutions")
     for k, each in enumerate(sets, 1):
-        there = _inside(asked, each, point)
-        if there is None:
-            yield Beyond("solutions", f"no configuration was found in set {k}")
-            continue
-        found = rank_near(Task(Arm(asked, there, 1)).rows_in(names))
-        right = found == each["rank"] if "rank" in each else found <= each["rank_at_most"]
-        yield Holds("solutions", right, f"set {k} has rank {found}")
+        yield _ranked(asked, each, f"set {k}", point, names)
+    if not sets and asked.results.get("complete"):
+        yield Holds("solutions", True, "")
     if asked.results.get("complete") and not point.seed:
         yield from _complete(asked, point, names, sets)
     else:
@@ -58,17 +55,23 @@ def rank_near(J: Rows) -> int:
     return sum(value > ZERO * max(values) for value in values)
 
 
-def _inside(asked: Asked, each: Mapping[str, Json], point: Point) -> Point | None:
-    """A random configuration in a set: by the values it gives, and by Newton's method for what its equations
-    ask beyond them."""
+def _ranked(asked: Asked, each: Mapping[str, Any], set_k: str, point: Point, names: tuple[str, ...]) -> Test:
+    """The rank of J in a random configuration of a set: by the values it gives, and by Newton's method for
+    what its equations ask beyond them."""
     joints = asked.subject.variables
     values = {name: asked.read(each[name]) for name in joints if name in each}
     given = {sympy.Symbol(name): value for name, value in values.items()}
     equations = [equation.subs(given) for equation in asked.read(each["equations"])]
     left = [equation for equation in equations if abs(floating(point.at(equation))) > ZERO]
     free = {name: point[name] for name in joints if name not in values}
+    if any(not equation.has(*map(sympy.Symbol, free)) for equation in left):
+        return Holds("solutions", False, f"{set_k} has values that its equations forbid")
     there = solved(left, free, point) if left else point
-    return None if there is None else there.where(**values)
+    if there is None:
+        return Beyond("solutions", f"no configuration was found in {set_k}")
+    found = rank_near(Task(Arm(asked, there.where(**values), 1)).rows_in(names))
+    right = found == each["rank"] if "rank" in each else found <= each["rank_at_most"]
+    return Holds("solutions", right, f"{set_k} has rank {found}")
 
 
 def solved(equations: list[sympy.Expr], here: Mapping[str, Number], point: Point) -> Point | None:
