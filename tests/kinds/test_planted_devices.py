@@ -395,3 +395,21 @@ def test_a_fraction_that_is_not_that_of_its_delay(tmp_path: Path, monkeypatch: p
     monkeypatch.setattr(transfer_function, "delay_steps", steps)
     sheet = 'system: {equations: ["y = exp(-T*s)/(s + 1)*u"], input: u, output: y, delay: {pade: 2}}'
     assert is_refused(tmp_path, sheet, "transfer-function")
+
+
+def test_conditions_of_the_second_column(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Then one of them is 0 > 0, which never holds."""
+    column = property(lambda self: tuple(row.entries[1] for row in self.rows))
+    monkeypatch.setattr(_routh_steps.Array, "column", column)
+    assert is_refused(tmp_path, MOTOR.replace("OUTPUT", "angle"), "stability", "controller: P", VALUES)
+
+
+def test_a_table_without_its_last_heading(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    right = _routh_steps.Array.table.fget
+
+    def table(self: Any) -> Any:
+        made = right(self)
+        return replace(made, headings=made.headings[:-1])
+
+    monkeypatch.setattr(_routh_steps.Array, "table", property(table))
+    assert is_refused(tmp_path, MOTOR.replace("OUTPUT", "angle"), "stability", "controller: P", VALUES)

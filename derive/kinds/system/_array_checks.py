@@ -9,6 +9,7 @@ from derive.algebra.numbers.floats import number
 from derive.control.oracle import hurwitz
 from derive.control.oracle.equations import Numeric, is_close, value
 from derive.expression import ONE, ZERO, Expr, Indexed, Symbol
+from derive.expression import number as index
 from derive.kinds.system._checked_array import Printed
 from derive.kinds.system._oracle import Held, Point, reals
 
@@ -70,32 +71,38 @@ def as_printed(printed: Printed) -> Iterator[bool]:
     told, rows = printed.told, printed.routh.rows
     yield told.degree == printed.degree
     yield told.column == tuple(row[0] for row in rows)
-    heads = {step.chain[0]: step for step in printed.steps if step.rule == "entry"}
-    for name, step in heads.items():
+    entries = {step.chain[0]: step for step in printed.steps if step.rule == "entry"}
+    for name, step in entries.items():
         i, j = _place(name, printed.letter)
         yield step.name == f"entry_{i}_{j}" and text(step.result) == text(rows[i - 1][j - 1])
     if told.array is None:
         yield printed.degree < 2
         return
+    heads = told.array.headings
+    yield heads[:2] == (Symbol("i"), "") and len(heads) == 2 + len(rows[0])
+    yield all(head == Indexed(printed.letter, (Symbol("i"), index(j))) for j, head in enumerate(heads[2:], 1))
     for i, (row, cells) in enumerate(zip(rows, told.array.rows, strict=True), 1):
         yield cells[0] == str(i) and cells[1] == _power(printed.degree + 1 - i)
         for j, (entry, cell) in enumerate(zip(row, cells[2:], strict=True), 1):
+            blank = j > (printed.degree + 1 - i) // 2 + 1
             named = isinstance(cell, Symbol | Indexed) and cell != entry
             yield (
                 _place(cell, printed.letter) == (i, j)
                 if named
-                else cell == entry or (cell == "" and entry == ZERO)
+                else (cell == "" and entry == ZERO)
+                if blank
+                else cell == entry
             )
 
 
 def _place(name: object, letter: str) -> tuple[int, int]:
     """The row and the column that a name r_ij says."""
     if isinstance(name, Indexed) and name.base == letter:
-        i, j = (round(number(index, {})) for index in name.lower)
+        i, j = (round(number(each, {})) for each in name.lower)
         return i, j
     written = name.name if isinstance(name, Symbol) else ""
-    start, _, index = written.partition("_")
-    return (int(index[0]), int(index[1])) if start == letter and len(index) == 2 else (0, 0)
+    start, _, digits = written.partition("_")
+    return (int(digits[0]), int(digits[1])) if start == letter and len(digits) == 2 else (0, 0)
 
 
 def _power(power: int) -> Expr:

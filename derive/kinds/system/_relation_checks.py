@@ -16,6 +16,8 @@ def holds(relation: Relation, at: Mapping[str, float]) -> bool | None:
     if not isinstance(relation.left, TREES):
         return None
     left, right = number(relation.left, at), number(relation.right, at)
+    if left == right:
+        return False
     if abs(left - right) <= CLEAR * max(abs(left), abs(right), 1e-3):
         return None
     return (left > right) == (relation.sign == ">")

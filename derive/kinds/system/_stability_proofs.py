@@ -25,7 +25,8 @@ def routes(held: Held, printed: Printed, results: Mapping[str, Result]) -> Itera
         yield route("determinant", held.compared(lambda at: is_determinant(held, printed, at)))
     yield route("minors", minors(printed))
     yield route("array-as-printed", as_printed(printed))
-    if found := [*stable(printed)]:
+    found = [*stable(printed)]
+    if found or (printed.symbols and not told.never):
         yield route("exactly-stable", found)
     if told.marginal is not None and (found := [*marginal(printed, told.marginal)]):
         yield route("marginally-stable", found)
