@@ -66,6 +66,9 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     chains: list[Chain] = [(loop.E, errors[loop.E.name]) for loop in loops]
     chains += [(each.first, pose_name(each.number, each.parent)) for each in told]
     work = frames_told(work, frames, chains, others=partial(_around, loops))
+    work = work.law(
+        "said", results["closes"] == ", ".join({True: "yes", False: "no"}[one.closes] for one in told)
+    )
     for loop, each in zip(loops, told, strict=True):
         said = [float(each.closes), float(each.turned), float(each.shifted)]
         work = work.agrees("verdict", problem.symbols, partial(_said, said), loop.verdict, E=loop.E.name)

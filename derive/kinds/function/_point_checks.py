@@ -94,6 +94,23 @@ class PointsTold:
             yield route("as-listed", (self._listed(k, at) for k, at in met))
             yield route("what-it-is", (self._is_said(k, at) for k, at in met))
 
+    def greatest_and_smallest(self, greatest: Expr | None, smallest: Expr | None) -> Iterator[Claim]:
+        """The value that is told to be the greatest, or the smallest, is that of a point, and no other point
+        nor a sample has one beyond it."""
+        told_of = [(tree, sign) for tree, sign in ((greatest, 1), (smallest, -1)) if tree is not None]
+        if told_of:
+            at = completed(next(iter(self._letters(1))), self.problem.where)
+            yield route("greatest", (self._is_reached(tree, sign, at) for tree, sign in told_of))
+
+    def _letters(self, count: int) -> Iterator[Point]:
+        return random_points(self.problem.symbols | {*self.land.variables}, count)
+
+    def _is_reached(self, tree: Expr, sign: int, at: Point) -> bool:
+        value = number(tree, at)
+        found = [place for branch in self.branches if (place := self._there(branch, at)) is not None]
+        here = [place for place in found if close(number(self.land.f, place), value, CLOSE)]
+        return any(self._is_best(sign, place) for place in here)
+
     def _places(self, branch: Branch) -> Iterator[dict[str, float]]:
         """Points of the parameters where the solution is real, with its coordinates as they are told."""
         names = self.problem.symbols | {*self.land.variables}

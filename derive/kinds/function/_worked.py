@@ -103,6 +103,7 @@ def worked(kind: str, function: Function, problem: Problem) -> Derivation:
         compact=limits.highest == "compact", greatest=_best("maximum", found, best, problem),
         smallest=_best("minimum", found, best, problem),
     )  # fmt: skip
+    work = work.claim(*checked.greatest_and_smallest(facts.greatest, facts.smallest))
     return work.answer(kind, {"solutions": solutions}, facts)
 
 

@@ -90,7 +90,11 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
         outer=(Symbol(euler.outer[0]), Symbol(euler.outer[2])),
         short_names=euler.names,
     )
-    return _proved(work, euler, facts).answer("euler-rates", results, facts)
+    work = _proved(work, euler, facts)
+    if options.angles is None and _of_motion(subject, euler.convention) is not None:
+        routes = (lambda at: rotation_at(euler, at)), (lambda at: made(subject.moves, at)[:3, :3])
+        work = work.agrees("angles-of-the-motion", problem.symbols, *routes)
+    return work.answer("euler-rates", results, facts)
 
 
 def _axis(euler: Euler, name: str, body: bool) -> Expr:
