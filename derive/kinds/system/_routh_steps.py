@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from derive.algebra.numbers.floats import number as value_of
 from derive.algebra.readable.form import readable
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.readable.terms import Style
@@ -26,6 +27,7 @@ from derive.expression import (
     is_negative,
     multiply,
     number,
+    replace,
     walk,
 )
 from derive.kinds.chains import distinct
@@ -113,13 +115,25 @@ def law_step(array: Array) -> Step:
 
     pivot, after = named(1, ONE), j + ONE
     law = (pivot * named(2, after) - named(2, ONE) * named(1, after)) / pivot
-    rows = (k for k, row in enumerate(array.rows) if k > 1 and row.origin == "formula")
-    names = (named(1, ONE), named(2, after), named(2, ONE), named(1, after), named(0, j))
-    values: tuple[Expr, ...] = tuple(map(number, (2, 3, 5, 8, -17)))
-    if (k := next(rows, None)) is not None:
-        above, below = ((*row, ZERO) for row in array.trees[k - 2 : k])
-        values = below[0], above[1], above[0], below[1], array.trees[k][0]
-    return Step("law", (named(0, j), law), "law", instance=dict(zip(names, values, strict=True)))
+    return Step("law", (named(0, j), law), "law", instance=_instance((named(0, j), law), array))
+
+
+IN_NUMBERS = tuple(tuple(map(number, row)) for row in ((5, 3, 0), (2, 8, 0), (-17, 0, 0)))
+
+
+def _instance(law: tuple[Expr, ...], array: Array) -> dict[Expr, Expr]:
+    """What its names stand for at the first entry that is found by it, by their indices; where none is, in an
+    array of numbers."""
+    found = next((k for k, row in enumerate(array.rows, 1) if k > 2 and row.origin == "formula"), None)
+    trees, at = (IN_NUMBERS, 3) if found is None else (array.trees, found)
+    place: dict[Expr, Expr] = {Symbol("i"): number(at), Symbol("j"): ONE}
+    names = dict.fromkeys(node for side in law for node in walk(side) if isinstance(node, Indexed))
+    instance: dict[Expr, Expr] = {}
+    for name in names:
+        row, column = (round(value_of(replace(index, place), {})) for index in name.lower)
+        entries = trees[row - 1]
+        instance[name] = entries[column - 1] if column <= len(entries) else ZERO
+    return instance
 
 
 def entry_steps(array: Array) -> Iterator[Step]:
