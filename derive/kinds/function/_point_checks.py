@@ -98,12 +98,11 @@ class PointsTold:
         """The value that is told to be the greatest, or the smallest, is that of a point, and no other point
         nor a sample has one beyond it."""
         told_of = [(tree, sign) for tree, sign in ((greatest, 1), (smallest, -1)) if tree is not None]
-        if told_of:
-            at = completed(next(iter(self._letters(1))), self.problem.where)
+        names = self.problem.symbols | {*self.land.variables}
+        there = (completed(at, self.problem.where) for at in random_points(names, TRIED))
+        real = (at for at in there if any(self._there(branch, at) for branch in self.branches))
+        if told_of and (at := next(real, None)) is not None:
             yield route("greatest", (self._is_reached(tree, sign, at) for tree, sign in told_of))
-
-    def _letters(self, count: int) -> Iterator[Point]:
-        return random_points(self.problem.symbols | {*self.land.variables}, count)
 
     def _is_reached(self, tree: Expr, sign: int, at: Point) -> bool:
         value = number(tree, at)
