@@ -75,6 +75,8 @@ def _unread(printed: Printed) -> tuple[str, ...]:
     shown = " ".join(printed.lines)
     if not all(map(_names_entries, printed.namings)):
         raise Misprinted(f"{shown} (the names of its entries stand for others)")
+    if not printed.evaluated:
+        raise Misprinted(f"{shown} (these are not the numbers that were evaluated)")
     try:
         if not printed.chains:
             _require_law(printed.lines)

@@ -13,9 +13,10 @@ import pytest
 
 from derive.build import derive_all
 from derive.errors import DivisionByZero, NotReal, SheetErrors
-from derive.expression import Degrees, Expr, number, symbols
+from derive.expression import Degrees, Expr, negate, number, symbols
 from derive.kinds import values_at
 from derive.kinds.sure import rounding, sure
+from derive.render import evaluated
 from derive.sheet.load import load_sheet
 from derive.writing import render
 
@@ -110,3 +111,34 @@ def test_a_branch_that_is_real_cannot_be_said_not_to_be(
     monkeypatch.setattr(values_at, "_branch", lambda branch, _: {"when": branch.when, "real": False})
     with pytest.raises(SheetErrors):
         built(BRANCHES, tmp_path)
+
+
+ANGLES = """
+title: t
+problems:
+- motion: [{rotate: z, by: phi}, {rotate: x, by: theta}]
+  find: axis-angle
+  evaluate: {phi: 40 deg, theta: 20 deg}
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "wrong"),
+    [
+        ("_in_degrees", lambda made, angle, digits: made(2 * angle, digits)),
+        ("numeric", lambda made, value: made(value[::-1] if isinstance(value, list) else value)),
+        ("_real", lambda made, value: negate(made(value))),
+    ],
+)
+def test_the_page_prints_the_numbers_of_the_json(
+    name: str, wrong: Callable[..., Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "sheet.yaml"
+    path.write_text(ANGLES)
+    (document,) = derive_all([load_sheet(path)], True, lambda _: None)
+    assert "44.5^\\circ" in render(document, "md")
+    made = getattr(evaluated, name)
+    monkeypatch.setattr(evaluated, name, lambda *given: wrong(made, *given))
+    with pytest.raises(SheetErrors) as refused:
+        render(document, "md")
+    assert "these are not the numbers that were evaluated" in refused.value.errors[0].message

@@ -31,6 +31,7 @@ from derive.render.notation import Notation
 from derive.render.numbers import rounded_latex
 from derive.render.phrases import Speech, on_page
 from derive.render.printed import Printed
+from derive.render.same_numbers import same_numbers
 from derive.render.skin import Skin, environment
 from derive.render.words import chain_links
 
@@ -60,14 +61,14 @@ def evaluated_words(
     seen = [] if printed is None else printed
     speech = on_page(folder, derivation.kind, printer, skin.plain, seen, style)
     telling = _Telling(printer, speech, skin, facts.angle_results, style, seen)
-    chains = [
-        chain
+    chains = {
+        chain: value
         for name, value in values.items()
         if (chain := telling.chain(_called(facts.page_names.get(name, name)), value, name))
-    ]
+    }
     context = {
         "point": [telling.given(name, value) for name, value in at.items()],
-        "display": telling.display(tuple(chains)) if chains else "",
+        "display": telling.display(chains) if chains else "",
         "branches": [
             telling.branch(_unknowns(branch, derivation))
             for branch in values.get("solutions", ())
@@ -107,21 +108,23 @@ class _Telling:
     style: Style
     printed: list[Printed]
 
-    def display(self, chains: tuple[Chain, ...]) -> str:
-        """Equations side by side."""
-        display = lay_out(chains)
-        self.printed.append(Printed.display(display, self.printer.notation))
+    def display(self, chains: Mapping[Chain, Any]) -> str:
+        """Equations side by side, each of which tells a value."""
+        display = lay_out(tuple(chains))
+        shown = Printed.display(display, self.printer.notation)
+        self.printed.append(replace(shown, evaluated=all(map(_tells, chains, chains.values()))))
         return self.skin.display(display)
 
-    def inline(self, chain: Chain) -> str:
-        """An equation in a line of text."""
-        self.printed.append(Printed.inline(one_line(chain), chain, self.printer.notation))
+    def inline(self, chain: Chain, value: Any) -> str:
+        """An equation in a line of text that tells a value."""
+        shown = Printed.inline(one_line(chain), chain, self.printer.notation)
+        self.printed.append(replace(shown, evaluated=_tells(chain, value)))
         return f"${one_line(chain)}$"
 
     def given(self, name: str, value: Expr) -> str:
         """A value of the point, with the unit its author gave it."""
         unit = f" {value.unit}" if isinstance(value, Number) and value.unit else ""
-        return self.inline(chain_links((Symbol(name), value), self.printer)) + unit
+        return self.inline(chain_links((Symbol(name), value), self.printer), value) + unit
 
     def chain(self, called: Expr, value: Any, name: str) -> Chain:
         """`called = value`; nothing for what is no number."""
@@ -137,10 +140,16 @@ class _Telling:
     def branch(self, branch: Mapping[str, Any]) -> dict[str, Any]:
         """One solution: its equations as inline mathematics, and when it is the one."""
         values = {name: value for name, value in branch.items() if name not in ABOUT}
-        chains = [self.chain(Symbol(name), value, name) for name, value in values.items()]
-        equations = [self.inline(chain) for chain in chains if chain]
+        chains = [(self.chain(Symbol(name), value, name), value) for name, value in values.items()]
+        equations = [self.inline(chain, value) for chain, value in chains if chain]
         when = self.speech.when(branch.get("when", ()))
         return {"when": when, "real": branch.get("real", True), "equations": equations}
+
+
+def _tells(chain: Chain, value: Any) -> bool:
+    """Whether an equation ends in the value."""
+    tree = chain[-1].tree
+    return tree is not None and same_numbers(tree, value)
 
 
 def _in_degrees(angle: float, digits: int) -> Link:

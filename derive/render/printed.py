@@ -32,6 +32,7 @@ class Printed:
     chains: tuple[Chain, ...]
     notation: Notation
     namings: tuple[Naming, ...] = ()
+    evaluated: bool = True  # whether the numbers in it are those that were evaluated
 
     @classmethod
     def display(cls, display: Display, notation: Notation, namings: tuple[Naming, ...] = ()) -> Printed:
