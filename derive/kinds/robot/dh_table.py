@@ -17,6 +17,7 @@ from derive.mechanics.robot import Convention, DHRow, Robot
 
 CLAIMED = ("DH",)
 
+CLAIMS = ("table", "each-row|pose", "each-row|arm-composed")
 Mode: TypeAlias = Literal["given", "found", "restated"]
 
 
@@ -58,10 +59,14 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     results |= {name: work.final(name) for name in rows.ends}
     work = work.step(Step("DH", (), "dh-parameters")).linked(but=rows.ends)
     work = rows.each_pose(work) if mode == "given" else rows.proved(work)
+    table = rows.table()
+    work = work.claim(rows.as_listed(table))
+    if frames:
+        work = rows.frames_seen(work, robot.base if robot.by_screws else ())
     facts = Facts(
         mode=mode,
         convention=rows.convention,
-        table=rows.table(),
+        table=table,
         frames=frames,
         base="T_base" in rows.ends,
         tool="T_tool" in rows.ends,

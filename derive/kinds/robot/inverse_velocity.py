@@ -20,6 +20,8 @@ from derive.mechanics.wrist import wrist_of
 
 DIFFERENCES = 1e-5
 
+CLAIMS = ("pseudo-inverse",)
+
 
 class Options(OptionsModel):
     """`rows`: the velocities that are wanted; `point`: where, the end-effector if left out."""

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
+from itertools import islice
 
+from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.floats import Point, number
 from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.factors import Factored
-from derive.derivation import Derivation, PageFacts
+from derive.derivation import Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     Approximate,
@@ -23,8 +26,10 @@ from derive.expression import (
     sqrt,
     transpose,
 )
+from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import Evaluation, OptionsModel, Place
 from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._determinants import as_product, determinant, gram_determinant, natural, product_tree
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._singular.ways import seen_from_middle
@@ -37,10 +42,12 @@ from derive.mechanics.zeros import zeros
 
 CLAIMED = ("axes", "directions", "force_axes", "force_directions")
 
-DIFFERENCES = 1e-6
+DIFFERENCES, POINTS = 1e-6, 3
 SIX = 6
 SHORT = 12  # terms of all minors, whose squares may add up to something short
 J, W = Symbol("J"), Symbol("w")
+
+CLAIMS = ("singular-values|eigenvectors", "lines|said-of-the-axes", "rows-in-numbers|jacobian-here")
 
 
 class Options(OptionsModel):
@@ -75,7 +82,15 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.agrees(
         "singular-values", task.symbols, work[W], lambda at: _singular_values(task, at), DIFFERENCES
     )
-    return work.answer("manipulability", {"w": work[W]}, _facts(task, det))
+    printed = [step for step in work.steps if step.rule == "in-numbers"]
+    points = islice(random_points(task.symbols, POINTS), POINTS)
+    work = task.proved(work).claim(
+        route("lines", (_holds(task, step, at) for at in points for step in printed))
+    )
+    facts = _facts(task, det)
+    if facts.best:
+        work = work.claim(route("largest", _largest(task, facts.best)))
+    return work.answer("manipulability", {"w": work[W]}, facts)
 
 
 def _at_point(options: Options, problem: Problem, place: Place) -> Derivation:
@@ -91,7 +106,7 @@ def _at_point(options: Options, problem: Problem, place: Place) -> Derivation:
     facts = replace(base.told(Facts), here=found.told, w=(W, Approximate(size)), numbers=())
     return (
         Work(problem, uses=(base,), steps=(found.step,))
-        .claim(found.claim)
+        .claim(*found.claims)
         .answer(
             "manipulability",
             {"w": w, **found.results},
@@ -171,10 +186,10 @@ def _lines(task: Task, det: Expr, w: Expr) -> Work:
     size = sqrt(determinant(gram))
     if task.square:
         work = work.line(determinant(J), value=det, rule="determinant", label="det")
-        return work.line(W, size, Call("abs", (determinant(J),)), value=w, rule="law")
-    rule = "determinant" if len(task.rows) < SIX else "law"  # too long to be multiplied out again
+        return work.line(W, size, Call("abs", (determinant(J),)), value=w, rule="in-numbers")
+    rule = "determinant" if len(task.rows) < SIX else "in-numbers"  # too long to be multiplied out again
     work = work.line(determinant(gram), value=det, rule=rule, label="det")
-    return work.line(W, size, value=w, rule="law")
+    return work.line(W, size, value=w, rule="in-numbers")
 
 
 def _facts(task: Task, det: Factored) -> Facts:
@@ -203,6 +218,31 @@ def _best(task: Task, det: Factored) -> tuple[tuple[Expr, Expr], ...]:
 def _flat(factor: Scalar, name: str) -> bool:
     """Whether it swings evenly about zero, so that both its extremes are equally far from it."""
     return factor.diff(name).diff(name) == -factor
+
+
+def _holds(task: Task, step: Step, at: Point) -> bool:
+    """Whether the expressions of a line have one value, with J by differences."""
+    at = oracle_of(task.problem).at(at)
+    first, *others = (arrays(each, {**at, J.name: task.numbers(at)}) for each in step.chain if each != W)
+    return bool(others) and all(close(each, first, DIFFERENCES) for each in others)
+
+
+def _largest(task: Task, best: tuple[tuple[Expr, Expr], ...]) -> Iterator[bool]:
+    """Whether w is nowhere larger than at these values, and equally large at each of them."""
+    for at in islice(random_points(task.symbols, POINTS), POINTS):
+        there = [
+            _singular_values(task, {**at, name.name: number(value, at)})
+            for name, value in best
+            if isinstance(name, Symbol)
+        ]
+        around = [
+            _singular_values(task, {**at, name.name: 0.3 * k})
+            for name, _ in best[:1]
+            if isinstance(name, Symbol)
+            for k in range(-11, 11)
+        ]
+        yield close(there, [max(there)] * len(there), DIFFERENCES)
+        yield max(around) <= max(there) * (1 + DIFFERENCES)
 
 
 def _singular_values(task: Task, at: Point) -> float:

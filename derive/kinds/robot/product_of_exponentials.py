@@ -18,6 +18,8 @@ from derive.mechanics.screws import screw_form
 
 ENDS = ("compose", "entry")  # what is left to say where the screws themselves are given
 
+CLAIMS = ("orthogonal", "right-handed", "pose", "poses-in-numbers")
+
 
 class Facts(PageFacts):
     screws: ScrewsTold

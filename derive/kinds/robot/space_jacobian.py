@@ -7,6 +7,7 @@ from typing import Any, Literal
 from pydantic import Field
 
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Derivation, PageFacts
 from derive.expression import ZERO, Expr, Indexed, Matrix, Symbol, column, symbols, transpose
@@ -22,6 +23,7 @@ from derive.mechanics.oracle import slope, vee
 from derive.mechanics.poses import inverse_pose, position_part, rotation_part, skew
 from derive.mechanics.robot import Robot
 
+CLAIMS = ("twists-in-space|twists-in-body", "differences")
 DIFFERENCES = 1e-6  # what central differences leave
 NOTHING, NO_BLOCK = Symbol("0"), Symbol("0_3x3")
 J_S, J_B, R_E, O_E = symbols("J_s J_b R_e o_e")
@@ -54,6 +56,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.agrees(
         "differences", problem.symbols, J, lambda at: _differences(problem, at, body), DIFFERENCES
     )
+    work = _seen(work) if body else work
     facts = Facts(
         body=body,
         turning=joint_numbers(found, lambda joint: joint.type != "prismatic"),
@@ -92,6 +95,24 @@ def _body(problem: Problem, found: Chain) -> Work:
     work = work.knowing({S_O: work.steps[-1].result})
     value = adjoint @ jacobian(found, ORIGIN, len(found.T))
     return work.line(J_B, formula * J_S, value=value, rule="adjoint")
+
+
+def _seen(work: Work) -> Work:
+    """With the claim that the rotation, the origin and its matrix are those of the end-effector."""
+    problem = work.problem
+    told = {step.name: step.result for step in work.steps}
+
+    def pose(at: Point) -> Any:
+        import numpy as np
+
+        T = oracle_of(problem).tool(at)
+        x, y, z = T[:3, 3]
+        return [T[:3, :3], T[:3, 3], np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])]
+
+    def lines(at: Point) -> Any:
+        return [arrays(told[name], at) for name in ("R_e", "o_e", "S")]
+
+    return work.agrees("pose-seen", problem.symbols, lines, pose)
 
 
 def _are_twists(found: Chain, J: ScalarMatrix, body: bool) -> bool:

@@ -26,6 +26,8 @@ FORCES = {"vx": "fx", "vy": "fy", "vz": "fz", "wx": "mx", "wy": "my", "wz": "mz"
 DIFFERENCES = 1e-6
 TAU, F, J = Symbol("tau"), Symbol("F"), Symbol("J")
 
+CLAIMS = ("work-done",)
+
 
 class Options(OptionsModel):
     """`force`: what the end-effector exerts along the `rows`, forces then moments, by name or value;

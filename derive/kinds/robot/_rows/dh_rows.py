@@ -2,21 +2,29 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import replace as with_fields
 from functools import reduce
 from math import cos, sin
+from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numbers.floats import number
-from derive.derivation import Table
-from derive.expression import MINUS_ONE, Expr, Indexed, Matrix, Symbol, replace
+from derive.algebra.numbers.arrays import arrays
+from derive.algebra.numbers.floats import Point, number, numbers
+from derive.derivation import Cell, Claim, Table, as_matrix
+from derive.expression import MINUS_ONE, Expr, Indexed, Matrix, Symbol, free_symbols, replace
 from derive.expression import number as tree
+from derive.kinds.checks import route
+from derive.kinds.fields import TREES
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.work import Work
 from derive.mechanics.dh import CONVENTIONS
+from derive.mechanics.motion import Move
+from derive.mechanics.oracle.poses import compose
+from derive.mechanics.oracle.values import Array
 from derive.mechanics.poses import composed
 from derive.mechanics.robot import Convention, DHRow, JointType
 
@@ -72,7 +80,7 @@ class Rows:
     def proved(self, work: Work) -> Work:
         """With the claims that the rows, between the ends on the board, make the arm that was given: by
         normal form, and in numbers."""
-        problem, ends = work.problem, {name: normal_matrix(work[name]) for name in self.ends}  # as printed
+        problem, ends = work.problem, {name: normal_matrix(_printed(work, name)) for name in self.ends}
         base, tool = (ends.get(name, IDENTITY) for name in ("T_base", "T_tool"))
         T = with_fields(self, base=base, tool=tool).pose()
         exact, given = (
@@ -80,7 +88,59 @@ class Rows:
             for each in (T, chain_of(problem).T_tool)
         )
         work = work.law("pose", exact == given)
-        return work.agrees("arm-composed", problem.symbols, T, oracle_of(problem).tool)
+        return work.agrees(
+            "arm-composed", problem.symbols, lambda at: self._typed(work, at)[-1], oracle_of(problem).tool
+        )
+
+    def _typed(self, work: Work, at: Point) -> list[Array]:
+        """T_base, T_base A_1, ... and the pose of the end-effector in numbers, of everything as it is printed
+        and by the entries that books have."""
+        import numpy as np
+
+        base, tool = (
+            arrays(_printed(work, name), at) if name in self.ends else np.eye(4)
+            for name in ("T_base", "T_tool")
+        )
+        found = [base]
+        for row in self.matrix(work.problem).rows:
+            found.append(found[-1] @ np.array(TYPED[self.convention](*(number(entry, at) for entry in row))))
+        return [*found, found[-1] @ tool]
+
+    def frames_seen(self, work: Work, base: tuple[Move, ...]) -> Work:
+        """With the claim that the axes and origins that were found are those of the frames of these rows with
+        all joints at zero; `base` is where the arm stands that they were found in."""
+        home = dict.fromkeys((name for name in self.variables if name), 0.0)
+
+        def rows(at: Point) -> Any:
+            import numpy as np
+
+            at = {**at, **home}
+            stand = np.linalg.inv(compose(base, at))
+            frames = [stand @ T for T in self._typed(work, at)[:-1]]
+            return [[T[:3, 2], T[:3, 0], T[:3, 3]] for T in frames]
+
+        def lines(at: Point) -> Any:
+            told = {step.name: step.result for step in work.steps}
+            return [
+                [numbers(told[f"{letter}_{i}"], {**at, **home}) for letter in "zxo"]
+                for i in range(len(self.rows) + 1)
+            ]
+
+        return work.agrees("frames-seen", work.problem.symbols, lines, rows)
+
+    def as_listed(self, table: Table) -> Claim:
+        """That a table has these rows, counted from 1, each variable with its star."""
+        lines = (each for k, line in enumerate(table.rows) for each in self._line(k, line))
+        return route("table", (*lines, len(table.rows) == len(self.rows)))
+
+    def _line(self, k: int, line: tuple[Cell, ...]) -> Iterator[bool]:
+        count, *cells = (cell for cell in line if isinstance(cell, TREES))
+        name, joint = self.variables[k], self.joints[k]
+        star: dict[Expr, Expr] = {Symbol(f"{name}*"): Symbol(f"{name}")}
+        starred = [k for k, cell in enumerate(cells) if f"{name}*" in free_symbols(cell)]
+        yield number(count, {}) == k + 1
+        yield starred == ([] if name is None else [COLUMNS.index("d" if joint == "prismatic" else "theta")])
+        yield tuple(replace(cell, star) for cell in cells) == values(self.rows[k])
 
     def each_pose(self, work: Work) -> Work:
         """With the claim that the rows as printed give the poses (4 by 4) of the links, by the entries that
@@ -92,6 +152,11 @@ class Rows:
             lambda at: [typed(*(number(entry, at) for entry in row)) for row in printed],
             oracle_of(work.problem).local,
         )
+
+
+def _printed(work: Work, name: str) -> Matrix:
+    """The matrix in the line of this name."""
+    return as_matrix(next(step.result for step in work.steps if step.name == name), name)
 
 
 def _standard(theta: float, d: float, a: float, alpha: float) -> list[list[float]]:

@@ -4,6 +4,7 @@ rank on each set, what the arm looks like there, and that a search finds no othe
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,6 +13,7 @@ from derive.algebra.numbers import floats as numeric
 from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.compiled import compiled
 from derive.derivation import Branch, Claim, Phrase
+from derive.errors import NotDerivable
 from derive.expression import Symbol
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.robot._chain import oracle_of
@@ -48,7 +50,7 @@ class Checked:
         """About the lines, the sets, and what is said of each."""
         some = [at for _, at in zip(range(POINTS), self.points, strict=False)]
         yield route("jacobian-seen", (self._seen(part.block, at) for part in self.way.parts for at in some))
-        yield route("determinant-seen", (self._determined(at) for at in some))
+        yield route("determinant-seen", (each for at in some for each in self._determined(at)))
         full = min(self.task.J.shape)
         yield route("full-rank", (_rank(self.task.numbers(at)) == full for at in some))
         for branch, each, case in self._listed():
@@ -73,14 +75,20 @@ class Checked:
         printed = numeric.numbers(self.way.work[Symbol(block.name)], at)
         return close(printed, block_numbers(self.task, block, at), DIFFERENCES)
 
-    def _determined(self, at: Values) -> bool:
-        """det J, or that of the smaller of J J^T and J^T J."""
+    def _determined(self, at: Values) -> Iterator[bool]:
+        """det J, or that of the smaller of J J^T and J^T J, and what its line says without other names."""
         import numpy as np
 
         J = self.task.numbers(at)
         m, n = J.shape
         gram = J if m == n else J @ J.T if m < n else J.T @ J
-        return close(numeric.number(self.way.det, at), float(np.linalg.det(gram)), DIFFERENCES)
+        det = float(np.linalg.det(gram))
+        yield close(numeric.number(self.way.det, at), det, DIFFERENCES)
+        blocks = {part.block.name: block_numbers(self.task, part.block, at) for part in self.way.parts}
+        line = next(step for step in self.way.work.steps if step.name == "det")
+        for expr in line.chain:
+            with suppress(KeyError, NotDerivable):
+                yield close(arrays(expr, {**at, "J": J, **blocks}), det, DIFFERENCES)
 
     def _of_branch(self, branch: Branch, each: Analysed, case: Case | None) -> Iterator[Claim]:
         """The rank there, and what is said of it; of a set that is told by equations without values, the

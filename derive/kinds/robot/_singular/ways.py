@@ -104,7 +104,7 @@ def by_wrist(task: Task, wrist: Wrist) -> Way:
     whole = Factored(dets[0].constant * dets[1].constant, (*dets[0].factors, *dets[1].factors))
     tree = product_tree(problem, whole)
     split = Product(tuple(determinant(Symbol(block.name)) for block in blocks))
-    work = work.step(Step("det", (determinant(Symbol("J")), split, problem.final(tree)), "law"))
+    work = work.step(Step("det", (determinant(Symbol("J")), split, problem.final(tree)), "in-numbers"))
     (six,) = _minors(task, seen_from_middle(task))
     work = work.law("blocks", six.value == whole.value)
     return Way("wrist", Phrase("center-of-the-wrist"), work, tree, tuple(parts), not search.open)
@@ -127,7 +127,7 @@ def by_minors(task: Task) -> Way:
     det = _closed(problem, "det", chain)
     work = _resting_on(task, frame).knowing(dict[Expr, Expr](pairs))
     if sum(len(minor.value.numerator) for minor in found) > MOST_LINKED:
-        det = replace(det, rule="law")
+        det = replace(det, rule="in-numbers")
         total = sum((minor.value * minor.value for minor in found), Scalar.of(0))
         work = work.law("minors", normal(tree) == total)
     work = work.step(

@@ -3,21 +3,24 @@ that moves in a plane."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, get_args
 
 from derive.algebra.numbers import floats as numeric
+from derive.algebra.numbers.arrays import arrays
 from derive.derivation import Claim, Label, Phrase, Plot, Record, Result, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Matrix, Symbol, column
 from derive.figures.ellipses import at_the_tip
-from derive.kinds.checks import SECOND_ROUTE, close
+from derive.kinds.checks import close, route
 from derive.kinds.fields import Place
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._velocity.task import Task
 from derive.kinds.values_at import point_of
 
+TREES = get_args(Expr)
+DIFFERENCES = 1e-6
 NONE = 1e-9  # a semi-axis that is none, relative to the largest
 INFINITE = "infinite"
 PLANE = (("vx", "vy"), ("vx", "vz"), ("vy", "vz"))
@@ -40,7 +43,7 @@ class Ellipsoids:
     step: Step
     results: dict[str, Result]
     evaluated: dict[str, Any]
-    claim: Claim
+    claims: tuple[Claim, ...]
     plots: tuple[Plot, ...]
     told: PointTold
 
@@ -75,8 +78,8 @@ def at_point(task: Task, place: Place) -> Ellipsoids:
     }
     evaluated = {"axes": sizes, "directions": directions, "force_axes": forces, "force_directions": turned}
     step = Step("J_here", (Symbol("J"), Matrix(_rounded(J))), "numbers")
-    claim = _claim(task, here, sizes, directions)
-    return Ellipsoids(here, step, results, evaluated, claim, plots, told)
+    claims = tuple(_claims(task, here, step, results, evaluated, told))
+    return Ellipsoids(here, step, results, evaluated, claims, plots, told)
 
 
 def _rounded(rows: Any) -> tuple[tuple[Expr, ...], ...]:
@@ -117,18 +120,62 @@ def _table(task: Task, values: list[float], directions: list[list[float]]) -> Ta
     return Table((*axes, Phrase("velocity"), Phrase("force")), rows)
 
 
-def _claim(
-    task: Task, here: Mapping[str, float], values: list[float], directions: list[list[float]]
-) -> Claim:
-    """The axes are those of J J^T with J by differences."""
+def _claims(
+    task: Task,
+    here: Mapping[str, float],
+    step: Step,
+    results: Mapping[str, Result],
+    evaluated: Mapping[str, Any],
+    told: PointTold,
+) -> Iterator[Claim]:
+    """The axes are those of J J^T with J by differences: as results, in the table and in what is said."""
     import numpy as np
 
     J = task.numbers(here)
-    holds = all(
-        close(J @ J.T @ np.array(vector), s**2 * np.array(vector), 1e-6)
-        for s, vector in zip(values, directions, strict=True)
+    gram, n = J @ J.T, len(task.rows)
+    rows = [[cell for cell in row if isinstance(cell, TREES)] for row in told.table.rows]
+    table = [[numeric.number(cell, {}) for cell in row] for row in rows]
+    shown = [(row[n], row[:n]) for row in table]
+    listed = list(zip(evaluated["axes"], evaluated["directions"], strict=True))
+    printed = list(zip(_numbers_of(results["axes"]), _numbers_of(results["directions"]), strict=True))
+    yield route(
+        "eigenvectors",
+        (
+            close(gram @ np.array(vector), size**2 * np.array(vector), DIFFERENCES)
+            and close(np.linalg.norm(vector), 1.0, DIFFERENCES)
+            for size, vector in (*shown, *listed, *printed)
+        ),
     )
-    return Claim("eigenvectors", SECOND_ROUTE, holds)
+    sizes = [row[n] for row in table]
+    yield route("jacobian-here", close(arrays(step.result, here), J, DIFFERENCES))
+    yield route("said-of-the-axes", _said(told, sizes, J))
+    pushes = ((row[n], row[n + 1 :]) for row in table)
+    yield route(
+        "force-axes", (close(1 / size, push, DIFFERENCES) if size else not push for size, push in pushes)
+    )
+
+
+def _numbers_of(result: Result) -> Any:
+    """A column, or rows of vectors."""
+    if isinstance(result, Matrix):
+        return [numeric.number(entry, {}) for (entry,) in result.rows]
+    rows = [row for row in result if isinstance(row, tuple)] if isinstance(result, tuple) else []
+    return [[numeric.number(entry, {}) for entry in row if isinstance(entry, TREES)] for row in rows]
+
+
+def _said(told: PointTold, sizes: Sequence[float], J: Any) -> Iterator[bool]:
+    """Whether the axes are said to be equal, the arm to be singular, and one axis so many times another
+    where they are."""
+    import numpy as np
+
+    values = np.linalg.svd(J, compute_uv=False)
+    least, most = float(values[-1]), float(values[0])
+    yield close(sorted(sizes, reverse=True), sizes, DIFFERENCES)
+    full = len(values) == len(J)
+    yield told.singular == (full and least < DIFFERENCES * most)
+    yield told.even == (full and least > most * (1 - DIFFERENCES))
+    if told.ratio is not None:
+        yield close(numeric.number(told.ratio, {}) * least, most, DIFFERENCES)
 
 
 def _pictures(

@@ -4,9 +4,12 @@ those of the wrist from what is left of the angular velocity."""
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
+from derive.algebra.numbers.arrays import arrays
+from derive.algebra.numbers.floats import Point
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Call, Expr, Matrix, Symbol, column, cross, symbols, transpose
 from derive.expression import replace as replaced
@@ -107,8 +110,25 @@ def _half(
     tree = as_product(problem, det, variables)
     work = work.line(determinant(block), value=tree, rule="determinant", label=f"det_{name}")
     formula = Call("inverse", (block,)) * vector
-    work = work.line(column(rates), formula, value=column(found), rule="law", label=f"rates_{name}")
+    work = work.line(column(rates), formula, value=column(found), rule="in-numbers", label=f"rates_{name}")
+    line, printed = work.steps[-1], work.matrix(block)
+    names = work.problem.symbols | {each.name for each in _components(vector)}
+    work = work.agrees(
+        "lines",
+        names,
+        lambda at: arrays(line.chain[1], {**at, **_meaning(block, printed, vector, at)}),
+        lambda at: arrays(line.result, at),
+        block=name,
+    )
     return work.law("split", J @ exact == known.scaled(det), block=name, vector=vector.name), found
+
+
+def _meaning(block: Symbol, printed: Matrix, vector: Symbol, at: Point) -> dict[str, Any]:
+    """A block and a vector by the names of its components, in numbers."""
+    return {
+        block.name: arrays(printed, at),
+        vector.name: arrays(column(_components(vector)), at),
+    }
 
 
 def _written_out(
