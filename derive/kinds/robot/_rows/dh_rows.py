@@ -120,7 +120,7 @@ class Rows:
             return [[T[:3, 2], T[:3, 0], T[:3, 3]] for T in frames]
 
         def lines(at: Point) -> Any:
-            told = {step.name: step.result for step in work.steps}
+            told = {step.name: step.result for step in work.steps if step.chain}
             return [
                 [numbers(told[f"{letter}_{i}"], {**at, **home}) for letter in "zxo"]
                 for i in range(len(self.rows) + 1)
