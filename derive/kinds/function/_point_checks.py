@@ -99,13 +99,16 @@ class PointsTold:
         nor a sample has one beyond it."""
         told_of = [(tree, sign) for tree, sign in ((greatest, 1), (smallest, -1)) if tree is not None]
         names = self.problem.symbols | {*self.land.variables}
-        there = (completed(at, self.problem.where) for at in random_points(names, TRIED))
-        real = (at for at in there if any(self._there(branch, at) for branch in self.branches))
-        if told_of and (at := next(real, None)) is not None:
-            yield route("greatest", (self._is_reached(tree, sign, at) for tree, sign in told_of))
+        there = [completed(at, self.problem.where) for at in random_points(names, TRIED)]
+        if told_of:  # at some of these places the point in question is real
+            reached = (any(self._is_reached(tree, sign, at) for at in there) for tree, sign in told_of)
+            yield route("greatest", reached)
 
     def _is_reached(self, tree: Expr, sign: int, at: Point) -> bool:
-        value = number(tree, at)
+        try:
+            value = number(tree, at)
+        except UNREAL:
+            return False
         found = [place for branch in self.branches if (place := self._there(branch, at)) is not None]
         here = [place for place in found if close(number(self.land.f, place), value, CLOSE)]
         return any(self._is_best(sign, place) for place in here)
