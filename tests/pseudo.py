@@ -17,7 +17,7 @@ from derive.render.skin import environment
 
 LETTERS = str.maketrans({chr(k): chr(k + 0xFEE0) for k in (*range(65, 91), *range(97, 123))})
 FIELD = re.compile(r"(\{[^{}]*\})")
-SAYING = {"em": 0, "strong": 0, "items": 0, "append": 0, "plot": 1}  # how many arguments are names
+SAYING = {"em": 0, "strong": 0, "items": 0, "append": 0, "plot": 1, "count": 1}  # arguments that are names
 SAID_BESIDE = ("entries", "caption")  # of a display, of a picture
 JOINING = ("join", "listed", "default", "replace")
 UNSAID = (nodes.Compare, nodes.Test, nodes.Getattr, nodes.Import, nodes.FromImport, nodes.Include)
