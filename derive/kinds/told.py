@@ -31,8 +31,9 @@ POINTS = 4
 def with_results_told(derivation: Derivation, module: ModuleType, where: Names) -> Derivation:
     """The same derivation, claiming that its results are told; with one that fails for each that is not."""
     page, claimed = Page(derivation, where), getattr(module, "CLAIMED", ())
+    on_page = derivation.facts.page_names  # the pose T_1^0 with a tool is T_e^0 there
     found = [
-        (name, page.tells(name, tree))
+        (name, page.tells(str(on_page.get(name, name)), tree))
         for name, result in derivation.results.items()
         if name not in claimed
         for tree in _trees(result)
