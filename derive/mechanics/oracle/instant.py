@@ -63,9 +63,12 @@ class Instant:
         return np.array(self._before(i)[:3, :3] @ moved.direction if moved else [np.nan] * 3)
 
     def on_axis(self, i: int, point: Sequence[float]) -> Array:
-        """The point (3) of the axis of row i that is nearest to a point."""
+        """The point (3) of the axis of row i that is nearest to a point. A slide has a direction alone: its
+        axis goes through any point."""
         import numpy as np
 
+        if self.oracle.robot.links[i - 1].joint == "prismatic":
+            return np.array(point)
         moved, T = self._axes[i - 1], self._before(i)
         if moved is None:
             return np.full(3, np.nan)
