@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -86,9 +86,10 @@ class Built:
 
 
 def proofs(
-    mechanism: Mechanism, steps: tuple[Step, ...], told: Facts, dof: int, idle: int
+    mechanism: Mechanism, steps: tuple[Step, ...], told: Facts, results: Mapping[str, int]
 ) -> Iterator[Claim]:
-    """`dof` and `idle` are the results as they are printed, `told` is what the words say."""
+    """`results` are those that are printed, `told` is what the words say."""
+    dof, idle = results["dof"], results.get("idle", 0)
     built = Built.of(mechanism)
     yield route("constraints-of-a-joint", (_is_counted(row, built) for row in told.table.rows))
     yield route("as-written", _lines(steps, built, dof))
@@ -99,6 +100,7 @@ def proofs(
         if built.instance.motions == max(built.index, 0):
             yield route("moves", (told.sign == _sign(built.instance.motions - built.instance.repeated),))
     yield route("as-said", _said(mechanism, told, built))
+    yield route("without-idle", _idle(mechanism, results))
     if mechanism.legs and built.instance is not None:
         yield route("idle-rods", (idle == sum(map(built.instance.spins, built.legs)),))
 
@@ -168,6 +170,12 @@ def _size(space: Space) -> int:
     from derive.kinds.mechanism import _oracle as made
 
     return len(made.COORDINATES[space])
+
+
+def _idle(mechanism: Mechanism, results: Mapping[str, int]) -> Iterator[bool]:
+    """What is left without idle rods, where there are some."""
+    rods = {"idle": mechanism.rods, "effective": results["dof"] - mechanism.rods} if mechanism.rods else {}
+    yield dict(results) == {"dof": results["dof"], **rods}
 
 
 def _totals(table: Table) -> dict[str, int]:

@@ -20,7 +20,9 @@ MOVING_LOOPS = (4, 5, 6)  # revolute joints of single loops that move although t
 HEADINGS = ("joint", "number", "freedoms", "constraints-of-each", "constraints-together")
 OTHERS: dict[Space, tuple[Space, ...]] = {"spatial": ("planar", "spherical"), "planar": (), "spherical": ()}
 
-CLAIMS = ("constraints-of-a-joint", "as-written", "random-instance|random-joints", "as-said")
+CLAIMS = (
+    "constraints-of-a-joint", "as-written", "random-instance|random-joints", "as-said", "without-idle",
+)  # fmt: skip
 CLAIMED = ("effective", "idle")
 
 
@@ -34,8 +36,8 @@ def derive(mechanism: Mechanism, options: Options, problem: Problem) -> Derivati
     work = work.line(C, _total(mechanism), value=taken, label="constraints")
     work = work.line(DOF, *formulas, value=number(mechanism.dof))
     told, results = _facts(mechanism, size), _results(mechanism)
-    dof, idle = (round(at(results[name], {})) if name in results else 0 for name in ("dof", "idle"))
-    work = work.claim(*proofs(mechanism, work.steps, told, dof, idle))
+    found = {name: round(at(tree, {})) for name, tree in results.items()}
+    work = work.claim(*proofs(mechanism, work.steps, told, found))
     return work.answer("mobility", results, told)
 
 

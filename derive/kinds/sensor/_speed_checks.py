@@ -8,7 +8,7 @@ from math import tau
 from derive.algebra.numbers.floats import Point
 from derive.algebra.numbers.floats import number as at
 from derive.derivation import Claim, Derivation
-from derive.expression import ONE, Expr, Symbol, free_symbols
+from derive.expression import ONE, Call, Expr, Symbol, free_symbols
 from derive.expression import replace as put_in
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.problem import Problem
@@ -54,5 +54,8 @@ def as_given(work: Work, counted: tuple[Expr, Expr], told: SpeedFacts) -> Iterat
     for name, typed in zip((told.n, told.T), counted, strict=True):
         yield work.value(put_in(name, work.definitions)) == work.value(typed)
     yield told.given == tuple(pair for pair in work.typed if pair[0] in (told.n, told.T))
+    share, *others = work.steps[-1].chain
+    yield share == Symbol("delta_omega") / OMEGA or share == Symbol("delta_omega") / Call("abs", (OMEGA,))
+    yield not any("relative" in free_symbols(each) for each in others)
     if told.gear is not None:
         yield work.value(told.gear * OMEGA) == work.value(Symbol("omega_m"))
