@@ -218,7 +218,8 @@ def _singular(asked: Asked, point: Point, pose: PoseOf) -> Iterator[Place]:
 
     names = sorted(map(str, free))
     yield point, row(point)[j]
-    for there in chain(_special(point, names), _rooted(point, names, j, row)) if names else ():
+    sizes = (1, 2) if isinstance(entry, sympy.Basic) else (2,)  # of an arm a pose is dear
+    for there in chain(_special(point, names), _rooted(point, names, j, row, sizes)) if names else ():
         value = row(there)[j]
         if abs(abs(value) - 1) <= NEAR and int(mpmath.sign(value)) not in found:
             found.add(int(mpmath.sign(value)))
@@ -235,12 +236,12 @@ def _special(point: Point, names: Sequence[str]) -> Iterator[Point]:
 
 
 def _rooted(
-    point: Point, names: Sequence[str], j: int, row: Callable[[Point], list[mpmath.mpf]]
+    point: Point, names: Sequence[str], j: int, row: Callable[[Point], list[mpmath.mpf]], sizes: Sequence[int]
 ) -> Iterator[Point]:
-    """Points at which the other two entries of a row of the rotation vanish: Newton in two names."""
+    """Points at which the other two entries of a row of the rotation vanish: Newton in one or two names."""
     here = row(point)
     turning = [name for name in names if row(point.where(**{name: SPECIAL[1]})) != here]
-    for pair in islice(combinations(reversed(turning), 2), TRIED):
+    for pair in chain(*(islice(combinations(reversed(turning), size), TRIED) for size in sizes)):
 
         def others(values: Array, pair: tuple[str, ...] = pair) -> Array:
             there = _floating(point).where(**dict(zip(pair, values, strict=True)))
@@ -248,20 +249,21 @@ def _rooted(
 
         for start in STARTS:
             with suppress(ZeroDivisionError):
-                if (found := _root(others, start)) is not None:
-                    for turn in product((0, mpmath.pi), repeat=2):
+                if (found := _root(others, start[: len(pair)])) is not None:
+                    for turn in product((0, mpmath.pi), repeat=len(pair)):
                         yield _floating(point).where(**dict(zip(pair, found + turn, strict=True)))
 
 
-def _root(of: Callable[[Array], Array], start: tuple[str, str]) -> Array | None:
-    """Two numbers at which two functions vanish."""
+def _root(of: Callable[[Array], Array], start: Sequence[str]) -> Array | None:
+    """One or two numbers at which two functions vanish: Newton, by least squares."""
     x, small = np.array([mpmath.mpf(each) for each in start], dtype=object), mpmath.mpf(10) ** -30
     for _ in range(STEPS):
         value = of(x)
         if max(map(abs, value)) <= NEAR**2:
             return x
-        (a, c), (b, d) = ((of(x + small * unit) - value) / small for unit in np.eye(2, dtype=int))
-        x = x - np.array([d * value[0] - b * value[1], a * value[1] - c * value[0]]) / (a * d - b * c)
+        units = np.eye(len(x), dtype=int)
+        J = mpmath.matrix([list((of(x + small * unit) - value) / small) for unit in units]).T
+        x = x - np.array(list(mpmath.lu_solve(J, mpmath.matrix(list(value)))), dtype=object)
     return None
 
 

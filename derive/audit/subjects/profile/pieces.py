@@ -38,7 +38,7 @@ class Piece:
 
 def _pieces(asked: Asked) -> list[Piece]:
     """As they are told; names of results in the times stand for these."""
-    known = {sympy.Symbol(n): asked.result(n) for n in asked.results if n in ("t_b", "v", "a")}
+    known = {sympy.Symbol(n): asked.result(n) for n in asked.results if n in ("t_b", "t_f")}
     found = []
     for each in asked.objects("q"):
         first, since, t, until, last = SIGN.split(each["when"].replace("^", "**"))

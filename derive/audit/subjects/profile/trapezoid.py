@@ -114,9 +114,11 @@ def _by_cases(asked: Asked, point: Point) -> Iterator[Test]:
     expected = [] if found.case == "infeasible" else [found.case]
     yield Holds("solutions", met == expected, f"{met or 'no case'} is met where it is {found.case}")
     yield Holds("case", told == expected, f"it is {found.case}")
-    first = asked.objects("solutions")[0]
+    there = str(asked.evaluated.get("case", ""))  # what is told alone is the case there, else the first
+    branches = asked.objects("solutions")
+    first = next((each for each in branches if there and each["when"].startswith(there)), branches[0])
     for name in NAMES:
-        yield put_back(name, point, asked.result(name), asked.read(first[name]), "the first of the solutions")
+        yield put_back(name, point, asked.result(name), asked.read(first[name]), "none of the solutions")
 
 
 def found_at(asked: Asked, point: Point) -> list[Trapezoid]:
