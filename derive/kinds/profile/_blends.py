@@ -16,6 +16,7 @@ from derive.expression import (
     Symbol,
     free_symbols,
     is_negative,
+    multiply,
     number,
     replace,
     sqrt,
@@ -120,7 +121,9 @@ def _solved(working: Work, by: str, given: Symbol, way: Expr, T: Symbol) -> Work
             raise NotDerivable("the acceleration must be at least four times the way over the time squared")
         working = working.worked("t_b", T / 2 - sqrt(inside))
         duration = working.known[T_B]
-        return working.worked("v", given * T_B, given * duration if free_symbols(duration) else None)
+        return working.worked(
+            "v", given * T_B, multiply(working[given], duration) if free_symbols(duration) else None
+        )
     working = working.worked("t_b", given)
     _need(working, T, "the two blends cannot last longer than the whole")
     return working.worked("v", way / (T - T_B)).worked("a", V / T_B)

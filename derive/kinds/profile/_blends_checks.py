@@ -131,8 +131,9 @@ class Blends:
             gaps.append(farthest(zip((LOW, HIGH) * 2, told, strict=True), {**names, **edges}))
             for part in WITHIN:
                 moment = low + part * (high - low)
-                here = {**names, t: moment, Symbol("q"): motion.place(moment)}
-                gaps.append(farthest([law, (Symbol("q"), branch.values["q"])], here))
+                here: dict[Expr, Any] = {t: moment, Symbol("q"): motion.place(moment)}
+                gaps.append(farthest([law], {**names, **here}))
+                gaps.append(farthest([(Symbol("q"), branch.values["q"])], {**letters, **here}))
         return max(gaps) < CLOSE
 
 
