@@ -34,6 +34,7 @@ class Memo:
     answers: dict[tuple[str, Any], Derivation] = field(default_factory=dict)  # by kind and options
     written: dict[Hashable, Expr] = field(default_factory=dict)  # readable forms, by the keys of normal forms
     values: dict[Expr, ScalarMatrix] = field(default_factory=dict)  # of matrices that were made readable
+    seen: dict[Hashable, Any] = field(default_factory=dict)  # by second routes at a point
     terms: Counter[Hashable] = field(default_factory=Counter)  # written out so far, ring by ring
 
 

@@ -134,11 +134,20 @@ class _Told:
         met = 0
         for at in random_points(self._points, TRIES):
             with suppress(NotReal):
-                arm = Heavy(oracle_of(self.work.problem), completed(at, self.work.problem.where))
-                yield from [thing.is_meant(arm, completed(arm.at, self._scalars)) for thing in things]
+                arm = self._arm(at)
+                names = completed(arm.at, self._scalars)
+                yield from [thing.is_meant(arm, names) for thing in things]
                 met += 1
             if met == POINTS:
                 return
+
+    def _arm(self, at: Point) -> Heavy:
+        """The arm there, the same for all questions about it."""
+        problem, key = self.work.problem, ("arm", *at.items())
+        if key not in problem.memo.seen:
+            problem.memo.seen[key] = Heavy(oracle_of(problem), completed(at, problem.where))
+        found: Heavy = problem.memo.seen[key]
+        return found
 
     def _own(self) -> Iterator[tuple[Expr, Expr]]:
         """The names that this answer brings."""

@@ -30,6 +30,7 @@ from derive.mechanics.robot import Robot
 
 NEEDS = ("bodies",)
 CLAIMS = ("inertia", "christoffel", "gravity", "motion-of-each-body", "names")
+CLAIMED = ("tau",)  # by the motion of each body; of a long arm no line has it
 BASE = Symbol("o_0_ddot")
 
 

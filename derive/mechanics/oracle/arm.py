@@ -23,7 +23,7 @@ from derive.mechanics.oracle.displacements import (
 )
 from derive.mechanics.oracle.poses import compose
 from derive.mechanics.oracle.rows import local
-from derive.mechanics.oracle.sweep import Axis, axis_of, torques_of_bodies
+from derive.mechanics.oracle.sweep import Axis, Still, axis_of, torques_of_bodies
 from derive.mechanics.oracle.values import Array, Value
 from derive.mechanics.robot import Link, Robot
 
@@ -122,42 +122,48 @@ class Oracle:
             return np.array([0, 0, -point["g"]])
         return np.array([self.value(part, point) for part in self.robot.gravity])
 
-    def torques(self, point: Point) -> Array:
-        """tau (n) by the motion of each body; rates and accelerations in the point by their names."""
+    def torques(self, point: Point, still: Still | None = None) -> Array:
+        """tau (n) by the motion of each body; rates and accelerations in the point by their names. `still` is
+        where the arm is there, if that is known."""
         import numpy as np
 
         at = self.at(point)
-        return np.array(
-            [_of_joint(link, at) for link in self.robot.links if link.variable]
-        ) + self._of_bodies(at)
+        own = [_of_joint(link, at) for link in self.robot.links if link.variable]
+        return np.array(own) + self._of_bodies(at, still or self.still(at))
 
-    def inertia_matrix(self, point: Point) -> Array:
+    def inertia_matrix(self, point: Point, still: Still | None = None) -> Array:
         """D (n by n): row by row the torques of a unit acceleration from rest, less those of rest."""
         import numpy as np
 
-        still, names = self._still(point), self.robot.variables
-        rest = self.torques(still)
-        return np.array([self.torques({**still, f"{name}_ddot": 1.0}) - rest for name in names])
+        at, names = self.at(self._at_rest(point)), self.robot.variables
+        still = still or self.still(at)
+        rest = self.torques(at, still)
+        return np.array([self.torques({**at, f"{name}_ddot": 1.0}, still) - rest for name in names])
 
-    def torques_at_rest(self, point: Point) -> Array:
+    def torques_at_rest(self, point: Point, still: Still | None = None) -> Array:
         """tau (n) that holds the arm still."""
-        return self.torques(self._still(point))
+        return self.torques(self._at_rest(point), still)
 
     def torques_of_rates(self, point: Point) -> Array:
         """tau (n) at the rates of the point without accelerations, less that of rest."""
         even = {f"{name}_ddot": 0.0 for name in self.robot.variables}
         return self.torques({**point, **even}) - self.torques_at_rest(point)
 
-    def _still(self, point: Point) -> Point:
+    def _at_rest(self, point: Point) -> Point:
         names = self.robot.variables
         return {**point, **{f"{name}_{dots}": 0.0 for name in names for dots in ("dot", "ddot")}}
 
-    def _of_bodies(self, at: Point) -> Array:
-        """tau (n) without rotors and friction."""
+    def still(self, at: Point) -> Still | None:
+        """Where the arm is, whatever its rates; None where a variable moves more than its own row."""
         if self.robot.coupled or self.robot.shifting:
+            return None
+        return Still(self.poses(at), self.axes(at), self.bodies(at), self.gravity(at))
+
+    def _of_bodies(self, at: Point, still: Still | None) -> Array:
+        """tau (n) without rotors and friction."""
+        if still is None:
             return self._by_displacements(at)
-        poses, bodies = self.poses(at), self.bodies(at)
-        return torques_of_bodies(self.robot.links, poses, self.axes(at), bodies, self.gravity(at), at)
+        return torques_of_bodies(self.robot.links, still, at)
 
     def _by_displacements(self, point: Point) -> Array:
         """The same where a variable moves more than its own row."""

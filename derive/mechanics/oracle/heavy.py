@@ -7,6 +7,7 @@ from functools import cached_property
 
 from derive.mechanics.oracle.arm import Oracle
 from derive.mechanics.oracle.instant import Instant
+from derive.mechanics.oracle.sweep import Still
 from derive.mechanics.oracle.values import Array
 
 
@@ -17,7 +18,7 @@ class Heavy(Instant):
     @cached_property
     def D(self) -> Array:
         """The inertia matrix (n by n), rotors included."""
-        return self._rigid.inertia_matrix(self.at)
+        return self._rigid.inertia_matrix(self.at, self._still)
 
     @property
     def D_inv(self) -> Array:
@@ -46,18 +47,18 @@ class Heavy(Instant):
     @cached_property
     def g(self) -> Array:
         """The joint forces (n) that hold the arm."""
-        return self._rigid.torques_at_rest(self.at)
+        return self._rigid.torques_at_rest(self.at, self._still)
 
     @cached_property
     def tau(self) -> Array:
         """The joint forces (n) at the rates and accelerations of the point, friction included."""
-        return self.oracle.torques(self.at)
+        return self.oracle.torques(self.at, self._still)
 
     @cached_property
     def tau_without_acceleration(self) -> Array:
         """What is left of them where nothing accelerates (n)."""
         even = {f"{name}_ddot": 0.0 for name in self.oracle.robot.variables}
-        return self.oracle.torques({**self.at, **even})
+        return self.oracle.torques({**self.at, **even}, self._still)
 
     def accelerations(self, forces: Array) -> Array:
         """qddot (n) that joint forces (n) bring about."""
@@ -154,7 +155,11 @@ class Heavy(Instant):
         moving = dict(self.at)
         for name, rate in zip(self.oracle.robot.variables, rates, strict=True):
             moving |= {f"{name}_dot": rate, f"{name}_ddot": 0.0}
-        return self._rigid.torques(moving) - self.g
+        return self._rigid.torques(moving, self._still) - self.g
+
+    @cached_property
+    def _still(self) -> Still | None:
+        return self.oracle.still(self.at)
 
     @cached_property
     def _rigid(self) -> Oracle:

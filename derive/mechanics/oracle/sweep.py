@@ -35,46 +35,49 @@ def axis_of(local: Callable[[float], Array], turns: bool) -> Axis:
     twice_sin = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
     size = float(np.linalg.norm(twice_sin))
     angle, k = np.arctan2(size, np.trace(R) - 1), twice_sin / size
-    return Axis(k * angle / (2 * NEAR), (p - k * (k @ p) + np.cross(k, p) / np.tan(angle / 2)) / 2)
+    return Axis(k * angle / (2 * NEAR), (p - k * (k @ p) + cross(k, p) / np.tan(angle / 2)) / 2)
 
 
-def torques_of_bodies(
-    links: Sequence[Link],
-    poses: Sequence[Array],
-    axes: Sequence[Axis | None],
-    bodies: Sequence[Placed | None],
-    gravity: Array,
-    at: Point,
-) -> Array:
-    """tau (n) of an arm each of whose variables moves its own row alone. poses[i] (4 by 4) is that of frame
-    i, from 0; axes and bodies go with the links."""
+@dataclass(frozen=True, slots=True)
+class Still:
+    """Where an arm is: poses[i] (4 by 4) of frame i, from 0; axes and bodies of the links; and the
+    acceleration of what falls (3)."""
+
+    poses: Sequence[Array]
+    axes: Sequence[Axis | None]
+    bodies: Sequence[Placed | None]
+    gravity: Array
+
+
+def torques_of_bodies(links: Sequence[Link], arm: Still, at: Point) -> Array:
+    """tau (n) of an arm each of whose variables moves its own row alone."""
     import numpy as np
 
     w = alpha = acc = np.zeros(3)
-    reference = poses[0][:3, 3]
+    reference = arm.poses[0][:3, 3]
     joints: list[tuple[int, Array, Array, bool]] = []
     loads: list[tuple[int, Array, Array, Array]] = []
-    for i, (link, axis, body) in enumerate(zip(links, axes, bodies, strict=True)):
+    for i, (link, axis, body) in enumerate(zip(links, arm.axes, arm.bodies, strict=True)):
         if axis is not None:
-            R, o = poses[i][:3, :3], poses[i][:3, 3]
+            R, o = arm.poses[i][:3, :3], arm.poses[i][:3, 3]
             z, point = R @ axis.direction, R @ axis.point + o
             rate, rise = at[f"{link.variable}_dot"], at[f"{link.variable}_ddot"]
             revolute = link.joint == "revolute"
             joints.append((i, z, point, revolute))
             if revolute:
                 acc, reference = carried(acc, w, alpha, point - reference), point
-                alpha = alpha + z * rise + np.cross(w, z * rate)
+                alpha = alpha + z * rise + cross(w, z * rate)
                 w = w + z * rate
             else:
-                there = poses[i + 1][:3, 3]
-                acc = carried(acc, w, alpha, there - reference) + 2 * np.cross(w, z * rate) + z * rise
+                there = arm.poses[i + 1][:3, 3]
+                acc = carried(acc, w, alpha, there - reference) + 2 * cross(w, z * rate) + z * rise
                 reference = there
         if body is not None:
             I, a = body.turned, carried(acc, w, alpha, body.com - reference)
-            loads.append((i, body.com, body.mass * (a - gravity), I @ alpha + np.cross(w, I @ w)))
+            loads.append((i, body.com, body.mass * (a - arm.gravity), I @ alpha + cross(w, I @ w)))
     return np.array(
         [
-            sum(z @ (N + np.cross(c - o, F) if turns else F) for i, c, F, N in loads if i >= first)
+            sum(z @ (N + cross(c - o, F) if turns else F) for i, c, F, N in loads if i >= first)
             for first, z, o, turns in joints
         ],
         dtype=float,
@@ -83,7 +86,14 @@ def torques_of_bodies(
 
 def carried(acc: Array, w: Array, alpha: Array, r: Array) -> Array:
     """The acceleration of a point of a body, r away from one that has the acceleration `acc`."""
+    found: Array = acc + cross(alpha, r) + cross(w, cross(w, r))
+    return found
+
+
+def cross(u: Array, v: Array) -> Array:
+    """u x v (3); NumPy's own takes many times as long."""
     import numpy as np
 
-    found: Array = acc + np.cross(alpha, r) + np.cross(w, np.cross(w, r))
-    return found
+    a, b, c = u
+    d, e, f = v
+    return np.array((b * f - c * e, c * d - a * f, a * e - b * d))
