@@ -16,7 +16,7 @@ from derive.kinds.checks import route
 from derive.kinds.robot._inverse.target import SAME, Target, Values
 
 Conditions = Sequence[Condition]
-NOT_REAL = (ValueError, ZeroDivisionError)
+MORE = 2
 
 
 @dataclass(frozen=True)
@@ -59,6 +59,16 @@ class Tried:
             for k, values in enumerate(branches):
                 if values is not None and self.target.reached(point, self._joints(values)):
                     yield k, point, values
+
+    @property
+    def once(self) -> Iterator[tuple[int, Point, Values]]:
+        """The same for every branch at the first pose that it reaches, and for the first of them at one more:
+        what costs much is looked at there."""
+        seen: list[int] = []
+        for k, point, values in self.solved:
+            if k not in seen or (k == seen[0] and seen.count(k) < MORE):
+                seen.append(k)
+                yield k, point, values
 
     def claims(self) -> Iterator[Claim]:
         """What has to hold; of a branch nothing where it need not reach."""
@@ -129,7 +139,7 @@ def as_printed(tried: Tried, branches: Sequence[Branch], order: Sequence[str]) -
         "as-printed",
         (
             _prints(branches[k], order, _given(point, tried.target.joints), values)
-            for k, point, values in tried.solved
+            for k, point, values in tried.once
         ),
     )
 

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
     Array = NDArray[Any]
 
+READ = 2  # poses at which is looked where equations are read, and at a singular wrist
 SAME = 1e-7  # of the sides of a line, relative to their size
 TURNS = 0.3  # by which joints are moved to find what stays
 
@@ -42,13 +43,14 @@ class Lines:
 
     def claims(self) -> Iterator[Claim]:
         """Of every line, of where a rule breaks, and of a wrist that is singular."""
-        solved = [(self.chosen[k], values) for k, _, values in self.tried.solved]
+        solved = [(self.chosen[k], values) for k, _, values in self.tried.once]
         yield route("lines", (each for taken, known in solved for each in self.hold(known, taken)))
-        yield route("read-there", (each for _, known in solved for each in self.read(known)))
+        yield route("read-there", (each for _, known in solved[:READ] for each in self.read(known)))
         if bounds := [*self._bounds(solved)]:
             yield route("where-it-breaks", bounds)
         if self.worked.singular:
-            free = (each for point in self.tried.points for each in self.leave_free(dict(point)))
+            points = self.tried.points[:READ]
+            free = (each for point in points for each in self.leave_free(dict(point)))
             yield route("singular-wrist", free)
 
     def _bounds(self, tried: Sequence[tuple[Taken, Values]]) -> Iterator[bool]:
