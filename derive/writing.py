@@ -17,12 +17,15 @@ TEXT_FORMATS = ("md", "tex", "json")
 
 
 def render(document: Document, kind: str) -> str:
-    """The page as text, in one of the text formats; read back where it has mathematics. Raises SheetErrors
-    where it does not say what was derived."""
+    """The page as text, in one of the text formats; read back, its mathematics or its results. Raises
+    SheetErrors where it does not say what was derived."""
     if kind == "json":
+        from derive.json_back import read_json
         from derive.render.json_result import render_json
 
-        return render_json(document)
+        text = render_json(document)
+        read_json(document, text)
+        return text
     from derive.read_back import read_back
     from derive.render.page import render_latex, render_markdown
 

@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 
+from derive.algebra.infix import Infix
 from derive.build import derive_all
 from derive.errors import DivisionByZero, NotReal, SheetErrors
 from derive.expression import Degrees, Expr, negate, number, symbols
@@ -142,3 +143,17 @@ def test_the_page_prints_the_numbers_of_the_json(
     with pytest.raises(SheetErrors) as refused:
         render(document, "md")
     assert "these are not the numbers that were evaluated" in refused.value.errors[0].message
+
+
+def test_a_result_that_is_written_wrongly_in_the_json_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "sheet.yaml"
+    path.write_text(f"{PLANAR}  - find: jacobian\n  - find: inverse-kinematics\n")
+    (document,) = derive_all([load_sheet(path)], True, lambda _: None)
+    right = Infix.sum
+    monkeypatch.setattr(Infix, "sum", lambda self, terms: right(self, (negate(terms[0]), *terms[1:])))
+    with pytest.raises(SheetErrors) as refused:
+        render(document, "json")
+    assert len(refused.value.errors) == 2
+    assert "J as JSON" in refused.value.errors[0].message
