@@ -1,0 +1,62 @@
+"""Mistakes that were once printed under "Verified", planted again: each is refused now."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from derive.derivation import Derivation
+from derive.kinds.robot import singularities
+from derive.kinds.robot._inverse import one_equation, two_link
+from derive.kinds.robot._singular import saying
+from derive.mechanics import iteration
+from tests.kinds.robot.arms import ARMS
+from tests.kinds.robot.test_singularities import ELBOW, TWO_R, arm
+from tests.mechanics.robots import problem
+
+
+def refused(found: Derivation) -> set[str]:
+    return {claim.key for claim in found.claims if not claim.holds}
+
+
+def test_elbows_exchanged(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(two_link, "ELBOWS", {"elbow-down": -1, "elbow-up": 1})
+    assert "elbow-seen" in refused(problem(arm(TWO_R)).ask("inverse-kinematics", given=("x", "y")))
+
+
+def test_a_branch_with_the_condition_of_another(monkeypatch: pytest.MonkeyPatch) -> None:
+    right = one_equation.of_sign
+    monkeypatch.setattr(one_equation, "of_sign", lambda tree, sign: right(tree, -sign))
+    one = ARMS["3R"]
+    assert "when-holds" in refused(one.problem().ask("inverse-kinematics", given=one.given))
+
+
+@pytest.mark.parametrize("table", ["LOOKS", "BENT"])
+def test_stretched_for_folded(monkeypatch: pytest.MonkeyPatch, table: str) -> None:
+    words = getattr(saying, table)
+    turned = {**words, "stretched": words["folded"], "folded": words["stretched"]}
+    monkeypatch.setattr(saying, table, turned)
+    assert refused(problem(arm(TWO_R)).ask("singularities")) & {"looks", "looks-in-words"}
+
+
+def test_a_singular_set_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    right = singularities._analysed
+    monkeypatch.setattr(singularities, "_analysed", lambda *given: right(*given)[:1])
+    assert "all-found" in refused(problem(arm(ELBOW)).ask("singularities"))
+
+
+def test_half_the_best_step(monkeypatch: pytest.MonkeyPatch) -> None:
+    right = iteration._descent
+
+    def halved(*given: Any) -> Any:
+        change, verdict = right(*given)
+        return (None if change is None else change / 2), verdict
+
+    monkeypatch.setattr(iteration, "_descent", halved)
+    rows = [(f"q{k}*", "0", "1", "0") for k in (1, 2)]
+    start = {"q1": 0.1, "q2": 1.0}
+    found = problem(arm(rows)).ask(
+        "numerical-inverse-kinematics", target=[1.2, 0.8], start=start, method="gradient"
+    )
+    assert "steps-repeated" in refused(found)
