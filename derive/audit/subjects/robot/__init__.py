@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from derive.audit import orientation
-from derive.audit.subjects.robot import dynamics, inverse, iteration, kinematics, reach, singular
+from derive.audit.subjects.robot import axes, dynamics, inverse, iteration, kinematics, reach, singular
 from derive.audit.subjects.robot.arm import Arm
 from derive.audit.subjects.robot.series import values
 from derive.expression import Expr, free_symbols
@@ -17,7 +17,7 @@ from derive.mechanics.robot import DHRow, FreeRow, Robot, ScrewRow
 
 KINDS = {
     "forward-kinematics": kinematics.forward_kinematics,
-    "joint-axes": kinematics.joint_axes,
+    "joint-axes": axes.joint_axes,
     "jacobian": kinematics.jacobian,
     "velocity": kinematics.velocity,
     "jacobian-derivative": kinematics.jacobian_derivative,

@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 import numpy as np
 import sympy
 
-from derive.audit.asked import Asked, Beyond, Holds, Same, Test
+from derive.audit.asked import Asked, Holds, Same, Test
 from derive.audit.orientation import ANGLES
 from derive.audit.points import Number, Point, agree, shown
 from derive.audit.subjects.robot.arm import Arm, entries, numbers
 from derive.audit.subjects.robot.displacements import UNITS, modified, rotation, standard
-from derive.audit.subjects.robot.linear import is_zero, product, solve, transposed
+from derive.audit.subjects.robot.linear import product, solve, transposed
 from derive.audit.subjects.robot.series import Array, Series, diff, values
 from derive.audit.subjects.robot.task import ROWS, Task
 from derive.mechanics.robot import DHRow
 
-COLUMNS = {"x": 0, "z": 2, "o": 3}
 FORCES = dict(zip(ROWS, ("fx", "fy", "fz", "mx", "my", "mz"), strict=True))
 
 
@@ -99,33 +97,6 @@ def _exponential(S: Array, arm: Arm, i: int) -> Array:
     w = np.array([S[2, 1], S[0, 2], S[1, 0]], dtype=object)
     found[:3, 3] = (one - found[:3, :3]) @ np.cross(w, v) + w * along
     return found
-
-
-def joint_axes(asked: Asked, point: Point) -> Iterator[Test]:
-    """z_k and o_k: third and fourth column of the pose of frame k. k_i and p_i: the axis of the joint of row
-    i and a point on it, by the twist of that joint."""
-    arm = Arm(asked, point, 1)
-    for name in asked.results:
-        found = re.fullmatch(r"([xzokp])_(\d+)", name)
-        if found is None:
-            yield Beyond(name, "no column of a pose")
-        elif found[1] in COLUMNS:
-            yield Same(name, entries(arm.poses[int(found[2])][:3, COLUMNS[found[1]]]))
-        else:
-            yield _of_joint(arm, name, int(found[2]))
-
-
-def _of_joint(arm: Arm, name: str, i: int) -> Test:
-    """The axis of the joint of row i, or a point of it: v + w x p lies along w."""
-    variable = arm.robot.links[i - 1].variable
-    if arm.robot.coupled or variable is None:
-        return Beyond(name, "the axis of one of several motions")
-    S = diff(arm.end, arm.robot.variables.index(variable)) @ inverse_pose(arm.end)
-    v, w = np.split(values(twist(S)), 2)
-    if name[0] == "k":
-        return Same(name, (v if all(map(is_zero, w)) else w).tolist())
-    p = np.array(arm.asked.ours(name, arm.point), dtype=object)
-    return Holds(name, all(map(is_zero, np.cross(v + np.cross(w, p), w))), "a point of the axis")
 
 
 def jacobian(asked: Asked, point: Point) -> Iterator[Test]:
