@@ -21,6 +21,7 @@ from derive.mechanics.wrist import wrist_of
 DIFFERENCES = 1e-5
 
 CLAIMS = ("pseudo-inverse",)
+CLAIMED = ("qdot",)
 
 
 class Options(OptionsModel):
