@@ -40,7 +40,7 @@ MODIFIED = ARM.replace("- robot:\n", "- robot:\n    convention: modified\n").rep
     "com: center", "com: [0, 0, 0]"
 )
 SPHERE = ARM.replace("{rod: a2, axis: x}", "{sphere: r}").replace("{box: [a, b, c]}", "point")
-STANDARD, MOMENTS, CHRISTOFFEL = dh.standard, moments.given_moments, dynamics.christoffel
+STANDARD, MOMENTS = dh.standard, moments.given_moments
 
 
 @pytest.fixture(autouse=True)
@@ -131,10 +131,6 @@ def upwards(robot: Any) -> tuple[Expr, Expr, Expr]:
     return ZERO, ZERO, Symbol("g")
 
 
-def halved(D: Any, variables: Any) -> Any:
-    return {ijk: value / 2 for ijk, value in CHRISTOFFEL(D, variables).items()}
-
-
 @pytest.mark.parametrize(
     ("kind", "text", "right", "planted"),
     [
@@ -145,8 +141,6 @@ def halved(D: Any, variables: Any) -> Any:
         ("energy", ARM, joint_loads.reflected, once),
         ("gravity", ARM, dynamics.gravity_of, upwards),
         ("dynamics", ARM, dynamics.gravity_of, upwards),
-        ("christoffel", ARM, CHRISTOFFEL, halved),
-        ("dynamics", ARM, CHRISTOFFEL, halved),
     ],
 )
 def test_wrong_dynamics(
