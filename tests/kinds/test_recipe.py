@@ -85,7 +85,7 @@ def test_a_kind_of_the_recipe_is_listed_and_answers(copy: Path, subject: str, ki
 def test_a_wrong_sign_in_a_kind_of_the_recipe_is_refused(copy: Path, subject: str, kind: str) -> None:
     stem = kind.replace("-", "_")
     planted = run(copy, "tests.kinds.planting", stem)
-    assert [line.rpartition(" [")[2] for line in planted.splitlines()] == ["]", "]"]
+    assert [line.rpartition(" [")[2] for line in planted.splitlines()] == ["]"] * 3
     module = copy / "derive" / "kinds" / subject / f"{stem}.py"
     right, (sign, wrong) = module.read_text(), SIGNS[kind]
     assert sign in right
