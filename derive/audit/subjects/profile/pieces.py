@@ -23,11 +23,12 @@ ZERO = sympy.Integer(0)
 
 @dataclass(frozen=True, slots=True)
 class Piece:
-    """q as a function of t from one time to another."""
+    """q as a function of t from one time to another; `between` says whether that is how it is told."""
 
     q: sympy.Expr
     start: sympy.Expr
     end: sympy.Expr
+    between: bool
 
     def at_start(self, rate: int) -> sympy.Expr:
         return self.q.diff(TIME, rate).subs(TIME, self.start)
@@ -42,15 +43,15 @@ def _pieces(asked: Asked) -> list[Piece]:
     found = []
     for each in asked.objects("q"):
         first, since, t, until, last = SIGN.split(each["when"].replace("^", "**"))
-        if (since, t, until) != ("<=", "t", "<="):
-            raise NotImplementedError(f"{each['when']} is no stretch of time")
+        between = (since, t, until) == ("<=", "t", "<=")
         start, end = asked.read(first), asked.read(last)
-        found.append(Piece(asked.read(each["q"]), start.subs(known), end.subs(known)))
+        found.append(Piece(asked.read(each["q"]), start.subs(known), end.subs(known), between))
     return found
 
 
 def _joined(pieces: Sequence[Piece], point: Point, smooth: Sequence[int]) -> Iterator[Test]:
     """Each begins where and as the one before it ends: in so many derivatives."""
+    yield Holds("q", all(piece.between for piece in pieces), "a piece is for times from .. to ..")
     for (before, after), rates in zip(pairwise(pieces), smooth, strict=True):
         yield put_back("q", point, before.end, after.start, "a piece does not begin when the last ends")
         for rate in range(rates):
