@@ -14,10 +14,10 @@ from dataclasses import dataclass
 from functools import cached_property, partial
 from typing import Any, TypeAlias
 
-from derive.algebra.numbers.floats import Point, completed, numbers
+from derive.algebra.numbers.floats import Point, completed, number, numbers
 from derive.derivation import Result, as_matrix
 from derive.errors import NotReal
-from derive.expression import Expr, Matrix, Symbol, free_symbols
+from derive.expression import Expr, Indexed, Matrix, Symbol, free_symbols
 from derive.kinds.checks import TRIES, close, random_points, route
 from derive.kinds.problem import TREES
 from derive.kinds.robot._chain import oracle_of
@@ -118,6 +118,9 @@ class _Told:
         for name, tree in dict.fromkeys((*board, *results.items())):
             if isinstance(tree, TREES) and free_symbols(tree) <= self._valued:
                 yield from self._things(name, tree)
+        for named, tree in self._own():
+            if isinstance(named, Indexed) and named.base == "Trans":
+                yield Thing(tree, partial(_shift, named), ())
         for step in self.work.steps:
             for (i, j), symbol in step.entries.items():
                 for whole in self._things(step.name, step.result):
@@ -182,6 +185,18 @@ class _Told:
             found.update(ready)
             pending = {name: needed for name, needed in pending.items() if name not in found}
         return frozenset(found)
+
+
+def _shift(name: Indexed, arm: Heavy, said: Any) -> Any:
+    """Trans_{x, b}, or by all three coordinates."""
+    import numpy as np
+
+    T, (first, *others) = np.eye(4), name.lower
+    if len(others) == 1 and isinstance(first, Symbol):
+        T["xyz".index(first.name), 3] = number(others[0], arm.at)
+    else:
+        T[:3, 3] = [number(part, arm.at) for part in name.lower]
+    return T
 
 
 def _numbers(name: str) -> tuple[int, int]:
