@@ -93,7 +93,7 @@ def _argument(of: Callable[[float], float], low: float, high: float) -> float:
     """Where a function with one minimum is least between two places (`low` left out)."""
     span = high - low
     low += 1e-9 * span
-    for _ in range(200):
+    for _ in range(90):
         left, right = low + (high - low) / 3, high - (high - low) / 3
         if of(left) < of(right):
             high = right

@@ -14,12 +14,13 @@ from derive.expression import Expr, Relation, Symbol
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.meanings import Chain, Names, farthest
 from derive.kinds.profile._axis import AxisTold, CaseTold, Solved
-from derive.kinds.profile._places import TRIES, places
+from derive.kinds.profile._places import places
 from derive.kinds.profile._trapezoid import T_1, T_2, T_M, Outcome
 from derive.mechanics import trapezoid
 from derive.mechanics.trapezoid import Switching
 
 EACH = 2  # points for a case
+TRIED = 20
 LOOSE = 1e-6  # a search for a flat minimum finds no more digits
 PROBE, TO_THE_LIMIT = Symbol("probe"), Symbol("time to the limit")
 
@@ -37,7 +38,7 @@ def claims_about(
         for claim in outcome.working.linked().claims:
             yield claim.within("in-case", case=Phrase(outcome.case))
     key = "no-time-is-shorter" if each.time is None else "no-acceleration-is-smaller"
-    points = [at for at in random_points(each.problem.symbols, TRIES) if _limits(each, at)]
+    points = [at for at in random_points(each.problem.symbols, TRIED) if _limits(each, at)]
     yield route("too-short" if each.infeasible else key, (_agrees(each, at) for at in points))
     told_at = [(k, at) for k in range(len(each.outcomes)) for at in islice(_of_case(each, k), EACH)]
     own = [results if k == met else {} for k in range(len(each.outcomes))]
