@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, get_args
 
 from flint import arb
 
 from derive.algebra.ball_arithmetic import precise
 from derive.algebra.numbers.floats import Point, completed, number
-from derive.expression import Expr
+from derive.expression import Expr, free_symbols
 from derive.mechanics.frames import ByMatrix
 from derive.mechanics.motion import Motion
 from derive.mechanics.oracle.bodies import com_of, inertia_of
@@ -24,10 +24,11 @@ from derive.mechanics.oracle.displacements import (
 from derive.mechanics.oracle.poses import compose
 from derive.mechanics.oracle.rows import local
 from derive.mechanics.oracle.sweep import Axis, Still, axis_of, torques_of_bodies
-from derive.mechanics.oracle.values import Array, Value
+from derive.mechanics.oracle.values import Array, Value, trees_in
 from derive.mechanics.robot import Link, Robot
 
 TREES = get_args(Expr)
+PLACES = 1000  # that are remembered
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,6 +38,15 @@ class Oracle:
     robot: Robot
     where: Mapping[str, Expr]
     value: Value = number  # or one that gives more digits
+    names: tuple[str, ...] = field(init=False, repr=False, compare=False)  # on which poses can depend
+    seen: dict[tuple[Any, ...], list[Array]] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        moving = (self.robot.base, *(link.row for link in self.robot.links))
+        object.__setattr__(
+            self, "names", tuple(sorted({n for x in trees_in(moving) for n in free_symbols(x)}))
+        )
+        object.__setattr__(self, "seen", {})
 
     def at(self, point: Point) -> Point:
         """The point with the values of `where` added; those the point does not decide are left out."""
@@ -49,7 +59,17 @@ class Oracle:
         return [self._row(link, point) for link in self.robot.links]
 
     def poses(self, point: Any) -> list[Array]:
-        """T_00, T_01, ..., T_0n, base motion included."""
+        """T_00, T_01, ..., T_0n, base motion included; found once at a place, for checks come back to it."""
+        if self.value is not number:
+            return self._poses(point)
+        place = tuple(map(point.get, self.names))
+        if place not in self.seen:
+            if len(self.seen) > PLACES:
+                self.seen.clear()
+            self.seen[place] = self._poses(point)
+        return list(self.seen[place])
+
+    def _poses(self, point: Any) -> list[Array]:
         found = [compose(self.robot.base, point, self.value)]
         for T in self.local(point):
             found.append(found[-1] @ T)
