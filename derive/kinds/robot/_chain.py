@@ -23,7 +23,11 @@ def chain_of(problem: Problem) -> Chain:
 
 
 def oracle_of(problem: Problem) -> Oracle:
-    return Oracle(problem.subject, problem.where)
+    """The arm in numbers, one for all that is asked about it: it remembers the places where it has been."""
+    found = problem.memo.seen.get(Oracle)
+    if not isinstance(found, Oracle):
+        found = problem.memo.seen[Oracle] = Oracle(problem.subject, problem.where)
+    return found
 
 
 def pose_name(i: int, reference: int = 0) -> Symbol:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, get_args
+from typing import Any, TypeAlias, TypeVar, get_args
 
 from flint import arb
 
@@ -28,6 +28,8 @@ from derive.mechanics.oracle.values import Array, Value, trees_in
 from derive.mechanics.robot import Link, Robot
 
 TREES = get_args(Expr)
+Found = TypeVar("Found")
+Places: TypeAlias = dict[tuple[Any, ...], Found]
 PLACES = 1000  # that are remembered
 
 
@@ -39,7 +41,8 @@ class Oracle:
     where: Mapping[str, Expr]
     value: Value = number  # or one that gives more digits
     names: tuple[str, ...] = field(init=False, repr=False, compare=False)  # on which poses can depend
-    seen: dict[tuple[Any, ...], list[Array]] = field(init=False, repr=False, compare=False)
+    seen: Places[list[Array]] = field(init=False, repr=False, compare=False)
+    moved: Places[Array] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         moving = (self.robot.base, *(link.row for link in self.robot.links))
@@ -47,6 +50,7 @@ class Oracle:
             self, "names", tuple(sorted({n for x in trees_in(moving) for n in free_symbols(x)}))
         )
         object.__setattr__(self, "seen", {})
+        object.__setattr__(self, "moved", {})
 
     def at(self, point: Point) -> Point:
         """The point with the values of `where` added; those the point does not decide are left out."""
@@ -62,12 +66,9 @@ class Oracle:
         """T_00, T_01, ..., T_0n, base motion included; found once at a place, for checks come back to it."""
         if self.value is not number:
             return self._poses(point)
-        place = tuple(map(point.get, self.names))
-        if place not in self.seen:
-            if len(self.seen) > PLACES:
-                self.seen.clear()
-            self.seen[place] = self._poses(point)
-        return list(self.seen[place])
+        place: tuple[Any, ...] = tuple(map(point.get, self.names))
+        found: list[Array] = _remembered(self.seen, place, lambda: self._poses(point))
+        return list(found)
 
     def _poses(self, point: Any) -> list[Array]:
         found = [compose(self.robot.base, point, self.value)]
@@ -106,6 +107,11 @@ class Oracle:
 
     def jacobian(self, point: Point, frame: int, offset: Sequence[float | Expr]) -> Array:
         """J (6 by n) by central differences: of a point given in a frame (n+1: the tool's)."""
+        names = {*self.names, *(name for x in offset if isinstance(x, TREES) for name in free_symbols(x))}
+        place = (frame, *offset, *(point.get(name) for name in sorted(names)))
+        return _remembered(self.moved, place, lambda: self._jacobian(point, frame, offset)).copy()
+
+    def _jacobian(self, point: Point, frame: int, offset: Sequence[float | Expr]) -> Array:
         import numpy as np
 
         precisely = replace(self, value=precise)
@@ -218,3 +224,12 @@ def _of_joint(link: Link, at: Point) -> float:
         against = (rate > 0) - (rate < 0)
         tau += number(link.friction.viscous, at) * rate + number(link.friction.coulomb, at) * against
     return tau
+
+
+def _remembered(found: Places[Found], place: tuple[Any, ...], find: Callable[[], Found]) -> Found:
+    """What is found at a place, once while few places are asked for."""
+    if place not in found:
+        if len(found) > PLACES:
+            found.clear()
+        found[place] = find()
+    return found[place]
