@@ -123,7 +123,7 @@ def values(planter: Planter) -> Iterator[None]:
 @contextmanager
 def lines(planter: Planter) -> Iterator[None]:
     """The last two expressions of the chain of every step pass the planter. Laws, which have nothing to be
-    compared with, do not, nor do chains that come to zero, of which any sign is right."""
+    compared with, do not, nor does what comes to zero, of which any sign is right."""
     made = Step.__init__
 
     def make(
@@ -132,7 +132,7 @@ def lines(planter: Planter) -> Iterator[None]:
         chain = tuple(chain)
         if rule != "law" and chain and chain[-1] != ZERO:
             for i in range(max(1, len(chain) - 2), len(chain)):
-                wrong = turned(chain[i])
+                wrong = turned(chain[i], chain[-1])
                 if wrong is not None and planter.here(name):
                     chain = (*chain[:i], wrong, *chain[i + 1 :])
         made(self, name, chain, rule, *others, **more)
@@ -167,12 +167,17 @@ def results(planter: Planter) -> Iterator[None]:
         yield
 
 
-def turned(expr: Expr) -> Expr | None:
-    """With its sign turned, a matrix that of its last entry; None of zero and of a rounded number."""
+def turned(expr: Expr, end: Expr | None = None) -> Expr | None:
+    """With its sign turned, a matrix that of its last entry that is not zero in the `end` that it comes to;
+    None of zero and of a rounded number."""
     match expr:
         case Matrix(rows):
+            zero = _zeros(end) if end else set()
             places = [
-                (i, j, wrong) for i, row in enumerate(rows) for j, e in enumerate(row) if (wrong := turned(e))
+                (i, j, wrong)
+                for i, row in enumerate(rows)
+                for j, e in enumerate(row)
+                if (i, j) not in zero and (wrong := turned(e))
             ]
             if not places:
                 return None
@@ -183,6 +188,12 @@ def turned(expr: Expr) -> Expr | None:
             return None
         case _:
             return None if _is_zero(expr) else negate(expr)
+
+
+def _zeros(expr: Expr) -> set[tuple[int, int]]:
+    """The places of a matrix that hold a zero."""
+    rows = expr.rows if isinstance(expr, Matrix) else ()
+    return {(i, j) for i, row in enumerate(rows) for j, e in enumerate(row) if e == ZERO}
 
 
 def _is_zero(expr: Expr) -> bool:
