@@ -257,6 +257,32 @@ def test_lspb_pieces_meet(tmp_path: Path) -> None:
     assert found.evaluated["q"] == pytest.approx(0.575)
 
 
+@pytest.mark.parametrize(
+    ("given", "point"),
+    [
+        ("blend: tb", "tb: 0.4"),
+        ("blend: t_b", "t_b: 0.4"),
+        ("cruise: V", "V: -0.625"),
+        ("acceleration: A", "A: -1.5625"),
+    ],
+)
+@pytest.mark.parametrize("t", [0.1, 1.0, 1.9])
+def test_lspb_at_a_time_in_letters(tmp_path: Path, given: str, point: str, t: float) -> None:
+    """One metre back in 2 s, with blends of 0.4 s at 0.625 m/s: when a piece holds is told by t_b, whatever
+    its author calls it."""
+    found = ask(
+        tmp_path,
+        f"{{from: 1, to: 0, time: t_f, {given}}}",
+        "lspb-trajectory",
+        f"evaluate: {{t_f: 2, {point}, t: {t}}}",
+    )
+    a = 0.625 / 0.4
+    there = 1 - a * t**2 / 2 if t < 0.4 else a * (2 - t) ** 2 / 2 if t > 1.6 else 1 - 0.625 * (t - 0.2)
+    assert found.evaluated["t_b"] == pytest.approx(0.4)
+    assert found.evaluated["q"] == pytest.approx(there)
+    assert any(claim.key == "at-the-time" and claim.holds for claim in found.claims)
+
+
 @pytest.mark.parametrize("more", ["cruise: 0.4", "cruise: 1.1", "acceleration: 1.9", "blend: 1.5"])
 def test_impossible_blends(tmp_path: Path, more: str) -> None:
     """One metre in 2 s: the velocity between 0.5 and 1 m/s, the acceleration at least 1 m/s^2."""

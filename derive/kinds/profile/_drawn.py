@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import degrees, inf
+from types import MappingProxyType
 from typing import Any
 
 from derive.algebra.numbers.floats import number as value_of
@@ -22,6 +23,7 @@ from derive.mechanics.course import Course, at, extremes, sampled
 from derive.mechanics.profile import Profile
 
 SLACK = 1e-9
+NONE: Mapping[str, Expr] = MappingProxyType({})
 
 
 class LimitTold(Record):
@@ -66,13 +68,19 @@ class Drawn:
         )
 
     def claims(
-        self, pieces: Sequence[tuple[Expr, Relation | None]], told: Sequence[LimitTold], drawn: bool
+        self,
+        pieces: Sequence[tuple[Expr, Relation | None]],
+        told: Sequence[LimitTold],
+        drawn: bool,
+        results: Mapping[str, Expr] = NONE,
     ) -> Iterator[Claim]:
-        """What is told of the limits, and of q at a time, against the trajectory as it is written."""
+        """What is told of the limits, and of q at a time, against the trajectory as it is written, maybe in
+        names of `results`."""
         yield law("drawn", drawn == (self.course is not None))
         if self.course is None:
             return
-        point = point_of({n: v for n, v in self.evaluate or () if n != "t"}, self.problem.where)
+        names = {**results, **self.problem.where}
+        point = point_of({n: v for n, v in self.evaluate or () if n != "t"}, names)
         written = Written(pieces, point, self.course[-1].end)
         given = [(limit, rate) for limit, rate in self._given if self._most(limit) < inf]
         if told or given:

@@ -76,7 +76,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     checked = Blends(journey, profile, problem, found)
     work = work.claim(*checked.claims(chains, pieces, facts.bounds))
     timed = [(piece.values["q"], times_of(piece)) for piece in pieces]
-    work = work.claim(*drawn.claims(timed, facts.limits, facts.drawn))
+    work = work.claim(*drawn.claims(timed, facts.limits, facts.drawn, results))
     return work.answer(
         "lspb-trajectory",
         {**results, "q": pieces},
