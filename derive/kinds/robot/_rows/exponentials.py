@@ -45,7 +45,8 @@ class ScrewsTold(Record):
 @dataclass(frozen=True)
 class Exponentials:
     """A robot of screws written out up to row `last`; `whole` goes on to the end-effector. `frames` calls the
-    motion of joint i T_i^{i-1}: the base frame, fixed to link i at zero, is its frame i."""
+    motion of joint i T_i^{i-1}: the frame of the base, fixed to link i at zero, is its frame i. What the base
+    itself adds belongs to T_1^0, so the motion of joint 1 is then E_1."""
 
     problem: Problem
     robot: Robot
@@ -150,9 +151,10 @@ class Exponentials:
         return Indexed("e", (), (multiply(twist, screw.row.by),))
 
     def _frame(self, i: int) -> Symbol:
-        """What that motion is called: T_1^0, or E_1 where that is no frame or the whole pose."""
-        name = Symbol(f"T_{i}^{i - 1}")
-        return name if self.frames and not (self.whole and i == self.last == 1) else Symbol(f"E_{i}")
+        """What that motion is called: T_1^0, or E_1 where that is no frame, or not yet: where the base or the
+        home pose still belongs to T_1^0."""
+        more = i == 1 and (bool(self.robot.base) or (self.whole and self.last == 1))
+        return Symbol(f"T_{i}^{i - 1}") if self.frames and not more else Symbol(f"E_{i}")
 
 
 def turns(screw: Screw) -> bool:
