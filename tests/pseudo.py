@@ -20,6 +20,7 @@ FIELD = re.compile(r"(\{[^{}]*\})")
 SAYING = {"em": 0, "strong": 0, "items": 0, "append": 0, "plot": 1, "count": 1}  # arguments that are names
 SAID_BESIDE = ("entries", "caption")  # of a display, of a picture
 JOINING = ("join", "listed", "default", "replace")
+MATHEMATICS = "m"  # the filter that prints mathematics: ("x_" ~ k) | m
 UNSAID = (nodes.Compare, nodes.Test, nodes.Getattr, nodes.Import, nodes.FromImport, nodes.Include)
 
 
@@ -60,7 +61,8 @@ class _Translation(NodeTransformer):
             case nodes.Block(name="example" | "results"):  # printed on no page
                 return node
             case nodes.Const():
-                node.value = translated(node.value) if isinstance(node.value, str) else node.value
+                if isinstance(node.value, str):
+                    node.value = translated(node.value, self.mathematics)
             case nodes.Concat():
                 self._concat(node)
             case nodes.Block(name=name) if name == PHRASES:
@@ -71,6 +73,8 @@ class _Translation(NodeTransformer):
                 node.args = [*node.args[:names], *map(self.visit, node.args[names:])]
                 for each in node.kwargs:
                     each.value = self.visit(each.value) if each.key in SAID_BESIDE else each.value
+            case nodes.Filter(name=name) if name == MATHEMATICS:
+                return node
             case nodes.Filter():
                 node.node = self.visit(node.node) if node.node else None
                 node.args = [self.visit(each) for each in node.args] if node.name in JOINING else node.args
@@ -84,7 +88,7 @@ class _Translation(NodeTransformer):
 
     def _concat(self, node: nodes.Concat) -> None:
         """`"$x_" ~ k ~ "$ meets"`."""
-        inside = False
+        inside = self.mathematics
         for part in node.nodes:
             if isinstance(part, nodes.Const) and isinstance(part.value, str):
                 opens = _opens(part.value)
