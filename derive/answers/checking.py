@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from derive.algebra.infix import text
+from derive.algebra.values import MATRIX_FUNCTIONS
 from derive.answers.asked import Asked
 from derive.answers.branches import Paired, Sets, angles_among, chosen, written
 from derive.answers.comparing import compare
@@ -19,7 +20,7 @@ from derive.answers.solutions import put_in
 from derive.answers.terms import Finding, Solution, Terms, Verdict
 from derive.answers.typed import heard, is_branches, is_spoken, read_typed
 from derive.derivation import Branch
-from derive.expression import ZERO, Expr, Matrix, Symbol, free_symbols
+from derive.expression import ZERO, Call, Expr, Matrix, Symbol, free_symbols
 from derive.expression import replace as replaced
 
 ANGLES = ("theta", "phi", "psi", "alpha", "beta", "gamma")  # unknowns called so are angles
@@ -98,7 +99,7 @@ class Compared:
                 continue
             if not names:
                 found.append((part.tree, read_both_ways(part, ours, terms)))
-            elif set(names) != {text(part.tree)} or not theirs.chain:
+            elif not _is_name(part.tree) or not theirs.chain:
                 found.append((part.tree, _borrows(names)))
         if not found:
             return None
@@ -180,6 +181,14 @@ class Compared:
 
 def _borrows(names: Iterable[str]) -> Finding:
     return Finding("undecided", note=BORROWED.format(names=", ".join(sorted(names))))
+
+
+def _is_name(tree: Expr) -> bool:
+    r"""Whether a tree is what one calls something and says nothing of it: J, \det J, J^T."""
+    match tree:
+        case Call(function, (inner,)) if function in MATRIX_FUNCTIONS:
+            return _is_name(inner)
+    return isinstance(tree, Symbol)
 
 
 def read_both_ways(published: Published, ours: Expr, terms: Terms) -> Finding:
