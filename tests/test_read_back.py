@@ -203,7 +203,8 @@ def test_everything_on_a_page_is_read(sheet: str) -> None:
 @pytest.mark.parametrize(
     ("latex", "why"),
     [
-        (r"\M", "no command"), ("x^-1", "several signs"), ("x^12", "several signs"), (r"x_1_2", "stands on"),
+        (r"\M", "no command"), (r"\dot{\M}", "no command"),
+        ("x^-1", "several signs"), ("x^12", "several signs"), (r"x_1_2", "stands on"),
         (r"\left( x", "closed"), (r"\frac{x}{y", "closed"), ("2 3", "side by side"),
         ("xy", "without a space"),
         (r"2 \frac{1}{2}", "side by side"), ("z", "no symbol"), (r"x + ", "ends"), (r"(x", "closed"),

@@ -9,7 +9,9 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
 from derive.algebra.normal import normal
+from derive.answers.latex.functions import RECIPROCALS
 from derive.answers.latex.letters import Letters
+from derive.answers.latex.names import FUNCTIONS
 from derive.answers.latex.parser import read_latex
 from derive.answers.latex.scripts import Tokens, scripted, subscripts_first
 from derive.answers.latex.statements import Statement, statements
@@ -23,6 +25,7 @@ MOST = 20_000  # nodes of an answer with its own names written out
 MOST_NAMES = 60
 UNREAD = "a part of its chain of equations was not read"
 ALONE = "write one answer here; another result stands under its own name in answer:"
+APPLIED = FUNCTIONS.keys() | RECIPROCALS.keys()
 Read = Callable[[Tokens, Letters], Published]
 
 
@@ -54,7 +57,8 @@ def _chain(statement: Statement, letters: Letters, read: Read) -> Published:
 
 def _label(part: Tokens) -> str:
     """The name a part consists of, with or without arguments behind it: J, J(q), \\dot{x}; else nothing."""
-    if part[0].kind not in ("name", "command"):
+    first = part[0]
+    if first.kind not in ("name", "command") or (first.kind == "command" and first.text in APPLIED):
         return ""
     try:
         name = scripted(part, 0)

@@ -104,7 +104,7 @@ class Names:
     def _scripted(self) -> Scripted:
         """The letter here with its scripts, the place still before it; of L_cs the script is c only."""
         tokens, at = self.cursor.tokens, self.cursor.at
-        found = scripted(tokens, at)
+        found = scripted(tokens, at, self.letters.printed)
         under = found.lower_tokens[0] if found.lower_tokens else None
         bare = under and under.kind == "name" and len(under.text) > 1 and tokens[at + 2] is under
         if under is None or not bare or self.letters.find(found.plain) or self.letters.find(under.text):
@@ -112,7 +112,7 @@ class Names:
         first = Token("name", under.text[0], under.offset, under.offset + 1)
         kind: Kind = "number" if under.text[1:].isdigit() else "name"
         tokens[at + 2 : at + 3] = [first, Token(kind, under.text[1:], under.offset + 1, under.end)]
-        return scripted(tokens, at)
+        return scripted(tokens, at, self.letters.printed)
 
     def _abbreviation(self, name: Scripted) -> Expr | None:
         """c_1, s_{12}, c_{1+2}, c_\\theta; \\theta_{12} for a sum of angles. None for any other name."""

@@ -76,10 +76,11 @@ def subscripts_first(found: Sequence[Token]) -> Tokens:
     return tuple(done)
 
 
-def scripted(found: Sequence[Token], at: int) -> Scripted:
-    """The letter that begins here with its scripts. Raises FormulaError."""
+def scripted(found: Sequence[Token], at: int, tex: bool = False) -> Scripted:
+    """The letter that begins here with its scripts; for `tex` a command must be one that TeX knows. Raises
+    FormulaError."""
     first = found[at]
-    stem, accent, at = _stem(found, at)
+    stem, accent, at = _stem(found, at, tex)
     digits = found[at]
     if digits.kind == "number" and digits.offset == found[at - 1].end and first.kind == "command":
         return Scripted(stem, first.offset, at + 1, at + 1, digits.text, (digits,), accent=accent)  # \theta1
@@ -98,7 +99,7 @@ def _script(found: Sequence[Token], at: int) -> tuple[Tokens, int]:
     return inner, after
 
 
-def _stem(found: Sequence[Token], at: int) -> tuple[str, str, int]:
+def _stem(found: Sequence[Token], at: int, tex: bool) -> tuple[str, str, int]:
     """The letter itself in plain text, its accent, and the place after it."""
     token = found[at]
     if token.kind == "name":
@@ -108,11 +109,11 @@ def _stem(found: Sequence[Token], at: int) -> tuple[str, str, int]:
         if not inner or inner[0].kind not in ("name", "command"):
             raise FormulaError("a dot stands over a name", token.offset)
         end = Token("end", "", inner[-1].end, inner[-1].end)
-        return scripted((*inner, end), 0).plain, ACCENTS[token.text], after
+        return scripted((*inner, end), 0, tex).plain, ACCENTS[token.text], after
     if token.kind == "command" and token.text in FONTS:
         inner, after = group(found, at + 1)
         return _plain(inner), "", after
-    if token.kind == "command" and token.text in LETTERS:
+    if token.kind == "command" and (token.text in LETTERS or not tex):
         return token.text, "", at + 1
     if token.kind == "command":
         raise FormulaError(f"\\{token.text} is no command that is known here", token.offset)
