@@ -15,7 +15,6 @@ from derive.kinds.robot._dynamics.drives import friction_sorts
 from derive.kinds.robot._dynamics.linearisation import linear_at, linearised
 from derive.kinds.robot._dynamics.matrix_laws import linear_laws
 from derive.kinds.work import Work
-from derive.mechanics.oracle.heavy import Heavy
 from derive.mechanics.robot import Robot
 
 CLAIMED = ("A", "B")
@@ -70,19 +69,17 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 
 
 def _moves_so(work: Work, arm: Arm, results: Mapping[str, Expr]) -> Work:
-    """x and f as printed against the state, and what the joint forces make of it."""
-    names, oracle = arm.variables, arm.rubbing
-    forces = tuple(f"tau_{k}" for k, _ in enumerate(names, 1))
+    """x and f, of the results and of the printed lines, against a motion: the joint forces it needs bring
+    about its accelerations."""
+    names, lines = arm.variables, {step.name: step.result for step in work.steps if step.rule == "state"}
+
+    def ours(at: Point) -> list[Any]:
+        forces = {f"tau_{k}": force for k, force in enumerate(arm.rubbing.torques(at), 1)}
+        wholly = {**at, **forces}
+        return [numbers(found[name], wholly) for found in (results, lines) for name in ("x", "f")]
 
     def moving(at: Point) -> list[Any]:
-        import numpy as np
+        q, rates, rises = ([at[name + dots] for name in names] for dots in ("", "_dot", "_ddot"))
+        return [q, rates, rates, rises] * 2
 
-        rates, tau = [at[f"{name}_dot"] for name in names], np.array([at[force] for force in forces])
-        return [[at[name] for name in names], rates, rates, Heavy(oracle, at).accelerations(tau)]
-
-    return work.agrees(
-        "accelerations",
-        arm.moving.union(forces),
-        lambda at: [numbers(results["x"], at), numbers(results["f"], at)],
-        moving,
-    )
+    return work.agrees("accelerations", arm.moving, ours, moving)

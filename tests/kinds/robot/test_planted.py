@@ -6,14 +6,15 @@ from typing import Any
 
 import pytest
 
-from derive.derivation import Derivation
-from derive.kinds.robot import singularities
+from derive.derivation import Derivation, Step
+from derive.expression import Matrix
+from derive.kinds.robot import singularities, state_space
 from derive.kinds.robot._inverse import one_equation, two_link
 from derive.kinds.robot._singular import saying
 from derive.mechanics import iteration
 from tests.kinds.robot.arms import ARMS
 from tests.kinds.robot.test_singularities import ELBOW, TWO_R, arm
-from tests.mechanics.robots import problem
+from tests.mechanics.robots import body, problem, robot, row
 
 
 def refused(found: Derivation) -> set[str]:
@@ -60,3 +61,19 @@ def test_half_the_best_step(monkeypatch: pytest.MonkeyPatch) -> None:
         "numerical-inverse-kinematics", target=[1.2, 0.8], start=start, method="gradient"
     )
     assert "steps-repeated" in refused(found)
+
+
+@pytest.mark.parametrize("line", ["x", "f"])
+@pytest.mark.parametrize("wrong", range(4))
+def test_a_wrong_sign_in_the_printed_state(line: str, wrong: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In one entry of one line, while the results stay right."""
+
+    def written(name: str, chain: Any, rule: str) -> Step:
+        head, vector = chain
+        rows = [(-entry if (name, i) == (line, wrong) else entry,) for i, (entry,) in enumerate(vector.rows)]
+        return Step(name, (head, Matrix(tuple(rows))), rule)
+
+    moments = "0, 0, 0, 0, 0, 0"
+    heavy = robot(*(row(f"q{k}*", "0", "1", "0", body(f"m{k}", "0, 0, 0", moments)) for k in (1, 2)))
+    monkeypatch.setattr(state_space, "Step", written)
+    assert "accelerations" in refused(problem(heavy).ask("state-space"))
