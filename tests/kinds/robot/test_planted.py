@@ -7,11 +7,12 @@ from typing import Any
 import pytest
 
 from derive.derivation import Derivation, Step
-from derive.expression import Matrix
+from derive.expression import Expr, Matrix
 from derive.kinds.robot import singularities, state_space
 from derive.kinds.robot._inverse import one_equation, two_link
-from derive.kinds.robot._singular import saying
+from derive.kinds.robot._singular import saying, ways
 from derive.mechanics import iteration
+from tests.kinds.planting import turned
 from tests.kinds.robot.arms import ARMS
 from tests.kinds.robot.test_singularities import ELBOW, TWO_R, arm
 from tests.mechanics.robots import body, problem, robot, row
@@ -45,6 +46,20 @@ def test_a_singular_set_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
     right = singularities._analysed
     monkeypatch.setattr(singularities, "_analysed", lambda *given: right(*given)[:1])
     assert "all-found" in refused(problem(arm(ELBOW)).ask("singularities"))
+
+
+@pytest.mark.parametrize("wrong", ["center", "det"])
+def test_a_wrong_sign_at_a_wrist(monkeypatch: pytest.MonkeyPatch, wrong: str) -> None:
+    """In one line, as it is printed: the links have nothing beside it that it could be compared with."""
+    right = ways.Step
+
+    def made(name: str, chain: tuple[Expr, ...], *others: Any) -> Step:
+        last = turned(chain[-1]) if name == wrong else None
+        return right(name, chain if last is None else (*chain[:-1], last), *others)
+
+    monkeypatch.setattr(ways, "Step", made)
+    seen = {"center": "center-seen", "det": "determinant-seen"}
+    assert seen[wrong] in refused(ARMS["PUMA 560"].problem().ask("singularities"))
 
 
 def test_half_the_best_step(monkeypatch: pytest.MonkeyPatch) -> None:

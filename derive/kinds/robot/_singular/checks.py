@@ -12,7 +12,7 @@ from derive.algebra.infix import text
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.compiled import compiled
-from derive.derivation import Branch, Claim, Phrase
+from derive.derivation import Branch, Claim, Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import Symbol
 from derive.kinds.checks import close, random_points, route
@@ -28,6 +28,7 @@ from derive.mechanics.task import ROWS
 SMALL = 1e-5  # a singular value, relative to the largest; differences leave less
 DIFFERENCES = 1e-6
 POINTS, TRIES = 3, 60
+WRIST = 3  # joints
 SETS = ("on-the-set", "inside-larger-sets")
 
 
@@ -51,6 +52,8 @@ class Checked:
         some = [at for _, at in zip(range(POINTS), self.points, strict=False)]
         yield route("jacobian-seen", (self._seen(part.block, at) for part in self.way.parts for at in some))
         yield route("determinant-seen", (each for at in some for each in self._determined(at)))
+        if self.way.name == "wrist":
+            yield route("center-seen", (each for at in some for each in self._centered(at)))
         full = min(self.task.J.shape)
         yield route("full-rank", (_rank(self.task.numbers(at)) == full for at in some))
         for branch, each, case in self._listed():
@@ -85,10 +88,23 @@ class Checked:
         det = float(np.linalg.det(gram))
         yield close(numeric.number(self.way.det, at), det, DIFFERENCES)
         blocks = {part.block.name: block_numbers(self.task, part.block, at) for part in self.way.parts}
-        line = next(step for step in self.way.work.steps if step.name == "det")
-        for expr in line.chain:
+        for expr in self._line("det").chain:
             with suppress(KeyError, NotDerivable):
                 yield close(arrays(expr, {**at, "J": J, **blocks}), det, DIFFERENCES)
+
+    def _centered(self, at: Values) -> Iterator[bool]:
+        """The center of the wrist as it is printed: the origin of the frame in its name, which the last three
+        joints do not move."""
+        oracle, line = oracle_of(self.task.problem), self._line("center")
+        name, known = text(line.chain[0]), oracle.at(at)
+        p, poses = arrays(line.result, known)[:, 0], oracle.poses(known)
+        yield close(p, poses[int(name.removeprefix("o_"))][:3, 3], DIFFERENCES)
+        T, last = poses[-1], len(poses) - 1
+        J = oracle.jacobian(known, last, T[:3, :3].T @ (p - T[:3, 3]))
+        yield close(J[:3, -WRIST:], 0 * J[:3, -WRIST:], DIFFERENCES)
+
+    def _line(self, name: str) -> Step:
+        return next(step for step in self.way.work.steps if step.name == name)
 
     def _of_branch(self, branch: Branch, each: Analysed, case: Case | None) -> Iterator[Claim]:
         """The rank there, and what is said of it; of a set that is told by equations without values, the
