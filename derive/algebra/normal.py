@@ -81,6 +81,17 @@ def walk_over(exprs: Iterable[Expr], names: Names, known: Mapping[Expr, Value] |
     return Walk(names, home, ours)
 
 
+def walk_in(home: Ring, expr: Expr, known: dict[Expr, Value]) -> Walk:
+    """A walk over a tree without names in a ring that holds most of it; `known` remembers its leaves."""
+    walk = Walk({}, home, known)
+    for leaf in _leaves([expr], {}, {}):
+        if leaf not in known:
+            value = Walk({}, known={**known}).value(leaf)
+            fits = isinstance(value, Scalar) and home.union(value.ring) is home
+            known[leaf] = value.into(home) if isinstance(value, Scalar) and fits else value
+    return walk
+
+
 def _leaves(exprs: Iterable[Expr], names: Names, known: Mapping[Expr, Value]) -> dict[Expr, None]:
     """Symbols, and sines and cosines as a whole, in order, through the definitions of names."""
     found: dict[Expr, None] = {}

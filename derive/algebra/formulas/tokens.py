@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import keyword
-from dataclasses import dataclass
 from fractions import Fraction
-from typing import Literal, TypeAlias
+from typing import Literal, NamedTuple, TypeAlias
 
 from derive.errors import FormulaError
 
@@ -41,8 +40,7 @@ ALLOWED = "numbers, names, + - * / ^, parentheses and functions such as cos and 
 Kind: TypeAlias = Literal["number", "name", "sign", "end", "command", "row", "gap"]
 
 
-@dataclass(frozen=True, slots=True)
-class Token:
+class Token(NamedTuple):
     """`text` is normalised (Greek letters spelled out, `**` as `^`, a command without its backslash);
     `offset` counts from 0."""
 

@@ -18,7 +18,7 @@ from derive.algebra.angles import Form, combination
 from derive.algebra.bounds import no_charge
 from derive.algebra.generators import ITSELF, Opaque
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import walk_over
+from derive.algebra.normal import walk_in
 from derive.algebra.rationals import as_fraction, measure
 from derive.algebra.readable.angle_sums import contracted
 from derive.algebra.readable.by_mass import nested
@@ -55,13 +55,16 @@ def readable(scalar: Scalar, style: Style = Style()) -> Expr:
 
 def as_written(tree: Expr, scalar: Scalar) -> Expr:
     """The tree, read again and found to be the scalar it was made of. Raises NotAsWritten."""
-    home = scalar.ring
-    signs = [root.name for root in home.roots if root.is_sign]
-    still_open: dict[Expr, Value] = {Symbol(name): Scalar(home, home.gen(name)) for name in signs}
     with no_charge():
-        if walk_over([tree], {}, still_open).scalar(tree) != scalar:
+        if walk_in(scalar.ring, tree, _leaves_of(scalar.ring)).scalar(tree) != scalar:
             raise NotAsWritten("a value was written down as another one")
     return tree
+
+
+@lru_cache(maxsize=64)
+def _leaves_of(home: Ring) -> dict[Expr, Value]:
+    """What names, sines and cosines are in a ring, as far as they were read; first the signs of roots."""
+    return {Symbol(root.name): Scalar(home, home.gen(root.name)) for root in home.roots if root.is_sign}
 
 
 def readable_matrix(matrix: ScalarMatrix, style: Style = Style()) -> Matrix:

@@ -50,7 +50,8 @@ def read_latex(found: Sequence[Token], letters: Letters) -> tuple[Expr, Expr | N
     try:
         parser = _Parser(found, letters)
         tree = parser.whole()
-        return tree, _Parser(found, letters, tight=True).whole() if parser.either else None
+        two = parser.either and not letters.printed  # ours is read as TeX sets it
+        return tree, _Parser(found, letters, tight=True).whole() if two else None
     except RecursionError as error:
         raise Unfit("the answer is nested too deeply", 0) from error
 

@@ -28,6 +28,7 @@ READ_FUNCTIONS = frozenset(FUNCTIONS.values())
 OURS = READ_FUNCTIONS | {"transpose", "inverse", "cross", "bracket", "exp"}
 
 Part = tuple[str, Tokens]  # the sign before an expression, and the expression with an end token
+Open = tuple[str, list[Token]]  # one that is being read
 
 
 def letters_of(trees: Iterable[Expr], xy: bool) -> Letters:
@@ -48,7 +49,7 @@ def read_part(part: Tokens, tree: Expr, xy: bool) -> Expr:
 def parts_of(lines: Sequence[str]) -> list[list[Part]]:
     """The chains that stand in the lines of a display, or in one of a text. Raises FormulaError where TeX
     would refuse a line."""
-    chains: list[list[Part]] = []
+    chains: list[list[Open]] = []
     depth = 0
     for line in lines:
         found = require_tex(line)
@@ -66,30 +67,29 @@ def require_tex(line: str) -> Tokens:
     return found
 
 
-def _line(found: Tokens, chains: list[list[Part]], depth: int) -> int:
+def _line(found: Tokens, chains: list[list[Open]], depth: int) -> int:
     """Adds what stands in a line; how deep in parentheses it ends, which the next goes on with."""
     first, *others = found
     goes_on = first.text == "&" and (depth > 0 or others[0].text in SIGNS or others[0].kind == "gap")
     if not goes_on:
-        chains.append([("=", ())])
+        chains.append([("=", [])])
     for k, token in enumerate(found[:-1]):
         after = found[k + 1]
         if token.text in CLOSES or (token.text == "end" and token.kind == "command"):
             depth -= 1
         aligns = token.text == "&" and (depth == 0 or after.kind == "gap" or k == 0)
         if token.kind == "gap" and depth == 0 and "qquad" in token.text:
-            chains.append([("=", ())])
+            chains.append([("=", [])])
         elif token.text in SIGNS and depth == 0:
-            chains[-1].append((SIGNS[token.text], ()))
+            chains[-1].append((SIGNS[token.text], []))
         elif token.kind != "gap" and not aligns:
-            sign, part = chains[-1][-1]
-            chains[-1][-1] = sign, (*part, token)
+            chains[-1][-1][1].append(token)
         if token.text in OPENS or (token.text == "begin" and token.kind == "command"):
             depth += 1
     return depth
 
 
-def _ended(part: Tokens) -> Tokens:
+def _ended(part: Sequence[Token]) -> Tokens:
     if not part:
         raise FormulaError("an expression is missing", 0)
     return (*part, Token("end", "", part[-1].end, part[-1].end))

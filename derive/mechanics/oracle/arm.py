@@ -6,20 +6,17 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias, TypeVar, get_args
 
-from flint import arb
-
 from derive.algebra.ball_arithmetic import precise
 from derive.algebra.numbers.floats import Point, completed, number
 from derive.expression import Expr, free_symbols
 from derive.mechanics.frames import ByMatrix
 from derive.mechanics.motion import Motion
 from derive.mechanics.oracle.bodies import com_of, inertia_of
+from derive.mechanics.oracle.calculus import slope, vee
 from derive.mechanics.oracle.displacements import (
-    Configuration,
     Placed,
     joint_forces,
     many_digits,
-    velocities,
 )
 from derive.mechanics.oracle.poses import compose
 from derive.mechanics.oracle.rows import local
@@ -114,16 +111,17 @@ class Oracle:
     def _jacobian(self, point: Point, frame: int, offset: Sequence[float | Expr]) -> Array:
         import numpy as np
 
-        precisely = replace(self, value=precise)
-
-        def pose(at: Configuration) -> Array:
-            """That of the frame, moved on to the point."""
-            T = precisely.tool(at) if frame > len(self.robot.links) else precisely.poses(at)[frame]
-            there = [precise(x, at) if isinstance(x, TREES) else arb(x) for x in offset]
+        def pose(at: Point) -> Array:
+            """That of the frame (3 by 4), moved on to the point."""
+            T = self.tool(at) if frame > len(self.robot.links) else self.poses(at)[frame]
+            there = [self.value(x, at) if isinstance(x, TREES) else x for x in offset]
             return np.column_stack([T[:3, :3], T[:3, :3] @ there + T[:3, 3]])
 
-        with many_digits(point) as at:
-            return velocities(pose, at, self.robot.variables)
+        R, columns = pose(point)[:, :3], []
+        for name in self.robot.variables:
+            rate = slope(pose, point, {name: 1.0})
+            columns.append([*rate[:, 3], *vee(rate[:, :3] @ R.T)])
+        return np.array(columns).T
 
     def axes(self, point: Point) -> list[Axis | None]:
         """Those of the joints in the frames before them, None of a fixed row; where each variable moves its

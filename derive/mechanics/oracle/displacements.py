@@ -48,17 +48,6 @@ def many_digits(at: Mapping[str, float]) -> Iterator[Configuration]:
         yield {name: arb(value) for name, value in at.items()}
 
 
-def velocities(pose: Callable[[Configuration], Array], at: Configuration, names: Sequence[str]) -> Array:
-    """J (6 by n) of a pose (3 by 4): the velocity of its point and its angular velocity by each variable."""
-    import numpy as np
-
-    R, columns = pose(at)[:, :3], []
-    for name in names:
-        rate = _slope(pose(_ahead(at, {name: 1})), pose(_ahead(at, {name: -1})))
-        columns.append([*rate[:, 3], *_vee(rate[:, :3] @ R.T)])
-    return np.array(columns, dtype=float).T
-
-
 @dataclass(frozen=True, slots=True)
 class Course:
     """Of a frame along a motion, in the base (3 each): velocity and acceleration of its origin, angular
