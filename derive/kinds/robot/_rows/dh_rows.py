@@ -129,9 +129,14 @@ class Rows:
         return work.agrees("frames-seen", work.problem.symbols, lines, rows)
 
     def as_listed(self, table: Table) -> Claim:
-        """That a table has these rows, counted from 1, each variable with its star."""
+        """That a table has these rows, counted from 1, each variable with its star, under headings with the
+        indices that books give them."""
         lines = (each for k, line in enumerate(table.rows) for each in self._line(k, line))
-        return route("table", (*lines, len(table.rows) == len(self.rows)))
+        _, *headings = table.headings
+        indices = [number(cell.lower[0], {"i": 2.0}) for cell in headings if isinstance(cell, Indexed)]
+        return route(
+            "table", (*lines, len(table.rows) == len(self.rows), indices == INDICES[self.convention])
+        )
 
     def _line(self, k: int, line: tuple[Cell, ...]) -> Iterator[bool]:
         count, *cells = (cell for cell in line if isinstance(cell, TREES))
@@ -172,6 +177,7 @@ def _modified(theta: float, d: float, a: float, alpha: float) -> list[list[float
 
 
 TYPED = {"standard": _standard, "modified": _modified}
+INDICES = {"standard": [2, 2, 2, 2], "modified": [2, 2, 1, 1]}  # of theta, d, a, alpha in row 2
 
 
 def values(row: DHRow) -> tuple[Expr, Expr, Expr, Expr]:

@@ -46,7 +46,7 @@ class ScrewsTold(Record):
 class Exponentials:
     """A robot of screws written out up to row `last`; `whole` goes on to the end-effector. `frames` calls the
     motion of joint i T_i^{i-1}: the frame of the base, fixed to link i at zero, is its frame i. What the base
-    itself adds belongs to T_1^0, so the motion of joint 1 is then E_1."""
+    itself adds belongs to T_1^0, so the motion of joint 1 alone is then E_1."""
 
     problem: Problem
     robot: Robot
@@ -99,6 +99,9 @@ class Exponentials:
             E = screw.exponential
             work = work.knowing({motion: self.problem.readable_matrix(E)})
             work = work.line(self._frame(screw.i), motion, value=E, rule="exponential")
+            if screw.i == 1 and self.last > 1 and self.frames and self.robot.base:
+                stands = composed(self.robot.base) @ E
+                work = work.line("T_1^0", T_BASE * motion, value=stands, rule="exponential")
         factors += [Symbol(self.letters["M"])] if self.whole else []
         return product_lines(work, self.name, tuple(factors), self.pose)
 
