@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-from fnmatch import fnmatch
 from importlib import import_module
 from pathlib import Path
 
@@ -23,21 +22,6 @@ from tests.kinds.planting import Planting, lines, printed_wrong, results, values
 KINDS = [(subject, kind) for subject in subjects() for kind in registry.kinds_of(subject)]
 MODULES = sorted({registry.module_name(subject, kind) for subject, kind in KINDS})
 every_kind = pytest.mark.parametrize(("subject", "kind"), KINDS, ids=[f"{s}-{k}" for s, k in KINDS])
-BRANCHES = "the branches as printed"
-LINEAR = "the linear equations as printed"
-BODIES = "where a body is, and how fast"
-TWICE = "a sign turned above and below a fraction, which is right again; and where a body is"
-NO_CHAIN = "a line that has a name and a value alone"
-GIVEN = "what is given, as it is said again"
-RENAMED = "claims are about lines of which the page prints copies under other names"
-INNER = "results that are not asked, as the steps to the one that is"
-# What is printed with a wrong sign and not refused: results by their names, lines by those of their steps,
-# "value" and "matrix" where something else on the page is wrong. This list can only grow shorter.
-NOT_YET_REFUSED: dict[str, tuple[str, str]] = {}
-# Kinds that do not declare their claims yet, and laws that are tried in no instance yet, by folder; these
-# lists too can only grow shorter.
-NOT_YET_DECLARED: dict[str, str] = {}
-NOT_YET_TRIED: dict[str, str] = {}
 WORDS = Path(__file__).parents[2] / "templates" / "words"
 
 
@@ -91,20 +75,17 @@ def test_a_law_or_an_independent_route_of_its_own_proves_it(document, kind: str)
 @pytest.mark.parametrize("module", MODULES)
 def test_it_declares_its_claims(module: str) -> None:
     loaded = import_module(module)
-    folder, _, stem = module.removeprefix("derive.kinds.").partition(".")
-    declares = hasattr(loaded, "CLAIMS") or hasattr(loaded, "claims_of")
-    assert declares != (stem in NOT_YET_DECLARED.get(folder, "").split())
+    assert hasattr(loaded, "CLAIMS") or hasattr(loaded, "claims_of")
 
 
 @every_kind
-def test_its_laws_are_tried_in_an_instance(document, subject: str, kind: str) -> None:
-    known = NOT_YET_TRIED.get(registry.words_folder(subject, kind), "").split()
+def test_its_laws_are_tried_in_an_instance(document, kind: str) -> None:
     untried = {
         step.name
         for _, question in document.questions()
         for step in question.derivation.all_steps()
         if question.derivation.kind == kind and step.rule == "law" and len(step.chain) > 1
-        if not step.instance and not any(fnmatch(step.name, each) for each in known)
+        if not step.instance
     }
     assert untried == set()
 
@@ -114,17 +95,9 @@ def test_its_laws_are_tried_in_an_instance(document, subject: str, kind: str) ->
 def test_a_wrong_sign_is_refused(module: str, planting: Planting, tmp_path: Path) -> None:
     sheet = tmp_path / "example.yaml"
     sheet.write_text(example_of(module), encoding="utf-8")
-    known, _ = NOT_YET_REFUSED.get(module.removeprefix("derive.kinds."), ("", ""))
-    found = {
-        name for name in printed_wrong(planting, sheet) if not any(fnmatch(name, k) for k in known.split())
-    }
-    assert found == set(), (
+    assert printed_wrong(planting, sheet) == set(), (
         "printed under 'Verified' with a wrong sign: see 'What proves an answer' in CONTRIBUTING.md"
     )
-
-
-def test_what_is_not_refused_yet_is_about_kinds_that_exist() -> None:
-    assert {f"derive.kinds.{module}" for module in NOT_YET_REFUSED} <= set(MODULES)
 
 
 @every_kind
