@@ -38,16 +38,17 @@ class Oracle:
     where: Mapping[str, Expr]
     value: Value = number  # or one that gives more digits
     names: tuple[str, ...] = field(init=False, repr=False, compare=False)  # on which poses can depend
+    named: tuple[tuple[str, ...], ...] = field(init=False, repr=False, compare=False)  # the same of each row
+    rows: Places[Array] = field(init=False, repr=False, compare=False)
     seen: Places[list[Array]] = field(init=False, repr=False, compare=False)
     moved: Places[Array] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        moving = (self.robot.base, *(link.row for link in self.robot.links))
-        object.__setattr__(
-            self, "names", tuple(sorted({n for x in trees_in(moving) for n in free_symbols(x)}))
-        )
-        object.__setattr__(self, "seen", {})
-        object.__setattr__(self, "moved", {})
+        rows = [link.row for link in self.robot.links]
+        object.__setattr__(self, "names", _names_in((self.robot.base, *rows)))
+        object.__setattr__(self, "named", tuple(map(_names_in, rows)))
+        for places in ("rows", "seen", "moved"):
+            object.__setattr__(self, places, {})
 
     def at(self, point: Point) -> Point:
         """The point with the values of `where` added; those the point does not decide are left out."""
@@ -57,7 +58,7 @@ class Oracle:
 
     def local(self, point: Any) -> list[Array]:
         """T from each row to the one before."""
-        return [self._row(link, point) for link in self.robot.links]
+        return [self._row(i, point) for i in range(len(self.robot.links))]
 
     def poses(self, point: Any) -> list[Array]:
         """T_00, T_01, ..., T_0n, base motion included; found once at a place, for checks come back to it."""
@@ -97,8 +98,15 @@ class Oracle:
                 T[:size, :size] = entries
                 return T
 
-    def _row(self, link: Link, point: Any) -> Array:
-        return local(link.row, self.robot.convention, point, self.value)
+    def _row(self, i: int, point: Any) -> Array:
+        """T of a row, counted from 0; most stay as they are while one joint moves."""
+
+        def found() -> Array:
+            return local(self.robot.links[i].row, self.robot.convention, point, self.value)
+
+        if self.value is not number:
+            return found()
+        return _remembered(self.rows, (i, *map(point.get, self.named[i])), found)
 
     # -- how it moves -------------------------------------------------------------------------------
 
@@ -126,15 +134,14 @@ class Oracle:
     def axes(self, point: Point) -> list[Axis | None]:
         """Those of the joints in the frames before them, None of a fixed row; where each variable moves its
         own row alone."""
-        return [self._axis(link, point) for link in self.robot.links]
+        return [self._axis(i, point) for i in range(len(self.robot.links))]
 
-    def _axis(self, link: Link, point: Point) -> Axis | None:
+    def _axis(self, i: int, point: Point) -> Axis | None:
+        link = self.robot.links[i]
         name = link.variable
         if name is None:
             return None
-        return axis_of(
-            lambda by: self._row(link, {**point, name: point[name] + by}), link.joint != "prismatic"
-        )
+        return axis_of(lambda by: self._row(i, {**point, name: point[name] + by}), link.joint != "prismatic")
 
     # -- what it needs ------------------------------------------------------------------------------
 
@@ -222,6 +229,10 @@ def _of_joint(link: Link, at: Point) -> float:
         against = (rate > 0) - (rate < 0)
         tau += number(link.friction.viscous, at) * rate + number(link.friction.coulomb, at) * against
     return tau
+
+
+def _names_in(parts: Any) -> tuple[str, ...]:
+    return tuple(sorted({name for tree in trees_in(parts) for name in free_symbols(tree)}))
 
 
 def _remembered(found: Places[Found], place: tuple[Any, ...], find: Callable[[], Found]) -> Found:

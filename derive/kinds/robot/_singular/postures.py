@@ -104,11 +104,10 @@ class Postures:
         name = self.task.found.joint(joint).variable
         around = [here, *({**here, name: here[name] + by} for by in ROUND)]
         later = [i for i in self.rows if i > joint and self.task.found.joint(i).type == "revolute"]
+        z, o = self._axis(before, here)  # which joints after it leave where it is
         for i in (0, *later):
-            reach = []
-            for at in around:
-                z, o = self._axis(before, at)
-                reach.append(apart(z, (self._axis(i, at)[1] if i else self._of_rows(at)) - o))
+            ends = (self._axis(i, at)[1] if i else self._of_rows(at) for at in around)
+            reach = [apart(z, end - o) for end in ends]
             if max(reach) - min(reach) < NEAR:
                 continue
             if reach[0] > max(reach) - NEAR:
