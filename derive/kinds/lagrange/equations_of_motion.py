@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from derive.algebra.scalar import Scalar
 from derive.derivation import Claim, Derivation, PageFacts, Result, Step
-from derive.expression import ZERO, Derivative, Expr, Symbol, add, column
+from derive.expression import ZERO, Derivative, Expr, Symbol, add, column, negate
 from derive.kinds.checks import law
 from derive.kinds.fields import OptionsModel
 from derive.kinds.lagrange._as_told import Conserved, as_told
@@ -87,9 +87,9 @@ def _general(model: Model) -> Step:
     letters, along = model.letters, Symbol("q_dot")
     L, D = Symbol(letters.lagrangian), Symbol(letters.dissipation)
     lost = () if model.system.dissipation == ZERO else (Derivative(D, along),)
-    left = Derivative(Derivative(L, along), Symbol(TIME)) - Derivative(L, Symbol("q"))
+    left = Derivative(Derivative(L, along), Symbol(TIME)), negate(Derivative(L, Symbol("q")))
     held = (name * slope for name, slope in zip(model.multipliers, slopes_of(model), strict=True))
-    return Step("lagrange", (add(left, *lost), add(Symbol("Q_q"), *held)), "in-numbers")
+    return Step("lagrange", (add(*left, *lost), add(Symbol("Q_q"), *held)), "in-numbers")
 
 
 def slopes_of(model: Model) -> tuple[Symbol, ...]:
