@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
+from derive.algebra.numbers.floats import numbers
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts, Record, Step
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Symbol, column
+from derive.kinds.checks import flat
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import EVERY, Meaning, by_index
@@ -55,29 +57,46 @@ def _out(arm: Heavy, i: int, said: Any) -> Any:
     return arm.on_axis(i, before[:3, :3] @ said + before[:3, 3]) - before[:3, 3]
 
 
-def _arm(arm: Heavy, i: int, said: Any) -> Any:
-    """From the nearest point of the axis to the origin of the frame; of a fixed row from that of the frame
-    before."""
-    T = arm.pose(str(i))
-    if arm.oracle.robot.links[i - 1].joint == "fixed":
-        return T[:3, 3] - arm.pose(str(i - 1))[:3, 3]
-    return T[:3, 3] - arm.on_axis(i, T[:3, 3] - T[:3, :3] @ said)
+@dataclass(frozen=True)
+class _Axis:
+    """The points of the axes that moments are about: p_i as told, from the origin of the frame before; where
+    it is not told, that origin."""
+
+    told: Mapping[Expr, Expr]
+
+    def point(self, arm: Heavy, i: int) -> Any:
+        """In the base frame (3)."""
+        before, p = arm.pose(str(i - 1)), self.told.get(Symbol(f"p_{i}"))
+        there = [0, 0, 0] if p is None else [*flat(numbers(p, arm.at))]
+        return before[:3, :3] @ there + before[:3, 3]
+
+    def reach(self, arm: Heavy, i: int, _: Any) -> Any:
+        """From the point to the origin of the frame: p_i and r_i go from one origin to the next."""
+        return arm.pose(str(i))[:3, 3] - self.point(arm, i)
+
+    def moment(self, arm: Heavy, i: int, _: Any) -> Any:
+        """That of all loads from link i on, about the point."""
+        return arm.moment_handed(i, self.point(arm, i))
 
 
-MEANINGS: Mapping[str, Meaning] = {
-    **EVERY,
-    r"e_(\d+)": _in_link(lambda arm, i, _: arm.axis(i)),
-    r"p_(\d+)": _in_link(_out, -1),
-    r"r_(\d+)": _in_link(_arm),
-    r"r_c(\d+)": _in_link(lambda arm, i, _: arm.pose(f"c{i}")[:3, 3] - arm.pose(str(i))[:3, 3]),
-    r"omega_(\d+)": _in_link(lambda arm, i, _: arm.courses[str(i)].omega),
-    r"omega_(\d+)_dot": _in_link(lambda arm, i, _: arm.courses[str(i)].alpha),
-    r"o_(\d+)_ddot": _in_link(_rise("{}")),
-    r"o_c(\d+)_ddot": _in_link(_rise("c{}")),
-    r"F_(\d+)": _in_link(lambda arm, i, _: arm.force(i)),
-    r"N_(\d+)": _in_link(lambda arm, i, _: arm.moment(i)),
-    r"f_(\d+)": _in_link(lambda arm, i, _: arm.handed(i)),
-}
+def _meanings(told: Mapping[Expr, Expr]) -> Mapping[str, Meaning]:
+    """Of the names of the recursion, in whose lines p_i stand as told."""
+    axis = _Axis(told)
+    return {
+        **EVERY,
+        r"e_(\d+)": _in_link(lambda arm, i, _: arm.axis(i)),
+        r"p_(\d+)": _in_link(_out, -1),
+        r"r_(\d+)": _in_link(axis.reach),
+        r"r_c(\d+)": _in_link(lambda arm, i, _: arm.pose(f"c{i}")[:3, 3] - arm.pose(str(i))[:3, 3]),
+        r"omega_(\d+)": _in_link(lambda arm, i, _: arm.courses[str(i)].omega),
+        r"omega_(\d+)_dot": _in_link(lambda arm, i, _: arm.courses[str(i)].alpha),
+        r"o_(\d+)_ddot": _in_link(_rise("{}")),
+        r"o_c(\d+)_ddot": _in_link(_rise("c{}")),
+        r"F_(\d+)": _in_link(lambda arm, i, _: arm.force(i)),
+        r"N_(\d+)": _in_link(lambda arm, i, _: arm.moment(i)),
+        r"f_(\d+)": _in_link(lambda arm, i, _: arm.handed(i)),
+        r"mu_(\d+)": _in_link(axis.moment),
+    }
 
 
 class OfLink(Record):
@@ -121,7 +140,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         offsets=any(any(row.out) for row in sweeping.rows),
     )
     work = arm.moved(_same_as_lagrange(work, arm, sweeping), tau)
-    return by_index(work, {"tau": tau}, MEANINGS).answer("newton-euler", {"tau": tau}, facts)
+    return by_index(work, {"tau": tau}, _meanings(work.definitions)).answer(
+        "newton-euler", {"tau": tau}, facts
+    )
 
 
 def _sweeping(arm: Arm, bodies: tuple[Weighted, ...]) -> NewtonEuler:

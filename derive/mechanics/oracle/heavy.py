@@ -132,6 +132,15 @@ class Heavy(Instant):
 
         return np.array(sum(self.force(k) for k in range(i, len(self.bodies) + 1)))
 
+    def moment_handed(self, i: int, about: Array) -> Array:
+        """The moment about a point (3, base frame both) that link i gets from the one before: what turns the
+        bodies from it on, and their forces with the way there from the point."""
+        import numpy as np
+
+        carried = ((k, body) for k, body in enumerate(self.bodies, 1) if k >= i and body is not None)
+        loads = (self.moment(k) + np.cross(body.com - about, self.force(k)) for k, body in carried)
+        return np.array(sum(loads, np.zeros(3)))
+
     def force(self, i: int) -> Array:
         """What moves the body of link i (3, base frame), its weight made up for."""
         import numpy as np

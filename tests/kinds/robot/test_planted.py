@@ -11,11 +11,13 @@ from derive.expression import Expr, Matrix
 from derive.kinds.robot import singularities, state_space
 from derive.kinds.robot._inverse import one_equation, two_link
 from derive.kinds.robot._singular import saying, ways
-from derive.mechanics import iteration
+from derive.mechanics import iteration, newton_euler
 from tests.kinds.planting import turned
 from tests.kinds.robot.arms import ARMS
 from tests.kinds.robot.test_singularities import ELBOW, TWO_R, arm
+from tests.kinds.test_planted_motions import plant
 from tests.mechanics.robots import body, problem, robot, row
+from tests.mechanics.test_two_derivations import ARMS as HEAVY
 
 
 def refused(found: Derivation) -> set[str]:
@@ -92,3 +94,24 @@ def test_a_wrong_sign_in_the_printed_state(line: str, wrong: int, monkeypatch: p
     heavy = robot(*(row(f"q{k}*", "0", "1", "0", body(f"m{k}", "0, 0, 0", moments)) for k in (1, 2)))
     monkeypatch.setattr(state_space, "Step", written)
     assert "accelerations" in refused(problem(heavy).ask("state-space"))
+
+
+SWEEP, ROW = newton_euler.NewtonEuler.sweep, newton_euler._row
+SWEPT = {
+    "a lever that leaves the link": (newton_euler._minus, "u[2] -", "u[1] -"),
+    "a lever from tip to base": (ROW, "_minus(_vector(p), out)", "_minus(out, _vector(p))"),
+    "a lever of the frame before": (ROW, "_turned(R.T, _minus", "_turned(R, _minus"),
+    "a force with the wrong lever": (SWEEP, "_cross(row.arm, force)", "_cross(force, row.arm)"),
+    "a force handed down the wrong way": (SWEEP, "_turned(row.R, force)", "_turned(row.R.T, force)"),
+    "no moment of the body": (SWEEP, "_plus(moment, N, ", "_plus(moment, "),
+    "a moment about the com": (SWEEP, "N, force, moment, tau", "N, force, N, tau"),
+}
+
+
+@pytest.mark.parametrize("arm", ["2R, uniform links", "anthropomorphic"])
+@pytest.mark.parametrize("mistake", SWEPT)
+def test_a_vector_of_the_recursion(mistake: str, arm: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """By the loads and the motion of the links, whether or not the joint forces notice."""
+    assert not refused(problem(HEAVY[arm]).ask("newton-euler"))
+    plant(monkeypatch, *SWEPT[mistake])
+    assert "names" in refused(problem(HEAVY[arm]).ask("newton-euler"))
