@@ -83,7 +83,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         "iterations": rows,
         "solution": column(value for _, value in facts.solution),
     }
-    again = Repeated(task, arm.here, arm.turning, target, options.method, fixed)
+    again = Repeated(task, arm.here, arm.turning, target, options.method, fixed, options.iterations)
     work = Work(problem, uses=(task.base,), known={F: forward, R: column(options.target)})
     work = work.showing(Step("r_d", (R, work[R]), "given"), Step("f", (F, forward), "forward"))
     work = task.proved(work.line(J, value=task.J, rule="rows"))

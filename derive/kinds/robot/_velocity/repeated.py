@@ -42,7 +42,7 @@ class Row:
 @dataclass(frozen=True)
 class Repeated:
     """`here` holds a value for every name of the arm, `turning` the joints whose sum the angle is, `step` the
-    fixed one of the gradient method (None: the best)."""
+    fixed one of the gradient method (None: the best), `most` the number of steps that were asked for."""
 
     task: Task
     here: Mapping[str, float]
@@ -50,6 +50,7 @@ class Repeated:
     target: Sequence[float]
     method: str
     step: float | None
+    most: int
 
     def claims(
         self,
@@ -68,7 +69,7 @@ class Repeated:
         yield route("errors", map(self._measured, rows))
         if len(rows) > 1:
             yield route("steps-repeated", (self._follows(*pair) for pair in pairwise(rows)))
-        yield route("ended", self._ended(first, last, verdict))
+        yield route("ended", self._ended(first, last, verdict) and self._went_on(rows, verdict))
         told_rows = ([row.k, *(row.at[name] for name in names), row.error, row.H] for row in rows)
         yield route("as-listed", map(partial(close, tolerance=NEAR), told_rows, listed))
         yield route("last-row", (told.get(name) == last.at[name] for name in names))
@@ -121,6 +122,11 @@ class Repeated:
         along = min(length, slope) > 0 and close(dq / length, down / slope, NEAR)
         most = NEAR * float(moved @ moved) + ROUNDING * length
         return bool(along and abs((e - moved) @ moved) <= most)
+
+    def _went_on(self, rows: Sequence[Row], verdict: Verdict) -> bool:
+        """Whether all steps were made that were asked for, where nothing ended them before."""
+        made = len(rows) - 1
+        return made == self.most if verdict in ("unfinished", "diverging") else made <= self.most
 
     def _ended(self, first: Row, last: Row, verdict: Verdict) -> bool:
         """Whether that is how the table ends."""
