@@ -36,6 +36,11 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     return open_chain.derive(chain, given, options.evaluate, problem)
 
 
+def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:
+    """One more of the branches at a place."""
+    return CLAIMS if options.evaluate is None else (*CLAIMS, "placed")
+
+
 def reached(options: Options, problem: Problem, count: int) -> tuple[dict[str, float], ...]:
     """Points at which what is given is the place of the end-effector: joint variables, lengths, and that."""
     chain = chain_of(problem)

@@ -106,21 +106,27 @@ class Tried:
         return all(self._holds(each, known) for each in conditions if isinstance(each, Relation))
 
     def _holds(self, relation: Relation, known: Values) -> bool:
-        """That something is positive or negative, an angle from -pi to pi."""
-        turning = {Symbol(name) for name in self.target.joints if name not in self.target.slides}
-        left = relation.left
-        if isinstance(left, Relation) or relation.right != ZERO or relation.sign not in "<>":
-            return False
-        value = arrays(left, known)
-        if turning >= {-term if is_negative(term) else term for term in terms_of(left)}:
-            value = math.remainder(value, 2 * math.pi)
-        return bool(value > 0 if relation.sign == ">" else value < 0)
+        value = side(relation, self.target, known)
+        return value is not None and bool(value > 0 if relation.sign == ">" else value < 0)
 
     def _is_home(self, values: Values | None, point: Point) -> bool:
         return values is not None and self.target.same(values, point)
 
     def _joints(self, values: Values) -> Values:
         return {name: values[name] for name in self.target.joints}
+
+
+def side(relation: Relation, target: Target, known: Values) -> float | None:
+    """What should be positive or negative, an angle from -pi to pi; None of a relation that says no such
+    thing."""
+    left = relation.left
+    if isinstance(left, Relation) or relation.right != ZERO or relation.sign not in "<>":
+        return None
+    turning = {Symbol(name) for name in target.joints if name not in target.slides}
+    value = float(arrays(left, known))
+    if turning >= {-term if is_negative(term) else term for term in terms_of(left)}:
+        return math.remainder(value, 2 * math.pi)
+    return value
 
 
 def reaches(when: Conditions, there: Iterable[bool]) -> Claim:
@@ -147,9 +153,9 @@ def as_printed(tried: Tried, branches: Sequence[Branch], order: Sequence[str]) -
 def _prints(branch: Branch, order: Sequence[str], given: Values, values: Values) -> bool:
     """Both ways of writing one branch."""
     turn = [name for name in order if name in branch.values] or [*branch.values]
-    written = [_in_turn(branch.values, turn, given)]
+    written = [in_turn(branch.values, turn, given)]
     if order:
-        written.append(_in_turn(branch.short, order, given))
+        written.append(in_turn(branch.short, order, given))
     return all(
         abs(found[name] - values[name]) <= SAME * max(1.0, abs(values[name]))
         for found in written
@@ -161,7 +167,7 @@ def _given(point: Point, joints: Sequence[str]) -> Values:
     return {name: value for name, value in point.items() if name not in joints}
 
 
-def _in_turn(formulas: Mapping[str, Expr], names: Sequence[str], given: Values) -> Values:
+def in_turn(formulas: Mapping[str, Expr], names: Sequence[str], given: Values) -> Values:
     """The values of formulas, each put into those after it. Raises as `compiled` does."""
     known = dict(given)
     for name in names:

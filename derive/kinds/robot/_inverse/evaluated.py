@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -31,11 +32,29 @@ ROTATION = tuple(f"r{i}{j}" for i, j in product((1, 2, 3), repeat=2))
 
 
 @dataclass(frozen=True, slots=True)
+class Numbers:
+    """A place as it was `typed`, and as the branches were evaluated there: with the nearest rotation. `size`
+    is a length of the arm, `tolerance` how far off an end-effector may stand, in it."""
+
+    typed: Point
+    point: Point
+    size: float
+    tolerance: float
+
+    @property
+    def near(self) -> float:
+        """Radians or metres: where two solutions meet, they are off by the root of what the pose is."""
+        return 3 * math.sqrt(self.tolerance)
+
+
+@dataclass(frozen=True, slots=True)
 class Evaluated:
-    """What the JSON says under `evaluated`, and what the words say of it."""
+    """What the JSON says under `evaluated`, and what the words say of it; `numbers` where no
+    letter is left."""
 
     values: Mapping[str, Any]
     place: AtPlace = NOWHERE
+    numbers: Numbers | None = None
 
 
 def evaluated(
@@ -61,7 +80,8 @@ def by_plan(
 ) -> Evaluated:
     """By the formulas of the sub-problems, and by other equations where these fail. Raises NotDerivable where
     what is typed as a rotation is none."""
-    point, rounding = _with_rotation(point)
+    asked = point
+    point, rounding = _with_rotation(asked)
     size = target.size(point)
     typed = _last_digit({name: value for name, value in place if name in target.goal.names}) / size
     in_numbers = tuple(InNumbers(planned, size) for planned in plan.steps)
@@ -71,7 +91,7 @@ def by_plan(
         found = at_point(here.configurations, solutions.conditions, target, point, off)
         if not found.place.out_of_reach or not typed:  # stretched, it may be out of reach by what was rounded
             break
-    return found
+    return replace(found, numbers=found.numbers and replace(found.numbers, typed=asked))
 
 
 def at_point(
@@ -92,6 +112,7 @@ def at_point(
             free=any(each.self_motion for each in found),
             rounded=rounding > REACHED,
         ),
+        Numbers(point, point, size, tolerance),
     )
 
 

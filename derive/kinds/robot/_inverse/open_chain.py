@@ -16,6 +16,7 @@ from derive.kinds.robot._inverse.checks import Tried, as_printed
 from derive.kinds.robot._inverse.evaluated import by_plan, evaluated
 from derive.kinds.robot._inverse.given import Given, goal_of
 from derive.kinds.robot._inverse.lines import Lines
+from derive.kinds.robot._inverse.placed import Placed
 from derive.kinds.robot._inverse.refused import no_closed_form, refuse_at_once, refuse_self_motion
 from derive.kinds.robot._inverse.sampled import sample_points
 from derive.kinds.robot._inverse.stages import Stages
@@ -60,6 +61,8 @@ def derive(chain: Chain, given: Given, place: Place | None, problem: Problem) ->
     work = work.showing(*worked.steps).linked(but=worked.conditional).claim(*trial.claims())
     work = work.claim(as_printed(trial, solutions.branches, solutions.order))
     work = work.claim(*Lines(trial, worked, solutions.chosen).claims())
+    placed = Placed(target, solutions.branches, solutions.order, values, solutions.at_home)
+    work = work.claim(*placed.claims(place, problem))
     facts = worked.facts(solutions, trial.partial, values.place)
     return work.answer("inverse-kinematics", results, facts, evaluated=values.values)
 

@@ -25,6 +25,7 @@ from derive.kinds.robot._inverse.facts import Facts, Triangle
 from derive.kinds.robot._inverse.given import refuse_namesakes
 from derive.kinds.robot._inverse.lines import equal
 from derive.kinds.robot._inverse.one_equation import of_sign
+from derive.kinds.robot._inverse.placed import Placed
 from derive.kinds.robot._inverse.sampled import sample_points
 from derive.kinds.robot._inverse.signs import signed
 from derive.kinds.robot._inverse.target import SAME, Target, Values
@@ -59,6 +60,8 @@ def derive(
     )
     tried = _tried(branches, target, sample_points(chain, target.goal, problem, POINTS))
     work = work.claim(*tried.claims(), as_printed(tried, branches, ()))
+    placed = Placed(target, branches, (), values, dict)
+    work = work.claim(*placed.claims(place, problem))
     triangle = writing.triangle()
     work = work.claim(*Seen(tried, steps, writing.lengths, triangle).claims())
     facts = Facts(triangle=triangle, place=values.place, angle_results=chain.variables, style=problem.style)
