@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
+from derive.algebra.numbers.floats import numbers
+from derive.derivation import Claim
+from derive.errors import NotReal
+from derive.expression import Expr, free_symbols
+from derive.kinds.checks import random_points, route
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.mechanics.chain import Chain
@@ -15,6 +21,7 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
 
 MOVE = 0.5  # of a joint
+STILL, TRIES = 1e-9, 20  # below that nothing moves; points that are tried
 
 
 def motion(problem: Problem, found: Chain, i: int, here: Mapping[str, float]) -> Array:
@@ -53,3 +60,36 @@ def apart(z: Array, d: Array) -> float:
     import numpy as np
 
     return float(np.linalg.norm(np.cross(z, d)))
+
+
+def sorts(
+    problem: Problem,
+    J: Expr,
+    joints: Sequence[int],
+    turning: Sequence[int],
+    sliding: Sequence[int],
+    helical: Sequence[int],
+) -> Claim:
+    """That each joint is of the sort it is said to be, by its column of a Jacobian (6 by n): one that turns
+    has an angular velocity w, one that slides none, and a pitch is w v/w w, v being that of any point."""
+    symbols, oracle = problem.symbols | free_symbols(J), oracle_of(problem)
+    for point in random_points(symbols - problem.where.keys(), TRIES):
+        with suppress(NotReal):
+            columns = dict(zip(joints, zip(*numbers(J, oracle.at(point)), strict=True), strict=True))
+            return route("joint-sorts", _sorts(columns, turning, sliding, helical))
+    raise NotReal("no values of the symbols were found for which this is real, so nothing was verified")
+
+
+def _sorts(
+    columns: Mapping[int, Sequence[float]],
+    turning: Sequence[int],
+    sliding: Sequence[int],
+    helical: Sequence[int],
+) -> Iterator[bool]:
+    import numpy as np
+
+    yield {*turning, *sliding} <= columns.keys() and {*turning}.isdisjoint(sliding)
+    for i in (*turning, *sliding):
+        v, w = np.array(columns[i][:3]), np.array(columns[i][3:])
+        yield bool(np.linalg.norm(w) > STILL) == (i in turning)
+        yield bool(abs(w @ v) > STILL) == (i in helical)

@@ -20,6 +20,7 @@ from derive.kinds.robot._chain import TOOL, chain_of, joint_numbers, oracle_of
 from derive.kinds.robot._columns import Facts as Facts
 from derive.kinds.robot._columns import jacobian_lines
 from derive.kinds.robot._point import PointOn, Tracked, tracked
+from derive.kinds.robot._seen import sorts
 from derive.kinds.robot._velocity.task import RowName
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
@@ -90,7 +91,11 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     result = {"J": work.final(J)}
     work = work.knowing({J: written})  # those who build on it keep the names of `where`
     work = by_index(work, result)
-    return work.answer("jacobian", result, _facts(found, point), matrices=frozenset(result))
+    facts = _facts(found, point)
+    if not facts.coupled:
+        joints = [i for i, _ in found.moving]
+        work = work.claim(sorts(problem, written, joints, facts.revolute, facts.prismatic, facts.helical))
+    return work.answer("jacobian", result, facts, matrices=frozenset(result))
 
 
 def _restated(options: Options, problem: Problem) -> Derivation:

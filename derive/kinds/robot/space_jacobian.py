@@ -16,6 +16,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, joint_numbers, oracle_of
 from derive.kinds.robot._columns import blocks
 from derive.kinds.robot._couplings import gamma_of, phi_of
+from derive.kinds.robot._seen import sorts
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.jacobian import halves, jacobian, motions_jacobian
@@ -64,6 +65,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         helical=joint_numbers(found, lambda joint: bool(joint.pitch)),
         coupled=found.coupling is not None,
     )
+    if not facts.coupled:
+        joints = [i for i, _ in found.moving]
+        work = work.claim(sorts(problem, work[name], joints, facts.turning, facts.sliding, facts.helical))
     results = {name.name: work.final(name)}
     return work.answer("space-jacobian", results, facts, matrices=frozenset(results))
 

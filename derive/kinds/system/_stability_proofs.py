@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from derive.control.oracle.equations import divides_by_s
 from derive.derivation import Claim, Result
+from derive.expression import Expr, free_symbols
 from derive.kinds.checks import route
 from derive.kinds.system._array_checks import as_printed, is_determinant, is_of_array, minors
 from derive.kinds.system._checked_array import Printed
@@ -32,9 +33,16 @@ def routes(held: Held, printed: Printed, results: Mapping[str, Result]) -> Itera
         yield route("marginally-stable", found)
     if "epsilon" not in told.mended and (found := [*changes(printed)]):
         yield route("sign-changes-at-random", found)
-    yield route("as-said", said(held, printed, results))
+    yield route(
+        "as-said", (*said(held, printed, results), told.hidden is None or _is_polynomial(told.hidden))
+    )
     if found := [*limit(printed)]:
         yield route("limit", found)
     if not printed.symbols:
         (_, polynomial), *_ = printed.points()
         yield verdict_claim(polynomial, told.verdict)
+
+
+def _is_polynomial(hidden: Expr) -> bool:
+    """Whether a factor that is said to be hidden is a polynomial in s, and no number."""
+    return "s" in free_symbols(hidden)
