@@ -71,17 +71,18 @@ class Placed:
         own = _conditions(entry)
         known = self.at_home({**self.target.completed(at.point), **self._joints(entry)})
         yield any(self._is_of(branch, entry) for branch in self.branches)
-        for condition in own:
-            if isinstance(condition, Relation):
-                yield self._holds(condition, known, at) is not False
+        yield from (each for each in self._decided(own, known, at) if each is not None)
         if self.target.spare or "free" in entry:
             return
         for branch in self.branches:
-            plain = all(isinstance(each, Relation) for each in branch.when)
-            if plain and not self._is_of(branch, entry):
-                yield not all(
-                    self._holds(each, known, at) for each in branch.when if isinstance(each, Relation)
-                )
+            if not self._is_of(branch, entry) and all(isinstance(each, Relation) for each in branch.when):
+                there = [*self._decided(branch.when, known, at)]
+                if None not in there or False in there:
+                    yield False in there
+
+    def _decided(self, conditions: Sequence[Condition], known: Values, at: Numbers) -> Iterator[bool | None]:
+        """Of the relations among these whether each holds."""
+        return (self._holds(each, known, at) for each in conditions if isinstance(each, Relation))
 
     def _holds(self, relation: Relation, known: Values, at: Numbers) -> bool | None:
         """None where the sides meet: what holds there is not decided by numbers."""
