@@ -20,7 +20,6 @@ TREES = get_args(Expr)
 DIGITS = 17  # of a float
 REMEMBERED = 20_000
 REPORT = "please report this with the sheet"
-REMEMBERED = 20_000
 
 
 def read_json(document: Document, text: str) -> None:
@@ -30,11 +29,22 @@ def read_json(document: Document, text: str) -> None:
     for (problem, question), its in zip(document.questions(), told, strict=True):
         results = question.derivation.results if question.derivation else {}
         for name, result in results.items():
-            if not all(_same(tree, written) for tree, written in _pairs(result, its["results"][name])):
+            found = its["results"][name]
+            rows = question.derivation is not None and name in question.derivation.matrices
+            shaped = not isinstance(result, Matrix) or _is_shaped(result, found, rows)
+            if not (shaped and all(_same(tree, written) for tree, written in _pairs(result, found))):
                 message = f"question {problem.number}.{question.number} failed its own check: {name} as JSON"
                 faults.append(SheetError(message, question.place, REPORT))
     if faults:
         raise SheetErrors(faults)
+
+
+def _is_shaped(result: Matrix, written: Any, rows: bool) -> bool:
+    """A matrix is a list of rows, a column a flat list unless it is to be `rows` too."""
+    m, n = result.shape
+    if n == 1 and not rows:
+        return len(written) == m and all(isinstance(entry, str) for entry in written)
+    return len(written) == m and all(isinstance(row, list) and len(row) == n for row in written)
 
 
 def _pairs(result: Any, written: Any) -> Iterator[tuple[Expr, Any]]:

@@ -6,10 +6,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
-from derive.algebra.numbers.floats import numbers
+from derive.algebra.numbers.floats import number_rows
 from derive.derivation import Claim
 from derive.errors import NotReal
-from derive.expression import Expr, free_symbols
+from derive.expression import Matrix, free_symbols
 from derive.kinds.checks import random_points, route
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
@@ -64,7 +64,7 @@ def apart(z: Array, d: Array) -> float:
 
 def sorts(
     problem: Problem,
-    J: Expr,
+    J: Matrix,
     joints: Sequence[int],
     turning: Sequence[int],
     sliding: Sequence[int],
@@ -75,7 +75,7 @@ def sorts(
     symbols, oracle = problem.symbols | free_symbols(J), oracle_of(problem)
     for point in random_points(symbols - problem.where.keys(), TRIES):
         with suppress(NotReal):
-            columns = dict(zip(joints, zip(*numbers(J, oracle.at(point)), strict=True), strict=True))
+            columns = dict(zip(joints, zip(*number_rows(J, oracle.at(point)), strict=True), strict=True))
             return route("joint-sorts", _sorts(columns, turning, sliding, helical))
     raise NotReal("no values of the symbols were found for which this is real, so nothing was verified")
 

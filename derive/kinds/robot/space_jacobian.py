@@ -67,7 +67,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     )
     if not facts.coupled:
         joints = [i for i, _ in found.moving]
-        work = work.claim(sorts(problem, work[name], joints, facts.turning, facts.sliding, facts.helical))
+        work = work.claim(
+            sorts(problem, work.matrix(name), joints, facts.turning, facts.sliding, facts.helical)
+        )
     results = {name.name: work.final(name)}
     return work.answer("space-jacobian", results, facts, matrices=frozenset(results))
 

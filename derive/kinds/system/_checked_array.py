@@ -15,6 +15,7 @@ from derive.kinds.fields import TREES
 from derive.kinds.system._stability_facts import Facts
 
 TRIED, LARGEST = 40, 6.0  # points, and the largest value of a symbol there
+FAR = (-2, 3)  # powers of ten of which some are drawn, for conditions as K < 30
 NOWHERE = (ValueError, ZeroDivisionError, OverflowError, NotDerivable)
 
 
@@ -64,12 +65,12 @@ class Printed:
         return min((*small, *rows), default=self.degree + 2)
 
     def points(self) -> Iterator[tuple[dict[str, float], list[float]]]:
-        """Values of the symbols and the polynomial there; every second point has negative ones. Points
-        where it is not real, or of lower degree, are passed over."""
+        """Values of the symbols and the polynomial there; every second point has negative ones, every third
+        small and large ones. Points where it is not real, or of lower degree, are passed over."""
         draw = random.Random(" ".join(self.symbols))
         for k in range(TRIED if self.symbols else 1):
             at = {
-                name: draw.uniform(0.05, LARGEST)
+                name: (draw.uniform(0.05, LARGEST) if k % 3 else 10 ** draw.uniform(*FAR))
                 * (1 if name in self.positive or k % 2 else draw.choice((1, -1)))
                 for name in self.symbols
             }
