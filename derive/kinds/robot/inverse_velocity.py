@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import math
+from contextlib import suppress
 from typing import Any
 
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numbers.floats import Point
-from derive.derivation import Derivation, PageFacts
-from derive.expression import Expr, Symbol, column
+from derive.algebra.numbers.floats import Point, number
+from derive.derivation import Claim, Derivation, PageFacts
+from derive.errors import NotReal
+from derive.expression import ZERO, Expr, Symbol, column
+from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._velocity.solving import Solved, by_inverse, by_pseudo_inverse
 from derive.kinds.robot._velocity.splitting import by_wrist
@@ -18,7 +23,7 @@ from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 from derive.mechanics.wrist import wrist_of
 
-DIFFERENCES = 1e-5
+DIFFERENCES, POINTS = 1e-5, 2
 
 CLAIMS = ("pseudo-inverse",)
 CLAIMED = ("qdot",)
@@ -76,10 +81,25 @@ def _answer(task: Task, work: Work, qdot: Expr, facts: Facts) -> Derivation:
     """With NumPy's pseudo-inverse of a Jacobian by differences as the second route."""
     names = [name.name for name in task.velocities]
 
-    def route(at: Point) -> Any:
+    def seen(at: Point) -> Any:
         import numpy as np
 
         return np.linalg.pinv(task.numbers(at)) @ np.array([at[name] for name in names])
 
-    work = work.agrees("pseudo-inverse", task.symbols.union(names), qdot, route, DIFFERENCES)
+    work = work.agrees("pseudo-inverse", task.symbols.union(names), qdot, seen, DIFFERENCES)
+    work = work.claim(_fails_where(task, facts))
     return work.answer("inverse-velocity", {"qdot": qdot}, facts)
+
+
+def _fails_where(task: Task, facts: Facts) -> Claim:
+    """That the equations of the places without an inverse say det J = 0: what stands there vanishes, and
+    together they are the determinant of the Jacobian by differences, but for its sign."""
+    import numpy as np
+
+    tried = [chain[-1] == ZERO for chain in facts.zero]
+    for point in random_points(task.symbols, POINTS) if task.square else ():
+        with suppress(NotReal, KeyError):  # det J_11 of a wrist stands there by its name
+            at = oracle_of(task.problem).at(point)
+            product = math.prod(number(chain[-2], at) for chain in facts.zero)
+            tried.append(close(abs(product), abs(float(np.linalg.det(task.numbers(at)))), DIFFERENCES))
+    return route("no-inverse", tried)
