@@ -146,7 +146,7 @@ MISTAKES = {
         _energies.energy_steps, "(letters.kinetic) - Symbol", "(letters.kinetic) + Symbol", CART
     ),
     "a term of Lagrange's equation turned": Mistake(
-        equations_of_motion._general, "- Derivative(L, Symbol", "+ Derivative(L, Symbol", CART
+        equations_of_motion._general, 'negate(Derivative(L, Symbol("q")))', 'Derivative(L, Symbol("q"))', CART
     ),
     "stiffness turned": Mistake(
         linearisation._linear,

@@ -18,6 +18,7 @@ ORDER = ("same", "form", "crash", "timeout", "refused", "check", "words", "line"
 DANGEROUS = ("words", "line", "wrong")
 POINTS = 3
 CLOSE = 1e-6
+WHEN = "when"
 NAME = re.compile(r"[A-Za-z_]\w*")
 KNOWN = {"pi", "sin", "cos", "tan", "sqrt", "atan2", "asin", "acos", "atan", "exp", "log", "abs", "deg"}
 MATHEMATICS = re.compile(r"\$\$.*?\$\$|\$[^$]+\$", re.S)
@@ -51,7 +52,8 @@ def verdict(right: Page, found: Page | Refused | None) -> Verdict:
                 return Verdict("wrong", _told(right, found, wrong))
             before, after = FOOT.sub("", right.text), FOOT.sub("", text)
             if before == after:
-                return Verdict("same" if right.results == results else "form", "")
+                told = list(_whens(right.results)) == list(_whens(results))
+                return Verdict("same" if right.results == results else "form" if told else "words", "")
             if sorted(MATHEMATICS.findall(before)) != sorted(MATHEMATICS.findall(after)):
                 return Verdict("line", _difference(before, after))
             return Verdict("words", _difference(before, after))
@@ -66,7 +68,7 @@ def same(right: Any, other: Any) -> bool:
     """Whether results are equal: texts as functions of their symbols, at random points."""
     match right, other:
         case dict(), dict():
-            return right.keys() == other.keys() and all(same(right[k], other[k]) for k in right)
+            return right.keys() == other.keys() and all(k == WHEN or same(right[k], other[k]) for k in right)
         case list(), list():
             return len(right) == len(other) and (
                 all(map(same, right, other)) or _same_in_another_order(right, other)
@@ -76,6 +78,16 @@ def same(right: Any, other: Any) -> bool:
         case str(), str():
             return right == other or _same_formula(right, other)
     return bool(right == other)
+
+
+def _whens(results: Any) -> Iterator[str]:
+    """What is said of each branch: words, which the page has too."""
+    if isinstance(results, dict):
+        for name, value in results.items():
+            yield from [str(value)] if name == WHEN else _whens(value)
+    elif isinstance(results, list):
+        for part in results:
+            yield from _whens(part)
 
 
 def _same_in_another_order(right: list[Any], other: list[Any]) -> bool:
