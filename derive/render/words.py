@@ -3,13 +3,15 @@
 In scope of a words template: `d`, `step(name)`, `facts`, `asked`, the filters `m`
 and `listed`, and the functions `show`, `inline`, `tell`, `table`, `plot`, `say`, `listing`, `path`, `em`,
 `strong`, `items`. Its blocks `question` and `phrases` are left out here. A step the words neither show nor
-tell is an error: nothing that was derived goes unsaid unnoticed.
+tell is an error: nothing that was derived goes unsaid unnoticed. Steps are told in the order in which they
+were derived, so that nothing is used before it is found.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 from pathlib import PurePosixPath
 from typing import Any, Literal
 
@@ -42,6 +44,13 @@ class ForgottenStep(Exception):
         super().__init__(f"the words of {kind} neither show nor tell: {', '.join(names)}")
 
 
+class EarlyStep(Exception):
+    """The words of a kind tell steps in another order than they were derived in."""
+
+    def __init__(self, kind: str, names: Iterable[str]) -> None:
+        super().__init__(f"the words of {kind} tell before what was derived first: {', '.join(names)}")
+
+
 def words(
     derivation: Derivation, folder: str, skin: Skin, notation: Notation, asked: bool = True,
     plots: Mapping[str, str] | None = None, files: Mapping[str, str] | None = None,
@@ -50,7 +59,7 @@ def words(
     """The sentences and equations of a derivation. `plots` maps names of plots to paths without suffix,
     `files` those of files to theirs; what is printed from trees is added to `printed`.
 
-    Raises ForgottenStep; where the derivation was not asked for, its words may leave steps out.
+    Raises ForgottenStep, EarlyStep; where the derivation was not asked for, its words may leave steps out.
     """
     notation = replace(notation, short_names=frozenset(derivation.facts.short_names))
     seen = [] if printed is None else printed
@@ -67,6 +76,8 @@ def words(
         seen.extend(typed_in(written, seen, notation))
     if asked and (forgotten := telling.forgotten()):
         raise ForgottenStep(derivation.kind, forgotten)
+    if early := telling.disordered():
+        raise EarlyStep(derivation.kind, early)
     return written.strip()
 
 
@@ -97,7 +108,7 @@ class Telling:
     plots: Mapping[str, str]
     files: Mapping[str, str]
     printed: list[Printed]
-    told: set[str] = field(default_factory=set)
+    told: dict[str, int] = field(default_factory=dict)  # steps, and when each was told first
 
     def scope(self) -> dict[str, Any]:
         """What a words template can name."""
@@ -154,7 +165,8 @@ class Telling:
 
     def tell(self, *names: str | Step) -> str:
         """Marks steps as told in prose; prints nothing."""
-        self.told.update(name.name if isinstance(name, Step) else self.d.step(name).name for name in names)
+        for name in names:
+            self._note(self._step(name))
         return ""
 
     def math(self, value: Mathematics, trig: Trig = None) -> str:
@@ -195,6 +207,19 @@ class Telling:
             if step.name not in self.told and (step.chain or not step.steps)
         ]
 
+    def disordered(self) -> list[str]:
+        """The steps that are told before one that was derived earlier beside them."""
+        return [early for steps in _siblings(self.d.steps) for early in self._early(steps)]
+
+    def _early(self, steps: tuple[Step, ...]) -> Iterator[str]:
+        names = [step.name for step in steps if step.name in self.told]
+        for before, name in pairwise(names):
+            if self.told[name] < self.told[before]:
+                yield name
+
+    def _note(self, step: Step) -> None:
+        self.told.setdefault(step.name, len(self.told))
+
     def _step(self, name: str | Step) -> Step:
         return self.d.step(name) if isinstance(name, str) else name
 
@@ -206,7 +231,7 @@ class Telling:
         if isinstance(name, tuple):
             return name
         step = self._step(name)
-        self.told.add(step.name)
+        self._note(step)
         return kept(step, printer, lines) if step.spare else step.chain
 
     def cut(self, name: str | Step) -> bool:
@@ -235,7 +260,7 @@ class Telling:
             case int():
                 return (number(value),)
             case Step():
-                self.told.add(value.name)
+                self._note(value)
                 return value.chain
             case tuple():
                 return value
@@ -249,3 +274,11 @@ class Telling:
             return self.say(entry)
         unit = entry.unit if isinstance(entry, Number) and entry.value else ""
         return f"{self.math(entry)} {unit}".rstrip()
+
+
+def _siblings(steps: tuple[Step, ...]) -> Iterator[tuple[Step, ...]]:
+    """The steps beside each other, at every depth."""
+    yield steps
+    for step in steps:
+        if step.steps:
+            yield from _siblings(step.steps)

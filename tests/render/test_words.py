@@ -9,7 +9,7 @@ from derive.expression import Approximate, Symbol, number
 from derive.render.notation import Notation
 from derive.render.page import LATEX, MARKDOWN
 from derive.render.skin import HELD_LINE, environment
-from derive.render.words import ForgottenStep, words
+from derive.render.words import EarlyStep, ForgottenStep, words
 
 A, B = Symbol("A"), Symbol("B")
 TOLD = Derivation("told", (Step("A", (A, B, number(3))), Step("x", (Symbol("x"), Approximate(0.1234)))), {})
@@ -63,3 +63,9 @@ def test_a_listing_stands_as_it_is(text: str) -> None:
     first, _, rest = latex.partition("\n")
     assert rest == f"{text}\n{first.replace('begin', 'end').partition('[')[0]}"
     assert first.replace("begin", "end") not in text
+
+
+def test_what_was_derived_first_is_told_first(monkeypatch: pytest.MonkeyPatch) -> None:
+    with pytest.raises(EarlyStep, match="the words of told tell before what was derived first: x"):
+        tell(monkeypatch, '{{ show("x") }}{{ show("A") }}')
+    assert tell(monkeypatch, '{{ tell("A") }}{{ show("x") }}{{ show("A") }}')

@@ -19,7 +19,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.elementary import factor_name, homogeneous
 from derive.mechanics.frame_tree import local
-from derive.mechanics.frames import ByMatrix, Frame, Observed
+from derive.mechanics.frames import ByMatrix, Frame, Frames, Observed
 from derive.mechanics.motion import Motion, Move
 from derive.mechanics.poses import pose
 
@@ -51,6 +51,9 @@ class Axes(Record):
     axes: tuple[tuple[Expr, Expr], ...]  # each by those of the parent
 
 
+SORTS = ("observed-origin", "observed", "motion", "given")
+
+
 def local_steps(frame: Frame, problem: Problem) -> tuple[Step, ...]:
     """How the pose of a frame in its parent is found."""
     name = pose_name(frame.number, frame.parent)
@@ -69,10 +72,12 @@ def local_steps(frame: Frame, problem: Problem) -> tuple[Step, ...]:
     return (Step(name.name, (name, local_matrix(frame, problem)), "given"),)
 
 
-def with_local(work: Work, frame: Frame) -> Work:
-    """A board with these steps, and with what their names stand for."""
-    known = work.knowing(local_definitions(frame, work.problem))
-    return known.showing(*local_steps(frame, work.problem))
+def with_local(work: Work, frames: Frames) -> Work:
+    """A board with these steps of all frames, sort by sort, and with what their names stand for."""
+    for frame in frames.frames:
+        work = work.knowing(local_definitions(frame, work.problem))
+    steps = [step for frame in frames.frames for step in local_steps(frame, work.problem)]
+    return work.showing(*sorted(steps, key=lambda step: SORTS.index(step.rule)))
 
 
 def local_matrix(frame: Frame, problem: Problem) -> Matrix:

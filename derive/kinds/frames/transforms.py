@@ -26,9 +26,7 @@ class Facts(PageFacts):
 def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     """T_1^0, T_2^1, ... and their product along the parents of the last frame (Spong et al., section 2.6)."""
     require_closed(frames, problem.names)
-    work = Work(problem)
-    for frame in frames.frames:
-        work = with_local(work, frame)
+    work = with_local(Work(problem), frames)
     names = [pose_name(frame.number, frame.parent) for frame in frames.frames]
     path, whole = ancestry(frames, len(frames.frames)), pose_name(len(frames.frames), 0)
     if len(path) > 1:

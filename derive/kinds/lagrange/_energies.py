@@ -12,11 +12,14 @@ from derive.kinds.lagrange._equations import written_side
 from derive.kinds.lagrange._model import Model
 from derive.mechanics.lagrangian import MovingBody, rate, velocity
 
+ORDER = {"position": 0, "velocity": 1, "spin": 1, "kinetic-of-body": 2, "kinetic": 2}
+
 
 def energy_steps(model: Model) -> tuple[Step, ...]:
     """Positions, velocities, T, P and L."""
     letters = model.letters
     bodies = [step for k, body in enumerate(model.system.bodies, 1) for step in _body(model, body, k)]
+    bodies.sort(key=lambda step: ORDER[step.rule])
     T = _total(model, letters.kinetic, model.kinetic, model.system.kinetic, "kinetic")
     P = _total(model, letters.potential, model.potential, model.system.potential, "potential")
     L = Symbol(letters.lagrangian)

@@ -83,7 +83,7 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     steps = (*_matrix_steps(model, linear), *_state_steps(model, linear))
     results = {step.name: problem.final(step.result) for step in steps}
     motion = _small_motion(linear)
-    work = Work(problem, uses=(equations(problem),)).step(*steps).showing(motion)
+    work = Work(problem, uses=(equations(problem),)).showing(motion).step(*steps)
     letters = problem.symbols.union(*map(free_symbols, at.values()))
     means = partial(_moving, results, problem)
     sides = tuple(NOTHING if side == ZERO else side for side in motion.chain)  # a column of zeros

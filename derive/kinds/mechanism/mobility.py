@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from derive.algebra.numbers.floats import number as at
 from derive.derivation import Cell, Derivation, Phrase, Step, Table
 from derive.expression import ONE, Expr, add, number, symbols
@@ -32,8 +30,9 @@ def derive(mechanism: Mechanism, options: Options, problem: Problem) -> Derivati
     taken = number(sum(each.total for each in mechanism.joints))
     free = number(size) * (number(mechanism.bodies) + -1)
     formulas = (free - C, number(size * (mechanism.bodies - 1)) - taken)
-    work = Work(problem).showing(Step("size", (SIZE, number(size)), "given"), *_laws(mechanism, taken))
-    work = work.line(C, _total(mechanism), value=taken, label="constraints")
+    of_joint, gruebler = _laws(mechanism, taken)
+    work = Work(problem).showing(Step("size", (SIZE, number(size)), "given"), of_joint)
+    work = work.line(C, _total(mechanism), value=taken, label="constraints").showing(gruebler)
     work = work.line(DOF, *formulas, value=number(mechanism.dof))
     told, results = _facts(mechanism, size), _results(mechanism)
     found = {name: round(at(tree, {})) for name, tree in results.items()}
@@ -41,14 +40,16 @@ def derive(mechanism: Mechanism, options: Options, problem: Problem) -> Derivati
     return work.answer("mobility", results, told)
 
 
-def _laws(mechanism: Mechanism, taken: Expr) -> Iterator[Step]:
+def _laws(mechanism: Mechanism, taken: Expr) -> tuple[Step, Step]:
     """What a joint takes away, and what is left; tried on the first sort of joint, and on the whole."""
     first, size = mechanism.joints[0], number(LAMBDA[mechanism.space])
     freedoms = number(LAMBDA[mechanism.space] - first.constraints)
     of_joint: dict[Expr, Expr] = {C_I: number(first.constraints), SIZE: size, F_I: freedoms}
-    yield Step("joint", (C_I, SIZE - F_I), "law", instance=of_joint)
     whole: dict[Expr, Expr] = {DOF: number(mechanism.dof), SIZE: size, N: number(mechanism.bodies), C: taken}
-    yield Step("gruebler", (DOF, SIZE * (N - ONE) - C), "law", instance=whole)
+    return (
+        Step("joint", (C_I, SIZE - F_I), "law", instance=of_joint),
+        Step("gruebler", (DOF, SIZE * (N - ONE) - C), "law", instance=whole),
+    )
 
 
 def _results(mechanism: Mechanism) -> dict[str, Expr]:

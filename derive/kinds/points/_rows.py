@@ -132,8 +132,9 @@ def _row_steps(
     rows: Sequence[ScalarMatrix], targets: Sequence[ScalarMatrix], problem: Problem
 ) -> Iterator[Step]:
     """x = (A^T A)^-1 A^T b, a row at a time."""
-    for k, (row, target) in enumerate(zip(rows, targets, strict=True), 1):
+    for k, target in enumerate(targets, 1):
         yield Step(f"b_{k}", (Symbol(f"b_{k}"), shown(target, problem)), "coordinates")
+    for k, row in enumerate(rows, 1):
         yield Step(f"x_{k}", (Symbol(f"x_{k}"), shown(row, problem)), "row")
 
 

@@ -206,5 +206,5 @@ def _half_turn(work: Work, given: Given, names: _Names) -> tuple[Work, Expr, Mat
     outer, entries = given.half_turn()
     angle, axis = known_angle(atan2(ZERO, number(-1)), work.problem), column(entries)
     work = work.line(names.axis * transpose(names.axis), value=outer, rule="given", label="outer")
-    work = work.line(names.angle, value=angle, label="angle").line(names.axis, value=axis, label="axis")
+    work = work.line(names.axis, value=axis, label="axis").line(names.angle, value=angle, label="angle")
     return work.linked(but=("outer", "angle", "axis")), angle, axis

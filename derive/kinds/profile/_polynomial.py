@@ -52,7 +52,7 @@ def polynomial(
     for name, formula in zip(names, (*lower, *upper(ends)), strict=True):
         work = work.worked(name, formula)
     law = add(*(term(work[name], k) for k, name in enumerate(names)))
-    work = replace(work, steps=(*laws(order), system(ends), *work.steps))
+    work = replace(work, steps=(*laws(order), *work.steps[:order], system(ends), *work.steps[order:]))
     typed, work = work.typed, work.showing(Step("q_of_t", (q, law)))
     work, peaks = _peaks(replace(work, aside={q: law}), ends, order)
     results = {**{name: work.final(name) for name in names}, "q": problem.final(law)}

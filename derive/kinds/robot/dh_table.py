@@ -55,9 +55,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     else:
         mode, rows = "restated", restated(robot, rows, convention)
     results: dict[str, Result] = {"DH": rows.matrix(problem)}
-    work = rows.lines(work)
+    work = rows.lines(work.step(Step("DH", (), "dh-parameters")))
     results |= {name: work.final(name) for name in rows.ends}
-    work = work.step(Step("DH", (), "dh-parameters")).linked(but=rows.ends)
+    work = work.linked(but=rows.ends)
     work = rows.each_pose(work) if mode == "given" else rows.proved(work)
     table = rows.table()
     work = work.claim(rows.as_listed(table))

@@ -64,7 +64,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     by_names = normal_matrix(names)
     det, adjugate = readable(by_names.det()), readable_matrix(by_names.adjugate())
     rest = [equation(f"h_{k}", _rest(terms), "rest") for k, terms in enumerate(equations(problem), 1)]
-    work, long = work.step(*rest, *([acceleration_law()] if n > 1 else [])), n > MOST_REDUCED or arm.long
+    work, long = work.step(*rest), n > MOST_REDUCED or arm.long
 
     def written(expr: Expr) -> Expr:
         """In full as a person would write it; of a long arm with values where the names stand."""
@@ -80,6 +80,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         "qddot": column(written(top / det) for top in tops),
     }
     work = work.line(DET, det, value=results["det"], label="det", rule="determinant")
+    work = work.step(acceleration_law()) if n > 1 else work
     work = work.linked() if long else work  # of long fractions the law says as much
     for name, top, result in zip(arm.accelerations, tops, children(results["qddot"]), strict=True):
         chain = (name, top / DET, result)

@@ -60,11 +60,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     moments = {name: value for body in bodies for name, value in body.named.items()}
     big = max(map(operations, children(written))) > MOST_IN_THE_BASE
     work = Work(problem).resting_on(problem.ask("forward-kinematics" if big else "joint-axes"))
-    work = work.showing(quadratic_law())
     for body in bodies:
         work = work.knowing(body_definitions(problem, body))
     work = _local(work, bodies) if big else _base(work, found, bodies)
-    work = _sum(work, bodies, written, moments, big)
+    work = _sum(work.showing(quadratic_law()), bodies, written, moments, big)
     # What rests on D takes it with the names of moments kept.
     work = work.knowing({entry_symbol("d", *ij): entry for ij, entry in _entries(written).items()})
     work = work.knowing({**moments, D: written})
@@ -93,7 +92,8 @@ def _base(work: Work, found: Chain, bodies: tuple[Weighted, ...]) -> Work:
     """Coms, their Jacobians and inertias in the base frame."""
     for body in bodies:
         work = work.knowing(pose_definitions(work.problem, found, body))
-        work = work.step(*com_steps(work.problem, body))
+    poses, origins = zip(*(com_steps(work.problem, body) for body in bodies), strict=True)
+    work = work.step(*poses, *origins)
     steps = (step for body in bodies for step in com_jacobian_steps(work.problem, found, body))
     once = {step.name: step for step in steps}  # motions of coupled joints
     return work.step(*once.values(), *inertia_steps(work.problem, bodies))

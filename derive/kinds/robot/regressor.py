@@ -70,7 +70,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     all_columns = [problem.readable_matrix(part.column) for part in parameters]
     work = Work(problem, aside=arm.moments).knowing({**values, **theta})
     work = work.knowing({_y(part.name): y for part, y in zip(parameters, all_columns, strict=True)})
-    work = work.showing(*regressor_laws(), *lost, *gathered).linked(
+    law, by_columns = regressor_laws()
+    work = work.showing(law, *lost, *gathered, by_columns).linked(
         but=[step.name for step in lost] if arm.long else ()
     )
     results: dict[str, Expr] = {

@@ -13,7 +13,6 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.drives import friction_sorts
 from derive.kinds.robot._dynamics.linearisation import linear_at, linearised
-from derive.kinds.robot._dynamics.matrix_laws import linear_laws
 from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 
@@ -54,7 +53,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     results: dict[str, Expr] = {"x": x, "f": f}
     linear = None if options.at is None else linear_at(problem, dict(options.at))
     if linear:
-        work = linearised(work.showing(*linear_laws(problem.taken, bool(linear.friction))), linear)
+        work = linearised(work, linear)
         results |= {"tau_0": work["tau_0"], "A": linear.A, "B": linear.B}
     work = _moves_so(work, arm, results)
     facts = Facts(

@@ -54,7 +54,7 @@ def said(voltage: PulseWidth, work: Work, told: VoltageFacts) -> Iterator[bool]:
     typed = [(told.high, voltage.high), (told.low, voltage.low)]
     typed += [] if voltage.duty is None else [(told.duty, voltage.duty)]
     yield from (work.scalar(name) == work.scalar(tree) for name, tree in typed)
-    law = work.steps[-1].chain
+    (law,) = (step.chain for step in work.steps if step.rule == "area")
     for point in islice(_points(problem, problem.final(put_in(told.duty, names))), POINTS):
         left, right, high, low, duty = (
             at(problem.final(put_in(each, names)), point) for each in (*law, told.high, told.low, told.duty)

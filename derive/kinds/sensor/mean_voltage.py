@@ -30,13 +30,13 @@ def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivatio
         work, (duty,) = work.naming(D=voltage.duty)
     if voltage.mean is not None:
         work, (mean,) = work.naming(U_m=voltage.mean)
+    work = work.showing(Step("mean_law", (mean, _mean(high, low, duty, bipolar)), "area"))
     work = _solved(work, voltage, (high, low, mean, duty), bipolar)
     results = {"mean": work.final(mean), "duty": work.final(duty)}
     if voltage.frequency is not None:
         work, (f,) = work.naming(f=voltage.frequency)
         work = work.worked("t_on", duty / f)
         results["t_on"] = work.final("t_on")
-    work = work.showing(Step("mean_law", (mean, _mean(high, low, duty, bipolar)), "area"))
     facts = Facts(
         given=work.typed, bipolar=bipolar, inverse=voltage.duty is None, high=high, low=low, duty=duty,
         timed=voltage.frequency is not None,
@@ -56,6 +56,6 @@ def _solved(
 ) -> Work:
     high, low, mean, duty = names
     if voltage.duty is not None:
-        return work.worked(mean.name, _mean(high, low, duty, bipolar))
+        return work.worked(mean.name, _mean(high, low, duty, bipolar), rule="solved")
     above = mean - low if bipolar else mean
-    return work.worked(duty.name, above / (high - low if bipolar else high))
+    return work.worked(duty.name, above / (high - low if bipolar else high), rule="solved")

@@ -17,7 +17,7 @@ from derive.mechanics.moments import given_moments, steiner
 from derive.mechanics.poses import homogeneous
 
 
-def com_steps(problem: Problem, body: Weighted) -> tuple[Step, ...]:
+def com_steps(problem: Problem, body: Weighted) -> tuple[Step, Step]:
     """T_c1 (4 by 4), which a page may leave out, and o_c1 (3 by 1)."""
     name, origin = Symbol(f"T_c{body.i}"), Symbol(f"o_c{body.i}")
     pose = problem.readable_matrix(homogeneous(body.motion.R, body.motion.com.entries))

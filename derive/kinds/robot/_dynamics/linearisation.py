@@ -17,6 +17,7 @@ from derive.errors import NotDerivable
 from derive.expression import ONE, ZERO, Call, Expr, Matrix, Symbol, free_symbols
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.drives import diagonal, moving
+from derive.kinds.robot._dynamics.matrix_laws import linear_laws
 from derive.kinds.work import Work
 from derive.mechanics.drives import Friction
 from derive.mechanics.oracle import Oracle, slope
@@ -114,8 +115,11 @@ def linearised(work: Work, linear: Linear) -> Work:
     plain, over the determinant of D_0 that they share."""
     found = {"tau_0": linear.torques, "D_0": linear.inertia, "K_0": linear.slope}
     found |= {"B_f": linear.friction} if linear.friction else {}
+    at_rest, slope, *state = linear_laws(linear.problem.taken, bool(linear.friction))
     for name, value in found.items():
         work = work.line(name, value=value, rule="linearised")
+        work = work.showing(at_rest, slope) if name == "tau_0" else work
+    work = work.showing(*state)
     if linear.long:
         work = work.showing(*_blocks(linear))
     else:

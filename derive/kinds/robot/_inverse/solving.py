@@ -15,6 +15,8 @@ from derive.kinds.robot._inverse.signs import begins_negative
 from derive.kinds.robot._inverse.subproblem import Choice, Definition, Solved
 from derive.mechanics.inverse.subproblems import Reach, SubProblem, equations_of
 
+ORDER = ("name", "equation", "squares", "aside", "solved", "choice")  # of steps on the page
+
 
 class Solving:
     """One sub-problem while its solution is written; `poses` are those its equations stand in."""
@@ -76,7 +78,8 @@ class Solving:
             choices=self._by("choice"),
             left=left,
         )
-        number, steps = len(progress.solved), (*self.steps, *left)
+        number = len(progress.solved)
+        steps = (*(step for rule in ORDER for step in self._by(rule)), *left)
         solved = Solved(
             number, unknown, head, tuple(choices), steps, facts, self.poses.stage, trig or {},
             tuple(self.equations),

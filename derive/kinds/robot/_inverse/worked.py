@@ -95,12 +95,13 @@ class Worked:
         """In the order of the page."""
         arm, hand = ([step for each in solved for step in each.steps] for solved in (self.arm, self.hand))
         singular_steps = (case.step for case in self.singular)
-        return (*self.pose, *self.centre, *arm, *self.turn, *self.elements, *hand, *singular_steps)
+        return (*self.pose, *self.centre, *arm, *self.turn, *hand, *singular_steps)
 
     @property
     def turn(self) -> tuple[Step, ...]:
         """What a wrist has to make, and what it makes."""
-        return (*self.orientation.wanted, self.orientation.made) if self.orientation else ()
+        turned = self.orientation
+        return (*turned.wanted, *self.elements, turned.made) if turned else ()
 
     @property
     def at_end(self) -> bool:
