@@ -7,12 +7,15 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from derive.audit.asked import Asked
+from derive.audit.budget import SECONDS, Endless
 from derive.audit.engine import Audited, Contradicted, NotAudited, Outcome, audit
 from derive.audit.text import Json
 from derive.errors import Place, SheetError, SheetErrors
 from derive.render.document import Document
 from derive.sheet.model import Problem, Question, Sheet
 from derive.writing import Progress, render
+
+REPORT = "please report this with the sheet"
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,12 +28,17 @@ class Found:
 
 
 def audited(sheets: Sequence[Sheet], documents: Sequence[Document], progress: Progress) -> tuple[Found, ...]:
-    """What came of every answer. Raises SheetErrors with those that SymPy contradicts."""
+    """What came of every answer. Raises SheetErrors with those that SymPy contradicts, or
+    for one that it does not come to an end with."""
     found = []
     for sheet, document in zip(sheets, documents, strict=True):
         for question, asked in answers(sheet, render(document, "json")):
             progress(f"auditing {sheet.path.stem}, {question.find}")
-            found.append(Found(question.place, question.find, audit(asked)))
+            try:
+                found.append(Found(question.place, question.find, audit(asked)))
+            except Endless:
+                message = f"SymPy does not come to an end with this answer in {SECONDS:.0f} s"
+                raise SheetErrors([SheetError(message, question.place, REPORT)]) from None
     if wrong := [_fault(one.outcome, one.place) for one in found if isinstance(one.outcome, Contradicted)]:
         raise SheetErrors(wrong)
     return tuple(found)
@@ -59,7 +67,7 @@ def _asked(problem: Problem, question: Question, answer: Mapping[str, Mapping[st
 
 def _fault(wrong: Contradicted, place: Place) -> SheetError:
     message = f"SymPy contradicts this answer: {wrong.name} is {wrong.ours} here, and {wrong.theirs} by SymPy"
-    return SheetError(message, place, "please report this with the sheet")
+    return SheetError(message, place, REPORT)
 
 
 def report(found: Sequence[Found]) -> Iterator[str]:

@@ -8,6 +8,7 @@ house, the strings of the JSON, to the test there.
 - `engine` says what is audited and what came of it;
 - `text` reads a result (JSON text) and `trees` a record (typed tree) as SymPy expressions;
 - `points` draws exact random points and evaluates SymPy expressions at them;
+- `algebra` is what of SymPy may be dear, `linear` algebra of numbers, `budget` counts what an answer costs;
 - `putting_back`, `conditions` and `roots` are for answers that are put back: two sides that must be one at a
   point, the words beside a branch, and roots looked for by Newton's method;
 - `poses` and `orientation` are shared by all subjects that have a pose;

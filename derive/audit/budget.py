@@ -1,5 +1,6 @@
-"""How much work one answer is worth. Operations are counted, so that what is too much is too much on every
-machine; a clock stops only what counts nothing."""
+"""How much work one answer is worth. Operations are counted, what SymPy does for itself before it begins
+(`algebra`), so that what is too much is too much on every machine. A clock stands behind that as a last
+safety: what it stops is a fault, and no answer that is passed over."""
 
 from __future__ import annotations
 
@@ -9,12 +10,16 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
 
-MOST = 3_000_000  # operations on numbers
-SECONDS = 30.0
+MOST = 3_000_000  # operations on numbers, some ten seconds
+SECONDS = 300.0
 
 
 class Exhausted(Exception):
     """More work than an answer is worth."""
+
+
+class Endless(BaseException):
+    """SymPy does not come to an end. Nothing that deals with accidents takes it for one."""
 
 
 class _Account:
@@ -30,7 +35,8 @@ def spend(operations: int) -> None:
 
 @contextmanager
 def one_answer() -> Iterator[None]:
-    """The work within is on one answer. Raises Exhausted where it is too much."""
+    """The work within is on one answer. Raises Exhausted where it is too much, Endless where the clock stops
+    what was not counted."""
     _Account.left = MOST
     if not hasattr(signal, "setitimer") or threading.current_thread() is not threading.main_thread():
         yield
@@ -45,4 +51,4 @@ def one_answer() -> Iterator[None]:
 
 
 def _stop(number: int, frame: FrameType | None) -> None:
-    raise Exhausted
+    raise Endless

@@ -58,7 +58,7 @@ Outcome: TypeAlias = Audited | NotAudited | Contradicted
 
 
 def audit(asked: Asked) -> Outcome:
-    """What SymPy says of an answer."""
+    """What SymPy says of an answer. Raises Endless."""
     who = auditor(asked.subject_name, asked.kind)
     if who is None:
         return NotAudited("nobody audits this kind yet")
@@ -66,7 +66,7 @@ def audit(asked: Asked) -> Outcome:
         with one_answer(), mpmath.workdps(DIGITS + MARGIN):
             return _judged(asked, who)
     except Exhausted:
-        return NotAudited("it took too long")
+        return NotAudited("it is too much work")
     except (Unreadable, NotImplementedError) as reason:
         return NotAudited(str(reason))
     except Exception as accident:  # of an auditor: no answer is refused, or passed, because of it

@@ -15,6 +15,7 @@ import sympy
 
 from derive.audit.asked import Asked, Beyond, Holds, Same, Test
 from derive.audit.conditions import holds
+from derive.audit.linear import det
 from derive.audit.points import NEAR, ROUNDED, Number, Point, floating
 from derive.audit.poses import UNIT, turned, vector_of
 from derive.audit.putting_back import array, flat, put_back, rounded
@@ -287,8 +288,7 @@ def euler_rates(asked: Asked, point: Point) -> Iterator[Test]:
     turns = [R.T * R.diff(angle) if body else R.diff(angle) * R.T for angle in angles]
     rate_matrix = sympy.Matrix([vector_of(turn) for turn in turns]).T
     yield Same("T", point.each(rate_matrix))
-    det = rate_matrix.det(method="berkowitz")
-    yield Same("det", point.at(det))
+    yield Same("det", det(point.matrix(rate_matrix.tolist())))
     omega = list(sympy.symbols("omega_x omega_y omega_z"))
     again = array(rate_matrix, point) @ array(asked.result("rates"), point)
     yield put_back("rates", point, again, omega, "T times them is not omega")
@@ -298,7 +298,7 @@ def euler_rates(asked: Asked, point: Point) -> Iterator[Test]:
     told = (pair for each in asked.objects("singular") for pair in each.items() if pair[0] != "when")
     places = [(name, asked.read(value)) for name, value in told]
     for name, value in places:
-        zero = det.subs(sympy.Symbol(name), value)
+        zero = det(point.where(**{name: value}).matrix(rate_matrix.tolist()))
         yield put_back("singular", point, zero, ZERO, f"det T is not zero at {name} = {value}")
     zeros = {ZERO, sympy.pi} if convention[0] == convention[2] else {sympy.pi / 2, -sympy.pi / 2}
     yield Holds("singular", {value for _, value in places} == zeros, f"det T vanishes at {zeros}")

@@ -170,6 +170,7 @@ class Point:
 
     def _power(self, base: sympy.Expr, exponent: sympy.Expr) -> Number:
         if exponent.is_Integer:
+            spend(abs(int(exponent)))
             return self.at(base) ** int(exponent)
         value = self.at(base)
         if exponent.is_Rational and exponent.q == 2:

@@ -32,14 +32,26 @@ def vanishes(
     name: str, point: Point, exprs: Iterable[sympy.Expr], values: Mapping[sympy.Symbol, sympy.Expr], said: str
 ) -> Holds:
     """Whether expressions vanish with these values of their symbols, as far as their terms are sure."""
-    there = point.where(**{key.name: value for key, value in values.items() if value != key})
+    there = placed(point, values)
     near = ROUNDED if rounded(list(values.values())) else NEAR
-    for expr in exprs:
-        terms = [there.at(term) for term in sympy.Add.make_args(sympy.expand(expr))]
-        scale = max(abs(floating(term)) for term in terms) or 1
-        if not agree(sum(terms), Fraction(0), scale, near):
-            return Holds(name, False, said)
-    return Holds(name, True, "")
+    same = all(agree(there.at(expr), Fraction(0), _size(expr, there) or 1, near) for expr in exprs)
+    return Holds(name, same, "" if same else said)
+
+
+def placed(point: Point, values: Mapping[sympy.Symbol, sympy.Expr]) -> Point:
+    """The point with these values of symbols; one that stands for itself is left as it is."""
+    return point.where(**{key.name: value for key, value in values.items() if value != key})
+
+
+def _size(expr: sympy.Expr, there: Point) -> mpmath.mpf:
+    """That of its terms all together, were it multiplied out."""
+    if expr.is_Add:
+        return mpmath.fsum(_size(term, there) for term in expr.args)
+    if expr.is_Mul:
+        return mpmath.fprod(_size(factor, there) for factor in expr.args)
+    if expr.is_Pow and expr.exp.is_Integer and expr.exp > 0:
+        return _size(expr.base, there) ** int(expr.exp)
+    return abs(floating(there.at(expr)))
 
 
 def rounded(exprs: Any) -> bool:

@@ -8,10 +8,12 @@ from typing import Any
 import numpy as np
 import sympy
 
+from derive.audit.budget import spend
 from derive.audit.points import Point, floating
 
 STARTS, STEPS = 40, 60
 SMALL = 1e-10
+A_FLOAT = 50  # operations on floats cost what one of the audit does
 
 
 def found_from_anywhere(
@@ -22,8 +24,9 @@ def found_from_anywhere(
     others = sympy.Matrix(equations).free_symbols - set(unknowns)
     values = {name: sympy.Float(floating(point.at(name)), 30) for name in others}
     system = sympy.Matrix(equations).subs(values)
-    F = sympy.lambdify([unknowns], system, "numpy")
-    slope = sympy.lambdify([unknowns], system.jacobian(unknowns), "numpy")
+    slopes = system.jacobian(unknowns)
+    spend(STARTS * STEPS * int(sympy.count_ops([system, slopes])) // A_FLOAT)
+    F, slope = (sympy.lambdify([unknowns], each, "numpy") for each in (system, slopes))
     draw = np.random.default_rng(point.seed)
     for _ in range(STARTS):
         place = _settled(F, slope, draw.normal(scale=2.0, size=len(unknowns)))

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TypeAlias
 
 import sympy
+
+from derive.audit.budget import spend
 
 Json: TypeAlias = "str | int | float | bool | Sequence[Json] | Mapping[str, Json] | None"
 Names: TypeAlias = Mapping[str, sympy.Expr]
@@ -42,10 +44,17 @@ def sympy_of_text(text: str, names: Names) -> sympy.Expr:
     return _Reader(_tokens(text), names).whole()
 
 
+def made(function: Callable[..., sympy.Expr], *arguments: sympy.Expr) -> sympy.Expr:
+    """The function of these. Of what is no fraction it is left as it stands: to simplify it SymPy would ask
+    of the numbers in it whether they are zero, by their minimal polynomials, which may never end."""
+    return function(*arguments, evaluate=all(each.is_Rational for each in arguments))
+
+
 def _tokens(text: str) -> list[tuple[str, str]]:
     """(kind, token): "number", "name" or "sign"."""
     found, at = [], 0
     text = text.rstrip()
+    spend(len(text))
     while at < len(text):
         match = TOKEN.match(text, at)
         if match is None:
@@ -95,7 +104,7 @@ class _Reader:
         factors = [self.signed()]
         while sign := self.taken("*", "/"):
             factor = self.signed()
-            factors.append(factor if sign == "*" else 1 / factor)
+            factors.append(factor if sign == "*" else made(sympy.Pow, factor, sympy.Integer(-1)))
         return sympy.Mul(*factors)
 
     def signed(self) -> sympy.Expr:
@@ -105,7 +114,7 @@ class _Reader:
 
     def power(self) -> sympy.Expr:
         base = self.atom()
-        return base ** self.signed() if self.taken("**") else base
+        return made(sympy.Pow, base, self.signed()) if self.taken("**") else base
 
     def atom(self) -> sympy.Expr:
         kind, token = self.tokens[self.at]
@@ -130,4 +139,4 @@ class _Reader:
         while self.taken(","):
             arguments.append(self.sum())
         self.expect(")")
-        return FUNCTIONS[function](*arguments)
+        return made(FUNCTIONS[function], *arguments)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -53,10 +54,25 @@ def test_what_is_not_audited_is_said_with_its_place(folder: Path, monkeypatch: p
     assert "not audited: week1.yaml:6:9: dh-table: nobody audits this kind yet" in done.output
 
 
-def test_what_takes_too_long_is_said(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_is_too_much_work_is_said(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (folder / "week1.yaml").write_text(SHEET.replace("dh-table", "jacobian"), encoding="utf-8")
     monkeypatch.setattr("derive.audit.budget.MOST", 3)
-    assert "jacobian: it took too long" in run("--audit").output
+    assert "jacobian: it is too much work" in run("--audit").output
+
+
+def test_what_does_not_come_to_an_end_is_a_fault(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def endless(asked: Asked, point: Point) -> list[Same]:
+        while True:
+            with suppress(Exception):  # as SymPy deals with accidents of its own
+                while True:
+                    pass
+
+    monkeypatch.setattr(engine, "auditor", lambda subject, kind: endless)
+    monkeypatch.setattr("derive.audit.budget.SECONDS", 0.2)
+    done = run("--audit")
+    assert done.exit_code == 1
+    assert "week1.yaml:6:9: SymPy does not come to an end with this answer" in done.output
+    assert not (folder / "output").exists()
 
 
 def test_a_contradiction_is_a_fault_and_nothing_is_written(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any
 
 import mpmath
@@ -13,8 +14,10 @@ import sympy
 from derive.algebra.function import Function
 from derive.audit.asked import Asked, Holds, Same, Test
 from derive.audit.conditions import holds
-from derive.audit.points import Number, Point, floating
-from derive.audit.putting_back import is_real, told, vanishes
+from derive.audit.linear import det, product, transposed
+from derive.audit.points import NEAR as SURE
+from derive.audit.points import ROUNDED, Number, Point, agree, floating
+from derive.audit.putting_back import is_real, placed, rounded, told, vanishes
 from derive.audit.roots import found_from_anywhere
 
 NOTHING = 1e-7  # an eigenvalue this small beside the others is none
@@ -38,7 +41,7 @@ def jacobian(asked: Asked, point: Point) -> Iterator[Test]:
     J = sympy.Matrix(_values(asked)).jacobian(_variables(asked))
     yield Same("J", told(J, point))
     if "det" in asked.results:
-        yield Same("det", point.at(J.det()))
+        yield Same("det", det(point.matrix(J.tolist())))
 
 
 def _values(asked: Asked) -> list[sympy.Expr]:
@@ -107,12 +110,19 @@ def _put_back(
     regular = all(name in places for name in task.multipliers)
     yield vanishes("solutions", point, task.equations if regular else task.g, places, said)
     if not regular:
-        normals = sympy.Matrix([[g.diff(x) for x in task.x] for g in task.g])
-        gram = (normals * normals.T).det()
-        yield vanishes("solutions", point, [gram], places, f"{said}: it lacks a multiplier")
+        yield Holds("solutions", _dependent(task, places, point), f"{said}: it lacks a multiplier")
         yield Holds("solutions", "singular" in when or "global" in when, "a singular point")
     height = task.f - sympy.Symbol(value)
     yield vanishes("solutions", point, [height], places, f"f is another at {_shown(values)}")
+
+
+def _dependent(task: Stationary, places: Mapping[sympy.Symbol, sympy.Expr], point: Point) -> bool:
+    """Whether the gradients of the constraints are there: what is left of the product of their lengths."""
+    there = placed(point, places)
+    normals = [[there.at(g.diff(x)) for x in task.x] for g in task.g]
+    gram = product(normals, transposed(normals))
+    lengths = mpmath.fprod(floating(gram[i][i]) for i in range(len(gram)))
+    return agree(det(gram), Fraction(0), lengths, ROUNDED if rounded(list(places.values())) else SURE)
 
 
 def _curvature(

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import sympy
 
+from derive.audit.algebra import solution
 from derive.audit.asked import Asked, Same, Test
 from derive.audit.points import Point
 from derive.mechanics.sensing import Encoder, Incremental
@@ -43,7 +44,7 @@ def mean_voltage(asked: Asked, point: Point) -> Iterator[Test]:
     if pulse.duty is not None:
         duty = asked.formula(pulse.duty)
     else:
-        (duty,) = sympy.linsolve([mean - asked.formula(pulse.mean)], [D]).args[0]
+        (duty,) = solution([mean - asked.formula(pulse.mean)], [D])
     yield Same("duty", point.at(duty))
     yield Same("mean", point.at(mean.subs(D, duty)))
     if pulse.frequency is not None:

@@ -13,11 +13,10 @@ import sympy
 from derive.audit.asked import Asked, Holds, Same, Test
 from derive.audit.conditions import holds
 from derive.audit.points import Point, floating
-from derive.audit.putting_back import array, is_real, put_back, told, vanishes
+from derive.audit.putting_back import array, is_real, placed, put_back, told, vanishes
 from derive.audit.roots import found_from_anywhere
 from derive.audit.subjects.lagrange.energies import TIME, Energies, as_bodies_are
 
-Array: TypeAlias = np.ndarray[Any, Any]
 Values: TypeAlias = Mapping[sympy.Symbol, sympy.Expr]
 ZERO = sympy.Integer(0)
 GROWS = 1e-5  # of the fastest motion: one that grows slower may not grow
@@ -35,6 +34,7 @@ def equilibria(asked: Asked, point: Point) -> Iterator[Test]:
     still = {**dict.fromkeys((*inputs(system), *system.rates, *system.accelerations), ZERO), **given}
     equations = [left - force for left, force in zip(system.lefts, system.forces, strict=True)]
     left = [equation.subs(still) for equation in equations]
+    slopes = [sympy.Matrix(equations).jacobian(by) for by in (system.accelerations, system.rates, system.q)]
     branches = [
         ({q: asked.read(each[q.name]) for q in system.q}, str(each["when"]))
         for each in asked.objects("solutions")
@@ -44,7 +44,7 @@ def equilibria(asked: Asked, point: Point) -> Iterator[Test]:
         strange = sympy.Matrix(list(place.values())).free_symbols - sympy.Matrix(left).free_symbols
         yield Holds("solutions", strange <= set(place), f"{strange} stands nowhere on the sheet")
         if all(is_real(there.at(value)) for value in place.values()):
-            growth = _growth(system, equations, {**still, **place}, there)
+            growth = _growth(slopes, placed(there, {**still, **place}))
             if growth is not None:
                 yield from _judged(when, growth, _shown(place), asked, there)
     yield _complete(system, left, [place for place, _ in branches], there)
@@ -75,10 +75,10 @@ def inputs(system: Energies) -> list[sympy.Symbol]:
     return [name for name, drives in found.items() if drives]
 
 
-def _growth(system: Energies, equations: list[sympy.Expr], at: Values, point: Point) -> float | None:
+def _growth(slopes: Sequence[sympy.Matrix], rest: Point) -> float | None:
     """The largest real part among the eigenvalues of the linear motion, the fastest of them being 1; None
-    where the names have values that no mass has."""
-    M, C, K = (_floats(equations, by, at, point) for by in (system.accelerations, system.rates, system.q))
+    where the names have values that no mass has. The slopes are by accelerations, rates and coordinates."""
+    M, C, K = (np.array(_real(each.tolist(), rest), float) for each in slopes)
     if np.linalg.eigvalsh(M + M.T).min() <= 0:
         return None
     n = len(K)
@@ -87,9 +87,8 @@ def _growth(system: Energies, equations: list[sympy.Expr], at: Values, point: Po
     return float(found.real.max() / max(abs(found).max(), 1e-300))
 
 
-def _floats(rows: Sequence[sympy.Expr], by: Sequence[sympy.Symbol], at: Values, point: Point) -> Array:
-    entries = sympy.Matrix(rows).jacobian(by).subs(at)
-    return np.array([[float(mpmath.re(floating(point.at(e)))) for e in row] for row in entries.tolist()])
+def _real(rows: Sequence[Sequence[sympy.Expr]], point: Point) -> list[list[float]]:
+    return [[float(mpmath.re(floating(point.at(entry)))) for entry in row] for row in rows]
 
 
 def _judged(when: str, growth: float, place: str, asked: Asked, point: Point) -> Iterator[Test]:
@@ -154,23 +153,23 @@ def linearisation(asked: Asked, point: Point) -> Iterator[Test]:
     at = dict.fromkeys((*u, *system.rates, *system.accelerations), ZERO)
     at |= {sympy.Symbol(name): asked.formula(value) for name, value in options.at or ()}
     equations = [left - force for left, force in zip(system.lefts, system.forces, strict=True)]
-    rest = [each.subs(at) for each in equations]
-    yield put_back("K_0", point, rest, [ZERO] * len(rest), "the state is none of rest")
+    rest = placed(point, at)
+    yield put_back("K_0", rest, equations, [ZERO] * len(equations), "the state is none of rest")
     by = {"M_0": system.accelerations, "C_0": system.rates, "K_0": system.q, "F_0": u}
-    found = {name: sympy.Matrix(equations).jacobian(names).subs(at) for name, names in by.items() if names}
+    found = {name: sympy.Matrix(equations).jacobian(names) for name, names in by.items() if names}
     for name, matrix in found.items():
         told_ = name in asked.results
         if told_ or name != "C_0":
-            yield Same(name, told(-matrix if name == "F_0" else matrix, point))
+            yield Same(name, told(-matrix if name == "F_0" else matrix, rest))
         else:
-            yield put_back("A", point, matrix, sympy.zeros(*matrix.shape), "there is a C_0")
-    yield from _in_states(found, asked, point)
+            yield put_back("A", rest, matrix, sympy.zeros(*matrix.shape), "there is a C_0")
+    yield from _in_states({name: array(matrix, rest) for name, matrix in found.items()}, asked, point)
 
 
-def _in_states(found: Mapping[str, sympy.Matrix], asked: Asked, point: Point) -> Iterator[Test]:
+def _in_states(found: Mapping[str, np.ndarray[Any, Any]], asked: Asked, point: Point) -> Iterator[Test]:
     """z' = A z + B u: the rates on top, M_0 times what is below them."""
-    n = found["M_0"].rows
-    M, C, K = (array(found[name], point) for name in ("M_0", "C_0", "K_0"))
+    M, C, K = (found[name] for name in ("M_0", "C_0", "K_0"))
+    n = len(M)
     A = array(asked.result("A"), point)
     top = [ZERO] * (n * n) + [ZERO + (i == j) for i in range(n) for j in range(n)]
     yield put_back("A", point, [A[:n, :n], A[:n, n:]], top, "its upper rows are not the rates")
@@ -178,4 +177,4 @@ def _in_states(found: Mapping[str, sympy.Matrix], asked: Asked, point: Point) ->
     if "B" in asked.results:
         B = array(asked.result("B"), point).reshape(2 * n, -1)
         yield put_back("B", point, B[:n], [ZERO] * B[:n].size, "its upper rows are not zero")
-        yield put_back("B", point, M @ B[n:], -array(found["F_0"], point), "M_0 times its lower rows")
+        yield put_back("B", point, M @ B[n:], -found["F_0"], "M_0 times its lower rows")

@@ -8,11 +8,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from derive.audit.asked import Asked, Beyond, Holds, Same, Test
+from derive.audit.linear import is_zero
 from derive.audit.points import Point
 from derive.audit.subjects.robot.arm import Arm, entries
 from derive.audit.subjects.robot.displacements import moved, unit
 from derive.audit.subjects.robot.kinematics import inverse_pose, twist
-from derive.audit.subjects.robot.linear import is_zero
 from derive.audit.subjects.robot.series import Array, diff, values
 from derive.expression import Expr, free_symbols
 from derive.mechanics.robot import DHRow, FreeRow

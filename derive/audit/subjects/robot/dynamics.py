@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from itertools import combinations
 
 from derive.audit.asked import Asked, Holds, Same, Test
+from derive.audit.linear import det, inverse, product, rank, solve, transposed
 from derive.audit.points import Number, Point, agree, shown
 from derive.audit.subjects.robot.arm import entries, numbers
 from derive.audit.subjects.robot.bodies import Mechanics
-from derive.audit.subjects.robot.linear import det, inverse, product, rank, solve, transposed
 from derive.audit.subjects.robot.series import values
 from derive.audit.subjects.robot.task import Task
 

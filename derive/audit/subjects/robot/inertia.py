@@ -87,4 +87,4 @@ def _integrated(
     p = sympy.Matrix([x, y, z]).subs(place)
     moments = (p.dot(p) * sympy.eye(3) - p * p.T) * element
     volume = sympy.integrate(element, *limits)
-    return moments.applyfunc(lambda entry: sympy.integrate(sympy.expand(entry), *limits) / volume)
+    return moments.applyfunc(lambda entry: sympy.integrate(entry, *limits) / volume)

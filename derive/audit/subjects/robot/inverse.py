@@ -14,9 +14,9 @@ from typing import TypeAlias
 import mpmath
 
 from derive.audit.asked import Asked, Beyond, Holds, Test
+from derive.audit.linear import is_zero
 from derive.audit.points import Irrational, Number, Point, agree, floating, shown
 from derive.audit.subjects.robot.arm import Arm, entries, numbers
-from derive.audit.subjects.robot.linear import is_zero
 from derive.audit.subjects.robot.series import values
 from derive.audit.text import Json, Unreadable
 

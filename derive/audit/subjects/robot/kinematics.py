@@ -8,11 +8,12 @@ import numpy as np
 import sympy
 
 from derive.audit.asked import Asked, Holds, Same, Test
+from derive.audit.linear import product, solve, transposed
 from derive.audit.orientation import ANGLES
 from derive.audit.points import Number, Point, agree, shown
+from derive.audit.putting_back import put_back
 from derive.audit.subjects.robot.arm import Arm, entries, numbers
 from derive.audit.subjects.robot.displacements import UNITS, modified, rotation, standard
-from derive.audit.subjects.robot.linear import product, solve, transposed
 from derive.audit.subjects.robot.series import Array, Series, diff, values
 from derive.audit.subjects.robot.task import ROWS, Task
 from derive.mechanics.robot import DHRow
@@ -251,9 +252,7 @@ def dh_table(asked: Asked, point: Point) -> Iterator[Test]:
     if len(given) == len(arm.robot.links) and convention == arm.robot.convention:
         for tree, row in zip(given, table, strict=True):
             typed = [arm.formula(each) for each in (tree.theta, tree.d, tree.a, tree.alpha)]
-            yield Holds(
-                "DH", all(_equal(*pair) for pair in zip(typed, row, strict=True)), f"a row is {typed}"
-            )
+            yield put_back("DH", point, row, typed, f"a row is {typed}")
         return
     base, tool = (_fixed(asked, point, name) for name in ("T_base", "T_tool"))
     whole = base
@@ -266,10 +265,6 @@ def dh_table(asked: Asked, point: Point) -> Iterator[Test]:
     for name in ("T_base", "T_tool"):
         if name in asked.results:
             yield Holds(name, same, "the end-effector is elsewhere")
-
-
-def _equal(one: sympy.Expr, other: sympy.Expr) -> bool:
-    return bool(sympy.expand(one - other) == 0)
 
 
 def _near(one: list[Number], other: list[Number]) -> bool:

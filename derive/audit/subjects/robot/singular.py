@@ -11,9 +11,9 @@ import sympy
 
 from derive.audit.asked import Asked, Beyond, Holds, Same, Test
 from derive.audit.budget import spend
+from derive.audit.linear import Rows, det, product, transposed
 from derive.audit.points import Irrational, Number, Point, agree, floating, shown
 from derive.audit.subjects.robot.arm import Arm
-from derive.audit.subjects.robot.linear import Rows, det, product, transposed
 from derive.audit.subjects.robot.task import Task
 from derive.audit.text import Json
 

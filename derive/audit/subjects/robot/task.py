@@ -8,8 +8,8 @@ from itertools import combinations
 
 import numpy as np
 
+from derive.audit.linear import Rows, det, is_zero
 from derive.audit.subjects.robot.arm import Arm, numbers
-from derive.audit.subjects.robot.linear import Rows, det, is_zero
 from derive.audit.subjects.robot.series import Array
 
 ROWS = ("vx", "vy", "vz", "wx", "wy", "wz")

@@ -6,9 +6,10 @@ from collections.abc import Iterator
 
 import sympy
 
+from derive.audit.algebra import solution
 from derive.audit.asked import EVALUATED, Asked, Holds, Same, Test
 from derive.audit.points import Point
-from derive.audit.subjects.system.plant import Plant, S, Values
+from derive.audit.subjects.system.plant import Plant, S, numbered
 from derive.audit.subjects.system.rationals import in_numbers, lowest, roots, same_roots
 
 GAINS = {"P": sympy.Integer(1), "I": 1 / S, "D": S}
@@ -19,9 +20,9 @@ def transfer_function(asked: Asked, point: Point) -> Iterator[Test]:
     plant = Plant(asked)
     named = asked.options.source
     source = None if named is None else sympy.Symbol(named)
-    yield Same("G", point.at(plant.transfer(plant.at(point), source)))
+    yield Same("G", point.at(plant.transfer(point, source)))
     if asked.evaluated:
-        there = plant.transfer(plant.at(asked.here), source)
+        there = plant.transfer(asked.here, source)
         yield from in_numbers(EVALUATED + "G", asked.evaluated["G"], there, asked)
         yield from _roots(there, asked)
 
@@ -33,7 +34,7 @@ def closed_loop(asked: Asked, point: Point) -> Iterator[Test]:
     yield Same("T", point.at(closed(asked, point)))
     if asked.evaluated:
         here = asked.here
-        yield from in_numbers(EVALUATED + "C", asked.evaluated["C"], C.subs(here.fixed), asked)
+        yield from in_numbers(EVALUATED + "C", asked.evaluated["C"], C, asked)
         T = closed(asked, here)
         yield from in_numbers(EVALUATED + "T", asked.evaluated["T"], T, asked)
         yield from _roots(T, asked)
@@ -47,24 +48,17 @@ def controller(asked: Asked) -> sympy.Expr:
 
 def closed(asked: Asked, point: Point) -> sympy.Expr:
     """Y for R = 1: the input is C (R - Y), one equation more in the system."""
-    plant = Plant(asked)
-    T = closed_by(plant, asked, plant.at(point))
-    return T.subs({sympy.Symbol(name): value for name, value in point.fixed.items()})
-
-
-def closed_by(plant: Plant, asked: Asked, values: Values | None = None) -> sympy.Expr:
-    """The same in the names that have no value."""
     Y = sympy.Symbol("_Y")
-    G = plant.transfer(values or {})
-    return sympy.linsolve([Y - G * controller(asked) * (1 - Y)], Y).args[0][0]
+    G, C = Plant(asked).transfer(point), numbered(controller(asked), point)
+    (T,) = solution([Y - G * C * (1 - Y)], [Y])
+    return T
 
 
 def response_of(asked: Asked, point: Point) -> sympy.Expr:
     """Of the system by itself, or in the loop where there is a controller."""
     if asked.options.controller is not None:
         return closed(asked, point)
-    plant = Plant(asked)
-    return plant.transfer(plant.at(point))
+    return Plant(asked).transfer(point)
 
 
 def _roots(ratio: sympy.Expr, asked: Asked) -> Iterator[Test]:

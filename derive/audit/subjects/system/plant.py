@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator
 from functools import cached_property
-from typing import TypeAlias
 
 import sympy
 
+from derive.audit.algebra import expanded, solution
 from derive.audit.asked import Asked
+from derive.audit.budget import spend
 from derive.audit.points import Point, floating
 from derive.audit.text import sympy_of_text
 
 S = sympy.Symbol("s")
-Values: TypeAlias = Mapping[sympy.Symbol, sympy.Expr]
 # Dorf and Bishop, Modern Control Systems, section 2.5; each side by side with what it is equal to.
 MOTORS = {
     "armature": (("V_a", "(R_a + L_a*s)*I_a + V_b"), ("V_b", "K_b*speed"), ("T_m", "K_m*I_a")),
@@ -55,19 +55,19 @@ class Plant:
             raise NotImplementedError("it is not clear which names are signals")
         return sorted(found.pop(), key=str)
 
-    def transfer(self, values: Values, source: sympy.Symbol | None = None) -> sympy.Expr:
-        """The output for a source of 1, the input if left out, in terms of the names without a value."""
+    def transfer(self, point: Point, source: sympy.Symbol | None = None) -> sympy.Expr:
+        """The output for a source of 1, the input if left out, as a function of s."""
         prescribed = {each: sympy.Integer(each == (source or self.input)) for each in self.driving}
-        rows = [each.subs({**prescribed, **values}) for each in self.equations]
-        found = sympy.linsolve(rows, *self.unknowns)
+        rows = [numbered(each.subs(prescribed), point, self.unknowns) for each in self.equations]
+        found = solution(rows, self.unknowns)
         if not found:
             raise NotImplementedError("the equations have no solution")
-        return found.args[0][self.unknowns.index(self.output)]
+        return found[self.unknowns.index(self.output)]
 
-    def at(self, point: Point) -> dict[sympy.Symbol, sympy.Expr]:
-        """Values of the parameters at a point."""
-        names = frozenset().union(*(each.free_symbols for each in self.equations))
-        return {name: sympified(point, name) for name in names - {S, *self.driving, *self.unknowns}}
+
+def numbered(expr: sympy.Expr, point: Point, but: Collection[sympy.Symbol] = ()) -> sympy.Expr:
+    """An expression in s and these names, all others having their values at the point."""
+    return expr.subs({name: sympified(point, name) for name in expr.free_symbols - {S, *but}})
 
 
 def sympified(point: Point, name: sympy.Expr) -> sympy.Expr:
@@ -88,7 +88,7 @@ def _of_motor(control: str, output: str, asked: Asked) -> Iterator[sympy.Expr]:
 
 
 def _terms(equation: sympy.Expr) -> tuple[sympy.Expr, ...]:
-    return tuple(sympy.Add.make_args(sympy.expand(equation)))
+    return tuple(sympy.Add.make_args(expanded(equation)))
 
 
 def _names_in(term: sympy.Expr) -> frozenset[sympy.Symbol]:
@@ -102,6 +102,7 @@ def _signals(
 ) -> Iterator[set[sympy.Symbol]]:
     """Every choice of signals of which each term holds one, and `others` none."""
     while True:
+        spend(len(terms))
         open_: frozenset[sympy.Symbol] | None = None
         for names in terms:
             here, free = names & known, names - others - known

@@ -8,20 +8,21 @@ from typing import Any
 import mpmath
 import sympy
 
+from derive.audit.algebra import cancelled
 from derive.audit.asked import Asked, Holds, Test
+from derive.audit.budget import spend
 from derive.audit.points import ROUNDED, Point, floating
 from derive.audit.putting_back import put_back
-from derive.audit.subjects.system.plant import S, sympified
+from derive.audit.subjects.system.plant import S, numbered
 
 NEAR_ROOT = 1e-7
+A_ROOT = 20  # operations for each step to a root
 PLACES = 2  # values of s
 
 
 def lowest(ratio: sympy.Expr) -> tuple[sympy.Poly, sympy.Poly]:
     """Numerator and denominator without common factors, among the roots that are in them."""
-    whole = sympy.together(ratio)
-    irrational = any(power.exp.is_Rational and not power.exp.is_Integer for power in whole.atoms(sympy.Pow))
-    top, bottom = sympy.fraction(sympy.cancel(whole, extension=True) if irrational else sympy.cancel(whole))
+    top, bottom = cancelled(ratio)
     return sympy.Poly(top, S), sympy.Poly(bottom, S)
 
 
@@ -29,6 +30,7 @@ def roots(polynomial: sympy.Poly) -> list[mpmath.mpc]:
     """Each as often as it counts; multiple ones are divided out exactly."""
     if polynomial.degree() < 1:
         return []
+    spend(A_ROOT * polynomial.degree() ** 2)
     found = []
     for factor, times in polynomial.sqf_list()[1]:
         for root in factor.nroots(n=40, maxsteps=500):
@@ -61,8 +63,7 @@ def in_numbers(name: str, told: Any, ratio: sympy.Expr, asked: Asked) -> Iterato
     """A transfer function as `{"num": .., "den": ..}`, where the author wants numbers; with its roots where
     everything is a number. `ratio` is what it should be, in s and the names that are left."""
     point: Point = asked.here
-    left = {symbol: sympified(point, symbol) for symbol in ratio.free_symbols - {S}}
-    there = ratio.subs(left)
+    there = numbered(ratio, point)
     num, den = ([point.at(asked.read(k)) for k in told[part]] for part in ("num", "den"))
     for k in range(PLACES):
         s = sympy.Rational(7 + 4 * k, 5)

@@ -7,12 +7,13 @@ from collections.abc import Iterator
 import mpmath
 import sympy
 
+from derive.audit.algebra import determinant
 from derive.audit.asked import EVALUATED, Asked, Holds, Test
 from derive.audit.conditions import holds
 from derive.audit.points import NEAR, Point, floating
 from derive.audit.putting_back import is_real, put_back
-from derive.audit.subjects.system.loops import closed_by, controller
-from derive.audit.subjects.system.plant import Plant, S, sympified
+from derive.audit.subjects.system.loops import controller, response_of
+from derive.audit.subjects.system.plant import Plant, S, numbered
 from derive.audit.subjects.system.rationals import lowest, roots, same_roots
 from derive.audit.text import Unreadable
 
@@ -26,47 +27,62 @@ def stability(asked: Asked, point: Point) -> Iterator[Test]:
     array = asked.result("routh")
     degree = len(array) - 1
     told = [array[k % 2][k // 2] for k in range(degree + 1)]
-    coefficients = next((each for each in _candidates(asked) if _is_multiple(told, each, point)), None)
-    yield Holds("routh", coefficients is not None, "its first rows are those of another polynomial")
-    if coefficients is None:
+    small = _small(asked, told)
+    found = next((of for of in POLYNOMIALS if _is_multiple(told, of(asked, point), point, small)), None)
+    yield Holds("routh", found is not None, "its first rows are those of another polynomial")
+    if found is None:
         return
+    coefficients = found(asked, point)
     if _vanish(coefficients[1::2], point):
         yield _derivative(array, 1, point)
     for k in range(2, degree + 1):
         yield _row(array, k, point)
     for place in range(PLACES):
         there = Point(point.seed + 50 * place, False, point.angles, asked.assumptions, point.fixed)
-        yield from _conditions(asked, there, coefficients)
+        yield from _conditions(asked, there, found(asked, there))
     if "unstable_poles" in asked.results:
-        beyond = sum(root.real > ON_AXIS for root in _roots(coefficients, point))
+        beyond = sum(root.real > ON_AXIS for root in _roots(coefficients))
         yield Holds("unstable_poles", asked.results["unstable_poles"] == str(beyond), f"{beyond} lie right")
     if asked.evaluated:
-        yield from _in_numbers(asked, coefficients)
+        yield from _in_numbers(asked, found(asked, asked.here))
 
 
-def _candidates(asked: Asked) -> Iterator[list[sympy.Expr]]:
-    """Coefficients of what vanishes at the poles, in the names of the sheet: the determinant of the
-    equations, the controller's among them; then the denominator of what is left of it in the output."""
+def _of_equations(asked: Asked, point: Point) -> list[sympy.Expr]:
+    """Coefficients of what vanishes at the poles: the determinant of the equations, the controller's among
+    them."""
     plant = Plant(asked)
     unknowns, rows = list(plant.unknowns), list(plant.equations)
     if asked.options.controller is not None:
         rows.append(plant.input + controller(asked) * plant.output)
         unknowns.append(plant.input)
     still = dict.fromkeys(plant.driving - set(unknowns), 0)
-    cleared = [sympy.fraction(sympy.together(row.subs(still)))[0] for row in rows]
-    whole = sympy.Matrix(cleared).jacobian(unknowns).det(method="berkowitz")
-    yield sympy.Poly(sympy.expand(whole), S).all_coeffs()
-    ratio = plant.transfer({}) if asked.options.controller is None else closed_by(plant, asked)
-    yield lowest(ratio)[1].all_coeffs()
+    numbers = [numbered(row.subs(still), point, unknowns) for row in rows]
+    cleared = [sympy.fraction(sympy.together(row))[0] for row in numbers]
+    return determinant(sympy.Matrix(cleared).jacobian(unknowns), S)
 
 
-def _is_multiple(told: list[sympy.Expr], wanted: list[sympy.Expr], point: Point) -> bool:
+def _of_output(asked: Asked, point: Point) -> list[sympy.Expr]:
+    """Those of the denominator of what is left of it in the output."""
+    found: list[sympy.Expr] = lowest(response_of(asked, point))[1].all_coeffs()
+    return found
+
+
+POLYNOMIALS = (_of_equations, _of_output)
+
+
+def _small(asked: Asked, told: list[sympy.Expr]) -> bool:
+    """Whether a name that stands nowhere on the sheet is told for a zero: that of a small number."""
+    formulas = [*Plant(asked).equations, *([] if asked.options.controller is None else [controller(asked)])]
+    known = sympy.Matrix(formulas).free_symbols
+    return bool(told[1].is_Symbol and told[1] not in known)
+
+
+def _is_multiple(told: list[sympy.Expr], wanted: list[sympy.Expr], point: Point, small: bool) -> bool:
     """Whether two polynomials are one but for a factor; a row of zeros is told by another, and a zero in
-    front of others by the letter of a small number."""
+    front of others by a small number."""
     if len(told) != len(wanted):
         return False
-    small = told[1].free_symbols - sympy.Matrix(wanted).free_symbols
-    told = [told[0], ZERO, *told[2:]] if told[1].is_Symbol and small else told
+    told = [told[0], ZERO, *told[2:]] if small else told
     step = 2 if _vanish(wanted[1::2], point) else 1
     left, right = [k * wanted[0] for k in told[::step]], [k * told[0] for k in wanted[::step]]
     return put_back("", point, left, right, "").holds
@@ -76,8 +92,8 @@ def _vanish(exprs: list[sympy.Expr], point: Point) -> bool:
     return all(abs(floating(point.at(each))) <= NEAR for each in exprs)
 
 
-def _roots(coefficients: list[sympy.Expr], point: Point) -> list[mpmath.mpc]:
-    return roots(sympy.Poly([sympified(point, k) for k in coefficients], S))
+def _roots(coefficients: list[sympy.Expr]) -> list[mpmath.mpc]:
+    return roots(sympy.Poly(coefficients, S))
 
 
 # -- the array ----------------------------------------------------------------------------------------
@@ -118,7 +134,7 @@ def _conditions(asked: Asked, point: Point, coefficients: list[sympy.Expr]) -> I
     met = [holds(str(each), asked, point) for each in told]
     if None in met or not all(is_real(point.at(k)) for k in coefficients):
         return
-    left = all(root.real < -ON_AXIS for root in _roots(coefficients, point))
+    left = all(root.real < -ON_AXIS for root in _roots(coefficients))
     said = f"somewhere they are {met}, and all roots left of the axis: {left}"
     yield Holds("conditions", all(met) == left, said)
 
@@ -134,7 +150,7 @@ def _in_numbers(asked: Asked, coefficients: list[sympy.Expr]) -> Iterator[Test]:
     right = all(a == b for a, b in zip(ours, met, strict=True) if b is not None)
     yield Holds(EVALUATED + "conditions", right and len(each) == len(met), f"they are {met}")
     if "poles" in told:
-        found = _roots(coefficients, here)
+        found = _roots(coefficients)
         beyond = sum(root.real > ON_AXIS for root in found)
         yield Holds(EVALUATED + "poles", same_roots(told["poles"], found), "the roots are others")
         yield Holds(EVALUATED + "unstable_poles", told["unstable_poles"] == beyond, f"{beyond} lie right")

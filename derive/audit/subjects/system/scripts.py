@@ -10,6 +10,7 @@ from typing import TypeAlias
 
 import sympy
 
+from derive.audit.algebra import solution
 from derive.audit.asked import Asked, Holds, Test
 from derive.audit.points import ROUNDED, Point
 from derive.audit.putting_back import put_back
@@ -44,17 +45,17 @@ class Diagram:
     def response(self) -> sympy.Expr:
         """The output, for the inputs that are typed."""
         names = [self.signal(name) for name in sorted(self.signals)]
-        found = sympy.linsolve(self.equations, *names)
+        found = solution(self.equations, names)
         if not found:
             raise Unreadable("the blocks contradict each other")
-        return found.args[0][names.index(self.signal(self.output))]
+        return found[names.index(self.signal(self.output))]
 
 
 def model(asked: Asked, point: Point) -> Iterator[Test]:
     """Values, G, C and the whole diagram, s being a number."""
     s = sympified(point, S)
     plant = Plant(asked)
-    G = plant.transfer(plant.at(asked.here)).subs(S, s)
+    G = plant.transfer(asked.here).subs(S, s)
     for name, read in (("matlab", _simulink), ("python", _python_control)):
         script = str(asked.results[name])
         values, formulas = _typed(script)

@@ -14,7 +14,7 @@ from derive.audit.asked import EVALUATED, Asked, Holds, Same, Test
 from derive.audit.points import Point, floating
 from derive.audit.putting_back import put_back
 from derive.audit.subjects.system.loops import response_of
-from derive.audit.subjects.system.plant import S, sympified
+from derive.audit.subjects.system.plant import S
 from derive.audit.subjects.system.rationals import lowest, roots
 
 Array: TypeAlias = np.ndarray[Any, Any]
@@ -38,14 +38,12 @@ class Mode:
 
 def step_response(asked: Asked, point: Point) -> Iterator[Test]:
     """The figures, where the response comes to rest at a value that is not zero."""
-    ratio = response_of(asked, asked.here)
-    ratio = ratio.subs({name: sympified(asked.here, name) for name in ratio.free_symbols - {S}})
-    num, den = lowest(ratio)
+    num, den = lowest(response_of(asked, asked.here))
     poles = roots(den)
     if any(pole.real > -1e-9 * abs(pole) - 1e-12 for pole in poles):
         yield from _nothing(asked, "steady_state", *FIGURES)
         return
-    final = sympy.cancel(num.as_expr() / den.as_expr()).subs(S, 0)
+    final = num.as_expr().subs(S, 0) / den.as_expr().subs(S, 0)
     yield put_back("steady_state", point, asked.result("steady_state"), final, "T(0) is another")
     yield Same(EVALUATED + "steady_state", floating(point.at(final)))
     if final == 0:
