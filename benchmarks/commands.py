@@ -14,6 +14,7 @@ from time import perf_counter
 from benchmarks.cases import SHEETS
 
 ROOT = Path(__file__).parent.parent
+EXERCISES = ROOT / "exercises"
 LIMIT = 60.0  # seconds
 DERIVE = "from derive.cli import main; main()"
 
@@ -26,13 +27,16 @@ class Command:
     sheets: tuple[Path, ...]
     formats: str
     aim: float | None = None
+    audit: bool = False
 
 
 COMMANDS = (
     Command("PUMA 560 to JSON, every c_ijk", (SHEETS / "puma.yaml",), "json", 6.0),
     Command("7R pose and Jacobian to JSON", (SHEETS / "seven-joints.yaml",), "json", 3.0),
-    Command("week6 to Markdown and LaTeX", (ROOT / "exercises" / "week6.yaml",), "md,tex"),
-    Command("all exercise sheets to Markdown, LaTeX and PDF", (ROOT / "exercises",), "md,tex,pdf"),
+    Command("week6 to Markdown and LaTeX", (EXERCISES / "week6.yaml",), "md,tex"),
+    Command("all exercise sheets to Markdown, LaTeX and PDF", (EXERCISES,), "md,tex,pdf"),
+    Command("week6 to JSON, audited by SymPy", (EXERCISES / "week6.yaml",), "json", 10.0, audit=True),
+    Command(f"all exercise sheets, audited, in {LIMIT:.0f} s", (EXERCISES,), "json", audit=True),
 )
 
 
@@ -51,6 +55,7 @@ def time_commands(rounds: int, say: Callable[[str], None]) -> dict[Command, floa
 def _derive(command: Command) -> float | None:
     with TemporaryDirectory() as folder:
         typed = [*map(str, command.sheets), "--format", command.formats, "--output", folder]
+        typed += ["--audit"] * command.audit
         return _timed(["-c", DERIVE, *typed])
 
 
