@@ -20,6 +20,7 @@ from derive.mechanics.poses import position_part, rotation_part
 
 # In this order a parameter is expressed by those before it; the last ones are the usual ones to go.
 NAMES = ("ZZ", "XX", "XY", "XZ", "YZ", "MX", "MY", "YY", "MZ", "M")
+MOMENTS = {"MX": (1, 2), "MY": (2, 0), "MZ": (0, 1)}  # the components of v and omega that they go with
 ELEMENTS = {"XX": (0, 0), "YY": (1, 1), "ZZ": (2, 2), "XY": (0, 1), "XZ": (0, 2), "YZ": (1, 2)}
 
 
@@ -74,7 +75,7 @@ def _inertia(name: str, v: ScalarMatrix, w: ScalarMatrix) -> ScalarMatrix:
         i, j = ELEMENTS[name]
         product = _outer(w, i, w, j)
         return product if i == j else product + product.T
-    j, k = {"MX": (1, 2), "MY": (2, 0), "MZ": (0, 1)}[name]
+    j, k = MOMENTS[name]
     product = _outer(v, j, w, k) - _outer(v, k, w, j)
     return product + product.T
 

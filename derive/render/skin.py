@@ -31,6 +31,7 @@ def environment() -> Environment:
         keep_trailing_newline=True,
     )
     made.filters["m"] = _mathematics
+    made.filters["each"] = _each
     made.filters["listed"] = _listed
     return made
 
@@ -55,6 +56,13 @@ def _beside_the_module(name: str) -> str | None:
 def _mathematics(context: Context, value: Any, trig: str | None = None) -> str:
     """`{{ expr | m }}`: inline mathematics by the derivation being told."""
     written: str = context["math"](value, trig)
+    return written
+
+
+@pass_context
+def _each(context: Context, letter: str) -> str:
+    """`{{ "F" | each }}`: F_i, of the things that the derivation being told calls F_1, F_2, ..."""
+    written: str = context["each"](letter)
     return written
 
 

@@ -1,6 +1,6 @@
 """Runs the words of a kind: a Jinja template whose sentences refer to the steps of a derivation.
 
-In scope of a words template: `d`, `step(name)`, `facts`, `asked`, the filters `m`
+In scope of a words template: `d`, `step(name)`, `facts`, `asked`, the filters `m`, `each`
 and `listed`, and the functions `show`, `inline`, `tell`, `table`, `plot`, `say`, `listing`, `path`, `em`,
 `strong`, `items`. Its blocks `question` and `phrases` are left out here. A step the words neither show nor
 tell is an error: nothing that was derived goes unsaid unnoticed. Steps are told in the order in which they
@@ -18,7 +18,7 @@ from typing import Any, Literal
 from jinja2 import Template
 
 from derive.derivation import Cell, Condition, Derivation, Phrase, Step, Table
-from derive.expression import Expr, Number, Relation, Symbol, number
+from derive.expression import Expr, Indexed, Number, Relation, Symbol, free_symbols, number, walk
 from derive.render.entries import NAMED_BEYOND, Names, with_named_entries
 from derive.render.latex import Printer, is_approximate
 from derive.render.layout import LINE, Chain, Display, Link, lay_out, one_line
@@ -28,6 +28,7 @@ from derive.render.printed import Naming, Printed
 from derive.render.room import abridged, has_room, kept
 from derive.render.skin import Skin, environment, words_file
 from derive.render.typed import typed_in
+from derive.render.untold import EarlyStep, ForgottenStep, UnknownFamily
 
 QUESTION = "question"  # the block of a words template that asks for its derivation
 APART = (QUESTION, PHRASES, "results", "example")  # said elsewhere: see render/questions.py and phrases.py
@@ -35,20 +36,6 @@ Mathematics = Expr | Step | str | int | tuple[Expr, ...]
 Shown = str | Step | tuple[Expr, ...]  # a step or a bare chain
 Trig = Literal["short", "long"] | None
 LANGUAGES = {".m": "matlab", ".py": "python"}
-
-
-class ForgottenStep(Exception):
-    """The words of a kind left out steps of its derivation."""
-
-    def __init__(self, kind: str, names: Iterable[str]) -> None:
-        super().__init__(f"the words of {kind} neither show nor tell: {', '.join(names)}")
-
-
-class EarlyStep(Exception):
-    """The words of a kind tell steps in another order than they were derived in."""
-
-    def __init__(self, kind: str, names: Iterable[str]) -> None:
-        super().__init__(f"the words of {kind} tell before what was derived first: {', '.join(names)}")
 
 
 def words(
@@ -59,7 +46,7 @@ def words(
     """The sentences and equations of a derivation. `plots` maps names of plots to paths without suffix,
     `files` those of files to theirs; what is printed from trees is added to `printed`.
 
-    Raises ForgottenStep, EarlyStep; where the derivation was not asked for, its words may leave steps out.
+    Raises ForgottenStep, EarlyStep.
     """
     notation = replace(notation, short_names=frozenset(derivation.facts.short_names))
     seen = [] if printed is None else printed
@@ -74,7 +61,7 @@ def words(
     written = "".join(template.root_render_func(context))
     if "." not in folder:  # the words of another package have laws of their own
         seen.extend(typed_in(written, seen, notation))
-    if asked and (forgotten := telling.forgotten()):
+    if forgotten := telling.forgotten():
         raise ForgottenStep(derivation.kind, forgotten)
     if early := telling.disordered():
         raise EarlyStep(derivation.kind, early)
@@ -117,7 +104,7 @@ class Telling:
             "show": self.show, "inline": self.inline, "tell": self.tell, "table": self.table,
             "plot": self.plot, "em": self.skin.em, "strong": self.skin.strong, "items": self.skin.items,
             "listing": self.listing, "path": self.path, "math": self.math, "formula": self.formula,
-            "say": self.say, "cut": self.cut, "whole": self.whole, "fits": self.fits,
+            "say": self.say, "each": self.each, "cut": self.cut, "whole": self.whole, "fits": self.fits,
         }  # fmt: skip
 
     def steps(self, *rules: str) -> list[Step]:
@@ -175,6 +162,23 @@ class Telling:
         links = chain_links(self._trees(value), printer)
         self.printed.append(Printed.inline(one_line(links), links, printer.notation))
         return f"${one_line(links)}$"
+
+    def each(self, letter: str) -> str:
+        """What things of a sort are called, whichever is meant: F_i where there are F_1, F_2 and F_3."""
+        stem = letter if "_" in letter else f"{letter}_"
+        if not any(name.startswith(stem) and name[len(stem) :].isdecimal() for name in self._names()):
+            raise UnknownFamily(self.d.kind, letter)
+        return self.math(f"{stem}i")
+
+    def _names(self) -> Iterator[str]:
+        """The names in the steps, and those they take for known."""
+        chained = (tree for step in self.d.all_steps() for tree in step.chain)
+        for tree in (*chained, *self.d.definitions):
+            yield from free_symbols(tree)
+            for node in walk(tree):
+                match node:
+                    case Indexed(base, (Number(index),)):
+                        yield f"{base}_{index}"
 
     def say(self, said: Condition | tuple[Condition, ...]) -> str:
         """A phrase, a relation, or several that all hold, in a line of text."""

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 from jinja2 import DictLoader
 from markdown_it import MarkdownIt
@@ -9,7 +11,8 @@ from derive.expression import Approximate, Symbol, number
 from derive.render.notation import Notation
 from derive.render.page import LATEX, MARKDOWN
 from derive.render.skin import HELD_LINE, environment
-from derive.render.words import EarlyStep, ForgottenStep, words
+from derive.render.untold import EarlyStep, ForgottenStep, UnknownFamily
+from derive.render.words import words
 
 A, B = Symbol("A"), Symbol("B")
 TOLD = Derivation("told", (Step("A", (A, B, number(3))), Step("x", (Symbol("x"), Approximate(0.1234)))), {})
@@ -31,7 +34,19 @@ def test_a_step_the_words_forgot_is_an_error(monkeypatch: pytest.MonkeyPatch) ->
 
 
 def test_what_was_not_asked_for_may_be_brief(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert tell(monkeypatch, '{{ inline("A") }}', asked=False) == "$A = B = 3$"
+    brief = '{{ inline("A") }}{{ tell("x") if not asked }}'
+    assert tell(monkeypatch, brief, asked=False) == "$A = B = 3$"
+    with pytest.raises(ForgottenStep):
+        tell(monkeypatch, '{{ inline("A") }}', asked=False)
+
+
+def test_names_with_an_index_are_those_of_something(monkeypatch: pytest.MonkeyPatch) -> None:
+    numbered = replace(TOLD, definitions={Symbol("r_c1"): A, Symbol("F_2"): B})
+    monkeypatch.setattr("tests.render.test_words.TOLD", numbered)
+    told = '{{ "r_c" | each }} and {{ "F" | each }}{{ tell("A", "x") }}'
+    assert tell(monkeypatch, told) == "$r_{ci}$ and $F_i$"
+    with pytest.raises(UnknownFamily):
+        tell(monkeypatch, '{{ "N" | each }}{{ tell("A", "x") }}')
 
 
 def test_every_way_to_tell_a_step(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -21,6 +21,7 @@ from derive.kinds.robot._columns import Facts as Facts
 from derive.kinds.robot._columns import jacobian_lines
 from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.kinds.robot._seen import sorts
+from derive.kinds.robot._turning import turning_law
 from derive.kinds.robot._velocity.task import RowName
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
@@ -76,6 +77,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = Work(problem).resting_on(problem.ask("joint-axes"))
     if point.name not in work.known:
         work = point.line(work, found)
+    facts = _facts(found, point)
+    if facts.coupled or facts.revolute:
+        work = work.showing(turning_law(problem.taken))
     work = jacobian_lines(work, found, point.moving, J, point.name)
     written, work = work.matrix(J), work.closed(J)
     linear, angular = _moves_and_turns(found, point, value)
@@ -91,7 +95,6 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     result = {"J": work.final(J)}
     work = work.knowing({J: written})  # those who build on it keep the names of `where`
     work = by_index(work, result)
-    facts = _facts(found, point)
     if not facts.coupled:
         joints = [i for i, _ in found.moving]
         work = work.claim(sorts(problem, written, joints, facts.revolute, facts.prismatic, facts.helical))

@@ -10,7 +10,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import numbers
 from derive.algebra.scalar import Scalar
-from derive.derivation import Derivation, PageFacts, Record, Step
+from derive.derivation import Derivation, PageFacts, Phrase, Record, Step
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Symbol, column
 from derive.kinds.checks import flat
@@ -23,6 +23,7 @@ from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._dynamics.body_steps import inertia_steps
 from derive.kinds.robot._dynamics.drives import with_rotors
 from derive.kinds.robot._dynamics.recursion import Line, Recursion, rotation
+from derive.kinds.robot._families import said_of_each
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.dynamics import gravity_of, rate_column
@@ -105,8 +106,7 @@ class OfLink(Record):
 
 class Facts(PageFacts):
     long: bool
-    levers: bool
-    offsets: bool
+    constants: tuple[Phrase, ...]  # what there is of each link
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -127,7 +127,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.knowing({rotation(i): work.readable(row.R) for i, row in enumerate(sweeping.rows, 1)})
     work = work.knowing({body.I: body.matrix for body in bodies})
     work = work.linked() if arm.long else work  # in names there is nothing to compare
-    for line in recursion.constants():
+    constants = [*recursion.constants()]
+    for line in constants:
         work = work.line(line.name, value=line.value, rule=line.rule)
     base = ScalarMatrix.column(sweeping.at_base(_gravity(problem)))
     work = work.showing(*inertia_steps(problem, bodies)).line(BASE, value=base, rule="base")
@@ -136,8 +137,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         work = _in_names(work, line) if arm.long else _written(work, line, torques.get(line.name))
     facts = Facts(
         long=arm.long,
-        levers=any(any(row.arm) for row in sweeping.rows),
-        offsets=any(any(row.out) for row in sweeping.rows),
+        constants=said_of_each("constant", (line.name for line in constants)),
     )
     work = arm.moved(_same_as_lagrange(work, arm, sweeping), tau)
     return by_index(work, {"tau": tau}, _meanings(work.definitions)).answer(

@@ -35,7 +35,9 @@ from derive.kinds.robot._dynamics.regressor import (
     dependent,
     standard_parameters,
 )
+from derive.kinds.robot._families import of_each, said_of_each
 from derive.kinds.work import Work
+from derive.mechanics.regressor import ELEMENTS, MOMENTS, NAMES
 from derive.mechanics.robot import Robot
 
 CLAIMED = ("groups", "names")
@@ -50,8 +52,10 @@ class Facts(PageFacts):
     table: Table
     all: int
     smallest: int
-    rotors: bool
-    friction: bool
+    mass: Expr  # of a link i, as its moments and elements
+    moments: tuple[Expr, ...]
+    elements: tuple[Expr, ...]
+    others: tuple[Phrase, ...]  # that belong to no body
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -93,8 +97,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         table=_table(values),
         all=len(parameters),
         smallest=len(base),
-        rotors=any(part.name.base == "IA" for part in parameters),
-        friction=any(part.name.base in ("FV", "FS") for part in parameters),
+        mass=of_each("M"),
+        moments=tuple(map(of_each, MOMENTS)),
+        elements=tuple(map(of_each, sorted(ELEMENTS))),
+        others=said_of_each("column", (part.name for part in parameters if part.name.base not in NAMES)),
         numbers=("Y", "parameters", "Y_b", "base_parameters"),
     )
     return work.answer("regressor", results, facts, matrices=frozenset({"Y", "Y_b"}))

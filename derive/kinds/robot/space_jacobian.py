@@ -17,6 +17,7 @@ from derive.kinds.robot._chain import chain_of, joint_numbers, oracle_of
 from derive.kinds.robot._columns import blocks
 from derive.kinds.robot._couplings import gamma_of, phi_of
 from derive.kinds.robot._seen import sorts
+from derive.kinds.robot._turning import turning_law
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.jacobian import halves, jacobian, motions_jacobian
@@ -79,6 +80,8 @@ def _space(problem: Problem, found: Chain) -> Work:
     origin; of coupled joints from the twists of the motions of the rows."""
     J = jacobian(found, ORIGIN, len(found.T))
     work = Work(problem).resting_on(problem.ask("joint-axes")).knowing({NOTHING: column((ZERO, ZERO, ZERO))})
+    if found.coupling or any(joint.type != "prismatic" for _, joint in found.moving):
+        work = work.showing(turning_law(problem.taken))
     formula: Expr = Matrix(tuple(zip(*blocks(problem, found, nothing=NOTHING), strict=True)))
     if found.coupling:
         motions = Symbol(f"J_s_{phi_of(problem).name}")

@@ -24,6 +24,7 @@ from derive.names import free
 
 LETTERS = {"omega": ("omega", "w", "n"), "q": ("q", "u", "b"), "S": ("S", "xi"), "M": ("M", "T_home")}
 NOTHING, T_BASE = Symbol("0"), Symbol("T_base")  # three zeros; the pose of the base
+PITCH = Symbol("h_i")
 NAMED = ("exponential", "home", "twist")  # rules of the lines that are results
 
 
@@ -34,6 +35,7 @@ class ScrewsTold(Record):
     point: str  # that of a point on one
     turn: tuple[Expr, Expr]  # the law of a twist
     slide: tuple[Expr, Expr]
+    pitch: Symbol
     turning: tuple[int, ...]
     sliding: tuple[int, ...]
     helical: tuple[int, ...]
@@ -127,8 +129,9 @@ class Exponentials:
             home=self.letters["M"],
             direction=self._name("omega", "i").name,
             point=self._name("q", "i").name,
-            turn=(S, self._twist("i", False, Symbol("h_i") if helical else None)),
+            turn=(S, self._twist("i", False, PITCH if helical else None)),
             slide=(S, self._twist("i", True)),
+            pitch=PITCH,
             turning=tuple(screw.i for screw in self.screws if turns(screw)),
             sliding=tuple(screw.i for screw in self.screws if not turns(screw)),
             helical=helical,
