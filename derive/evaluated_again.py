@@ -55,7 +55,8 @@ class Again:
     def _number(self, found: float, text: str, names: Mapping[str, Expr]) -> float:
         """The sure number; one that is a number already, and no formula, was found by other means."""
         try:
-            if isinstance(read(text), Number):
+            if isinstance(written := read(text), Number):
+                self.same.append(abs(found - written.value) <= PARTLY * max(1.0, abs(found)))
                 return found
             number = float(sure(text, names))
             self.same.append(abs(found - number) <= rounding(text, names))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Hashable, Iterator, Mapping
+from collections.abc import Hashable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass
 from functools import cached_property
 from typing import Any, get_args
@@ -65,11 +65,15 @@ class Problem:
             module = load(self.name, kind)
             with one_answer():
                 derivation = module.derive(self.subject, options, self)
-            own = {name.name for name in derivation.definitions if isinstance(name, Symbol)}
-            require_free(self.symbols - getattr(self.subject, "defines", frozenset()), *own)
+            self.require_own(derivation.definitions)
             complete = with_all_claims(derivation, module, self.subject, options)
             self.memo.answers[key] = with_results_told(complete, module, self.names)
         return self.memo.answers[key]
+
+    def require_own(self, names: Iterable[Expr]) -> None:
+        """Raises NotDerivable where the author means something else by one of the names of an answer."""
+        own = (name.name for name in names if isinstance(name, Symbol))
+        require_free(self.symbols - getattr(self.subject, "defines", frozenset()), *own)
 
     @cached_property
     def taken(self) -> frozenset[str]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from contextlib import suppress
 from functools import lru_cache
 
 from flint import arb, ctx
@@ -45,6 +46,15 @@ def sure(formula: Expr | str, point: Mapping[str, Expr]) -> arb:
     if not value.is_finite():
         raise NotDerivable(f"{ROUNDS[-1]} bits do not decide what this number is")
     return value
+
+
+def place(names: Mapping[str, Expr]) -> dict[str, float]:
+    """A point in floats, by balls: for checks of what is said there. Names without a value are left out."""
+    found = {}
+    for name, tree in names.items():
+        with suppress(KeyError, NotReal, DivisionByZero, NotDerivable):
+            found[name] = float(sure(tree, names))
+    return found
 
 
 def rounding(formula: Expr | str, point: Mapping[str, Expr]) -> float:

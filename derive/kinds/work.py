@@ -275,8 +275,10 @@ class Work:
     def answer(
         self, kind: str, results: Mapping[str, Result], facts: PageFacts | None = None, **others: Any
     ) -> Derivation:
-        """The derivation that stands on the board. `others` are further fields of it."""
+        """The derivation that stands on the board. `others` are further fields of it. Raises NotDerivable
+        where one of its names means something else to the author."""
         if not self.checked:
+            self.problem.require_own(self.definitions)
             whole = replace(self, claims=()).linked()
             return replace(whole, claims=(*whole.claims, *self.claims)).answer(kind, results, facts, **others)
         return Derivation(

@@ -29,6 +29,7 @@ from derive.kinds.work import Work
 from derive.mechanics.mobility import Joints, Mechanism
 from derive.sheet.load import load_sheet
 from derive.sheet.subjects import motor as motors
+from tests.kinds.test_planted_motions import plant
 
 MOTOR = "motor: {control: armature, output: OUTPUT}"
 VALUES = "evaluate: {J: 2, K_m: 10, R_a: 1, L_a: 1, b: 0.5, K_b: 0.1}"
@@ -363,6 +364,15 @@ def test_a_law_of_routh_with_another_index(tmp_path: Path, monkeypatch: pytest.M
 
     monkeypatch.setattr(stability, "law_step", law)
     sheet = 'system: {equations: ["(s^3 + a*s^2 + b*s + c)*y = u"], input: u, output: y}'
+    assert is_refused(tmp_path, sheet, "stability")
+
+
+@pytest.mark.parametrize("polynomial", ["s^3 + a*s^2 + b*s + c", "s^2 + a*s + b"])
+def test_a_law_of_routh_with_a_wrong_sign(
+    polynomial: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    plant(monkeypatch, _routh_steps.law_step, "named(2, after) - named", "named(2, after) + named")
+    sheet = f'system: {{equations: ["({polynomial})*y = u"], input: u, output: y}}'
     assert is_refused(tmp_path, sheet, "stability")
 
 

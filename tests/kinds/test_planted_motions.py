@@ -232,6 +232,12 @@ MISTAKES = {
     "a point taken for a free vector": Mistake(
         change_of_frame._board, "(named, written) if options", "(named, written) if not options", TREE
     ),
+    "a point said to be a free vector": Mistake(
+        change_of_frame.derive, "options.vector is not None", "options.vector is None", TREE
+    ),
+    "T_2^3, of which R_3^2 is not a part": Mistake(
+        change_of_frame.derive, "pose_name(source, options.target)", "pose_name(options.target, source)", TREE
+    ),
     "a loop that does not close told closed": Mistake(
         loop._Loop.facts, "closes=self.closes", "closes=not self.closes", "frames.loop"
     ),

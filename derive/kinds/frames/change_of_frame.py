@@ -12,7 +12,7 @@ from pydantic import Field, model_validator
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point, number, numbers
 from derive.derivation import Derivation, PageFacts, Step
-from derive.expression import ZERO, Expr, Indexed, Matrix, Symbol, column
+from derive.expression import ONE, ZERO, Expr, Indexed, Matrix, Symbol, column, walk
 from derive.kinds.checks import is_rotation
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.frames._frames import is_given, origin_name, pose_name, rotation_name
@@ -27,7 +27,7 @@ from derive.mechanics.poses import position_part, rotation_part
 
 NO_BLOCK = Symbol("0_3x3")
 NOTHING = Matrix(((ZERO,) * 3,) * 3)
-CLAIMS = ("orthogonal", "right-handed", "as-told")
+CLAIMS = ("orthogonal", "right-handed", "as-told", "said")
 
 
 class Options(OptionsModel):
@@ -74,7 +74,8 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     work, name = _board(Work(wide, known), options, source, column(given), R, o)
     work = work.claim(*is_rotation(normal_matrix(known[R], problem.names), R.name))
     there = partial(_coordinates, frames, source, options)
-    printed = ((name, work.final(name)), (pose_name(source, options.target),) * 2)
+    whole = pose_name(source, options.target)
+    printed = ((name, work.final(name)), (whole, Matrix(((R, o), (ZERO, ONE)))))
     work = frames_told(work, frames, printed, there, lambda at: {NO_BLOCK: numbers(NOTHING, at)})
     if not (len(path.up) == 1 and not path.down and is_given(path.up[0])):
         work = replace(work, uses=(problem.ask("transform", source=source, target=options.target),))
@@ -82,11 +83,14 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
         free=options.vector is not None,
         twist=options.twist is not None,
         name=name.name,
-        pose=pose_name(source, options.target),
+        pose=whole,
         rotation=R,
         origin=o,
         skew=Indexed("S", (o,)),
     )
+    shifted = any(o in walk(tree) for tree in work.steps[-1].chain)
+    twist = work.matrix(name).shape == (6, 1)
+    work = work.law("said", (facts.free != shifted, facts.twist == twist))
     return work.answer("change-of-frame", {name.name: work.final(name)}, facts)
 
 

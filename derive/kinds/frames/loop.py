@@ -64,11 +64,10 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     facts = Facts(loops=tuple(loop.facts() for loop in loops))
     told = facts.loops
     chains: list[Chain] = [(loop.E, errors[loop.E.name]) for loop in loops]
-    chains += [(each.first, pose_name(each.number, each.parent)) for each in told]
     work = frames_told(work, frames, chains, others=partial(_around, loops))
-    work = work.law(
-        "said", results["closes"] == ", ".join({True: "yes", False: "no"}[one.closes] for one in told)
-    )
+    closes = results["closes"] == ", ".join({True: "yes", False: "no"}[one.closes] for one in told)
+    firsts = (each.first == pose_name(each.number, each.parent) for each in told)
+    work = work.law("said", (closes, *firsts))
     for loop, each in zip(loops, told, strict=True):
         said = [float(each.closes), float(each.turned), float(each.shifted)]
         work = work.agrees("verdict", problem.symbols, partial(_said, said), loop.verdict, E=loop.E.name)

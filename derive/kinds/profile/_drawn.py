@@ -18,6 +18,7 @@ from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.profile._pieces import Span, in_floats
 from derive.kinds.profile._written import Written
+from derive.kinds.sure import place
 from derive.kinds.values_at import point_of
 from derive.mechanics.course import Course, at, extremes, sampled
 from derive.mechanics.profile import Profile
@@ -80,16 +81,17 @@ class Drawn:
         if self.course is None:
             return
         names = {**results, **self.problem.where}
-        point = point_of({n: v for n, v in self.evaluate or () if n != "t"}, names)
+        there = dict(self.evaluate or ())
+        point = place({**names, **{name: value for name, value in there.items() if name != "t"}})
         written = Written(pieces, point, self.course[-1].end)
         given = [(limit, rate) for limit, rate in self._given if self._most(limit) < inf]
         if told or given:
             listed = [(each.limit, each.rate) for each in told] == given
             yield route("limits", (listed, *(written.keeps(each, self._most(each.limit)) for each in told)))
-        asked = point_of(dict(self.evaluate or ()), self.problem.where)
+        asked = place({**self.problem.where, **there})
         if "t" in asked and 0 <= asked["t"] <= self.course[-1].end:
             here = float(written.place(asked["t"]))
-            yield route("at-the-time", close(here, at(self.course, asked["t"]), 1e-8))
+            yield route("at-the-time", close(here, self.evaluated({})["q"], 1e-8))
 
     @property
     def _given(self) -> list[tuple[Expr, int]]:

@@ -19,6 +19,7 @@ from derive.kinds.profile._axis import AxisTold, Solved, solved, steps_of, told
 from derive.kinds.profile._axis_checks import claims_about
 from derive.kinds.profile._together import TogetherTold, together
 from derive.kinds.profile._trapezoid import NAMES, Outcome
+from derive.kinds.sure import place
 from derive.kinds.values_at import point_of
 from derive.mechanics import trapezoid
 from derive.mechanics.course import Course
@@ -148,7 +149,7 @@ def _evaluated(found: Found | None, options: Options) -> dict[str, Any]:
 
 def _drawn_again(profile: Profile, facts: Facts, options: Options, problem: Problem) -> Iterator[Claim]:
     """Whether there is a picture, and the case at the point asked for, by search; where numbers say it."""
-    point = point_of(dict(options.evaluate or ()), problem.where)
+    point = place({**problem.where, **dict(options.evaluate or ())})
     try:
         time = None if profile.time is None else value_of(profile.time, point)
         found = [_searched(axis, time, point) for axis in profile.axes]

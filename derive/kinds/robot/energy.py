@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
@@ -34,8 +34,9 @@ from derive.mechanics.robot import Robot
 from derive.names import require_free
 
 NEEDS = ("bodies",)
-CLAIMS = ("quadratic-form", "names", "power")
+CLAIMS = ("quadratic-form", "names", "power", "table")
 HALF = number("1/2")
+LETTERS = {"link": "", "kinetic-energy": "K", "potential-energy": "P"}
 K, P, RATE = symbols("K P q_dot")
 
 
@@ -79,8 +80,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     )
     parts = [*names, *(f"P_{body.i}" for body in bodies), "K", "P"]
     results = {name: work.final(name) for name in parts}
-    work = by_index(work, results, MEANINGS)
-    return work.answer("energy", results, Facts(big=arm.long, table=_table(results)))
+    table = _table(results)
+    work = by_index(work, results, MEANINGS).law("table", _is_listed(table, results))
+    return work.answer("energy", results, Facts(big=arm.long, table=table))
 
 
 def _velocities(work: Work, bodies: tuple[Weighted, ...]) -> Work:
@@ -116,6 +118,18 @@ def _form(work: Work, arm: Arm, index: str, name: Symbol, D: Matrix, rule: str =
     K_i = Symbol(f"K_{index}")
     work = work.line(K_i, formula, value=formula if arm.long else value, rule=rule)
     return work.knowing({K_i: arm.final(value)})
+
+
+def _is_listed(table: Table, energies: Mapping[str, Expr]) -> Iterator[bool]:
+    """Each energy stands in the row of its link, under its heading; where there is none stands zero."""
+    letters = [LETTERS[heading.key] for heading in table.headings if isinstance(heading, Phrase)][1:]
+    cells = {
+        f"{letter}_{label if isinstance(label, str) else 'm'}": cell
+        for label, *pair in table.rows
+        for letter, cell in zip(letters, pair, strict=True)
+    }
+    yield from (cell == energies.get(name, ZERO) for name, cell in cells.items())
+    yield {name for name in energies if "_" in name} <= cells.keys()
 
 
 def _table(energies: Mapping[str, Expr]) -> Table:

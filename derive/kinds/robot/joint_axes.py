@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
+from itertools import islice
 from typing import Any
 
+from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.numbers.floats import Point, numbers
+from derive.algebra.numbers.floats import Point, completed, numbers
 from derive.derivation import Derivation
 from derive.expression import Expr
+from derive.kinds.checks import TRIES, close, random_points, route
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
@@ -18,9 +21,16 @@ from derive.kinds.robot._columns import pose_lines
 from derive.kinds.robot._couplings import motion_lines
 from derive.kinds.work import Work
 from derive.mechanics.oracle import Oracle
+from derive.mechanics.oracle.astray import Astray
+from derive.mechanics.oracle.instant import Instant
 from derive.mechanics.robot import Robot
 
-CLAIMS = ("names",)
+POINTS = 2
+
+
+def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:
+    """Where a variable moves several rows, axes belong to these and not to joints."""
+    return ("names",) if robot.coupled else ("names", "of-its-joint")
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -38,10 +48,37 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     for i in range(1, last):
         told = columns if i == 1 else {}  # all of them once, as they are printed
         ours = partial(_told, found.T[i], told)
-        route = partial(_composed, oracle_of(problem), i, tuple(told))
-        work = work.agrees("poses-composed", problem.symbols, ours, route, frame=i)
+        other = partial(_composed, oracle_of(problem), i, tuple(told))
+        work = work.agrees("poses-composed", problem.symbols, ours, other, frame=i)
+    if not found.coupling:
+        named = [step.chain[0] for step in axes.steps]
+        work = work.claim(route("of-its-joint", _of_its_joint(problem, named)))
     work = by_index(work, results)
     return work.answer("joint-axes", results)
+
+
+def _of_its_joint(problem: Problem, named: Sequence[Expr]) -> Iterator[bool]:
+    """Whether the axes and points that are told are those of the joints, by what they are called, in any arm
+    of this sort."""
+    robot = problem.subject
+    rows = [i for i, link in enumerate(robot.links, 1) if link.variable]
+    lines = [*zip(map(text, named[::2]), map(text, named[1::2]), strict=True)]
+    for point in islice(random_points(problem.symbols, TRIES), POINTS):
+        arm = Instant(Astray(robot, problem.where), completed(point, problem.where))
+        fits = [[_is_of_joint(arm, i, *line) for line in lines] for i in rows]
+        yield from map(any, (*fits, *zip(*fits, strict=True)))
+
+
+def _is_of_joint(arm: Instant, i: int, axis: str, o: str) -> bool:
+    """z_k is an axis of frame k and o_k its origin; k_i and p_i are numbered by the row of the joint."""
+    import numpy as np
+
+    letter, number = axis.split("_")
+    if letter == "k":
+        return o == f"p_{i}" and int(number) == i
+    T, k = arm.oracle.poses(arm.at)[int(number)], arm.axis(i)
+    own = close(k / np.linalg.norm(k), T[:3, 2]) and close(arm.on_axis(i, [*T[:3, 3]]), T[:3, 3])
+    return own and o == f"o_{number}"
 
 
 def _told(T: ScalarMatrix, columns: Mapping[str, Expr], at: Point) -> list[Any]:

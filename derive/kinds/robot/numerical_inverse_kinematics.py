@@ -19,6 +19,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._velocity.repeated import Repeated
 from derive.kinds.robot._velocity.task import Task, task_of
+from derive.kinds.sure import place
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
 from derive.mechanics.iteration import CLOSE, Iteration, Row, Verdict, iterate
@@ -83,13 +84,15 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         "iterations": rows,
         "solution": column(value for _, value in facts.solution),
     }
-    again = Repeated(task, arm.here, arm.turning, target, options.method, fixed, options.iterations)
+    given = {**problem.where, **dict(options.evaluate or ()), **dict(options.start)}
+    here = {**arm.here, **place(given)}
+    again = Repeated(task, here, arm.turning, target, options.method, fixed, options.iterations)
     work = Work(problem, uses=(task.base,), known={F: forward, R: column(options.target)})
     work = work.showing(Step("r_d", (R, work[R]), "given"), Step("f", (F, forward), "forward"))
     work = task.proved(work.line(J, value=task.J, rule="rows"))
     work = work.agrees("place", problem.symbols, forward, again.place)
     told = {name.name: value_of(value, {}) for name, value in facts.solution}
-    work = work.claim(*again.claims(facts.table, listed, arm.here, facts.verdict, told))
+    work = work.claim(*again.claims(facts.table, listed, here, facts.verdict, told))
     return work.answer(
         "numerical-inverse-kinematics", results, facts, evaluated=evaluated, plots=(_plot(run),)
     )

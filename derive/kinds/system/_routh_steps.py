@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from derive.algebra.numbers.floats import number as value_of
@@ -122,12 +122,19 @@ IN_NUMBERS = tuple(tuple(map(number, row)) for row in ((5, 3, 0), (2, 8, 0), (-1
 
 
 def _instance(law: tuple[Expr, ...], array: Array) -> dict[Expr, Expr]:
-    """What its names stand for at the first entry that is found by it, by their indices; where none is, in an
-    array of numbers."""
-    found = next((k for k, row in enumerate(array.rows, 1) if k > 2 and row.origin == "formula"), None)
-    trees, at = (IN_NUMBERS, 3) if found is None else (array.trees, found)
-    place: dict[Expr, Expr] = {Symbol("i"): number(at), Symbol("j"): ONE}
+    """What its names stand for at the first entry that is found by it from others that are not zero, by their
+    indices; where none is, in an array of numbers."""
     names = dict.fromkeys(node for side in law for node in walk(side) if isinstance(node, Indexed))
+    found = (k for k, row in enumerate(array.rows, 1) if k > 2 and row.origin == "formula")
+    cases = (_at(names, array.trees, k) for k in found)
+    others = [name for name in names if name != law[0]]
+    telling = (case for case in cases if ZERO not in (case[name] for name in others))
+    return next(telling, _at(names, IN_NUMBERS, 3))
+
+
+def _at(names: Iterable[Indexed], trees: Sequence[Sequence[Expr]], i: int) -> dict[Expr, Expr]:
+    """The entries that the names of the law are in row i of an array, for its first column."""
+    place: dict[Expr, Expr] = {Symbol("i"): number(i), Symbol("j"): ONE}
     instance: dict[Expr, Expr] = {}
     for name in names:
         row, column = (round(value_of(replace(index, place), {})) for index in name.lower)

@@ -270,6 +270,12 @@ def test_a_name_that_means_two_things(tmp_path: Path) -> None:
     assert "also a name of this answer" in caught.value.errors[0].message
 
 
+def test_a_vector_of_the_recursion_called_as_a_coefficient(tmp_path: Path) -> None:
+    with pytest.raises(SheetErrors) as caught:
+        derived(tmp_path, pendulum(", friction: {viscous: mu_1}"), "newton-euler")
+    assert "'mu_1' is also a name of this answer" in caught.value.errors[0].message
+
+
 # -- arms out of the ordinary -----------------------------------------------------------------------------
 
 KINDS = (

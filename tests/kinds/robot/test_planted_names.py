@@ -25,6 +25,15 @@ problems:
   find: {kind}
 """
 
+IN_A_PLANE = """
+problems:
+- robot:
+    links:
+    - {theta: theta1*, d: 0, a: a1, alpha: 0}
+    - {theta: theta2*, d: 0, a: a2, alpha: 0}
+  find: %s
+"""
+
 
 def wrong_axis(found: Any, robot: Any, i: int) -> tuple[Symbol, Symbol]:
     """z_i for z_{i-1}."""
@@ -69,6 +78,17 @@ def test_a_name_is_that_of_the_thing(
     plant(monkeypatch, function, wrong)
     with pytest.raises(SheetErrors):
         build(sheet, tmp_path)
+
+
+@pytest.mark.parametrize("kind", ["joint-axes", "jacobian", "velocity"])
+def test_axes_that_are_parallel_have_their_own_names(
+    kind: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of an arm in a plane z_1 is z_0, and no value tells them apart."""
+    build(IN_A_PLANE % kind, tmp_path)
+    plant(monkeypatch, _chain.axis_names, wrong_axis)
+    with pytest.raises(SheetErrors):
+        build(IN_A_PLANE % kind, tmp_path)
 
 
 def test_entries_are_named_by_row_and_column(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -46,6 +46,7 @@ def _rows(*rows: Iterable[int]) -> Matrix:
     return Matrix(tuple(tuple(map(number, row)) for row in rows))
 
 
+TURN = _rows((0, 0, 1), (1, 0, 0), (0, 1, 0))  # the axes change places in turn: no half or quarter turn
 INERTIA, STIFFNESS, RUBBING = _rows((3, 1), (1, 2)), _rows((1, 2), (-2, 5)), _rows((2, 0), (0, 7))
 
 
@@ -82,7 +83,7 @@ def energy_law() -> Step:
     """K_i of a link in its velocities, tried on one that moves with a single joint."""
     m, v, omega, R, I = symbols("m_i v_ci omega_i R_i^0 I_i")
     mass, shift, spin = number(3), _rows((1,), (2,), (-1,)), _rows((2,), (0,), (5,))
-    turn, moments = _rows((0, -1, 0), (1, 0, 0), (0, 0, 1)), _rows((2, 1, 0), (1, 7, 0), (0, 0, 4))
+    turn, moments = TURN, _rows((2, 1, 0), (1, 7, 0), (0, 0, 4))
     link = LinkMotion(normal(mass), *map(normal_matrix, (shift, shift, spin, turn, moments)))
     twice = link_inertia(link)[0, 0]
     linear, angular = (
@@ -99,7 +100,7 @@ def quadratic_law() -> Step:
     rates, links, case = _rows((3,), (-2,)), [], dict[Expr, Expr]()
     for i in (1, 2):
         J_v, J_w = _rows((1, i), (2, -1), (0, 3)), _rows((0, 1), (i, 1), (1, 0))
-        turn, moments = _rows((0, -1, 0), (1, 0, 0), (0, 0, 1)), _rows((2, 1, 0), (1, 7 * i, 0), (0, 0, 4))
+        turn, moments = TURN, _rows((2, 1, 0), (1, 7 * i, 0), (0, 0, 4))
         parts = [*map(normal_matrix, (J_v, J_v, J_w, turn, moments))]
         links.append(LinkMotion(normal(number(i)), *parts))
         moved = (readable_matrix(J @ normal_matrix(rates)) for J in parts[1:3])

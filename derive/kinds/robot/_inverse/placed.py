@@ -11,12 +11,13 @@ from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.floats import Point, completed
 from derive.derivation import Branch, Claim, Condition
 from derive.expression import Expr, Relation, free_symbols
-from derive.kinds.checks import TRIES, random_points, route
+from derive.kinds.checks import TRIES, close, random_points, route
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.checks import in_turn, side
-from derive.kinds.robot._inverse.evaluated import Evaluated, Numbers
+from derive.kinds.robot._inverse.evaluated import ROUNDED, Evaluated, Numbers
 from derive.kinds.robot._inverse.target import Target, Values, gap
+from derive.kinds.sure import place as surely
 
 TREES = get_args(Expr)
 NOT_REAL = (ValueError, ZeroDivisionError)
@@ -41,7 +42,8 @@ class Placed:
             return
         numbers = self.found.numbers
         given = {**problem.where, **dict(place or ())}
-        yield route("placed", self._in_letters(given) if numbers is None else self._in_numbers(numbers))
+        held = self._in_letters(given) if numbers is None else self._in_numbers(numbers, surely(given))
+        yield route("placed", held)
 
     @property
     def _entries(self) -> Sequence[Entry]:
@@ -50,8 +52,11 @@ class Placed:
 
     # -- in numbers -------------------------------------------------------------------------------
 
-    def _in_numbers(self, at: Numbers) -> Iterator[bool]:
-        """Of each entry whether it is what it says, and of each branch whether an entry has it."""
+    def _in_numbers(self, at: Numbers, given: Point) -> Iterator[bool]:
+        """Of each entry whether it is what it says, and of each branch whether an entry has it; at the place
+        that is given."""
+        yield from (close(at.typed[name], value) for name, value in given.items() if name in at.typed)
+        yield from (abs(at.point[name] - value) <= ROUNDED for name, value in at.typed.items())
         real = [each for each in self._entries if each.get("real", True)]
         place = self.found.place
         yield (place.out_of_reach or place.missed) == (not real)

@@ -12,20 +12,21 @@ from derive.algebra.numbers import floats as numeric
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
-from derive.expression import Call, Indexed, Matrix, Symbol, is_negative, symbols
-from derive.kinds.checks import random_points
+from derive.expression import Call, Expr, Indexed, Matrix, Symbol, is_negative, symbols
+from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import Place
 from derive.kinds.pose import euler_rates
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._columns import Facts
-from derive.kinds.robot._point import tracked
+from derive.kinds.robot._point import Tracked, tracked
+from derive.kinds.sure import place as surely
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
 from derive.mechanics.euler import Convention, Euler, rate_matrix
 from derive.mechanics.jacobian import halves
 from derive.mechanics.oracle import STEP
-from derive.mechanics.task import rows_of
+from derive.mechanics.task import ROWS, rows_of
 
 DIFFERENCES = 1e-5
 SMALL = 1e-9
@@ -43,7 +44,8 @@ def analytic(options: Any, problem: Problem) -> Derivation:
     rates = problem.ask("euler-rates", convention=options.convention, angles=options.angles)
     first, second, third = rates.told(euler_rates.Facts).short_names
     euler = Euler(Convention.of(options.convention), (first, second, third))
-    frame = tracked(problem, chain_of(problem), options.point).frame
+    point = tracked(problem, chain_of(problem), options.point)
+    frame = point.frame
     _refuse_singular(problem, euler, frame)
     linear, angular = halves(normal_matrix(base.definitions[J]))
     J_v, J_omega = map(problem.readable_matrix, (linear, angular))
@@ -59,6 +61,11 @@ def analytic(options: Any, problem: Problem) -> Derivation:
     routes = _by_rates(angular_rates, problem, euler, frame), _by_angles(problem, euler, frame)
     work = work.closed(head).agrees("rates-agree", problem.symbols, *routes, DIFFERENCES)
     det = rates.scalar("det")
+    told = _evaluated(problem, options.evaluate, found, euler, frame)
+    if told:
+        there = _there(problem, dict(options.evaluate), euler, point)
+        right = [there[ROWS.index(row)] for row in options.rows or ROWS]
+        work = work.claim(route("there", close(told["J"], right, DIFFERENCES)))
     return work.answer(
         "jacobian",
         {"J": work.steps[-1].result},
@@ -68,7 +75,7 @@ def analytic(options: Any, problem: Problem) -> Derivation:
             angles=tuple(map(Symbol, euler.names)),
             det=-det if is_negative(det) else det,
         ),
-        evaluated=_evaluated(problem, options.evaluate, found, euler, frame),
+        evaluated=told,
         matrices=frozenset({"J"}),
     )
 
@@ -86,6 +93,13 @@ def _evaluated(
         return {"J": numeric.matrix_numbers(asked, known)}
     except KeyError:  # some symbols are left: J is told in these
         return {}
+
+
+def _there(problem: Problem, place: dict[str, Expr], euler: Euler, point: Tracked) -> list[Any]:
+    """J (6 by n) at the place, by differences of the point and of the angles."""
+    at = surely({**problem.where, **place})
+    moved = oracle_of(problem).jacobian(at, point.frame, point.offset)
+    return [*moved[:3], *_by_angles(problem, euler, point.frame)(at)]
 
 
 def _angles(problem: Problem, euler: Euler, frame: int, known: Point) -> dict[str, float]:

@@ -17,6 +17,7 @@ from derive.kinds.checks import close, route
 from derive.kinds.fields import Place
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._velocity.task import Task
+from derive.kinds.sure import place as surely
 from derive.kinds.values_at import point_of
 
 TREES = get_args(Expr)
@@ -78,7 +79,8 @@ def at_point(task: Task, place: Place) -> Ellipsoids:
     }
     evaluated = {"axes": sizes, "directions": directions, "force_axes": forces, "force_directions": turned}
     step = Step("J_here", (Symbol("J"), Matrix(_rounded(J))), "numbers")
-    claims = tuple(_claims(task, here, step, results, evaluated, told))
+    there = here | surely({**task.problem.where, **dict(place)})
+    claims = tuple(_claims(task, there, step, results, evaluated, told))
     return Ellipsoids(here, step, results, evaluated, claims, plots, told)
 
 

@@ -64,7 +64,7 @@ class Repeated:
         variables `told` beside it."""
         rows = [self._row(table, row) for row in table.rows]
         first, last, names = rows[0], rows[-1], self.task.found.variables
-        yield route("begun", (first.at[name] == start[name] for name in names))
+        yield route("begun", (close(first.at[name], start[name]) for name in names))
         yield route("numbered", (row.k == k for k, row in enumerate(rows)))
         yield route("errors", map(self._measured, rows))
         if len(rows) > 1:
