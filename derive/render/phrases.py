@@ -2,7 +2,8 @@
 
 A phrase is a line `key: words with {fields}` in the block `phrases` of the words of its kind, in that of
 `_phrases.j2` in their folder, or in that of the `_phrases.j2` that all folders share. `{field}` writes what
-the derivation gives for it, several things as "a and b"; in plain text `{field:typed}` writes mathematics as
+the derivation gives for it, several things as "a and b"; `**words**` are strong and
+`*words*` emphasised. In plain text `{field:typed}` writes mathematics as
 it is typed in a sheet, x^2 and 90 deg.
 """
 
@@ -26,6 +27,7 @@ from derive.render.printed import Printed, links_of
 from derive.render.skin import english, environment, words_file
 
 PHRASES = "phrases"  # the block of a words template that holds them
+STRONG, EM = ("**", "\x1e"), ("*", "\x1f")  # what is typed, and what stands for it until a phrase is written
 LATEX_SIGNS = {"<=": r"\leq", ">=": r"\geq", "!=": r"\neq"}
 
 
@@ -54,6 +56,8 @@ class Speech:
     tree: Callable[[Expr, str], str] = in_text
     formula: str = "{}"
     plain: Callable[[str], str] = str
+    strong: Callable[[str], str] = str
+    em: Callable[[str], str] = str
     signs: Mapping[str, str] = field(default_factory=dict)
     styled: Callable[[Expr], Expr] = lambda tree: tree
     seen: Callable[[Chain, str], None] = lambda chain, written: None
@@ -62,7 +66,7 @@ class Speech:
         """A phrase or a relation as it stands in a text. Raises PhraseError."""
         match said:
             case Phrase():
-                return "".join(self._phrase(said))
+                return self._stressed("".join(self._phrase(said)))
             case Relation():
                 relation = self._styled(said)
                 written = self._relation(relation, notation)
@@ -114,12 +118,18 @@ class Speech:
 
     def _phrase(self, phrase: Phrase) -> Iterable[str]:
         for words, name, notation, _ in Formatter().parse(self._line(phrase.key)):
-            yield self.plain(words)
+            yield self.plain(words.replace(*STRONG).replace(*EM))
             if name is None:
                 continue
             if name not in phrase.about:
                 raise PhraseError(f"nothing fills the field {{{name}}} of the words for '{phrase.key}'")
             yield self.say(phrase.about[name], notation or "")
+
+    def _stressed(self, written: str) -> str:
+        for (_, mark), stressed in ((STRONG, self.strong), (EM, self.em)):
+            parts = enumerate(written.split(mark))
+            written = "".join(stressed(part) if k % 2 else part for k, part in parts)
+        return written
 
     def _line(self, key: str) -> str:
         if key not in self.lines:
@@ -145,7 +155,7 @@ def spoken(folder: str, kind: str) -> Speech:
 
 def on_page(
     folder: str, kind: str, printer: Printer, plain: Callable[[str], str], printed: list[Printed],
-    style: Style | None = None,
+    style: Style | None = None, strong: Callable[[str], str] = str, em: Callable[[str], str] = str,
 ) -> Speech:  # fmt: skip
     """How they speak on a page; decimals and fixed angles are written in the author's `style`, and what is
     printed from trees is added to `printed`."""
@@ -159,7 +169,7 @@ def on_page(
     def seen(chain: Chain, written: str) -> None:
         printed.append(Printed.inline(written, chain, printer.notation))
 
-    return Speech(lines_of(folder, kind), tree, "${}$", plain, LATEX_SIGNS, styled, seen)
+    return Speech(lines_of(folder, kind), tree, "${}$", plain, strong, em, LATEX_SIGNS, styled, seen)
 
 
 def lines_of(folder: str, kind: str) -> dict[str, str]:

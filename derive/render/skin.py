@@ -33,6 +33,8 @@ def environment() -> Environment:
     made.filters["m"] = _mathematics
     made.filters["each"] = _each
     made.filters["listed"] = _listed
+    made.filters["joined"] = joined
+    made.filters["said"] = _said
     return made
 
 
@@ -67,11 +69,24 @@ def _each(context: Context, letter: str) -> str:
 
 
 @pass_context
+def _said(context: Context, value: Any) -> str:
+    """`{{ phrases | map("said") }}`: what each says."""
+    written: str = context["say"](value)
+    return written
+
+
+@pass_context
 def _listed(context: Context, values: Iterable[Any], conjunction: str = "") -> str:
     """`{{ names | listed }}`: inline mathematics of each, as `a, b and c`."""
-    written = [_mathematics(context, value) for value in values]
+    return joined([_mathematics(context, value) for value in values], conjunction)
+
+
+def joined(texts: Sequence[str], conjunction: str = "") -> str:
+    """`{{ texts | joined }}`: as `a, b and c`. Raises ValueError where there is nothing."""
+    if not texts:
+        raise ValueError("nothing to list")
     return f" {conjunction or english('conjunction')} ".join(
-        filter(None, (", ".join(written[:-1]), *written[-1:]))
+        filter(None, (", ".join(texts[:-1]), *texts[-1:]))
     )
 
 

@@ -19,6 +19,13 @@ class UnknownFamily(Exception):
         super().__init__(f"the words of {kind} speak of {letter} with an index, and nothing is called so")
 
 
+class ForgottenFact(Exception):
+    """The words of a kind leave out what its derivation gives them to say."""
+
+    def __init__(self, kind: str, names: Iterable[str]) -> None:
+        super().__init__(f"the words of {kind} do not say these facts: {', '.join(names)}")
+
+
 class EarlyStep(Exception):
     """The words of a kind tell steps in another order than they were derived in."""
 

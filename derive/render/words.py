@@ -20,6 +20,7 @@ from jinja2 import Template
 from derive.derivation import Cell, Condition, Derivation, Phrase, Step, Table
 from derive.expression import Expr, Indexed, Number, Relation, Symbol, free_symbols, number, walk
 from derive.render.entries import NAMED_BEYOND, Names, with_named_entries
+from derive.render.facts import Sayable, parts, sayable
 from derive.render.latex import Printer, is_approximate
 from derive.render.layout import LINE, Chain, Display, Link, lay_out, one_line
 from derive.render.notation import Notation
@@ -28,7 +29,7 @@ from derive.render.printed import Naming, Printed
 from derive.render.room import abridged, has_room, kept
 from derive.render.skin import Skin, environment, words_file
 from derive.render.typed import typed_in
-from derive.render.untold import EarlyStep, ForgottenStep, UnknownFamily
+from derive.render.untold import EarlyStep, ForgottenFact, ForgottenStep, UnknownFamily
 
 QUESTION = "question"  # the block of a words template that asks for its derivation
 APART = (QUESTION, PHRASES, "results", "example")  # said elsewhere: see render/questions.py and phrases.py
@@ -46,11 +47,13 @@ def words(
     """The sentences and equations of a derivation. `plots` maps names of plots to paths without suffix,
     `files` those of files to theirs; what is printed from trees is added to `printed`.
 
-    Raises ForgottenStep, EarlyStep.
+    Raises ForgottenStep, ForgottenFact, EarlyStep; where the derivation was not asked for, its words may
+    leave facts out.
     """
     notation = replace(notation, short_names=frozenset(derivation.facts.short_names))
     seen = [] if printed is None else printed
-    speech = on_page(folder, derivation.kind, Printer(notation), skin.plain, seen)
+    printer = Printer(notation)
+    speech = on_page(folder, derivation.kind, printer, skin.plain, seen, strong=skin.strong, em=skin.em)
     telling = Telling(derivation, speech, skin, notation, plots or {}, files or {}, seen)
     for claim in derivation.claims:  # said in the JSON only, but their words must not be missing unnoticed
         telling.speech.claim(claim)
@@ -63,6 +66,8 @@ def words(
         seen.extend(typed_in(written, seen, notation))
     if forgotten := telling.forgotten():
         raise ForgottenStep(derivation.kind, forgotten)
+    if asked and (unsaid := telling.unsaid()):
+        raise ForgottenFact(derivation.kind, unsaid)
     if early := telling.disordered():
         raise EarlyStep(derivation.kind, early)
     return written.strip()
@@ -96,6 +101,7 @@ class Telling:
     files: Mapping[str, str]
     printed: list[Printed]
     told: dict[str, int] = field(default_factory=dict)  # steps, and when each was told first
+    said: list[Sayable] = field(default_factory=list)
 
     def scope(self) -> dict[str, Any]:
         """What a words template can name."""
@@ -182,11 +188,13 @@ class Telling:
 
     def say(self, said: Condition | tuple[Condition, ...]) -> str:
         """A phrase, a relation, or several that all hold, in a line of text."""
+        self.said.extend(parts(said))
         return self.speech.when(said if isinstance(said, tuple) else (said,))
 
     def table(self, table: Table, most: int = 1000) -> str:
         """A table; its mathematics is set inline, a number with the unit its author gave it. Of more than
         `most` rows the middle is left out."""
+        self.said.extend(parts(table))
         rows = [[self._cell(entry) for entry in row] for row in abridged(table.rows, most)]
         return self.skin.table([self._cell(heading) for heading in table.headings], rows)
 
@@ -211,6 +219,10 @@ class Telling:
             if step.name not in self.told and (step.chain or not step.steps)
         ]
 
+    def unsaid(self) -> list[str]:
+        """The facts that could be said and were not."""
+        return list(dict.fromkeys(name for name, fact in sayable(self.d) if fact not in self.said))
+
     def disordered(self) -> list[str]:
         """The steps that are told before one that was derived earlier beside them."""
         return [early for steps in _siblings(self.d.steps) for early in self._early(steps)]
@@ -233,9 +245,11 @@ class Telling:
     def _chain(self, name: Shown, printer: Printer, lines: int = 2) -> tuple[Expr, ...]:
         """The chain of a step, without the spare links that are too long for a page."""
         if isinstance(name, tuple):
+            self.said.extend(name)
             return name
         step = self._step(name)
         self._note(step)
+        self.said.extend(step.chain)
         return kept(step, printer, lines) if step.spare else step.chain
 
     def cut(self, name: str | Step) -> bool:
@@ -258,6 +272,7 @@ class Telling:
 
     def _trees(self, value: Mathematics) -> tuple[Expr, ...]:
         """The chain of what is written in a line of text."""
+        self.said.extend(parts(value))
         match value:
             case str():
                 return (Symbol(value),)

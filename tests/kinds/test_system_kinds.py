@@ -104,15 +104,15 @@ def test_step_response_by_scipy() -> None:
 def test_an_unstable_loop_is_said_to_be_so() -> None:
     gains = {"PID": {"K_p": "20", "K_i": "5", "K_d": "10"}}
     found = ask("step-response", controller=gains, evaluate=POINT)
-    assert found.facts.verdict == "unstable"
+    assert found.facts.course.key == "grows"
     assert found.results["rise_time"] == "none"
     assert all_hold(found)
 
 
 def test_an_integrator_ends_in_a_ramp() -> None:
     found = ask("step-response", evaluate=POINT)
-    assert found.facts.verdict == "integrator"
-    assert normal(found.facts.slope) == normal(parse("20/3"))
+    assert found.facts.course.key == "drifts"
+    assert normal(found.facts.course.about["slope"]) == normal(parse("20/3"))
     assert ask("step-response", motor("armature", "speed"), evaluate=POINT).evaluated["steady_state"] == (
         pytest.approx(20 / 3)
     )

@@ -6,26 +6,35 @@ import pytest
 from jinja2 import DictLoader
 from markdown_it import MarkdownIt
 
-from derive.derivation import Derivation, Step
-from derive.expression import Approximate, Symbol, number
+from derive.derivation import Derivation, PageFacts, Phrase, Step, Table
+from derive.expression import Approximate, Expr, Symbol, number
 from derive.render.notation import Notation
 from derive.render.page import LATEX, MARKDOWN
 from derive.render.skin import HELD_LINE, environment
-from derive.render.untold import EarlyStep, ForgottenStep, UnknownFamily
+from derive.render.untold import EarlyStep, ForgottenFact, ForgottenStep, UnknownFamily
 from derive.render.words import words
 
 A, B = Symbol("A"), Symbol("B")
 TOLD = Derivation("told", (Step("A", (A, B, number(3))), Step("x", (Symbol("x"), Approximate(0.1234)))), {})
 
 
-def tell(monkeypatch: pytest.MonkeyPatch, source: str, asked: bool = True) -> str:
+class Facts(PageFacts):
+    size: Expr | None = None
+    verdict: Phrase | None = None
+    rows: Table | None = None
+
+
+def tell(
+    monkeypatch: pytest.MonkeyPatch, source: str, asked: bool = True, facts: PageFacts | None = None
+) -> str:
     loader = environment().loader
     assert loader is not None
     kept = ("markdown/skin.j2", "words/_english.j2")
     templates = {name: loader.get_source(environment(), name)[0] for name in kept}
     templates["words/any/told.j2"] = source
     monkeypatch.setattr(environment(), "loader", DictLoader(templates))
-    return words(TOLD, "any", MARKDOWN, Notation(), asked)
+    told = replace(TOLD, facts=facts or PageFacts())
+    return words(told, "any", MARKDOWN, Notation(), asked)
 
 
 def test_a_step_the_words_forgot_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -84,3 +93,39 @@ def test_what_was_derived_first_is_told_first(monkeypatch: pytest.MonkeyPatch) -
     with pytest.raises(EarlyStep, match="the words of told tell before what was derived first: x"):
         tell(monkeypatch, '{{ show("x") }}{{ show("A") }}')
     assert tell(monkeypatch, '{{ tell("A") }}{{ show("x") }}{{ show("A") }}')
+
+
+TOLD_ALL = '{{ tell("A", "x") }}'
+PHRASES = "{% block phrases %}\nstable: it is *now* **stable** at {place}\n{% endblock %}\n"
+
+
+@pytest.mark.parametrize(
+    ("facts", "name"),
+    [
+        (Facts(size=A), "size"),
+        (Facts(verdict=Phrase("stable", {"place": A})), "verdict"),
+        (Facts(rows=Table(("",), ((B,),))), "rows"),
+    ],
+)
+def test_a_fact_that_is_not_said_is_an_error(
+    monkeypatch: pytest.MonkeyPatch, facts: PageFacts, name: str
+) -> None:
+    with pytest.raises(ForgottenFact, match=f"the words of told do not say these facts: {name}"):
+        tell(
+            monkeypatch,
+            TOLD_ALL + "{% if facts.size and facts.verdict %}{{ facts.size | m }}{% endif %}",
+            facts=facts,
+        )
+    tell(monkeypatch, TOLD_ALL, asked=False, facts=facts)
+
+
+def test_every_way_to_say_a_fact(monkeypatch: pytest.MonkeyPatch) -> None:
+    facts = Facts(size=A, verdict=Phrase("stable", {"place": A}))
+    source = f"{PHRASES}{TOLD_ALL}{{{{ say(facts.verdict) }}}}; {{{{ [facts.size] | listed }}}}"
+    assert tell(monkeypatch, source, facts=facts) == "it is *now* **stable** at $A$; $A$"
+    assert tell(monkeypatch, '{{ show("A") }}{{ tell("x") }}', facts=Facts(size=B))
+
+
+def test_what_is_not_there_is_not_listed(monkeypatch: pytest.MonkeyPatch) -> None:
+    with pytest.raises(ValueError, match="nothing to list"):
+        tell(monkeypatch, TOLD_ALL + "here {{ [] | listed }}")

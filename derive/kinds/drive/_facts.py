@@ -14,7 +14,7 @@ class GearFacts(PageFacts):
     tau_l: Symbol | None
     top: Expr  # the numerator of the slope
     G: Symbol
-    balance: tuple[Expr, Expr]
+    balance: tuple[Expr, Expr] | None  # of the inertias, where no load holds against it
 
 
 class InertiaFacts(PageFacts):

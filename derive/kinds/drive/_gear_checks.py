@@ -67,6 +67,7 @@ def as_written(drive: Drive, work: Work, told: GearFacts, best: Expr) -> Iterato
         below, above = (worth(told.top, k * top) for k in NEAR)
         rises = 1.0 if told.tau_l is None else copysign(1, turning.push)
         yield rises * below > 0 > rises * above
-        yield told.tau_l is not None or close(*(worth(side, top) for side in told.balance))
+        yield (told.balance is None) == (told.tau_l is not None)
+        yield told.balance is None or close(*(worth(side, top) for side in told.balance))
         yield close(worth(told.tau_m, top), turning.push) and told.given == work.typed
         yield told.tau_l is None or close(worth(told.tau_l, top), turning.pull)

@@ -41,7 +41,7 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
     results = {"G": work.final(BEST), "alpha": fastest}
     facts = Facts(
         given=work.typed, tau_m=tau_m, tau_l=tau_l, top=top, G=G,
-        balance=(BEST ** 2 * J_m, J_l),
+        balance=None if tau_l else (BEST ** 2 * J_m, J_l),
     )  # fmt: skip
     work = work.claim(route("gears-beside", is_best(drive, problem, results)))
     work = work.claim(route("as-written", as_written(drive, work, facts, results["G"])))

@@ -52,9 +52,9 @@ class Facts(PageFacts):
     twist: bool
     name: str
     pose: Symbol
-    rotation: Symbol
-    origin: Symbol
-    skew: Expr
+    rotation: Symbol | None  # of what is turned
+    origin: Symbol | None  # where it counts
+    skew: Expr | None  # of a twist
 
 
 def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
@@ -84,9 +84,9 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
         twist=options.twist is not None,
         name=name.name,
         pose=whole,
-        rotation=R,
-        origin=o,
-        skew=Indexed("S", (o,)),
+        rotation=None if options.twist else R,
+        origin=None if options.vector else o,
+        skew=Indexed("S", (o,)) if options.twist else None,
     )
     shifted = any(o in walk(tree) for tree in work.steps[-1].chain)
     twist = work.matrix(name).shape == (6, 1)

@@ -142,12 +142,14 @@ def _said(mechanism: Mechanism, told: Facts, built: Built) -> Iterator[bool]:
     """Everything the words tell, worked out again."""
     pairs = built.pairs
     yield told.space == built.space
-    yield [told.bodies, told.pairs, told.loops] == [*map(_tree, (built.bodies, pairs.total(), built.loops))]
-    yield told.closed == (built.loops > 0)
+    yield told.bodies == _tree(built.bodies)
+    yield told.loops == (_tree(built.loops) if built.loops > 0 else None)
     yield _totals(told.table) == {name or "other": count for name, count in pairs.items()}
-    yield told.sign == _sign(built.index) and told.missing == _tree(-built.index)
+    stuck = built.loops > 0 > built.index
+    yield told.sign == _sign(built.index) and told.missing == (_tree(-built.index) if stuck else None)
     rods = mechanism.rods
-    yield told.idle == (_tree(rods) if rods else None) and told.effective == _tree(built.index - rods)
+    idle = (_tree(rods), _tree(built.index - rods)) if rods else (None, None)
+    yield (told.idle, told.effective) == idle
     yield told.legs == tuple((chain, _tree(n), _tree(len(chain[1:]))) for chain, n in mechanism.legs)
     several = [each for each in built.sorts if each.joining > 2]
     yield told.coincident == tuple(
@@ -161,9 +163,8 @@ def _said(mechanism: Mechanism, told: Facts, built: Built) -> Iterator[bool]:
     yield all(size == (Symbol("lambda"), _tree(_size(space))) for space, size, _ in told.others)
     spatial = built.space == "spatial" and built.loops > 0
     yield told.may_spin == (spatial and not rods and pairs["spherical"] > 1)
-    yield told.known == (
-        spatial and built.loops == 1 and pairs.keys() == {"revolute"} and 3 < pairs.total() < 7
-    )
+    known = spatial and built.loops == 1 and pairs.keys() == {"revolute"} and 3 < pairs.total() < 7
+    yield told.pairs == (_tree(pairs.total()) if known else None)
 
 
 def _size(space: Space) -> int:

@@ -14,16 +14,14 @@ Other: TypeAlias = tuple[Space, tuple[Expr, Expr], Expr]  # its lambda, and the 
 class Facts(PageFacts):
     space: Space
     bodies: Expr
-    pairs: Expr
-    loops: Expr
-    closed: bool
+    pairs: Expr | None  # revolute joints of a loop that may move though the formula does not see it
+    loops: Expr | None  # that are closed
     table: Table
     coincident: tuple[tuple[Phrase | None, Expr, Expr, Expr], ...]  # joints: name, count, bodies, pairs
     legs: tuple[tuple[str, Expr, Expr], ...]  # chain, count, bodies between
     sign: int  # of the degrees of freedom
-    missing: Expr
+    missing: Expr | None  # where there are less than none
     idle: Expr | None
-    effective: Expr
+    effective: Expr | None  # without the idle ones
     may_spin: bool
     others: tuple[Other, ...]
-    known: bool  # whether the formula does not see moving loops of so many revolute joints

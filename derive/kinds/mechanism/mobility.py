@@ -69,9 +69,8 @@ def _facts(mechanism: Mechanism, size: int) -> Facts:
     return Facts(
         space=mechanism.space,
         bodies=number(mechanism.bodies),
-        pairs=number(mechanism.pairs),
-        loops=number(mechanism.loops),
-        closed=mechanism.loops > 0,
+        pairs=number(mechanism.pairs) if _known(mechanism) else None,
+        loops=number(mechanism.loops) if mechanism.loops else None,
         table=_table(mechanism.joints, size),
         coincident=tuple(
             (
@@ -85,15 +84,14 @@ def _facts(mechanism: Mechanism, size: int) -> Facts:
         ),
         legs=tuple((chain, number(count), number(len(chain) - 1)) for chain, count in mechanism.legs),
         sign=(mechanism.dof > 0) - (mechanism.dof < 0),
-        missing=number(-mechanism.dof),
+        missing=number(-mechanism.dof) if mechanism.loops and mechanism.dof < 0 else None,
         idle=number(mechanism.rods) if mechanism.rods else None,
-        effective=number(mechanism.dof - mechanism.rods),
+        effective=number(mechanism.dof - mechanism.rods) if mechanism.rods else None,
         may_spin=mechanism.space == "spatial"
         and not mechanism.rods
         and spherical >= 2
         and mechanism.loops > 0,
         others=_others(mechanism),
-        known=_known(mechanism),
     )
 
 

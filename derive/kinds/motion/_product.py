@@ -24,7 +24,7 @@ from derive.mechanics.sequences import mode, order
 
 class Facts(PageFacts):
     mode: str
-    placed: tuple[Placed, ...]
+    placed: tuple[Placed, ...]  # where each stands is told one by one
     noun: str
 
 
@@ -63,7 +63,7 @@ def composed(
 def _facts(factors: Factors, numeric: bool, name: Symbol) -> Facts:
     return Facts(
         mode=mode(factors.moves),
-        placed=factors.placed(),
+        placed=factors.placed() if mode(factors.moves) == "mixed" else (),
         noun="rotation" if factors.size == 3 else "move",
         numbers=() if numeric else (name.name,),
     )

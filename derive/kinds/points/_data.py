@@ -10,7 +10,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import matrix_numbers
 from derive.algebra.readable.operation_count import operations
-from derive.derivation import PageFacts, Record, Table
+from derive.derivation import PageFacts, Phrase, Record, Table
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Matrix, Number, Symbol, number, walk
 from derive.kinds.problem import Problem
@@ -93,20 +93,14 @@ def _is_small(value: Fraction) -> bool:
 
 
 class SvdTold(Record):
-    exact: bool
-    flat: bool
-    spatial: bool
-    reflected: bool  # V U^T, of points that are not flat
-    det: int  # of V U^T
-    turned: tuple[Expr, Expr]  # D = ..., which turns the last direction over
+    best: Phrase  # how the best rotation comes about
+    turned: tuple[Expr, Expr] | None  # D = ..., where it turns the last direction over
+    left: Phrase  # whether something is left over
 
 
 class RowsTold(Record):
-    unit: bool  # all rows have the length 1
-    rotation: bool
-    reflected: bool
-    numbers: int  # that are fitted
-    freedoms: int  # of a rigid motion
+    verdict: Phrase  # what the rows are that were found
+    lengths: tuple[str, ...]  # steps
 
 
 class Facts(PageFacts):

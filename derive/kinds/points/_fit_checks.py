@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 CLOSE = 1e-7
 NEARLY = 1e-9
 ONE = Symbol("I")
+LEFT = ("something-left", "nothing-left")
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,14 +70,18 @@ def best_rotation(work: Work, told: SvdTold, results: Mapping[str, Expr], pairs:
     U, S, V = (names[Symbol(name)] for name in "USV")
     det = float(np.linalg.det(V @ U.T))
     names[Symbol("D")] = np.diag([*[1.0] * (len(H) - 1), float(np.sign(det))])
-    apart = farthest([*_of_work(work), *_factors(), *_results(results), told.turned], names)
+    turned = [told.turned] if told.turned else []
+    apart = farthest([*_of_work(work), *_factors(), *_results(results), *turned], names)
     values = np.diag(S)
     ordered = bool((values >= -NEARLY).all() and (np.diff(values) <= NEARLY).all())
     flat = bool(values[-1] <= NEARLY * values[0])
     exact = names[Symbol("rms")] <= CLOSE * max(1.0, float(abs(pairs.b).max()))
+    lying = {3: "best-in-a-plane", 2: "best-on-a-line"}[len(H)] if flat else "best-reflected"
     verdicts = (
-        close(S, np.diag(values)) and ordered, told.det == round(det), told.flat == flat,
-        told.reflected == (det < 0 and not flat), told.spatial == (len(H) == 3), not told.exact or exact,
+        close(S, np.diag(values)) and ordered, (told.turned is None) == (det > 0),
+        told.best.key == ("best-rotation" if det > 0 else lying),
+        told.left.key in LEFT,
+        exact or told.left.key == LEFT[0],
     )  # fmt: skip
     return route("as-told", apart < CLOSE), route("verdicts", verdicts)
 
@@ -106,11 +111,9 @@ def rows_fitted(work: Work, told: RowsTold, results: Mapping[str, Expr], pairs: 
         names[Symbol(f"r_{k + 1}")] = rows[k, :size]
     apart = farthest([*_of_work(work), *_results(results)], names)
     orthogonal, det = close(R @ R.T, np.eye(size)), float(np.linalg.det(R))
-    verdicts = (
-        told.unit == close(lengths, np.ones(size)), told.rotation == (orthogonal and det > 0),
-        told.reflected == (orthogonal and det < 0), told.numbers == rows.size,
-        told.freedoms == size + size * (size - 1) // 2,
-    )  # fmt: skip
+    what = ("rows-rotation" if det > 0 else "rows-reflection") if orthogonal else "rows-neither"
+    counts = {} if orthogonal else {"numbers": rows.size, "freedoms": size + size * (size - 1) // 2}
+    verdicts = told.verdict.key == what, dict(told.verdict.about) == counts
     return route("as-told", apart < CLOSE), route("verdicts", verdicts)
 
 

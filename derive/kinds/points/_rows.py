@@ -9,7 +9,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import matrix_numbers
 from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Matrix, Symbol, number, transpose
 from derive.kinds.checks import close, law, route
@@ -56,13 +56,8 @@ def fitted(pairs: PointPairs, problem: Problem) -> Derivation:
         Step("rms", (Symbol("rms"), rounded(rms)), "in-numbers"),
     )
     results: dict[str, Expr] = {"R": scaled.R, "p": p, "rms": rounded(rms), "T": whole}
-    told = RowsTold(
-        unit=all(length == number(1) for length in scaled.lengths),
-        rotation=scaled.orthogonal and scaled.det == number(1),
-        reflected=scaled.orthogonal and scaled.det == number(-1),
-        numbers=size * (size + 1),
-        freedoms=6 if size == 3 else 3,
-    )
+    lengths = tuple(step.name for step in steps if step.name.startswith("length"))
+    told = RowsTold(verdict=scaled.verdict, lengths=lengths)
     work = Work(problem, steps=steps).claim(*_claims(data, table, rows, targets))
     work = work.claim(*rows_fitted(work, told, results, Pairs.of(pairs, problem)))
     facts = Facts(points=point_table(pairs), rows=told, numbers=())
@@ -94,6 +89,14 @@ class Scaled:
         if all(value is not None and value.numerator * value.denominator < SHORT for value in values):
             return Scaled._exactly(parts, [root(square) for square in squares], problem)
         return Scaled._in_floats(matrix_numbers(parts, {}))
+
+    @property
+    def verdict(self) -> Phrase:
+        """What R is."""
+        if self.orthogonal:
+            return Phrase("rows-rotation" if self.det == number(1) else "rows-reflection")
+        size = len(self.lengths)
+        return Phrase("rows-neither", {"numbers": size * (size + 1), "freedoms": 6 if size == 3 else 3})
 
     @staticmethod
     def _exactly(parts: ScalarMatrix, lengths: Sequence[Scalar], problem: Problem) -> Scaled:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import matrix_numbers, number
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Matrix, Product, Symbol, column, transpose
 from derive.expression import number as whole
@@ -54,12 +54,22 @@ def fitted(pairs: PointPairs, problem: Problem) -> Derivation:
     results: dict[str, Expr] = {"R": rotation, "p": position, "rms": rounded(rms)}
     work = Work(problem).step(*steps).claim(*_claims(data, fit, exact, rms, exact_H))
     told = SvdTold(
-        exact=exact is not None, flat=fit.is_flat, reflected=fit.det < 0 and not fit.is_flat,
-        spatial=len(fit.S) == 3, det=fit.det, turned=(D, _diagonal(fit)),
-    )  # fmt: skip
+        best=_best(fit),
+        turned=(D, _diagonal(fit)) if fit.det < 0 else None,
+        left=Phrase("nothing-left" if exact is not None else "something-left"),
+    )
     work = work.claim(*best_rotation(work, told, results, Pairs.of(pairs, problem)))
     facts = Facts(points=point_table(pairs), svd=told, numbers=())
     return work.answer("fit-transform", results, facts)
+
+
+def _best(fit: Fit) -> Phrase:
+    """How V U^T is made a rotation, where it is none."""
+    if fit.det > 0:
+        return Phrase("best-rotation")
+    if not fit.is_flat:
+        return Phrase("best-reflected")
+    return Phrase("best-in-a-plane" if len(fit.S) == 3 else "best-on-a-line")
 
 
 def _require_spread(a: list[ScalarMatrix], b: list[ScalarMatrix]) -> None:

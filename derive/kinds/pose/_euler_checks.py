@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from derive.algebra.numbers.floats import Point, number, numbers
 from derive.derivation import Branch, Claim, Condition, Phrase
 from derive.expression import ZERO, Call, Expr, Relation, Symbol, column, cos, free_symbols, sin
+from derive.kinds.checks import route
 from derive.kinds.fields import Place
 from derive.kinds.meanings import Chain, Names, told
 from derive.kinds.pose._euler_steps import Case, Comparison, Facts
@@ -37,8 +38,19 @@ def put_back(work: Work, compared: Comparison, solutions: tuple[Branch, ...], fa
         work = work.agrees("branch-again", euler.names, *routes, sign=sign)
     for case, told_of in zip(compared.singular_cases, facts.cases, strict=True):
         work = work.claim(_singular(compared, euler.singular_angles(case), told_of, facts, steps))
-    work = work.claim(*_entries(compared, facts, steps))
+    work = work.claim(*_entries(compared, facts, steps), route("angles", _named_as_meant(facts)))
     return _answers(work, compared, solutions, facts)
+
+
+def _named_as_meant(facts: Facts) -> Iterator[bool]:
+    """Whether the angles are those that stand in the entries."""
+    middle, outer = {facts.middle.name}, ({facts.first.name}, {facts.last.name})
+    if facts.entries is not None:
+        yield free_symbols(facts.entries.middle[1]) == middle
+        for name, pair in zip(outer, facts.entries.pairs, strict=True):
+            yield from (free_symbols(tree) - middle == name for _, tree in pair)
+    for case in facts.cases:
+        yield case.middle[0] == facts.middle and free_symbols(case.sum) == outer[0] | outer[1]
 
 
 def rotation_at(euler: Euler, at: Point) -> NDArray[Any]:
@@ -70,10 +82,11 @@ def _named(values: Mapping[Expr, Any]) -> dict[str, float]:
 def _entries(compared: Comparison, facts: Facts, steps: Mapping[str, Chain]) -> Iterator[Claim]:
     """What is said of single entries, at random angles; and the chains of the angles, where numbers are put
     in, at the rotation that is given."""
-    if not facts.regular:
+    entries = facts.entries
+    if entries is None:
         return
-    said = (facts.middle_entry, *(pair for pairs in facts.pairs for pair in pairs))
-    size = (facts.size, Call("abs", (facts.g,)))
+    said = (entries.middle, *(pair for pairs in entries.pairs for pair in pairs))
+    size = (entries.size, Call("abs", (facts.g,)))
     euler, given = compared.euler, compared.given
     yield told((*said, size), lambda at: entries_of(rotation_at(euler, at)), euler.names, {}, "entries")
     chains = [_around(steps[name][1:]) for branch in facts.branches for name in branch.steps]

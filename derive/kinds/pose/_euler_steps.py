@@ -59,17 +59,20 @@ class Case(Record):
     relations: tuple[Equation, Equation]
 
 
+class Entries(Record):
+    middle: Equation
+    pairs: tuple[tuple[Equation, ...], ...]  # of the first and the last angle
+    size: Expr  # of g
+
+
 class Facts(PageFacts):
     rotation: Symbol
-    about: str  # "world", "current"
-    regular: bool
+    order: Phrase  # in which the rotations are multiplied
     first: Symbol
     middle: Symbol
     last: Symbol
-    middle_entry: Equation
-    pairs: tuple[tuple[Equation, ...], ...]  # of the first and the last angle
+    entries: Entries | None  # where they determine the angles
     g: Expr  # vanishes in the singular cases
-    size: Expr  # of g
     branches: tuple[Regular, ...]
     cases: tuple[Case, ...]
 
@@ -205,23 +208,16 @@ class Comparison:
     def facts(self) -> Facts:
         """What the words read."""
         euler = self.euler
-        function = cos if euler.even else sin
         centre = Symbol(euler.outer[1])
         g = sin(centre) if euler.even else cos(centre)
         return Facts(
             rotation=self.given.rotation,
-            about=euler.convention.about,
-            regular=self.regular,
+            order=Phrase("about-current" if euler.convention.about == "current" else "about-world"),
             first=Symbol(euler.outer[0]),
             middle=centre,
             last=Symbol(euler.outer[2]),
-            middle_entry=(euler.middle.name, _signed(euler.middle.sign, function(centre))),
-            pairs=tuple(
-                _relations(direction, Symbol(name), g)
-                for direction, name in ((euler.first, euler.outer[0]), (euler.last, euler.outer[2]))
-            ),
+            entries=self._entries(g) if self.regular else None,
             g=g,
-            size=euler.g,
             branches=tuple(
                 Regular(sign=sign, steps=tuple(f"{name}_{label}" for name in euler.names))
                 for sign, label in ((1, "plus"), (-1, "minus"))
@@ -232,6 +228,19 @@ class Comparison:
             angle_results=euler.names,
             style=self.problem.style,
             short_names=euler.names,
+        )
+
+    def _entries(self, g: Expr) -> Entries:
+        """Those that hold the middle angle alone, and one of the others beside it."""
+        euler, function = self.euler, cos if self.euler.even else sin
+        centre = function(Symbol(euler.outer[1]))
+        return Entries(
+            middle=(euler.middle.name, _signed(euler.middle.sign, centre)),
+            pairs=tuple(
+                _relations(direction, Symbol(name), g)
+                for direction, name in ((euler.first, euler.outer[0]), (euler.last, euler.outer[2]))
+            ),
+            size=euler.g,
         )
 
     def _case(self, k: int, case: Singular) -> Case:

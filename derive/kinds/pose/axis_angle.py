@@ -51,7 +51,7 @@ class Facts(PageFacts):
     numeric: bool = False
     turned: Symbol
     twice: tuple[Expr, Expr]
-    law: tuple[Expr, Expr]
+    law: tuple[Expr, Expr] | None = None  # of half a turn
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,6 +97,7 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
         facts,
         zero=False,
         half=half,
+        law=_of_half_a_turn(given, names) if half else None,
         numeric=given.numeric,
         angle_results=("angle",),
         style=problem.style,
@@ -127,11 +128,10 @@ def _meant(given: Given, names: _Names, axis: Matrix | None, at: Point) -> Names
 def _told(given: Given, names: _Names, facts: Facts) -> tuple[Chain, ...]:
     """The law that is told, and what the words call the rotation, its angle, its axis and w."""
     pairs = (given.rotation, facts.rotation), (names.angle, facts.angle), (names.axis, facts.axis)
-    return (facts.law if facts.half else facts.twice, *pairs, (names.turn, facts.turned))
+    return (facts.law or facts.twice, *pairs, (names.turn, facts.turned))
 
 
 def _facts(given: Given, names: _Names) -> Facts:
-    twice = 2 * names.axis * transpose(names.axis)
     return Facts(
         rotation=given.rotation,
         angle=names.angle,
@@ -139,8 +139,12 @@ def _facts(given: Given, names: _Names) -> Facts:
         zero=True,
         turned=names.turn,
         twice=(names.turn, 2 * sin(names.angle) * names.axis),
-        law=(given.rotation, twice - Symbol("I")),
     )
+
+
+def _of_half_a_turn(given: Given, names: _Names) -> tuple[Expr, Expr]:
+    """R = 2 k k^T - 1."""
+    return given.rotation, 2 * names.axis * transpose(names.axis) - Symbol("I")
 
 
 def _trace() -> Expr:

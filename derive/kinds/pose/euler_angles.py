@@ -55,6 +55,7 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     work = replace(work, steps=(*work.steps, *compared.steps()))  # the names of angles stand for no one value
     work = work.claim(*compared.laws(), *is_rotation(normal_matrix(E)))
     solutions, facts = compared.solutions(), compared.facts()
+    work = work.law("order", ((facts.order.key == "about-current") == options.convention.isupper(),))
     return put_back(work, compared, solutions, facts).answer(
         "euler-angles",
         {"R": E, "solutions": solutions},

@@ -4,20 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import TypeAlias
 
-from derive.derivation import Record, Step
+from derive.derivation import Phrase, Record, Said, Step
 from derive.errors import NotDerivable
-from derive.expression import Expr, Relation, Symbol, symbols
+from derive.expression import Expr, Relation, Symbol
 from derive.kinds.problem import Problem
-from derive.kinds.profile._trapezoid import Given, Outcome, begun, shortest, timed
+from derive.kinds.profile._trapezoid import T_1, T_2, T_M, Given, Outcome, begun, shortest, timed
 from derive.mechanics.profile import Axis, Profile
 
 SHORTEST = (
     "the time is too short for some values of the symbols, and the shortest that is possible has not one "
     "formula for all of them; give values under where:"
 )
-Equation: TypeAlias = tuple[Expr, Expr]
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,70 +74,87 @@ def steps_of(each: Solved, prefix: str = "") -> Iterator[Step]:
 
 
 class CaseTold(Record):
-    case: str
-    when: tuple[Relation, ...]
-    conditions: tuple[Relation, ...]  # those that do not decide between the cases
-    too_fast: bool
-    plateau: bool
+    """What is said before the lines of a case: how it is decided, what it is; and after them."""
+
+    begins: Phrase
+    what: Phrase
     lines: tuple[str, ...]  # steps
+    ends: Phrase | None
 
 
 class AxisTold(Record):
-    timed: bool
     given: tuple[tuple[Expr, Expr, int | None], ...]  # each with how often it is differentiated
-    backwards: bool
-    d: Symbol
-    fastest: Symbol
-    strongest: Symbol
-    t_3: Symbol
-    to_fastest: Equation
-    area: Equation
-    half: Equation
-    peak: Equation
-    plateau_area: Equation
-    open: bool
-    infeasible: bool
-    least: Equation
+    backwards: Phrase | None
+    opening: Phrase
     probe: str  # a step
     cases: tuple[CaseTold, ...]
+    least: Phrase | None  # the time, where that given is too short
 
 
-def told(each: Solved, prefix: str = "") -> AxisTold:
-    """What the words read of an axis, with the areas under its velocity as they are quoted."""
-    given, probe, timed = each.given, each.outcomes[0].probe, each.time is not None
-    d, v_M, a_M, t_3 = given.d, given.fastest, given.strongest, given.t_3
-    v, (t_1, t_2, t_m) = given.working.symbol("v"), symbols("t_1 t_2 t_m")
-    last = t_3 if timed else Symbol("t_3")
-    cases = (
-        CaseTold(
-            case=outcome.case,
-            when=outcome.when,
-            conditions=outcome.when[1 if len(each.outcomes) > 1 else 0 :],
-            too_fast=outcome.too_fast,
-            plateau=outcome.plateau,
-            lines=tuple(_name(each, outcome, step, prefix) for step in outcome.working.steps),
-        )
-        for outcome in each.outcomes
-    )
+def told(each: Solved, prefix: str = "", among: bool = False, again: bool = False) -> AxisTold:
+    """What the words read of an axis, with the areas under its velocity as they are quoted; briefly `among`
+    others, and without what is given where it comes `again`."""
+    given, probe = each.given, each.outcomes[0].probe
+    shown = () if again else tuple((name, value, _rate(given, name)) for name, value in given.working.typed)
+    least = Phrase("too-short", {"least": Relation(Symbol("t_min"), "=", each.least)})
     return AxisTold(
-        timed=timed,
-        given=tuple((name, value, _rate(given, name)) for name, value in given.working.typed),
-        backwards=given.backwards,
-        d=d,
-        fastest=v_M,
-        strongest=a_M,
-        t_3=t_3,
-        to_fastest=(t_1, v_M / a_M),
-        area=(d, v_M * t_2),
-        half=(d / 2, a_M * t_1**2 / 2),
-        peak=(v, 2 * d / last),
-        plateau_area=(d, v * (last + t_m) / 2),
-        open=each.open,
-        infeasible=each.infeasible,
-        least=(Symbol("t_min"), each.least),
+        given=shown,
+        backwards=Phrase("backwards") if given.backwards and not again else None,
+        opening=_opening(each, among),
         probe=f"{prefix}{probe.name}" if probe else "",
-        cases=tuple(cases),
+        cases=tuple(_case(each, outcome, prefix) for outcome in each.outcomes),
+        least=least if each.infeasible and not among else None,
     )
+
+
+def _opening(each: Solved, among: bool) -> Phrase:
+    given = each.given
+    if each.time is not None:
+        return Phrase("triangle-among" if among else "triangle-first", {} if among else {"time": given.t_3})
+    if among:
+        return Phrase("ramps-among", {"fastest": given.fastest})
+    ramp = given.fastest / given.strongest
+    names = {"t_1": T_1, "t_2": T_2, "t_3": Symbol("t_3")}
+    return Phrase("ramps", {**names, "strongest": given.strongest, "fastest": given.fastest, "ramp": ramp})
+
+
+def _case(each: Solved, outcome: Outcome, prefix: str) -> CaseTold:
+    several, given = len(each.outcomes) > 1, each.given
+    border = given.fastest if each.time is not None else given.d
+    fits = outcome.plateau == (each.time is None)
+    begins = Phrase("at-most" if fits else "more-than", {"border": border})
+    return CaseTold(
+        begins=Phrase("if", {"when": outcome.when[0]}) if several else begins,
+        what=_what(each, outcome),
+        lines=tuple(_name(each, outcome, step, prefix) for step in outcome.working.steps),
+        ends=_ends(each, outcome, outcome.when[1:] if several else outcome.when),
+    )
+
+
+def _what(each: Solved, outcome: Outcome) -> Phrase:
+    """The profile of a case, and the area by which it is found."""
+    given, v = each.given, each.given.working.symbol("v")
+    about: dict[str, Said] = {"fastest": given.fastest}
+    match each.time is None, outcome.plateau:
+        case True, True:
+            area = Relation(given.d, "=", given.fastest * T_2)
+            return Phrase("room", {**about, "area": area, "t_2": T_2})
+        case True, False:
+            half = Relation(given.d / 2, "=", given.strongest * T_1**2 / 2)
+            return Phrase("no-room", {**about, "area": half})
+        case False, True:
+            area = Relation(given.d, "=", v * (given.t_3 + T_M) / 2)
+            return Phrase("plateau", {**about, "t_m": T_M, "area": area})
+    return Phrase("triangle")
+
+
+def _ends(each: Solved, outcome: Outcome, left: tuple[Relation, ...]) -> Phrase | None:
+    """Why a case cannot be kept, or when it can."""
+    if outcome.too_fast:
+        return Phrase("too-fast", {"fastest": each.given.fastest})
+    if outcome.case == "infeasible":
+        return Phrase("too-strong", {"strongest": each.given.strongest})
+    return Phrase("kept-where", {"conditions": left}) if left else None
 
 
 def _rate(given: Given, name: Expr) -> int | None:

@@ -8,10 +8,11 @@ from math import inf
 
 from derive.algebra.numbers.floats import Point, completed
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Claim, Phrase, Step
+from derive.derivation import Claim, Phrase, Said, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Relation, Symbol
 from derive.kinds.checks import close, random_points, route
+from derive.kinds.fields import TREES
 from derive.kinds.meanings import Chain, Names, farthest
 from derive.kinds.profile._axis import AxisTold, CaseTold, Solved
 from derive.kinds.profile._places import places
@@ -21,6 +22,7 @@ from derive.mechanics.trapezoid import Switching
 
 EACH = 2  # points for a case
 TRIED = 20
+WITH_A_PLATEAU = ("room", "plateau")
 LOOSE = 1e-6  # a search for a flat minimum finds no more digits
 PROBE, TO_THE_LIMIT = Symbol("probe"), Symbol("time to the limit")
 
@@ -39,7 +41,7 @@ def claims_about(
             yield claim.within("in-case", case=Phrase(outcome.case))
     key = "no-time-is-shorter" if each.time is None else "no-acceleration-is-smaller"
     points = [at for at in random_points(each.problem.symbols, TRIED) if _limits(each, at)]
-    yield route("too-short" if each.infeasible else key, (_agrees(each, at) for at in points))
+    yield route("time-too-short" if each.infeasible else key, (_agrees(each, at) for at in points))
     told_at = [(k, at) for k in range(len(each.outcomes)) for at in islice(_of_case(each, k), EACH)]
     own = [results if k == met else {} for k in range(len(each.outcomes))]
     chains = [_chains(each, k, steps, told, own[k]) for k in range(len(each.outcomes))]
@@ -92,25 +94,29 @@ def _is_case(outcome: Outcome, found: Switching, v_max: float) -> bool:
 
 
 def _verdicts(each: Solved, told: AxisTold, k: int, at: Point) -> bool:
-    """What the words read of a case, at a point where it occurs."""
+    """What the words say of a case, at a point where it occurs."""
     given, found, case = _limits(each, at), _searched(each, at), told.cases[k]
     if given is None or found is None:
         return False
-    d, v_max, _, t_3 = given
-    names, last = each.given, case.when[1 if len(told.cases) > 1 else 0 :]
+    d, v_max, a_max, t_3 = given
+    names, ends = each.given, case.ends.key if case.ends else ""
     rates = {names.d: 0, names.fastest: 1, names.strongest: 2, names.t_3: None}
     plateau = found.t_2 - found.t_1 > trapezoid.FLAT * found.t_3
     border = not plateau and found.v >= v_max * (1 - LOOSE)
+    stuck = found.case == "infeasible"
+    slow = t_3 is not None and v_max * t_3 <= d
+    probe, limit = (v_max**2 / a_max, d) if t_3 is None else (2 * d / t_3, v_max)
+    decided = {"at-most": probe <= limit * (1 + LOOSE), "more-than": probe >= limit * (1 - LOOSE)}
+    backwards = value_of(each.axis.distance, completed(at, each.problem.where)) < 0
     return (
-        told.timed == (t_3 is not None)
-        and told.open == any(one.when for one in told.cases)
-        and told.infeasible == any(one.case == "infeasible" for one in told.cases)
-        and told.backwards == (value_of(each.axis.distance, completed(at, each.problem.where)) < 0)
+        told.opening.key.startswith("ramps") == (t_3 is None)
+        and (case.what.key in ("room", "no-room")) == (t_3 is None)
+        and (told.backwards is None or backwards)
         and all(rates[name] == rate for name, _, rate in told.given if isinstance(name, Symbol))
-        and (case.plateau == plateau or border or (case.too_fast and found.case == "infeasible"))
-        and case.too_fast == (t_3 is not None and v_max * t_3 <= d)
-        and (case.case == found.case or border)
-        and case.conditions == last
+        and ((case.what.key in WITH_A_PLATEAU) == plateau or border or (slow and stuck))
+        and decided.get(case.begins.key, len(told.cases) > 1)
+        and (ends == "too-fast") == slow
+        and (ends == "too-strong") == (stuck and not slow)
     )
 
 
@@ -119,10 +125,18 @@ def _told_when(each: Solved, told: AxisTold, at: Point) -> bool:
     given, found = _limits(each, at), _searched(each, at)
     known = completed(at, each.problem.where)
     pairs = zip(each.outcomes, told.cases, strict=True)
-    said = [outcome for outcome, case in pairs if all(_holds(need, known) for need in case.when)]
+    said = [outcome for outcome, case in pairs if all(_holds(need, known) for need in _needs(case))]
     if given is None or found is None or found.case == "infeasible":
         return not said
     return len(said) == 1 and _is_case(said[0], found, given[1])
+
+
+def _needs(case: CaseTold) -> Iterator[Relation]:
+    """All that is said of when it is the case."""
+    for phrase in (case.begins, *([case.ends] if case.ends else [])):
+        for said in phrase.about.values():
+            parts = said if isinstance(said, tuple) else (said,)
+            yield from (part for part in parts if isinstance(part, Relation))
 
 
 def _holds(need: Relation, at: Point) -> bool:
@@ -162,27 +176,28 @@ def _chains(
     chains += [(name, value) for name, value, _ in told.given]
     if outcome.probe:
         chains.append((PROBE, *steps[told.probe].chain))
-    chains += _said(told, case)
-    names = each.given
-    chains += [(names.d, told.d), (names.fastest, told.fastest), (Symbol("t_3"), told.t_3)]
-    chains += [(names.strongest, told.strongest)] if each.axis.a_max is not None else []
-    if case.case == "infeasible":
-        least = (told.least[1], *results.get("t_min", ()))
-        return [*chains, *((Symbol("t_min"), tree) for tree in least)]
+    for phrase in (told.opening, case.begins, case.what, case.ends, told.least):
+        chains += _said(each, phrase.about) if phrase else ()
+    if outcome.case == "infeasible":
+        return [*chains, *((Symbol("t_min"), tree) for tree in results.get("t_min", ()))]
     own = {name: [*results.get(name, ()), tree] for name, tree in outcome.values.items()}
     symbol = outcome.working.symbol
     return [*chains, *((symbol(name), tree) for name, trees in own.items() for tree in trees)]
 
 
-def _said(told: AxisTold, case: CaseTold) -> Iterator[Chain]:
-    """Areas and times in the words."""
-    if not told.timed:
-        yield TO_THE_LIMIT, told.to_fastest[1]
-        yield told.area if case.plateau else told.half
-    elif case.plateau:
-        yield told.plateau_area
-    elif case.case != "infeasible":
-        yield told.peak
+def _said(each: Solved, about: Mapping[str, Said]) -> Iterator[Chain]:
+    """What the words call something, and the areas and times in them."""
+    names = each.given
+    called: dict[str, Expr] = {
+        "fastest": names.fastest, "strongest": names.strongest, "t_1": T_1, "t_2": T_2, "t_m": T_M,
+        "t_3": Symbol("t_3"), "time": Symbol("t_3"), "ramp": TO_THE_LIMIT,
+        "border": names.d if each.time is None else names.fastest,
+    }  # fmt: skip
+    for name, said in about.items():
+        if isinstance(said, TREES):
+            yield called[name], said
+        elif isinstance(said, Relation) and said.sign == "=" and isinstance(said.left, TREES):
+            yield (called[name], said.left, said.right) if name in called else (said.left, said.right)
 
 
 def _agrees(each: Solved, point: Point) -> bool:

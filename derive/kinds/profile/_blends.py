@@ -29,6 +29,7 @@ from derive.mechanics.profile import Journey, Profile
 from derive.names import named
 
 t, T_B, V, A = symbols("t t_b v a")
+POSSIBLE = {"v": "possible-velocity", "a": "possible-acceleration", "t_b": "possible-duration"}
 RATES = {"q_0": 0, "q_f": 0, "v": 1, "a": 2, "t_f": None, "t_b": None}
 
 

@@ -5,19 +5,21 @@ The area under it is the way, found by halving, and the place is what it adds up
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice, pairwise
+from math import inf
 from typing import Any
 
 from derive.algebra.numbers.floats import Point, completed
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Branch, Claim
+from derive.derivation import Branch, Claim, Phrase
 from derive.expression import Expr, Relation, Symbol
-from derive.kinds.checks import route
+from derive.kinds.checks import law, route
+from derive.kinds.fields import TREES
 from derive.kinds.meanings import Chain, farthest
 from derive.kinds.problem import Problem
-from derive.kinds.profile._blends import T_B, A, Blended, V, t
+from derive.kinds.profile._blends import POSSIBLE, T_B, A, Blended, V, t, with_values
 from derive.kinds.profile._pieces import times_of
 from derive.kinds.profile._places import places
 from derive.mechanics import trapezoid
@@ -70,11 +72,47 @@ class Blends:
     found: Blended
 
     def claims(
-        self, chains: Sequence[Chain], pieces: Sequence[Branch], bounds: Sequence[Chain]
+        self, chains: Sequence[Chain], pieces: Sequence[Branch], told: Mapping[int, tuple[Chain, Phrase]]
     ) -> Iterator[Claim]:
-        """Lines and results, each piece at moments of its own; and for which values it is possible."""
+        """Lines and results, each piece at moments of its own; `told` are the law and the words of those that
+        the page has."""
         met = list(islice(self._possible(), EACH))
-        yield route("as-told", (self._holds(at, chains, pieces, bounds) for at in met))
+        yield route("as-told", (self._holds(at, chains, pieces, told) for at in met))
+
+    def said(self, how: Phrase, smaller: Phrase | None, possible: Phrase | None) -> Iterator[Claim]:
+        """What is said of all of it: how it is made, and for which values."""
+        area, given = how.about.get("area"), self.given[0]
+        yield law("said", ((smaller is not None) == (given == "a"), (how.key == "blended") == bool(given)))
+        if isinstance(area, Relation) and isinstance(area.left, TREES):
+            names = (self.names(motion, at) for at in self._possible() if (motion := self.possible(at)))
+            chains = [(area.left, area.right), (how.about["v"], V), (how.about["t_b"], T_B)]
+            yield route("area", (farthest(chains, each) < CLOSE for each in islice(names, EACH)))
+        if possible is not None:
+            yield route("which", self._which(possible))
+
+    @property
+    def given(self) -> tuple[str, Expr | None]:
+        """What was given of the velocity, the acceleration and the duration of the blends."""
+        way = self.journey
+        chosen = (("v", way.cruise), ("a", way.acceleration), ("t_b", way.blend))
+        return next(((key, value) for key, value in chosen if value is not None), ("", None))
+
+    def _which(self, told: Phrase) -> Iterator[bool]:
+        """Whether just the values are told that make a motion, where they have the sign of the way."""
+
+        def worth(tree: Expr, at: Point) -> float:
+            return value_of(self.problem.final(with_values(tree, self.found.working)), at)
+
+        (by, value), (start, end) = self.given, (self.found.start, self.found.end)
+        trees = {key: tree for key, tree in told.about.items() if isinstance(tree, TREES)}
+        yield told.key == POSSIBLE[by] and trees["given"] == self.found.given and value is not None
+        for at in places(self.problem.symbols):
+            sizes = {key: worth(tree, at) for key, tree in trees.items()}
+            way = worth(end, at) - worth(start, at)
+            if worth(self.found.T, at) <= 0 or sizes["given"] * (1.0 if by == "t_b" else way) <= 0:
+                continue
+            least, most = abs(sizes.get("least", 0.0)), abs(sizes.get("most", inf))
+            yield (least < abs(sizes["given"]) <= most) == (self.possible(at) is not None)
 
     def possible(self, at: Point) -> Motion | None:
         """The motion at a point; None where there is none."""
@@ -105,43 +143,49 @@ class Blends:
     def _possible(self) -> Iterator[Point]:
         return (at for at in places(self.problem.symbols) if self.possible(at) is not None)
 
-    def _holds(
-        self, at: Point, chains: Sequence[Chain], pieces: Sequence[Branch], bounds: Sequence[Chain]
-    ) -> bool:
-        motion = self.possible(at)
-        if motion is None:
-            return False
-        letters: dict[Expr, Any] = {
-            Symbol(name): value for name, value in completed(at, self.problem.where).items()
-        }
+    def names(self, motion: Motion, at: Point) -> dict[Expr, Any]:
+        """What the names on the page stand for at a point."""
         found = self.found
         names: dict[Expr, Any] = {
             found.start: motion.start, found.end: motion.end, T_B: motion.t_b, V: motion.v, A: motion.a,
-            Symbol("t_f"): motion.T, **letters, found.T: motion.T,
+            Symbol("t_f"): motion.T, **_letters(at, self.problem), found.T: motion.T,
         }  # fmt: skip
         if found.given is not None:
             names[found.given] = {"v": motion.v, "a": motion.a, "t_b": motion.t_b}[found.by]
-        plain = [chain for chain in chains if chain[0] != Symbol("q")]
-        gaps = [farthest(plain, names)]
-        for k, (branch, law, between) in enumerate(zip(pieces, _laws(chains), bounds, strict=True)):
-            low, high = motion.borders[k : k + 2]
-            edges: dict[Expr, Any] = {LOW: low, HIGH: high}
+        return names
+
+    def _holds(
+        self, at: Point, chains: Sequence[Chain], pieces: Sequence[Branch],
+        told: Mapping[int, tuple[Chain, Phrase]],
+    ) -> bool:  # fmt: skip
+        motion = self.possible(at)
+        if motion is None:
+            return False
+        names, letters = self.names(motion, at), _letters(at, self.problem)
+        gaps = [farthest(chains, names)]
+        flat = motion.borders[2] - motion.borders[1] <= CLOSE * motion.T
+        whole = {1, 3} <= told.keys() and (2 in told or flat)
+        for k, branch in enumerate(pieces, 1):
+            low, high = motion.borders[k - 1 : k + 1]
+            law, about = (told[k][0], told[k][1].about) if k in told else ((), {})
+            ends = {"start": LOW, "end": HIGH}
+            edges = [(ends[name], tree) for name, tree in about.items() if isinstance(tree, TREES)]
             when = times_of(branch)
-            told = (*between, *((when.left.left, when.right) if isinstance(when.left, Relation) else ()))
-            gaps.append(farthest(zip((LOW, HIGH) * 2, told, strict=True), {**names, **edges}))
+            edges += [(LOW, when.left.left), (HIGH, when.right)] if isinstance(when.left, Relation) else []
+            gaps.append(farthest(edges, {**names, LOW: low, HIGH: high}))
             for part in WITHIN:
                 moment = low + part * (high - low)
                 here: dict[Expr, Any] = {t: moment, Symbol("q"): motion.place(moment)}
-                gaps.append(farthest([law], {**names, **here}))
+                gaps.append(farthest([law], {**names, **here}) if law else 0.0)
                 gaps.append(farthest([(Symbol("q"), branch.values["q"])], {**letters, **here}))
-        return max(gaps) < CLOSE
+        return whole and max(gaps) < CLOSE
 
 
 LOW, HIGH = Symbol("beginning of the piece"), Symbol("end of the piece")
 
 
-def _laws(chains: Sequence[Chain]) -> list[Chain]:
-    return [chain for chain in chains if chain[0] == Symbol("q")]
+def _letters(at: Point, problem: Problem) -> dict[Expr, Any]:
+    return {Symbol(name): value for name, value in completed(at, problem.where).items()}
 
 
 def _made(by: str, start: float, end: float, T: float, size: float) -> Motion | None:

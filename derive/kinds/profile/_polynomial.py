@@ -26,7 +26,6 @@ q = Symbol("q")
 
 class Facts(PageFacts):
     given: tuple[tuple[Expr, Expr, int | None], ...]  # each with how often it is differentiated
-    backwards: bool = False
     units: Units
     order: int
     T: Symbol

@@ -6,14 +6,15 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
+from derive.algebra.numbers.floats import Point
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Cell, Claim, Phrase, Record, Result, Step, Table
+from derive.derivation import Cell, Claim, Phrase, Record, Result, Said, Step, Table
 from derive.errors import NotDerivable
-from derive.expression import Expr, Matrix, Symbol, column, number
+from derive.expression import Expr, Matrix, Relation, Symbol, column, number
 from derive.kinds.checks import close, route
 from derive.kinds.fields import TREES
 from derive.kinds.problem import Problem
-from derive.kinds.profile._axis import AxisTold, Equation, Solved, solved, steps_of, told
+from derive.kinds.profile._axis import AxisTold, Solved, solved, steps_of, told
 from derive.kinds.profile._axis_checks import LOOSE, claims_about, fastest_time
 from derive.kinds.profile._trapezoid import NAMES
 from derive.mechanics.profile import Profile
@@ -23,11 +24,10 @@ HEADINGS: tuple[Cell, ...] = (Phrase("axis"), Phrase("case"), *(Symbol(name) for
 
 class TogetherTold(Record):
     alone: tuple[AxisTold, ...]
-    axes: tuple[AxisTold, ...]
-    slowest: int | None  # from 1; None where a time was given
-    time: Equation
-    least: Equation
-    table: Table | None  # None where the time is too short
+    axes: tuple[AxisTold | None, ...]  # in the common time; None of the slowest, which is told already
+    common: Phrase  # the time that all take, and whose it is
+    least: Phrase | None  # where the time is too short
+    table: Table | None
 
 
 @dataclass(frozen=True)
@@ -75,18 +75,26 @@ class Together:
         if k and (table := together.table):
             for name, cell in zip(NAMES, table.rows[k - 1][2:], strict=True):
                 said.setdefault(name, []).extend([cell] if isinstance(cell, TREES) else [])
-        told_of = together.axes[k - 1] if k else together.alone[self.alone.index(axis)]
+        shown = (together.axes[k - 1],) if k else together.alone[self.alone.index(axis) :]
+        told_of = next(iter(shown), None) or told(axis, prefix, among=True, again=k == self.place)
         return claims_about(axis, steps, told_of, said)
 
     def _slowest_again(self, said: TogetherTold) -> Claim:
         """The time of all is the longest that any axis needs by search, and is told to be that axis's; the
         least possible one is the longest too."""
-        times = [fastest_time(axis) for axis in self.alone]
-        holds = [close(value_of(said.least[1], {}), max(times), LOOSE)]
-        holds.append((said.table is None) == any(axis.infeasible for axis in said.axes))
-        if said.slowest is not None:
-            pair = [times[said.slowest - 1], value_of(said.time[1], {})]
-            holds.append(close(pair, [max(times)] * 2, LOOSE))
+        times, common = [fastest_time(axis) for axis in self.alone], said.common.about
+        short = self.slowest is None and value_of(self.time, {}) < max(times) * (1 - LOOSE)
+        holds = [(said.table is None) == (said.least is not None) == short]
+        holds.append(not said.least or _is(said.least.about["least"], max(times)))
+        slowest = common.get("slowest")
+        holds += [(slowest is None) == (not said.alone), [each is None for each in said.axes].count(True) < 2]
+        if isinstance(slowest, int):
+            holds += [close(times[slowest - 1], max(times), LOOSE), said.axes[slowest - 1] is None]
+            holds.append(_is(common["time"], max(times)))
+        d = abs(value_of(self.axes[0].axis.distance, {}))
+        t_3 = value_of(self.time, {})
+        holds.append(_is(common["peak"], 2 * d / t_3, {self.axes[0].given.d.name: d, "t_3": t_3}))
+        holds += [bool(each.given) == (slowest is None) for each in said.axes if each]
         return route("slowest", holds)
 
     def results(self) -> dict[str, Result]:
@@ -101,15 +109,35 @@ class Together:
             found[name] = self.time if name == "t_3" else column(each[name] for each in values)
         return found
 
+    @property
+    def place(self) -> int | None:
+        """That of the slowest, from 1."""
+        return None if self.slowest is None else self.slowest + 1
+
     def told(self) -> TogetherTold:
+        again = self.slowest is not None
+        least = Relation(Symbol("t_min"), "=", self.alone[slowest(self.alone)].least)
         return TogetherTold(
-            alone=tuple(told(axis, f"alone_{k}_") for k, axis in enumerate(self.alone, 1)),
-            axes=tuple(told(axis, f"axis_{k}_") for k, axis in enumerate(self.axes, 1)),
-            slowest=None if self.slowest is None else self.slowest + 1,
-            time=(Symbol("t_3"), self.time),
-            least=(Symbol("t_min"), self.alone[slowest(self.alone)].least),
+            alone=tuple(
+                told(axis, f"alone_{k}_", among=True) for k, axis in enumerate(self.alone if again else (), 1)
+            ),
+            axes=tuple(
+                None if k == self.place else told(axis, f"axis_{k}_", among=True, again=again)
+                for k, axis in enumerate(self.axes, 1)
+            ),
+            common=self._common(),
+            least=Phrase("too-short-for-all", {"least": least}) if self.infeasible else None,
             table=self._table(),
         )
+
+    def _common(self) -> Phrase:
+        """The time that all take, and how."""
+        given = self.axes[0].given
+        peak = Relation(given.working.symbol("v"), "=", 2 * given.d / given.t_3)
+        if self.place is None:
+            return Phrase("time-given", {"peak": peak})
+        time = Relation(Symbol("t_3"), "=", self.time)
+        return Phrase("time-of-the-slowest", {"slowest": self.place, "time": time, "peak": peak})
 
     def _table(self) -> Table | None:
         if self.infeasible:
@@ -142,3 +170,10 @@ def slowest(alone: Sequence[Solved]) -> int:
     """The index of the axis that needs longest; the first of equals."""
     times = [value_of(each.least, {}) for each in alone]
     return max(range(len(times)), key=lambda index: times[index] * (1 - 1e-12 * index))
+
+
+def _is(said: Said, value: float, at: Point | None = None) -> bool:
+    """Whether an equation says that value."""
+    if not isinstance(said, Relation) or said.sign != "=":
+        return False
+    return close(value_of(said.right, at or {}), value, LOOSE)

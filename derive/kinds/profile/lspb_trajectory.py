@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 
-from derive.derivation import Claim, Derivation, PageFacts, Step
+from derive.derivation import Claim, Derivation, PageFacts, Phrase, Record, Step
 from derive.errors import NotDerivable
-from derive.expression import Expr, Symbol
+from derive.expression import Expr, Relation, Symbol
 from derive.kinds.checks import law
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.profile._blends import T_B, Blended, V, blended, filled_laws, filled_span
+from derive.kinds.profile._blends import POSSIBLE, T_B, Blended, V, blended, filled_laws, filled_span
 from derive.kinds.profile._blends_checks import Blends
 from derive.kinds.profile._drawn import Drawn, LimitTold
-from derive.kinds.profile._pieces import branch, joined, times_of
+from derive.kinds.profile._pieces import Span, branch, joined, times_of
 from derive.kinds.work import Work
 from derive.mechanics.profile import Profile, Units
 
@@ -30,22 +31,19 @@ class Options(OptionsModel):
     evaluate: Evaluation = None
 
 
+class PieceTold(Record):
+    step: str
+    what: Phrase
+
+
 class Facts(PageFacts):
     given: tuple[tuple[Expr, Expr, int | None], ...]  # each with how often it is differentiated
-    backwards: bool = False
     units: Units
-    by: str
+    how: Phrase  # it comes about
     lines: tuple[str, ...]  # steps
-    name: Symbol | None
-    V: Symbol = V
-    t_b: Symbol = T_B
-    area: tuple[Expr, Expr]
-    between: tuple[Expr, Expr]
-    least: Expr
-    half: Expr
-    open: bool
-    bounds: tuple[tuple[Expr, Expr], ...]
-    plateau: bool
+    smaller: Phrase | None  # of two roots
+    possible: Phrase | None  # which values, where symbols leave that open
+    pieces: tuple[PieceTold, ...]
     drawn: bool
     limits: tuple[LimitTold, ...]
 
@@ -67,14 +65,19 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     bounds = found.spans() if found.open else spans
     pieces = tuple(branch(q_t, s.start, s.end, problem) for q_t, s in zip(laws, bounds, strict=True))
     lines = tuple(step.name for step in work.steps)
-    facts = _facts(found, lines, profile, drawn)
-    work = replace(work.showing(*_piece_steps(found.laws(), laws, found.open)), uses=found.uses).linked()
+    shown = [k for k in (1, 2, 3) if k != 2 or work.sign(found.T - 2 * T_B) != 0]
+    facts = _facts(found, lines, profile, drawn, shown)
+    steps = _piece_steps(found.laws(), laws, found.open)
+    work = replace(work.showing(*(steps[k - 1] for k in shown)), uses=found.uses).linked()
     work = work.claim(*joined(found.spans(), work, 2), *_ends_of(found, work))
     chains = [step.chain for step in work.steps]
     chains += [(Symbol(name), tree) for name, tree in results.items()]
-    chains += [facts.area, *((name, value) for name, value, _ in facts.given)]
+    chains += [(name, value) for name, value, _ in facts.given]
     checked = Blends(journey, profile, problem, found)
-    work = work.claim(*checked.claims(chains, pieces, facts.bounds))
+    by_name = {step.name: step for step in work.steps}
+    told = {int(each.step[-1]): (by_name[each.step].chain, each.what) for each in facts.pieces}
+    work = work.claim(*checked.claims([each for each in chains if each[0] != q], pieces, told))
+    work = work.claim(*checked.said(facts.how, facts.smaller, facts.possible))
     timed = [(piece.values["q"], times_of(piece)) for piece in pieces]
     work = work.claim(*drawn.claims(timed, facts.limits, facts.drawn, results))
     return work.answer(
@@ -108,21 +111,43 @@ def _ends_of(found: Blended, working: Work) -> tuple[Claim, Claim]:
 # -- what the page needs ------------------------------------------------------------------------------
 
 
-def _facts(found: Blended, lines: tuple[str, ...], profile: Profile, drawn: Drawn) -> Facts:
-    working, way, T = found.working, found.way, found.T
+def _facts(
+    found: Blended, lines: tuple[str, ...], profile: Profile, drawn: Drawn, shown: Iterable[int]
+) -> Facts:
+    working = found.working
+    spans = {k: span for k, span in enumerate(found.spans(), 1) if k in shown}
     return Facts(
         given=tuple((n, value, found.rates[n]) for n, value in working.typed if n in found.rates),
         units=profile.units,
-        by=found.by,
         lines=lines,
-        name=found.given,
-        area=(way, V * (T - T_B)),
-        between=(way / T, 2 * way / T),
-        least=4 * way / T**2,
-        half=T / 2,
-        open=found.open,
-        bounds=tuple((each.start, each.end) for each in found.spans()),
-        plateau=working.sign(T - 2 * T_B) != 0,
+        smaller=Phrase("smaller-root") if found.by == "a" else None,
+        possible=_possible(found) if found.open else None,
+        pieces=tuple(PieceTold(step=f"piece_{k}", what=_piece(k, span)) for k, span in spans.items()),
+        how=_how(found),
         drawn=drawn.course is not None,
         limits=drawn.limits(),
     )
+
+
+def _how(found: Blended) -> Phrase:
+    if found.by == "limits":
+        return Phrase("as-the-profile")
+    area = Relation(found.way, "=", V * (found.T - T_B))
+    return Phrase("blended", {"v": V, "t_b": T_B, "area": area})
+
+
+def _possible(found: Blended) -> Phrase | None:
+    """Which velocities, accelerations or durations of the blends make a motion."""
+    way, T = found.way, found.T
+    if found.given is None:
+        return None
+    borders: dict[str, dict[str, Expr]] = {
+        "v": {"least": way / T, "most": 2 * way / T}, "a": {"least": 4 * way / T**2}, "t_b": {"most": T / 2},
+    }  # fmt: skip
+    return Phrase(POSSIBLE[found.by], {"given": found.given, **borders[found.by]})
+
+
+def _piece(k: int, span: Span) -> Phrase:
+    if k == 1:
+        return Phrase("begins", {"start": span.start, "end": span.end})
+    return Phrase("goes-on" if k == 2 else "ends", {"end": span.end})

@@ -42,14 +42,14 @@ class Facts(PageFacts):
     axis: AxisTold | None = None
     together: TogetherTold | None = None
     drawn: bool
-    at_point: str  # the case there
+    at_point: Phrase | None  # the case there
 
 
 def claims_of(profile: Profile, options: Options) -> tuple[str, ...]:
     """The keys of what is claimed; of several axes for each of them."""
     if len(profile.axes) > 1:
         return ("axis-alone", "on-axis", "slowest")
-    return ("in-case", "as-told", "no-time-is-shorter|no-acceleration-is-smaller|too-short")
+    return ("in-case", "as-told", "no-time-is-shorter|no-acceleration-is-smaller|time-too-short")
 
 
 def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
@@ -62,7 +62,8 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     each = solved(profile.axes[0], profile.time, profile, problem)
     found = _numbers(profile, profile.time, options, problem)
     facts = replace(_facts(profile, found, options), axis=told(each))
-    met = next((k for k, one in enumerate(each.outcomes) if one.case == facts.at_point), 0)
+    case = found[0].case if found and options.evaluate else ""
+    met = next((k for k, one in enumerate(each.outcomes) if one.case == case), 0)
     steps, results, axis = tuple(steps_of(each)), _results(each, met), facts.axis or told(each)
     by_name = {step.name: step for step in steps}
     told_again = {name: (tree,) for name, tree in results.items() if isinstance(tree, TREES)}
@@ -158,8 +159,10 @@ def _drawn_again(profile: Profile, facts: Facts, options: Options, problem: Prob
         return
     feasible = all(each.case != "infeasible" for each in found)
     at_point = found[0].case if options.evaluate else ""
-    border = found[0].t_2 - found[0].t_1 <= trapezoid.FLAT * found[0].t_3 and facts.at_point != "infeasible"
-    yield route("drawn", (facts.drawn == feasible, facts.at_point == at_point or border))
+    case = facts.at_point.about["case"] if facts.at_point else None
+    said = case.key if isinstance(case, Phrase) else ""
+    border = found[0].t_2 - found[0].t_1 <= trapezoid.FLAT * found[0].t_3 and said != "infeasible"
+    yield route("drawn", (facts.drawn == feasible, said == at_point or border))
 
 
 def _searched(axis: Axis, time: float | None, point: Mapping[str, float]) -> trapezoid.Switching:
@@ -170,7 +173,8 @@ def _searched(axis: Axis, time: float | None, point: Mapping[str, float]) -> tra
 def _facts(profile: Profile, found: Found | None, options: Options) -> Facts:
     """Whether there is a picture, and of which case at the point asked for."""
     feasible = found is not None and all(each.case != "infeasible" for each in found)
-    at_point = found[0].case if found and options.evaluate else ""
+    asked = found is not None and options.evaluate is not None and len(found) == 1
+    at_point = Phrase("at-point", {"case": Phrase(found[0].case)}) if found and asked else None
     return Facts(units=profile.units, drawn=feasible, at_point=at_point, numbers=NAMES)
 
 

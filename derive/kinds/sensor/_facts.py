@@ -8,8 +8,7 @@ from derive.expression import Expr, Symbol
 
 class ResolutionFacts(PageFacts):
     edges: Expr | None  # that are counted; None of an absolute encoder
-    gear: Symbol | None
-    gear_value: Expr | None
+    gear: Expr | None
 
 
 class SpeedFacts(PageFacts):
@@ -21,9 +20,8 @@ class SpeedFacts(PageFacts):
 
 class VoltageFacts(PageFacts):
     given: tuple[tuple[Expr, Expr], ...]
-    bipolar: bool
     inverse: bool
     timed: bool
     high: Expr
-    low: Expr
+    low: Expr | None  # zero
     duty: Expr

@@ -19,9 +19,9 @@ def as_given(encoder: Encoder, work: Work, told: ResolutionFacts) -> Iterator[bo
     """The sentences tell the edges and the gear of the sheet."""
     disc = encoder.disc
     yield told.edges == (disc.edges if isinstance(disc, Incremental) else None)
-    yield (told.gear is None) == (encoder.gear is None) == (told.gear_value is None)
-    if told.gear_value is not None and encoder.gear is not None:
-        yield work.value(told.gear_value) == work.value(encoder.gear)
+    yield (told.gear is None) == (encoder.gear is None)
+    if told.gear is not None and encoder.gear is not None:
+        yield work.value(told.gear) == work.value(encoder.gear)
 
 
 def whole_turn(encoder: Encoder, problem: Problem, results: dict[str, Expr]) -> Iterator[bool]:

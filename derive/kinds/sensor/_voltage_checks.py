@@ -51,13 +51,13 @@ def said(voltage: PulseWidth, work: Work, told: VoltageFacts) -> Iterator[bool]:
     problem, names = work.problem, work.definitions
     yield told.given == work.typed and told.inverse == (voltage.duty is None)
     yield told.timed == (voltage.frequency is not None)
-    typed = [(told.high, voltage.high), (told.low, voltage.low)]
+    typed = [(told.high, voltage.high), (told.low or ZERO, voltage.low)]
     typed += [] if voltage.duty is None else [(told.duty, voltage.duty)]
     yield from (work.scalar(name) == work.scalar(tree) for name, tree in typed)
     (law,) = (step.chain for step in work.steps if step.rule == "area")
     for point in islice(_points(problem, problem.final(put_in(told.duty, names))), POINTS):
         left, right, high, low, duty = (
-            at(problem.final(put_in(each, names)), point) for each in (*law, told.high, told.low, told.duty)
+            at(problem.final(put_in(each, names)), point)
+            for each in (*law, told.high, told.low or ZERO, told.duty)
         )
         yield close([left, right], [mean_of_wave(high, low, duty, 1.0)] * 2)
-        yield told.bipolar == (told.low != ZERO)

@@ -38,7 +38,7 @@ def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivatio
         work = work.worked("t_on", duty / f)
         results["t_on"] = work.final("t_on")
     facts = Facts(
-        given=work.typed, bipolar=bipolar, inverse=voltage.duty is None, high=high, low=low, duty=duty,
+        given=work.typed, inverse=voltage.duty is None, high=high, low=low if bipolar else None, duty=duty,
         timed=voltage.frequency is not None,
     )  # fmt: skip
     work = work.claim(route("sampled-mean", sampled(voltage, problem, results)))

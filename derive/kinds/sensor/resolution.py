@@ -34,6 +34,6 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
     if seen := [*edge_by_edge(encoder, problem, results)]:
         work = work.claim(route("edge-by-edge", seen))
     edges = encoder.disc.edges if isinstance(encoder.disc, Incremental) else None
-    facts = Facts(edges=edges, gear=gear, gear_value=work[gear] if gear else None)
+    facts = Facts(edges=edges, gear=work[gear] if gear else None)
     work = work.claim(route("as-given", as_given(encoder, work, facts)))
     return work.answer("resolution", results, facts)

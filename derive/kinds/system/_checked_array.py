@@ -40,7 +40,8 @@ class Printed:
             *(t for t in sides if isinstance(t, TREES)),
         ]
         found = frozenset[str]().union(*map(free_symbols, trees))
-        return sorted(found - {self.told.epsilon.name, "pi"})
+        small = {self.told.epsilon.name} if self.told.epsilon else frozenset[str]()
+        return sorted(found - {"pi"} - small)
 
     @property
     def degree(self) -> int:

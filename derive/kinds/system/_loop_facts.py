@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from derive.derivation import PageFacts
+from derive.derivation import PageFacts, Phrase
 from derive.expression import Expr, Symbol
 from derive.kinds.system._plant import AtPoint
 
@@ -14,13 +14,12 @@ class LoopAtPoint(AtPoint):
 class Facts(PageFacts):
     family: str
     through: Expr
-    origin: tuple[Expr, Expr]
     input: Symbol
     output: Symbol
     motor: tuple[str, ...]
     differentiates: bool
     order: int
     realisable: bool
-    tracks: bool
+    tracks: Phrase | None  # a constant reference without error
     cancelled: int
     at: LoopAtPoint | None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from derive.derivation import PageFacts, Table
-from derive.expression import ZERO, Expr, Relation, Symbol
+from derive.expression import Expr, Relation, Symbol
 from derive.kinds.system._plant import AtPoint
 
 
@@ -21,13 +21,12 @@ class Facts(PageFacts):
     array: Table | None
     column: tuple[Expr, ...]
     mended: tuple[str, ...]  # the special cases of the array
-    epsilon: Symbol
+    epsilon: Symbol | None  # where it stands in the array
     never: bool
-    conditions: tuple[Relation, ...]
+    conditions: tuple[Relation, ...]  # none where they never hold
     marginal: tuple[Relation, ...] | None
     one_sign: tuple[Expr, ...]
     assumed: bool
-    origin: Expr = ZERO
     symbolic: bool
     limiting: Relation | None
     critical: tuple[tuple[Expr, ...], ...] | None

@@ -12,15 +12,15 @@ from derive.control.oracle.equations import is_close, quotient, value, value_ove
 from derive.control.oracle.figures import Figures, Seen, agree
 from derive.control.response import StepResponse
 from derive.derivation import Claim, Result
-from derive.expression import ZERO, Expr, Symbol
+from derive.expression import ZERO, Expr, Relation, Symbol
 from derive.kinds.checks import route
 from derive.kinds.fields import TREES
 from derive.kinds.system._oracle import IMAGINARY_UNIT, Held, as_printed, reals
-from derive.kinds.system._point_checks import verdict_claim
-from derive.kinds.system._step_facts import FIGURES, NONE, Facts
+from derive.kinds.system._step_facts import COURSES, FIGURES, NONE, Facts
 
 CLOSE = 1e-6  # of transforms against each other, and of roots against the polynomial they are of
 EVERY, FIRST = 16, 6  # samples of the curve that are looked at: each of so many, and the first ones
+ORIGIN = Relation(Symbol("s"), "=", ZERO)
 TURNED = 0.7 + 0.6j  # where, for each pole, as far from the origin as it
 
 
@@ -45,12 +45,12 @@ def proofs(
     yield route("modes", _transforms_back(response, transfer, sizes))
     times, values = (each[1:FIRST] + each[FIRST::EVERY] for each in (response.times, response.values))
     yield route("inverse-transform", seen.follows(times, values))
-    yield verdict_claim(den, told.verdict)
+    yield route("verdict", _courses(told, den, seen))
     yield route("poles-as-printed", _roots(told.poles, den))
     yield route(
         "as-said", _said(held, told, seen, results, evaluated, poles.possible(whole), response.peak_time)
     )
-    if told.verdict == "stable" and not told.zero:
+    if told.figures:
         figures = _read_off(results, response)
         yield route("figures", (False,) if figures is None else agree(seen, figures))
     else:
@@ -112,27 +112,44 @@ def _said(
     for name in FIGURES:
         tree, plain = results[name], evaluated[name]
         yield tree == NONE if plain is None else isinstance(tree, TREES) and _equal(number(tree, {}), plain)
-    told_of = {name: getattr(told, name) or NONE for name in FIGURES if name != "steady_state"}
-    yield all(results[name] == each for name, each in told_of.items())
-    yield told.input == held.system.input and told.closed == (held.controller is not None)
+    figures = {phrase.key.removesuffix("-at"): phrase.about for phrase in told.figures}
+    yield {name: about["value"] for name, about in figures.items()} == {
+        name: results[name] for name in FIGURES[:-1] if results[name] != NONE
+    }
+    yield dict(told.jump.about)["start"] == Relation(Symbol("t"), "=", ZERO)
+    whose = held.system.input if held.controller is None else None
+    yield (told.jump.key, told.jump.about.get("input")) == (
+        "reference-jumps" if held.controller else "input-jumps", whose,
+    )  # fmt: skip
     given = {**held.problem.where, **(held.given or {})}
     yield {chain[0]: chain[-1] for chain in told.point} == {
         Symbol(name): tree for name, tree in given.items()
     }
-    yield told.start == (Symbol("t"), ZERO) and told.origin == (Symbol("s"), ZERO)
     yield is_close(value(told.step, {"s": 0.3 + 1.1j}), 1 / (0.3 + 1.1j))
+    time = figures.get("overshoot", {}).get("time")
+    shown = peak if figures else None
     yield (
-        peak is None
-        if told.peak_time is None
-        else peak is not None and _equal(number(told.peak_time, {}), peak)
+        shown is None
+        if not isinstance(time, TREES)
+        else shown is not None and _equal(number(time, {}), shown)
     )
-    yield told.zero == (evaluated["steady_state"] == 0)
+    yield (told.none is not None) == (evaluated["steady_state"] == 0)
     if len(whole) == 1:
-        yield told.hidden == ("unstable" in whole and told.verdict != "unstable")
-    yield (told.slope is None) or (
-        told.verdict == "integrator" and is_close(number(told.slope, {}), seen.slope, CLOSE)
-    )
-    yield told.slope is not None or told.verdict != "integrator" or not seen.grows
+        yield (told.hidden is not None) == ("unstable" in whole and told.course.key != "grows")
+
+
+def _courses(told: Facts, den: Sequence[float], seen: Seen) -> Iterator[bool]:
+    """What the response does in the end, by the poles and by its slope."""
+    possible, about = poles.possible(den), told.course.about
+    slope = about.get("slope")
+    yield about.get("origin", ORIGIN) == ORIGIN
+    if isinstance(slope, TREES):
+        yield told.course.key == "drifts" and "integrator" in possible
+        yield is_close(number(slope, {}), seen.slope, CLOSE)
+    elif told.course.key == "swings" and "integrator" in possible:
+        yield not seen.grows
+    else:
+        yield COURSES[told.course.key] in possible
 
 
 def _equal(left: float, right: float) -> bool:

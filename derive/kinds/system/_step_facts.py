@@ -2,26 +2,20 @@
 
 from __future__ import annotations
 
-from derive.derivation import PageFacts
-from derive.expression import Expr, Symbol
+from derive.derivation import PageFacts, Phrase
+from derive.expression import Expr
 
 FIGURES = ("rise_time", "settling_time", "overshoot", "steady_state")
+COURSES = {"settles": "stable", "drifts": "integrator", "grows": "unstable", "swings": "oscillator"}
 NONE = "none"  # a number that this response does not have
 
 
 class Facts(PageFacts):
-    start: tuple[Expr, Expr]
-    origin: tuple[Expr, Expr]
+    jump: Phrase  # of what, and when
     step: Expr  # its transform
-    closed: bool
-    input: Symbol
     point: tuple[tuple[Expr, ...], ...]
     poles: tuple[Expr, ...]
-    verdict: str
-    hidden: bool
-    slope: Expr | None
-    zero: bool  # the steady state
-    rise_time: Expr | None
-    settling_time: Expr | None
-    overshoot: Expr | None
-    peak_time: Expr | None
+    course: Phrase  # what it does in the end
+    figures: tuple[Phrase, ...]  # that are read off
+    none: Phrase | None  # why there are none though it settles
+    hidden: Phrase | None  # what grows unseen

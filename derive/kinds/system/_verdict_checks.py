@@ -9,7 +9,7 @@ from derive.algebra.numbers.floats import number
 from derive.control.oracle import poles
 from derive.control.oracle.equations import value
 from derive.derivation import Result
-from derive.expression import ZERO, Approximate, Expr, Number, Relation, Symbol, free_symbols
+from derive.expression import Approximate, Expr, Number, Relation, Symbol, free_symbols
 from derive.expression import number as tree
 from derive.kinds.fields import TREES
 from derive.kinds.system._checked_array import NOWHERE, Printed
@@ -106,8 +106,8 @@ def said(held: Held, printed: Printed, results: Mapping[str, Result]) -> Iterato
     """The sentences, at the points where floats tell."""
     told = printed.told
     yield told.closed == (held.controller is not None) and told.motor == held.system.motor
-    yield told.symbolic == bool(printed.symbols) and told.origin == ZERO
-    yield told.conditions == printed.conditions
+    yield told.symbolic == bool(printed.symbols)
+    yield told.conditions == (() if told.never else printed.conditions)
     yield told.assumed == bool(printed.positive & {*printed.symbols})
     signs = [_signs(polynomial) for _, polynomial in printed.points()]
     met = [0 not in each and len(each) == 1 for each in signs]
@@ -124,7 +124,7 @@ def said(held: Held, printed: Printed, results: Mapping[str, Result]) -> Iterato
         least, most = poles.on_right(polynomial)
         yield least <= told.changes <= most and results["unstable_poles"] == tree(told.changes)
         places = [value(tree, {"j": 1j}) for tree in told.axis]
-        yield all(poles.is_zero_at(polynomial, z) and not z.real and z.imag >= 0 for z in places)
+        yield all(poles.is_zero_at(polynomial, z) and not z.real for z in places)
         on_axis = poles.possible(polynomial) <= MARGINAL
         yield bool(places) or not on_axis
 

@@ -12,9 +12,9 @@ from derive.control.ratios import Ratio, total
 from derive.control.roots import roots
 from derive.control.signals import signals
 from derive.control.system import System
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, Phrase, Step
 from derive.errors import NotDerivable
-from derive.expression import ONE, ZERO, Expr, Symbol, free_symbols, walk
+from derive.expression import ONE, ZERO, Expr, Relation, Symbol, free_symbols, walk
 from derive.kinds.chains import distinct
 from derive.kinds.checks import law, route
 from derive.kinds.fields import Evaluation, OptionsModel, Place
@@ -147,14 +147,13 @@ def _facts(found: Closed, at: LoopAtPoint | None) -> Facts:
     return Facts(
         family=found.controller.family,
         through=solved.named("C") * solved.named("G"),
-        origin=(Symbol("s"), ZERO),
         input=solved.system.input,
         output=solved.system.output,
         motor=solved.system.motor,
         differentiates=found.controller.differentiates,
         order=len(found.transfer.den) - 1,
         realisable=loop.open.proper,
-        tracks=_tracks(found),
+        tracks=Phrase("tracks", {"origin": Relation(Symbol("s"), "=", ZERO)}) if _tracks(found) else None,
         cancelled=found.transfer.cancelled,
         at=at,
         numbers=(),

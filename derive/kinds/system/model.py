@@ -160,7 +160,7 @@ def _facts(answer: Answer, options: Options) -> Facts:
         reference=Symbol(diagram.input),
         error=(Symbol("e"), Symbol(diagram.input) - solved.system.output),
         disturbances=tuple(map(Symbol, diagram.disturbances)),
-        controller=controller_formula(answer),
+        controller=controller_formula(answer) if answer.filter else None,
         filter=answer.filter,
         gains=tuple((name, tree) for name, tree in answer.gains if name != tree),
         point=point_chains(options.evaluate, solved.problem.where),

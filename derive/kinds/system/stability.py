@@ -134,6 +134,7 @@ def _facts(answer: Answer, options: Options, at: StabilityAtPoint | None) -> Fac
     array, solved = answer.array, answer.plant
     degree = len(array.rows) - 1
     found = () if answer.symbols else roots(array.polynomial)
+    never = is_impossible(answer.conditions, answer.positive)
     return Facts(
         closed=options.controller is not None,
         motor=solved.system.motor,
@@ -144,9 +145,9 @@ def _facts(answer: Answer, options: Options, at: StabilityAtPoint | None) -> Fac
         array=array.table if degree > 1 else None,
         column=tuple(array.value(i, 1) for i in range(1, degree + 2)),
         mended=array.mended,
-        epsilon=Symbol(array.epsilon),
-        never=is_impossible(answer.conditions, answer.positive),
-        conditions=answer.written,
+        epsilon=Symbol(array.epsilon) if "epsilon" in array.mended else None,
+        never=never,
+        conditions=() if never else answer.written,
         marginal=_written(answer, possible(answer)) if is_marginal(answer) else None,
         one_sign=of_one_sign(answer),
         assumed=bool(answer.positive & set(answer.symbols)),
@@ -154,7 +155,7 @@ def _facts(answer: Answer, options: Options, at: StabilityAtPoint | None) -> Fac
         limiting=_written_limit(answer),
         critical=_critical(answer),
         changes=0 if answer.symbols else answer.changes,
-        axis=tuple(dict.fromkeys(root_tree(z) for z in found if z.real == 0 and z.imag >= 0)),
+        axis=tuple(dict.fromkeys(root_tree(z) for z in found if z.real == 0)),
         verdict="" if answer.symbols else verdict(array.polynomial),
         at=at,
         numbers=(),

@@ -12,7 +12,7 @@ from derive.control.roots import roots
 from derive.control.system import System
 from derive.derivation import Curve, Derivation, Label, Phrase, Plot, Result, Step
 from derive.errors import NotDerivable
-from derive.expression import Expr, Number, Symbol, number
+from derive.expression import Expr, Number, Relation, Symbol, number
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._options import ControllerField
@@ -143,29 +143,43 @@ def _plot(system: System, response: StepResponse) -> Plot:
 
 
 def _facts(answer: Answer, options: Options) -> Facts:
-    response = answer.response
+    response, start = answer.response, Relation(Symbol("t"), "=", number(0))
+    jump = Phrase("input-jumps", {"input": answer.plant.system.input, "start": start})
+    found = verdict(answer.numeric.den)
+    returns = found == "stable" and response.steady_state == 0
     return Facts(
-        start=(Symbol("t"), number(0)),
-        origin=(S, number(0)),
+        jump=Phrase("reference-jumps", {"start": start}) if options.controller else jump,
         step=1 / S,
-        closed=options.controller is not None,
-        input=answer.plant.system.input,
         point=point_chains(options.evaluate, answer.plant.problem.where),
         poles=tuple(map(root_tree, roots(answer.numeric.den))),
-        verdict=verdict(answer.numeric.den),
-        hidden=answer.verdict == "unstable" and verdict(answer.numeric.den) != "unstable",
-        slope=_slope(answer),
-        zero=response.steady_state == 0,
-        rise_time=_shown(response.rise_time),
-        settling_time=_shown(response.settling_time),
-        overshoot=_shown(response.overshoot),
-        peak_time=_shown(response.peak_time),
+        course=_course(answer, found),
+        figures=() if returns else tuple(_figures(response)),
+        none=Phrase("returns") if returns else None,
+        hidden=Phrase("hidden-growth") if answer.verdict == "unstable" != found else None,
         numbers=(),
     )
 
 
-def _shown(value: float | None) -> Expr | None:
-    return None if value is None else rounded(value)
+def _course(answer: Answer, found: str) -> Phrase:
+    """What the response does in the end."""
+    origin, slope = Relation(S, "=", number(0)), _slope(answer)
+    match found:
+        case "stable":
+            return Phrase("settles", {"origin": origin})
+        case "unstable":
+            return Phrase("grows")
+    return Phrase("swings") if slope is None else Phrase("drifts", {"origin": origin, "slope": slope})
+
+
+def _figures(response: StepResponse) -> Iterator[Phrase]:
+    """What is read off it, the overshoot with the time of the peak."""
+    peak = response.peak_time
+    for name in FIGURES[:-1]:
+        if (value := getattr(response, name)) is not None:
+            if name == "overshoot" and peak is not None:
+                yield Phrase("overshoot-at", {"value": rounded(value), "time": rounded(peak)})
+            else:
+                yield Phrase(name, {"value": rounded(value)})
 
 
 def _slope(answer: Answer) -> Expr | None:
