@@ -9,7 +9,7 @@ from fractions import Fraction
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts
-from derive.expression import Derivative, Expr, Number, Sum, Symbol, add, multiply, number
+from derive.expression import ZERO, Derivative, Expr, Number, Sum, Symbol, add, multiply, number
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
@@ -22,7 +22,7 @@ from derive.mechanics.robot import Robot
 from derive.names import entry_symbol
 
 NEEDS = ("bodies",)
-CLAIMS = ("names", "symmetric", "skew-symmetric")
+CLAIMS = ("names", "symmetric", "skew-symmetric", "others-vanish")
 Index = tuple[int, int, int]
 MOST_SHOWN = 3  # joints; with more, the symbols that vanish are only counted
 HALF = number("1/2")
@@ -56,6 +56,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         vanish=sum(not value for ijk, value in symbols.items() if _ordered(ijk) not in shown),
     )
     results = {_name(ijk).name: found[_ordered(ijk)] for ijk in sorted(symbols)}
+    untold = [results[_name(ijk).name] for ijk in symbols if _ordered(ijk) not in shown]
+    gone = sum(value == ZERO for value in untold)
+    work = work.law("others-vanish", (gone == facts.vanish, big or gone == len(untold)))
     work = by_index(work, results)
     return work.answer("christoffel", results, facts)
 
