@@ -20,7 +20,7 @@ FIELD = re.compile(r"(\{[^{}]*\})")
 SAYING = {"em": 0, "strong": 0, "items": 0, "append": 0, "plot": 1, "count": 1}  # arguments that are names
 SAID_BESIDE = ("entries", "caption")  # of a display, of a picture
 JOINING = ("join", "listed", "default", "replace")
-MATHEMATICS = "m"  # the filter that prints mathematics: ("x_" ~ k) | m
+MATHEMATICS = ("m", "each")  # filters that print mathematics: ("x_" ~ k) | m
 UNSAID = (nodes.Compare, nodes.Test, nodes.Getattr, nodes.Import, nodes.FromImport, nodes.Include)
 
 
@@ -73,7 +73,7 @@ class _Translation(NodeTransformer):
                 node.args = [*node.args[:names], *map(self.visit, node.args[names:])]
                 for each in node.kwargs:
                     each.value = self.visit(each.value) if each.key in SAID_BESIDE else each.value
-            case nodes.Filter(name=name) if name == MATHEMATICS:
+            case nodes.Filter(name=name) if name in MATHEMATICS:
                 return node
             case nodes.Filter():
                 node.node = self.visit(node.node) if node.node else None

@@ -133,7 +133,7 @@ def test_space_jacobian_of_example_5_2(tmp_path: Path) -> None:
 def test_everything_agrees_with_the_rows_found(tmp_path: Path, links: str) -> None:
     """The rows of link parameters that are found from the screws make an arm with the same Jacobian."""
     rows, J, v = asked(tmp_path, links, "dh-table", "jacobian", "velocity")
-    assert rows.facts.mode == "found"
+    assert rows.facts.found
     table = "".join(
         f"\n    - {{theta: {theta}, d: {d}, a: {a}, alpha: {alpha}}}" for theta, d, a, alpha in texts(rows)
     )

@@ -2,14 +2,23 @@
 
 from __future__ import annotations
 
-from typing import Literal, TypeAlias
+from typing import Literal
 
-from derive.derivation import Derivation, PageFacts, Result, Step, Table
+from derive.derivation import Claim, Derivation, PageFacts, Phrase, Record, Result, Step, Table
 from derive.expression import ZERO
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._rows.dh_found import FrameTold, found_rows, frame_lines, frames_told
+from derive.kinds.robot._rows.dh_checks import as_seen, measures_of, moves_of, products_of, shifted
+from derive.kinds.robot._rows.dh_found import found_rows, frame_lines
 from derive.kinds.robot._rows.dh_rows import Rows
+from derive.kinds.robot._rows.dh_told import (
+    Found,
+    Given,
+    Restated,
+    found_told,
+    given_told,
+    restated_told,
+)
 from derive.kinds.work import Work
 from derive.mechanics.motion import Move
 from derive.mechanics.poses import composed
@@ -17,8 +26,7 @@ from derive.mechanics.robot import Convention, DHRow, Robot
 
 CLAIMED = ("DH",)
 
-CLAIMS = ("table", "each-row|pose", "each-row|arm-composed")
-Mode: TypeAlias = Literal["given", "found", "restated"]
+CLAIMS = ("table", "each-row|pose", "each-row|arm-composed", "as-measured")
 
 
 class Options(OptionsModel):
@@ -27,13 +35,20 @@ class Options(OptionsModel):
     convention: Literal["standard", "modified"] | None = None
 
 
+class End(Record):
+    """What stands before the rows or after them."""
+
+    why: Phrase
+    step: str
+
+
 class Facts(PageFacts):
-    mode: Mode
-    convention: Convention
     table: Table
-    frames: tuple[FrameTold, ...]  # as they were found
-    base: bool  # it is not frame 0
-    tool: bool  # it is not frame n
+    given: Given | None = None
+    restated: Restated | None = None
+    found: Found | None = None
+    ends: tuple[End, ...]
+    proof: Phrase | None
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -44,32 +59,37 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     Raises NotDerivable where frames are to be assigned to a helical joint.
     """
     convention = options.convention or robot.convention
-    rows, work = _given(robot), Work(problem)
-    frames: tuple[FrameTold, ...] = ()
-    if rows is None:
-        rows, found = found_rows(robot, convention, problem)
-        work, frames = frame_lines(work, found, convention), frames_told(found, convention)
-        mode: Mode = "found"
+    given, work = _given(robot), Work(problem)
+    moves, products, found, claims = None, None, None, tuple[Claim, ...]()
+    if given is None:
+        rows, assignment = found_rows(robot, convention, problem)
+        work, found = frame_lines(work, assignment, convention), found_told(assignment, convention)
+        claims = (measures_of(found, convention), as_seen(work, found.frames))
     elif convention == robot.convention:
-        mode = "given"
+        rows, moves = given, given_told(convention)
+        claims = (moves_of(moves, convention),)
     else:
-        mode, rows = "restated", restated(robot, rows, convention)
+        rows, products = restated(robot, given, convention), restated_told(robot.convention, convention)
+        claims = (
+            *products_of(products, robot.convention, convention),
+            shifted(products, rows.rows, given.rows),
+        )
     results: dict[str, Result] = {"DH": rows.matrix(problem)}
     work = rows.lines(work.step(Step("DH", (), "dh-parameters")))
     results |= {name: work.final(name) for name in rows.ends}
     work = work.linked(but=rows.ends)
-    work = rows.each_pose(work) if mode == "given" else rows.proved(work)
+    work = rows.each_pose(work) if rows is given else rows.proved(work)
     table = rows.table()
-    work = work.claim(rows.as_listed(table))
-    if frames:
+    work = work.claim(rows.as_listed(table), *claims)
+    if given is None:
         work = rows.frames_seen(work, robot.base if robot.by_screws else ())
     facts = Facts(
-        mode=mode,
-        convention=rows.convention,
         table=table,
-        frames=frames,
-        base="T_base" in rows.ends,
-        tool="T_tool" in rows.ends,
+        given=moves,
+        restated=products,
+        found=found,
+        ends=tuple(End(why=Phrase(name), step=name) for name in rows.ends),
+        proof=None if rows is given else Phrase("same-pose"),
     )
     return work.answer("dh-table", results, facts)
 

@@ -10,7 +10,7 @@ from typing import Any
 from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import Point, completed, numbers
-from derive.derivation import Derivation
+from derive.derivation import Derivation, PageFacts, Phrase
 from derive.expression import Expr
 from derive.kinds.checks import TRIES, close, random_points, route
 from derive.kinds.fields import NoOptions as Options
@@ -19,6 +19,7 @@ from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._chain import axis_lines, chain_of, oracle_of, pose_name
 from derive.kinds.robot._columns import pose_lines
 from derive.kinds.robot._couplings import motion_lines
+from derive.kinds.robot._families import said_of_each
 from derive.kinds.work import Work
 from derive.mechanics.oracle import Oracle
 from derive.mechanics.oracle.astray import Astray
@@ -31,6 +32,10 @@ POINTS = 2
 def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:
     """Where a variable moves several rows, axes belong to these and not to joints."""
     return ("names",) if robot.coupled else ("names", "of-its-joint")
+
+
+class Facts(PageFacts):
+    vectors: tuple[Phrase, ...]  # what is read off the poses
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -54,7 +59,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         named = [step.chain[0] for step in axes.steps]
         work = work.claim(route("of-its-joint", _of_its_joint(problem, named)))
     work = by_index(work, results)
-    return work.answer("joint-axes", results)
+    vectors = (step.chain[0] for step in axes.steps if step.rule == "extract")
+    return work.answer("joint-axes", results, Facts(vectors=said_of_each("vector", vectors)))
 
 
 def _of_its_joint(problem: Problem, named: Sequence[Expr]) -> Iterator[bool]:

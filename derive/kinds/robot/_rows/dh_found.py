@@ -6,12 +6,12 @@ from fractions import Fraction
 
 from derive.algebra.normal import trig_of
 from derive.algebra.scalar import Scalar
-from derive.derivation import Record
 from derive.errors import NotDerivable
 from derive.expression import Degrees, Expr, Sum, Symbol, add, atan2, cross
 from derive.kinds.pose._numbers import fixed_angle, known_angle
 from derive.kinds.problem import Problem
 from derive.kinds.robot._rows.dh_rows import Rows
+from derive.kinds.robot._rows.dh_told import joins
 from derive.kinds.work import Work
 from derive.mechanics.assignment import Assignment, Pair, Parameters, assigned
 from derive.mechanics.lines import Line
@@ -73,34 +73,14 @@ def angle_of(pair: Pair, problem: Problem) -> Expr:
     return atan2(problem.readable(s), problem.readable(c))
 
 
-class FrameTold(Record):
-    number: int
-    kind: str
-    pair: tuple[int, int]  # the two z axes that x joins
-    turned: bool
-
-
-def frames_told(found: Assignment, convention: Convention) -> tuple[FrameTold, ...]:
-    """How each frame came about, for the words."""
-    return tuple(
-        FrameTold(number=i, kind=frame.kind, pair=_pair(i, convention), turned=frame.turned)
-        for i, frame in enumerate(found.frames)
-    )
-
-
 def frame_lines(work: Work, found: Assignment, convention: Convention) -> Work:
     """z_i, x_i and o_i (3 by 1) of every frame of an assignment."""
     for i, frame in enumerate(found.frames):
         x, z, o = (Symbol(f"{letter}_{i}") for letter in "xzo")
         work = work.line(z, value=frame.z, rule="axis")
-        work = work.line(x, *_reason(i, found, _pair(i, convention)), value=frame.x, rule="normal")
+        work = work.line(x, *_reason(i, found, joins(i, convention)), value=frame.x, rule="normal")
         work = work.line(o, value=frame.o, rule="origin")
     return work
-
-
-def _pair(i: int, convention: Convention) -> tuple[int, int]:
-    """The two z axes that x_i joins."""
-    return (i - 1, i) if convention == "standard" else (i, i + 1)
 
 
 def _reason(i: int, found: Assignment, pair: tuple[int, int]) -> tuple[Expr, ...]:
