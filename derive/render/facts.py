@@ -17,7 +17,7 @@ Sayable: TypeAlias = Expr | Relation | Phrase | Table
 SAYABLE = (*get_args(Expr), Relation, Phrase, Table)
 CHOOSING = frozenset(  # kinds whose words still choose among what they are given
     ("forward-kinematics", "inverse-kinematics", "manipulability", "product-of-exponentials", "regressor",
-     "singularities", "workspace")
+     "singularities")
 )  # fmt: skip
 NOT_FOR_WORDS = frozenset(field.name for field in fields(PageFacts))
 

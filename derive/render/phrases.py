@@ -24,7 +24,7 @@ from derive.expression import PI, Degrees, Expr, Quotient, Relation, walk
 from derive.render.latex import Printer
 from derive.render.layout import Chain, Link
 from derive.render.printed import Printed, links_of
-from derive.render.skin import english, environment, words_file
+from derive.render.skin import environment, joined, words_file
 
 PHRASES = "phrases"  # the block of a words template that holds them
 STRONG, EM = ("**", "\x1e"), ("*", "\x1f")  # what is typed, and what stands for it until a phrase is written
@@ -75,7 +75,7 @@ class Speech:
             case str() | int():
                 return self.plain(str(said))
             case tuple():
-                return f" {english('conjunction')} ".join(self.say(part, notation) for part in said)
+                return joined([self.say(part, notation) for part in said])
             case _:
                 tree = self.styled(said)
                 written = self.tree(tree, notation)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from string import digits
 
 from derive.derivation import Phrase
@@ -11,10 +11,10 @@ from derive.expression import Expr, Indexed, Symbol
 I = Symbol("i")
 
 
-def said_of_each(what: str, names: Iterable[Expr]) -> tuple[Phrase, ...]:
-    """A phrase `what-r` for each letter among these names, which is told with the index i, in their order."""
+def said_of_each(keys: Mapping[str, str], names: Iterable[Expr]) -> tuple[Phrase, ...]:
+    """The phrase of each letter among these names, which is told with the index i, in their order."""
     sorts = dict.fromkeys(map(_sort, names))
-    return tuple(Phrase(f"{what}-{letter.rstrip('_')}", {"name": name}) for letter, name in sorts)
+    return tuple(Phrase(keys[letter.rstrip("_")], {"name": name}) for letter, name in sorts)
 
 
 def of_each(base: str) -> Indexed:

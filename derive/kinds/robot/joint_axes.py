@@ -27,6 +27,7 @@ from derive.mechanics.oracle.instant import Instant
 from derive.mechanics.robot import Robot
 
 POINTS = 2
+VECTORS = {"z": "vector-z", "x": "vector-x", "o": "vector-o", "k": "vector-k", "p": "vector-p"}
 
 
 def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:
@@ -60,7 +61,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         work = work.claim(route("of-its-joint", _of_its_joint(problem, named)))
     work = by_index(work, results)
     vectors = (step.chain[0] for step in axes.steps if step.rule == "extract")
-    return work.answer("joint-axes", results, Facts(vectors=said_of_each("vector", vectors)))
+    return work.answer("joint-axes", results, Facts(vectors=said_of_each(VECTORS, vectors)))
 
 
 def _of_its_joint(problem: Problem, named: Sequence[Expr]) -> Iterator[bool]:

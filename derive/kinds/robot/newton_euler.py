@@ -35,6 +35,7 @@ NEEDS = ("bodies",)
 CLAIMS = ("inertia", "christoffel", "gravity", "motion-of-each-body", "names")
 CLAIMED = ("tau",)  # by the motion of each body; of a long arm no line has it
 BASE = Symbol("o_0_ddot")
+CONSTANTS = {"e": "constant-e", "r": "constant-r", "r_c": "constant-r_c", "p": "constant-p"}
 
 
 Vector = Callable[[Heavy, int, Any], Any]  # of link i, in the base frame
@@ -137,7 +138,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         work = _in_names(work, line) if arm.long else _written(work, line, torques.get(line.name))
     facts = Facts(
         long=arm.long,
-        constants=said_of_each("constant", (line.name for line in constants)),
+        constants=said_of_each(CONSTANTS, (line.name for line in constants)),
     )
     work = arm.moved(_same_as_lagrange(work, arm, sweeping), tau)
     return by_index(work, {"tau": tau}, _meanings(work.definitions)).answer(

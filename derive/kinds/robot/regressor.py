@@ -44,6 +44,7 @@ CLAIMED = ("groups", "names")
 
 NEEDS = ("bodies",)
 CLAIMS = ("motion-of-each-body",)
+COLUMNS = {"IA": "column-IA", "FV": "column-FV", "FS": "column-FS"}
 PRODUCTS = (("Y", "parameters"), ("Y_b", "base_parameters"))
 LONGEST_NUMBER = 10**6  # denominator of a number that is still written in full
 
@@ -100,7 +101,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         mass=of_each("M"),
         moments=tuple(map(of_each, MOMENTS)),
         elements=tuple(map(of_each, sorted(ELEMENTS))),
-        others=said_of_each("column", (part.name for part in parameters if part.name.base not in NAMES)),
+        others=said_of_each(COLUMNS, (part.name for part in parameters if part.name.base not in NAMES)),
         numbers=("Y", "parameters", "Y_b", "base_parameters"),
     )
     return work.answer("regressor", results, facts, matrices=frozenset({"Y", "Y_b"}))

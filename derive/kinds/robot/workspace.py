@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from derive.algebra.numbers import floats as numeric
 from derive.derivation import Derivation, PageFacts, Phrase, Plot, Step
-from derive.expression import ZERO, Expr, Symbol
+from derive.expression import ZERO, Expr, Relation, Symbol
 from derive.figures.workspaces import cross_section, from_above
 from derive.kinds.chains import closing
 from derive.kinds.fields import Evaluation, OptionsModel
@@ -13,13 +13,20 @@ from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.kinds.robot._reach.checks import Reached
 from derive.kinds.robot._reach.regions import Region, Secondary, final_distance, region_of, secondary
+from derive.kinds.robot._reach.told import (
+    R_MAX,
+    R_MIN,
+    R,
+    arm_told,
+    orientations_told,
+    region_told,
+)
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
 from derive.mechanics.reach import moving_joints, turns_freely
 from derive.mechanics.robot import Robot
 
 CLAIMS = ("largest-distance", "smallest-distance", "lines", "link-lengths", "hole")
-R_MIN, R_MAX = Symbol("r_min"), Symbol("r_max")
 
 
 class Options(OptionsModel):
@@ -30,20 +37,13 @@ class Options(OptionsModel):
 
 
 class Facts(PageFacts):
-    kind: str  # "planar", "swung", "torus"
-    lengths: tuple[Expr, ...]
-    joints: int
-    offset: Expr | None
-    side: Expr | None
-    slides: bool
-    pair: tuple[int, ...]  # joints of the two links
-    spare: tuple[int, ...]  # joints that do not move the point
-    free: bool  # these turn the end-effector as they like
-    same: bool  # there is no hole
+    arm: Phrase
+    shoulder: tuple[Expr, Expr] | None  # where distances from it count
     description: Phrase
-    secondary: Secondary | None
-    last: Expr
-    shoulder: tuple[Expr, Expr]
+    within: Relation | None  # which distances, in a plane
+    nearer: Phrase | None  # than is reached
+    kinds: Phrase  # of a workspace
+    orientations: Phrase
     plots: tuple[str, ...]
 
 
@@ -63,51 +63,37 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     )
     work = Work(problem, uses=(problem.ask("forward-kinematics"),), steps=steps).linked(but=("r_min",))
     plots = _pictures(problem, region, options)
-    facts = _facts(problem, region, point, plots)
+    planar = region.kind == "planar" and len(region.lengths) > 2
+    inner = secondary(problem, region) if planar else None
+    facts = _facts(problem, region, point, inner, plots)
     reached = Reached(problem, found, point, region, {1: r_max, -1: r_min})
-    work = work.claim(*reached.claims(steps, region.smallest[-1] == ZERO, facts.secondary))
+    work = work.claim(*reached.claims(steps, region.smallest[-1] == ZERO, inner))
     results = {"r_min": r_min, "r_max": r_max, "description": facts.description}
     return work.answer("workspace", results, facts, plots=plots)
 
 
-def _facts(problem: Problem, region: Region, point: Tracked, plots: tuple[Plot, ...]) -> Facts:
-    n = len(region.lengths)
-    found = chain_of(problem)
+def _facts(
+    problem: Problem, region: Region, point: Tracked, inner: Secondary | None, plots: tuple[Plot, ...]
+) -> Facts:
+    found, closed, planar = chain_of(problem), region.smallest[-1] == ZERO, region.kind == "planar"
     moving = moving_joints(found, point.position, point.last)
-    spare = [i for i, _ in found.moving if i not in moving and i <= point.last]
-    closed = region.smallest[-1] == ZERO
+    spare = tuple(i for i, _ in found.moving if i not in moving and i <= point.last)
+    free = turns_freely(found, moving, spare, planar)
     return Facts(
-        kind=region.kind,
-        lengths=region.lengths,
-        joints=n if region.kind == "planar" else 3,
-        offset=None if region.offset == ZERO else region.offset,
-        side=None if region.side == ZERO else region.side,
-        slides=region.slides,
-        pair=tuple(moving[-2:]),
-        spare=tuple(spare),
-        free=turns_freely(found, moving, spare, region.kind == "planar"),
-        same=n == 2 and closed,
-        description=_description(region, closed),
-        secondary=secondary(problem, region) if region.kind == "planar" and n > 2 else None,
-        last=region.lengths[-1],
-        shoulder=(Symbol("o_s"), problem.readable_matrix(region.center)),
+        arm=arm_told(region, tuple(moving[-2:])),
+        shoulder=(Symbol("o_s"), problem.readable_matrix(region.center)) if region.kind == "swung" else None,
+        description=region_told(region, closed),
+        within=_between(R_MIN, R, R_MAX) if planar and len(region.lengths) > 1 else None,
+        nearer=None if region.side == ZERO else Phrase("not-nearer", {"side": region.side}),
+        kinds=Phrase("kinds-in-a-plane" if planar else "kinds"),
+        orientations=orientations_told(region, closed, spare, free, inner),
         plots=tuple(plot.name for plot in plots),
         numbers=("r_min", "r_max"),
     )
 
 
-def _description(region: Region, closed: bool) -> Phrase:
-    match region.kind, len(region.lengths):
-        case "planar", 1:
-            return Phrase("side-of-a-cylinder" if region.slides else "circle")
-        case "planar", _ if region.slides:
-            return Phrase("cylinder" if closed else "hollow-cylinder")
-        case "planar", _:
-            return Phrase("disc" if closed else "annulus")
-        case "torus", _:
-            return Phrase("swung-annulus")
-    ball = Phrase("ball" if closed else "hollow-ball")
-    return ball if region.side == ZERO else Phrase("bored-through", {"ball": ball})
+def _between(low: Expr, middle: Expr, high: Expr) -> Relation:
+    return Relation(Relation(low, "<=", middle), "<=", high)
 
 
 def _pictures(problem: Problem, region: Region, options: Options) -> tuple[Plot, ...]:

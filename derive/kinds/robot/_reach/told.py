@@ -1,0 +1,55 @@
+"""What the words say of a workspace: the arm, what it reaches, and what of that in any orientation."""
+
+from __future__ import annotations
+
+from derive.derivation import Phrase, Said
+from derive.expression import ZERO, Symbol
+from derive.kinds.robot._reach.regions import Region, Secondary
+
+R_MIN, R, R_MAX = Symbol("r_min"), Symbol("r"), Symbol("r_max")
+
+
+def arm_told(region: Region, pair: tuple[int, ...]) -> Phrase:
+    """How it is built; `pair` are the joints of the two links that move in a plane."""
+    about: dict[str, Said] = {"lengths": region.lengths}
+    if region.kind == "planar":
+        if len(region.lengths) == 1:
+            return Phrase("single-link-sliding" if region.slides else "single-link", about)
+        return Phrase("parallel-axes-sliding" if region.slides else "parallel-axes", about)
+    about |= {"pair": pair, "offset": region.offset, "side": region.side}
+    if region.kind == "swung":
+        return Phrase("swung" if region.side == ZERO else "swung-aside", about)
+    return Phrase("torus" if region.side == ZERO else "torus-aside", about)
+
+
+def region_told(region: Region, closed: bool) -> Phrase:
+    """What it reaches; there is no hole where it is `closed`."""
+    match region.kind, len(region.lengths):
+        case "planar", 1:
+            return Phrase("side-of-a-cylinder" if region.slides else "circle")
+        case "planar", _ if region.slides:
+            return Phrase("cylinder" if closed else "hollow-cylinder")
+        case "planar", _:
+            return Phrase("disc" if closed else "annulus")
+        case "torus", _:
+            return Phrase("swung-annulus")
+    ball = Phrase("ball" if closed else "hollow-ball")
+    return ball if region.side == ZERO else Phrase("bored-through", {"ball": ball})
+
+
+def orientations_told(
+    region: Region, closed: bool, spare: tuple[int, ...], free: bool, secondary: Secondary | None
+) -> Phrase:
+    """Where every orientation is possible; joints that are `spare` do not move the point, and give it any
+    orientation where they are `free`."""
+    if free:
+        return Phrase("both-the-same-by-one" if len(spare) == 1 else "both-the-same", {"spare": spare})
+    if secondary:
+        about: dict[str, Said] = {
+            "r": R, "last": region.lengths[-1], "far": secondary.far, "inside": secondary.inside,
+            "gap": secondary.gap,
+        }  # fmt: skip
+        return Phrase("last-link-within", about)
+    if region.kind == "planar" and len(region.lengths) == 2:
+        return Phrase("the-base-alone" if closed else "two-orientations")
+    return Phrase("no-wrist" if spare else "no-joint-left")
