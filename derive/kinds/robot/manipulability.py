@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from itertools import islice
 
 from derive.algebra.numbers.arrays import arrays
@@ -11,7 +10,7 @@ from derive.algebra.numbers.floats import Point, number
 from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.factors import Factored
-from derive.derivation import Derivation, PageFacts, Step
+from derive.derivation import Derivation, PageFacts, Phrase, Record, Said, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     Approximate,
@@ -33,7 +32,8 @@ from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._determinants import as_product, determinant, gram_determinant, natural, product_tree
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._singular.ways import seen_from_middle
-from derive.kinds.robot._velocity.ellipsoids import PointTold, at_point, decided
+from derive.kinds.robot._velocity.ellipsoid_laws import ellipsoid_laws
+from derive.kinds.robot._velocity.ellipsoids import PointTold, at_point, decided, figure_of
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.kinds.work import Work
 from derive.mechanics.minors import minors
@@ -58,12 +58,18 @@ class Options(OptionsModel):
     evaluate: Evaluation = None
 
 
-class Facts(PageFacts):
+class General(Record):
+    """What is said of all configurations."""
+
     rows: tuple[Symbol, ...]
-    square: bool
-    redundant: bool
-    mixed: bool  # velocities and angular velocities
+    figure: Phrase
+    measure: Phrase  # what w tells
     best: tuple[tuple[Expr, Expr], ...]
+    mixed: Phrase | None  # velocities and angular velocities
+
+
+class Facts(PageFacts):
+    general: General | None = None
     here: PointTold | None = None
     w: tuple[Expr, Expr] | None = None  # there
 
@@ -87,9 +93,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = task.proved(work).claim(
         route("lines", (_holds(task, step, at) for at in points for step in printed))
     )
-    facts = _facts(task, det)
-    if facts.best:
-        work = work.claim(route("largest", _largest(task, facts.best)))
+    best = _best(task, det)
+    if best:
+        work = work.claim(route("largest", _largest(task, best)))
+    facts = Facts(general=_general(task, best), numbers=("w",))
     return work.answer("manipulability", {"w": work[W]}, facts)
 
 
@@ -103,7 +110,7 @@ def _at_point(options: Options, problem: Problem, place: Place) -> Derivation:
     found = at_point(task, place)
     w = base.scalar("w")
     size = number(w, found.place)
-    facts = replace(base.told(Facts), here=found.told, w=(W, Approximate(size)), numbers=())
+    facts = Facts(here=found.told, w=(W, Approximate(size)), numbers=())
     return (
         Work(problem, uses=(base,), steps=(found.step,))
         .claim(*found.claims)
@@ -181,7 +188,8 @@ def _positive(problem: Problem, factor: Expr) -> bool:
 
 def _lines(task: Task, det: Expr, w: Expr) -> Work:
     """J, its determinant or that of J J^T, and w."""
-    work, turned = task.board(), transpose(J)
+    thin = not (task.square or task.redundant)
+    work, turned = task.board().showing(*ellipsoid_laws(thin)), transpose(J)
     gram = Product((J, turned) if task.square or task.redundant else (turned, J))
     size = sqrt(determinant(gram))
     if task.square:
@@ -192,14 +200,16 @@ def _lines(task: Task, det: Expr, w: Expr) -> Work:
     return work.line(W, size, value=w, rule="in-numbers")
 
 
-def _facts(task: Task, det: Factored) -> Facts:
-    return Facts(
+def _general(task: Task, best: tuple[tuple[Expr, Expr], ...]) -> General:
+    figure = figure_of(task)
+    about: dict[str, Said] = {"figure": figure, "gram": J * transpose(J), "w": W, "J": J}
+    volume = Phrase("square" if task.square else "wide", about)
+    return General(
         rows=task.velocities,
-        square=task.square,
-        redundant=task.redundant,
-        mixed=len({row[0] for row in task.rows}) > 1,
-        best=_best(task, det),
-        numbers=("w",),
+        figure=figure,
+        measure=volume if task.square or task.redundant else Phrase("thin"),
+        best=best,
+        mixed=Phrase("mixed") if len({row[0] for row in task.rows}) > 1 else None,
     )
 
 

@@ -30,9 +30,8 @@ PLANE = (("vx", "vy"), ("vx", "vz"), ("vy", "vz"))
 class PointTold(Record):
     point: tuple[tuple[Symbol, Expr], ...]
     table: Table
-    singular: bool
-    even: bool  # equally long axes
-    ratio: Expr | None  # of the longest axis to the shortest
+    figure: Phrase
+    lengths: Phrase | None  # of the axes, to each other
     plots: tuple[str, ...]
 
 
@@ -66,9 +65,8 @@ def at_point(task: Task, place: Place) -> Ellipsoids:
     told = PointTold(
         point=tuple((Symbol(name), value) for name, value in place),
         table=_table(task, sizes, directions),
-        singular=sizes[-1] == 0 and len(sizes) <= J.shape[1],
-        even=sizes[-1] > 0 and sizes[0] / sizes[-1] < 1 + 1e-9,
-        ratio=Approximate(sizes[0] / sizes[-1]) if sizes[-1] else None,
+        figure=figure_of(task),
+        lengths=_compared(sizes, len(sizes) <= J.shape[1]),
         plots=tuple(plot.name for plot in plots),
     )
     results: dict[str, Result] = {
@@ -82,6 +80,19 @@ def at_point(task: Task, place: Place) -> Ellipsoids:
     there = here | surely({**task.problem.where, **dict(place)})
     claims = tuple(_claims(task, there, step, results, evaluated, told))
     return Ellipsoids(here, step, results, evaluated, claims, plots, told)
+
+
+def figure_of(task: Task) -> Phrase:
+    """What velocities of unit joint rates fill."""
+    return Phrase("ellipse" if len(task.rows) == 2 else "ellipsoid")
+
+
+def _compared(sizes: Sequence[float], full: bool) -> Phrase | None:
+    """How long the axes are to each other; `full` where there are joints for all of them."""
+    if not sizes[-1]:
+        return Phrase("singular") if full else None
+    ratio = sizes[0] / sizes[-1]
+    return Phrase("even") if ratio < 1 + NONE else Phrase("uneven", {"ratio": Approximate(ratio)})
 
 
 def _rounded(rows: Any) -> tuple[tuple[Expr, ...], ...]:
@@ -174,10 +185,13 @@ def _said(told: PointTold, sizes: Sequence[float], J: Any) -> Iterator[bool]:
     least, most = float(values[-1]), float(values[0])
     yield close(sorted(sizes, reverse=True), sizes, DIFFERENCES)
     full = len(values) == len(J)
-    yield told.singular == (full and least < DIFFERENCES * most)
-    yield told.even == (full and least > most * (1 - DIFFERENCES))
-    if told.ratio is not None:
-        yield close(numeric.number(told.ratio, {}) * least, most, DIFFERENCES)
+    said = told.lengths.key if told.lengths else ""
+    yield (said == "singular") == (full and least < DIFFERENCES * most)
+    yield (said == "even") == (full and least > most * (1 - DIFFERENCES))
+    yield bool(said) == full
+    if told.lengths and isinstance(ratio := told.lengths.about.get("ratio"), TREES):
+        yield close(numeric.number(ratio, {}) * least, most, DIFFERENCES)
+    yield (told.figure.key == "ellipse") == (len(J) == 2)
 
 
 def _pictures(
