@@ -220,14 +220,15 @@ def _question(
     working: Working,
 ) -> QuestionPage:
     claims: tuple[Claim, ...] = ()
+    left: tuple[str, ...] = ()
     if answer:
-        answer, claims = with_numbers(answer, question, working)
+        answer, claims, left = with_numbers(answer, question, working)
     marks = question.marks if sheet.marks else None
     at = question.evaluate or {}
     folder = words_folder(working.name, answer.kind) if answer else ""
     return QuestionPage(
         question.number, question.find, question.text, marks, question.hint, answer, order, at,
-        folder=folder, place=question.place, claims=claims,
+        folder=folder, place=question.place, claims=claims, once=left,
     )  # fmt: skip
 
 

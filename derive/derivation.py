@@ -209,7 +209,7 @@ Result: TypeAlias = (
     | tuple[Branch, ...]
     | tuple[tuple[Expr, ...], ...]
     | tuple[Condition, ...]
-    | tuple[str, ...]
+    | tuple[Expr | str, ...]
     | Phrase
     | float
     | str
@@ -224,7 +224,8 @@ class Derivation:
     in the chains stands for, so that every chain can be checked from end to end. `uses` are the
     derivations this one rests on, printed before it unless an earlier question printed them.
     `files` are texts written beside the page, by file name: scripts to run. `matrices` names the results
-    that are matrices even where they have one column only (J of one joint), and no vectors.
+    that are matrices even where they have one column only (J of one joint), and no vectors. `alone` are
+    those that could be compared with no line.
     """
 
     kind: str
@@ -238,6 +239,7 @@ class Derivation:
     facts: PageFacts = field(default_factory=PageFacts)
     files: Mapping[str, str] = field(default_factory=dict)
     matrices: frozenset[str] = frozenset()
+    alone: tuple[str, ...] = ()
 
     def told(self, shape: type[F]) -> F:
         """The facts, of the shape that the kind of this derivation declares. Raises TypeError for another."""

@@ -52,19 +52,20 @@ def _misspelt(name: str, names: Collection[str]) -> bool:
 
 def with_numbers(
     answer: Derivation, question: Question, working: Working
-) -> tuple[Derivation, tuple[Claim, ...]]:
-    """The answer with its results in numbers, each found a second time. Raises SheetErrors."""
+) -> tuple[Derivation, tuple[Claim, ...], tuple[str, ...]]:
+    """The answer with its results in numbers, each found a second time, and those of which some could not be.
+    Raises SheetErrors."""
     own = bool(answer.evaluated or answer.files)
     if not own and question.evaluate is not None:
         answer = evaluated(answer, question, working)
     if not answer.evaluated:
-        return answer, ()
+        return answer, (), ()
     speech = speech_of(answer, working)
     point = {**working.where, **(question.evaluate or {})}
-    answer, claim = evaluated_again(answer, point, speech, branches=not own)
+    answer, claim, left = evaluated_again(answer, point, speech, branches=not own)
     if claim and not claim.holds:
         raise SheetErrors([failed(claim, speech, question)])
-    return answer, (claim,) if claim else ()
+    return answer, (claim,) if claim else (), left
 
 
 def evaluated(answer: Derivation, question: Question, working: Working) -> Derivation:

@@ -8,7 +8,7 @@ real are shown not to be.
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -32,13 +32,22 @@ ABOUT = ("when", "real", "true_at")
 
 @dataclass(slots=True)
 class Again:
-    """The point of one question; `same` has a truth for each number that was found again."""
+    """The point of one question; `same` has a truth for each number that was found again, `left` the results
+    of which some could not be. `branches` are the values of unknowns there, once for each branch."""
 
     point: Mapping[str, Expr]
+    branches: Sequence[Mapping[str, Expr]] = ()
+    name: str = ""
     same: list[bool] = field(default_factory=list)
+    left: dict[str, None] = field(default_factory=dict)
+
+    def result(self, name: str, found: Any, text: Any) -> Any:
+        """What was found of a result, its numbers sure."""
+        self.name = name
+        return self.value(found, text, self.point)
 
     def value(self, found: Any, text: Any, names: Mapping[str, Expr]) -> Any:
-        """What was found, its numbers sure; of another shape than the result it is another's to check."""
+        """What was found, its numbers sure, in the shape of the result."""
         match found, text:
             case bool(), _:
                 return found
@@ -48,36 +57,58 @@ class Again:
                 return [self.value(each, its, names) for each, its in zip(found, text, strict=True)]
             case dict(), dict():
                 return self._branch(found, text, names)
-            case tree, str() if isinstance(tree, TREES):
-                self._partly(tree, text, names)
+            case tree, str() if isinstance(tree, TREES) and (formula := self._formula(text)):
+                self._partly(tree, formula, names)
+            case (float() | int() | list(), str() | list()):
+                self.same.append(False)
         return found
 
     def _number(self, found: float, text: str, names: Mapping[str, Expr]) -> float:
-        """The sure number; one that is a number already, and no formula, was found by other means."""
+        """The sure number; of one that is a number already, and no formula, what was found by other means."""
+        formula = self._formula(text)
+        if formula is None:
+            return found
+        if isinstance(formula, Number):
+            self.same.append(abs(found - formula.value) <= PARTLY * max(1.0, abs(found)))
+            return found
+        if free_symbols(formula) - names.keys():
+            self._partly(Number(Fraction(found)), formula, names)
+            return found
         try:
-            if isinstance(written := read(text), Number):
-                self.same.append(abs(found - written.value) <= PARTLY * max(1.0, abs(found)))
-                return found
-            number = float(sure(text, names))
-            self.same.append(abs(found - number) <= rounding(text, names))
+            number = float(sure(formula, names))
+            self.same.append(abs(found - number) <= rounding(formula, names))
         except NOWHERE:
             self.same.append(False)
         except UNDECIDED:
-            pass
+            self.left[self.name] = None
         else:
             return found if abs(found - number) <= MARGIN * abs(number) or abs(number) < MARGIN else number
         return found
 
-    def _partly(self, found: Expr, text: str, names: Mapping[str, Expr]) -> None:
-        """A tree in the letters that are left has the value of the result, whatever these are."""
-        result = read(text)
-        for there in _draws(free_symbols(result) | free_symbols(found), names):
+    def _formula(self, text: str) -> Expr | None:
+        """What is written, where it can be read."""
+        try:
+            return read(text)
+        except FormulaError:
+            self.left[self.name] = None
+            return None
+
+    def _partly(self, found: Expr, formula: Expr, names: Mapping[str, Expr]) -> None:
+        """What has the value of the result at every branch, or whatever the letters are that are left."""
+        letters = free_symbols(formula) | free_symbols(found)
+        at_branches = [
+            {**names, **branch} for branch in self.branches if letters <= names.keys() | branch.keys()
+        ]
+        tried = len(self.same)
+        for there in at_branches or _draws(letters, names):
             try:
-                ours, its = sure(found, there), sure(result, there)
+                ours, its = float(sure(found, there)), float(sure(formula, there))
             except (*NOWHERE, *UNDECIDED):
                 continue
-            apart = abs(float(ours - its))
-            self.same.append(apart <= rounding(found, there) + PARTLY * abs(float(its)))
+            near = PARTLY * (max(1.0, abs(its)) if at_branches else abs(its))
+            self.same.append(abs(ours - its) <= rounding(found, there) + near)
+        if len(self.same) == tried:
+            self.left[self.name] = None
 
     def _branch(
         self, found: dict[str, Any], text: dict[str, Any], names: Mapping[str, Expr]
@@ -120,20 +151,31 @@ def _draws(letters: frozenset[str], names: Mapping[str, Expr]) -> Iterator[Mappi
 
 def evaluated_again(
     answer: Derivation, point: Mapping[str, Expr], speech: Speech, branches: bool
-) -> tuple[Derivation, Claim | None]:
-    """The answer with sure numbers, and the claim about them; None where none of its results is a formula.
+) -> tuple[Derivation, Claim | None, tuple[str, ...]]:
+    """The answer with sure numbers, the claim about them (None where none of its results is a formula), and
+    the results of which some could not be found again.
 
     `branches` says whether those of the answer are formulas that were evaluated one by one.
     """
-    again, values = Again(point), dict(answer.evaluated)
+    again, values = Again(point, list(_unknowns(answer))), dict(answer.evaluated)
     for name, found in answer.evaluated.items():
         if name in answer.results and (branches or not _has_branches(found)):
             text = plain(answer.results[name], speech, name in answer.matrices)
-            values[name] = again.value(found, text, point)
+            values[name] = again.result(name, found, text)
+    left = tuple(again.left)
     if not again.same:
-        return answer, None
+        return answer, None, left
     claim = Claim("evaluated", BALLS, all(again.same), tried=len(again.same))
-    return replace(answer, evaluated=values), claim
+    return replace(answer, evaluated=values), claim, left
+
+
+def _unknowns(answer: Derivation) -> Iterator[Mapping[str, Expr]]:
+    """The numbers that unknowns have in each branch that is real at the point."""
+    for found in filter(_has_branches, answer.evaluated.values()):
+        for branch in found:
+            if isinstance(branch, dict) and "when" in branch:  # a pole is two numbers
+                numbers = {name: value for name, value in branch.items() if type(value) is float}
+                yield {name: Number(Fraction(value)) for name, value in numbers.items()}
 
 
 def _has_branches(found: Any) -> bool:

@@ -7,8 +7,10 @@ from itertools import groupby
 from textwrap import wrap
 
 from derive.derivation import Claim, Derivation
+from derive.json_back import read_json
 from derive.read_back import reading_of
 from derive.render.document import Document, QuestionPage
+from derive.render.json_result import render_json
 from derive.render.phrases import Speech, spoken
 
 WIDTH = 79
@@ -35,6 +37,8 @@ def _question(question: QuestionPage) -> Iterator[str]:
         yield from _not_compared(derivation)
     if question.derivation:
         yield from _claims(question.claims, spoken(question.folder, question.derivation.kind))
+    if question.once:
+        yield from _wrapped(f"numbers that could not be found again: {', '.join(question.once)}")
 
 
 def _claims(claims: Sequence[Claim], speech: Speech) -> Iterator[str]:
@@ -59,6 +63,8 @@ def _not_compared(derivation: Derivation) -> Iterator[str]:
         yield from _wrapped(f"no two sides to compare: {', '.join(dict.fromkeys(alone))}")
     if laws:
         yield from _wrapped(f"laws not tried: {', '.join(dict.fromkeys(laws))}")
+    if derivation.alone:
+        yield from _wrapped(f"results that no line could be compared with: {', '.join(derivation.alone)}")
 
 
 def _unread(document: Document) -> Iterator[str]:
@@ -68,6 +74,8 @@ def _unread(document: Document) -> Iterator[str]:
     yield f"{document.name}, the page: {_counted(reading.read, 'formula')} read back"
     for formula in reading.unread:
         yield from _wrapped(f"could not be read back: {formula}")
+    for result in read_json(document, render_json(document)):
+        yield from _wrapped(f"could not be read in the JSON: {result}")
 
 
 def _counted(count: int, what: str) -> str:

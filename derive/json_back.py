@@ -22,21 +22,26 @@ REMEMBERED = 20_000
 REPORT = "please report this with the sheet"
 
 
-def read_json(document: Document, text: str) -> None:
-    """Raises SheetErrors where a result is not what was derived."""
+def read_json(document: Document, text: str) -> tuple[str, ...]:
+    """The results of which a text could not be read. Raises SheetErrors where one is not what was derived."""
     told = [question for problem in json.loads(text)["problems"] for question in problem["questions"]]
-    faults = []
+    faults, unread = [], dict[str, None]()
     for (problem, question), its in zip(document.questions(), told, strict=True):
         results = question.derivation.results if question.derivation else {}
         for name, result in results.items():
             found = its["results"][name]
             rows = question.derivation is not None and name in question.derivation.matrices
             shaped = not isinstance(result, Matrix) or _is_shaped(result, found, rows)
-            if not (shaped and all(_same(tree, written) for tree, written in _pairs(result, found))):
-                message = f"question {problem.number}.{question.number} failed its own check: {name} as JSON"
+            same = [_same(tree, written) for tree, written in _pairs(result, found)]
+            place = f"question {problem.number}.{question.number}"
+            if not shaped or False in same:
+                message = f"{place} failed its own check: {name} as JSON"
                 faults.append(SheetError(message, question.place, REPORT))
+            elif None in same:
+                unread[f"{name} of {place}"] = None
     if faults:
         raise SheetErrors(faults)
+    return tuple(unread)
 
 
 def _is_shaped(result: Matrix, written: Any, rows: bool) -> bool:
@@ -72,12 +77,12 @@ def _flat(rows: Any) -> Iterator[Any]:
 
 
 @lru_cache(REMEMBERED)
-def _same(tree: Expr, written: str) -> bool:
-    """Whether a text says what the tree does; also where it cannot be read, as a name with indices."""
+def _same(tree: Expr, written: str) -> bool | None:
+    """Whether a text says what the tree does; None where it cannot be read, as a name with indices."""
     try:
         found = read(written)
     except FormulaError:
-        return True
+        return None
     return fingerprint(_as_digits(tree), DIGITS) == fingerprint(found, DIGITS)
 
 

@@ -1,14 +1,15 @@
 """Each result is told by the page: it is the value of one of its lines, or claims of the kind speak for it.
 
-A kind whose claims are about results that no line tells says so, `CLAIMED = ("solutions",)`. All others are
-compared with the lines, so that nothing is read off the working wrongly.
+A kind whose claims are about results that no line tells says which of them speaks for each, as in
+`CLAIMED = {"solutions": "as-printed"}` ("a|b" where it makes the one or the other). Where that claim is not
+made the result is compared with the lines as all others are, so that nothing is read off them wrongly.
 """
 
 from __future__ import annotations
 
 import math
 from collections import ChainMap
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -29,8 +30,9 @@ POINTS = 4
 
 
 def with_results_told(derivation: Derivation, module: ModuleType, where: Names) -> Derivation:
-    """The same derivation, claiming that its results are told; with one that fails for each that is not."""
-    page, claimed = Page(derivation, where), getattr(module, "CLAIMED", ())
+    """The same derivation, claiming that its results are told, with a claim that fails for each that is not;
+    those that no line could be compared with are kept."""
+    page, claimed = Page(derivation, where), frozenset(_claimed(derivation, getattr(module, "CLAIMED", {})))
     on_page = derivation.facts.page_names  # the pose T_1^0 with a tool is T_e^0 there
     found = [
         (name, page.tells(str(on_page.get(name, name)), tree))
@@ -42,7 +44,14 @@ def with_results_told(derivation: Derivation, module: ModuleType, where: Names) 
     claims = [Claim("untold", FLOATS, False, {"name": name}, link=True) for name in untold]
     if tried := sum(told is True for _, told in found):
         claims.append(Claim("told", FLOATS, not untold, link=True, tried=tried))
-    return replace(derivation, claims=(*derivation.claims, *claims))
+    alone = tuple(dict.fromkeys(name for name, told in found if told is None))
+    return replace(derivation, claims=(*derivation.claims, *claims), alone=alone)
+
+
+def _claimed(derivation: Derivation, claimed: Mapping[str, str]) -> Iterator[str]:
+    """The results that a claim speaks for which was made, and tried."""
+    made = {claim.key for claim in derivation.claims if not claim.link and claim.tried}
+    return (name for name, keys in claimed.items() if not made.isdisjoint(keys.split("|")))
 
 
 def _trees(result: Any) -> Iterator[Expr]:
@@ -117,7 +126,10 @@ class Page:
     def points(self) -> list[There]:
         """A few places where the lines are looked at."""
         where = {name.name: value for name, value in self.where.items() if isinstance(name, Symbol)}
-        letters = frozenset().union(*map(free_symbols, (*self.values, *where.values()))) - where.keys()
+        results = chain(*map(_trees, self.derivation.results.values()))
+        letters = (
+            frozenset().union(*map(free_symbols, (*self.values, *where.values(), *results))) - where.keys()
+        )
         letters -= {name.name for name in self.definitions if isinstance(name, Symbol)}
         found = []
         for at in random_points(letters, POINTS):

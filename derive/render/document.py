@@ -34,7 +34,8 @@ class QuestionPage:
     printed; it is empty on a problem sheet. `at` is the point its results are evaluated at. `rounded` are the
     places of rotations that were given rounded, where that is to be said here. `printed` is the mathematics
     of a text that is ours, `place` where the question stands in its sheet. `claims` are those about
-    what was done with the answer after it was derived: its numbers at the point.
+    what was done with the answer after it was derived: its numbers at the point; `once` are the results of
+    which some numbers could not be found again.
     """
 
     number: int
@@ -50,12 +51,19 @@ class QuestionPage:
     printed: tuple[Printed, ...] = ()
     place: Place | None = None
     claims: tuple[Claim, ...] = ()
+    once: tuple[str, ...] = ()
 
     def verified(self) -> Iterator[Claim]:
         """What was verified of the answer and of what it rests on and is printed with it."""
         for worked in self.order:
             yield from worked.derivation.claims
         yield from self.claims
+
+    def alone(self) -> Iterator[str]:
+        """The results that could be compared with no line, or with no number."""
+        for worked in self.order:
+            yield from worked.derivation.alone
+        yield from self.once
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,6 +104,11 @@ class Document:
         """What was verified, over all that is printed."""
         for _, question in self.questions():
             yield from question.verified()
+
+    def alone(self) -> Iterator[str]:
+        """The results that could be compared with nothing, over all that is printed."""
+        for _, question in self.questions():
+            yield from question.alone()
 
     def files(self) -> dict[str, str]:
         """Every file of the page by its path, relative to the page."""

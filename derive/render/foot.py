@@ -13,7 +13,8 @@ from derive.render.skin import environment
 @dataclass(frozen=True, slots=True)
 class Proved:
     """How often each truth was tried: lines compared with one another, laws, answers that were found a second
-    time and at how many places, numbers at a point, formulas read back from the page."""
+    time and at how many places, numbers at a point, formulas read back from the page; and how many results
+    could be compared with nothing."""
 
     steps: int = 0
     laws: int = 0
@@ -21,9 +22,10 @@ class Proved:
     places: int = 0
     numbers: int = 0
     reading: Reading = field(default_factory=Reading)
+    alone: int = 0
 
     @classmethod
-    def of(cls, claims: Iterable[Claim], reading: Reading) -> Proved:
+    def of(cls, claims: Iterable[Claim], reading: Reading, alone: int = 0) -> Proved:
         """What these claims come to, and what was read."""
         by_truth: dict[str, list[Claim]] = {}
         for claim in claims:
@@ -37,6 +39,7 @@ class Proved:
             tried.get("second-route", 0),
             tried.get("number", 0),
             reading,
+            alone,
         )
 
     def said(self) -> str:

@@ -41,7 +41,8 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
         answers[problem.number, question.number] = _answer(document, problem, question, skin, printed)
         said.append(Said(f"{problem.number}.{question.number}", question.place, tuple(printed)))
     template = environment().get_template(f"{skin.name}/page.j2")
-    verified = Proved.of(document.verified(), read(said)).said() if document.solutions else ""
+    alone = sum(1 for _ in document.alone())
+    verified = Proved.of(document.verified(), read(said), alone).said() if document.solutions else ""
     return template.render(document=document, answers=answers, skin=skin, front=front, verified=verified)
 
 

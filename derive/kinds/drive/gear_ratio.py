@@ -18,7 +18,7 @@ GEARS = ("G", "r", "n", "G_r")  # what it is called, the first that means nothin
 
 
 CLAIMS = ("gears-beside", "as-written")
-CLAIMED = ("alpha",)
+CLAIMED = {"alpha": "gears-beside"}
 
 
 class Options(OptionsModel):

@@ -12,7 +12,7 @@ from derive.kinds.problem import Problem
 
 USES = frozenset({"subject_to"})
 CLAIMS = ("as-told", "satisfies|on-the-constraints|newtons-method")
-CLAIMED = ("solutions",)
+CLAIMED = {"solutions": "as-told"}
 
 
 def derive(function: Function, options: Options, problem: Problem) -> Derivation:

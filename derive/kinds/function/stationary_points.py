@@ -12,7 +12,7 @@ from derive.kinds.problem import Problem
 
 USES = frozenset({"subject_to"})  # and refuses it, saying what to ask
 CLAIMS = ("as-told", "satisfies|newtons-method")
-CLAIMED = ("solutions",)
+CLAIMED = {"solutions": "as-told"}
 
 
 def derive(function: Function, options: Options, problem: Problem) -> Derivation:

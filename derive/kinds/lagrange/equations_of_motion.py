@@ -26,7 +26,7 @@ from derive.mechanics.lagrangian import (
     without,
 )
 
-CLAIMED = ("M", "equations")
+CLAIMED = {"M": "along-a-motion", "equations": "along-a-motion"}
 
 
 class Options(OptionsModel):

@@ -25,7 +25,7 @@ from derive.kinds.work import Work
 from derive.mechanics.lagrangian import TIME, LagrangianSystem, without
 
 CLAIMS = ("as-told", "satisfies|needs-no-force|none-is-missing")
-CLAIMED = ("solutions",)
+CLAIMED = {"solutions": "as-told"}
 
 
 class Options(OptionsModel):

@@ -21,7 +21,7 @@ OTHERS: dict[Space, tuple[Space, ...]] = {"spatial": ("planar", "spherical"), "p
 CLAIMS = (
     "constraints-of-a-joint", "as-written", "random-instance|random-joints", "as-said", "without-idle",
 )  # fmt: skip
-CLAIMED = ("effective", "idle")
+CLAIMED = {"effective": "without-idle", "idle": "without-idle"}
 
 
 def derive(mechanism: Mechanism, options: Options, problem: Problem) -> Derivation:

@@ -11,7 +11,7 @@ from derive.kinds.points._data import Facts as Facts
 from derive.kinds.problem import Problem
 from derive.mechanics.fitting import PointPairs
 
-CLAIMED = ("R", "p", "rms")
+CLAIMED = {"R": "as-told", "p": "as-told", "rms": "as-told"}
 
 
 class Options(OptionsModel):

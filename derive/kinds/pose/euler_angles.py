@@ -24,7 +24,7 @@ from derive.mechanics.euler import Convention, Euler
 SUBJECTS = ("motion", "frames", "robot")
 DEFAULTS = (("phi", "theta", "psi"), ("alpha", "beta", "gamma"), ("phi_e", "theta_e", "psi_e"))
 CLAIMS = ("orthogonal", "right-handed", "branch-again|singular-again", "orientation-again")
-CLAIMED = ("solutions",)
+CLAIMED = {"solutions": "branch-again|singular-again"}
 
 
 def known_convention(text: str) -> str:

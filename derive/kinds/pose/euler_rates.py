@@ -41,7 +41,7 @@ T, OMEGA = symbols("T omega")
 AXES = symbols("omega_x omega_y omega_z")
 DIFFERENCES = 1e-6
 CLAIMS = ("angular-velocities", "inverse", "singular", "differences")
-CLAIMED = ("singular",)
+CLAIMED = {"singular": "singular"}
 
 
 class Options(OptionsModel):

@@ -20,7 +20,7 @@ from derive.mechanics.poses import inverse_pose, position_part, rotation_part
 R, P, NO_ROW = symbols("R p 0")  # the last are three zeros side by side
 SUBJECTS = ("motion", "frames", "robot")
 CLAIMS = ("inverse", "in-numbers", "as-told")
-CLAIMED = ("T",)
+CLAIMED = {"T": "inverse"}
 
 
 class Facts(PageFacts):

@@ -22,7 +22,7 @@ NEEDS = ("journey",)
 USES = frozenset({"cruise", "acceleration", "blend"})
 q = Symbol("q")
 CLAIMS = ("q-is-continuous", "velocity-is-continuous", "ends-there", "ends-at-rest", "as-told")
-CLAIMED = ("q", "t_f", "t_b", "v", "a")
+CLAIMED = dict.fromkeys(("q", "t_f", "t_b", "v", "a"), "as-told")
 
 
 class Options(OptionsModel):

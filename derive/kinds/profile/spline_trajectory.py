@@ -44,7 +44,7 @@ CLAIMS = (
     "q-is-continuous", "velocity-is-continuous", "passes-every-point", "all-conditions",
     "velocity-at-the-start|acceleration-at-the-start", "velocity-at-the-end|acceleration-at-the-end",
 )  # fmt: skip
-CLAIMED = ("q",)
+CLAIMED = {"q": "passes-every-point"}
 
 
 class Options(OptionsModel):

@@ -25,7 +25,7 @@ from derive.mechanics import trapezoid
 from derive.mechanics.course import Course
 from derive.mechanics.profile import Axis, Profile, Units
 
-CLAIMED = ("a", "solutions", "t_1", "t_2", "t_3", "t_min", "v")
+CLAIMED = dict.fromkeys(("a", "solutions", "t_1", "t_2", "t_3", "t_min", "v"), "as-told|on-axis|too-short")
 
 NEEDS = ("limits",)
 Found = tuple[trapezoid.Switching, ...]

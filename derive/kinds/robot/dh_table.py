@@ -24,7 +24,7 @@ from derive.mechanics.motion import Move
 from derive.mechanics.poses import composed
 from derive.mechanics.robot import Convention, DHRow, Robot
 
-CLAIMED = ("DH",)
+CLAIMED = {"DH": "table"}
 
 CLAIMS = ("table", "each-row|pose", "each-row|arm-composed", "as-measured")
 

@@ -20,6 +20,7 @@ from derive.mechanics.robot import Robot
 
 NEEDS = ("bodies",)
 CLAIMS = ("motion-of-each-body", "names")
+CLAIMED = {"tau": "motion-of-each-body"}  # of a long arm no line has it
 
 
 class Options(OptionsModel):

@@ -21,7 +21,7 @@ from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 from derive.names import entry_symbol
 
-CLAIMED = ("D_inv",)
+CLAIMED = {"D_inv": "adjugate"}
 
 NEEDS = ("bodies",)
 CLAIMS = ("adjugate", "joint-forces", "names")

@@ -14,7 +14,7 @@ from derive.kinds.robot._inverse.sampled import sample_points
 from derive.mechanics.inverse.two_link import two_link
 from derive.mechanics.robot import Robot
 
-CLAIMED = ("solutions",)
+CLAIMED = {"solutions": "as-printed"}
 CLAIMS = ("pose-found", "when-holds", "lines", "as-printed", "read-there|elbow-seen")
 
 

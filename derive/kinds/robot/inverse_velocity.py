@@ -25,8 +25,8 @@ from derive.mechanics.wrist import wrist_of
 
 DIFFERENCES, POINTS = 1e-5, 2
 
+CLAIMED = {"qdot": "pseudo-inverse"}
 CLAIMS = ("pseudo-inverse",)
-CLAIMED = ("qdot",)
 
 
 class Options(OptionsModel):

@@ -40,7 +40,12 @@ from derive.mechanics.minors import minors
 from derive.mechanics.robot import Robot
 from derive.mechanics.zeros import zeros
 
-CLAIMED = ("axes", "directions", "force_axes", "force_directions")
+CLAIMED = {
+    "axes": "eigenvectors",
+    "directions": "eigenvectors",
+    "force_axes": "force-axes",
+    "force_directions": "force-axes",
+}
 
 DIFFERENCES, POINTS = 1e-6, 3
 SIX = 6

@@ -33,7 +33,7 @@ from derive.mechanics.robot import Robot
 
 NEEDS = ("bodies",)
 CLAIMS = ("inertia", "christoffel", "gravity", "motion-of-each-body", "names")
-CLAIMED = ("tau",)  # by the motion of each body; of a long arm no line has it
+CLAIMED = {"tau": "motion-of-each-body"}  # by the motion of each body; of a long arm no line has it
 BASE = Symbol("o_0_ddot")
 CONSTANTS = {"e": "constant-e", "r": "constant-r", "r_c": "constant-r_c", "p": "constant-p"}
 

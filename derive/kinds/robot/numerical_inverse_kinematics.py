@@ -26,7 +26,7 @@ from derive.mechanics.iteration import CLOSE, Iteration, Row, Verdict, iterate
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import ROWS, moving_rows
 
-CLAIMED = ("iterations", "solution")
+CLAIMED = {"iterations": "as-listed", "solution": "last-row"}
 CLAIMS = ("rows-in-numbers", "place", "begun", "numbered", "errors", "ended", "as-listed", "last-row")
 NOTHING = 1e-16  # an error too small for a logarithm
 J, R, F, H = map(Symbol, ("J", "r_d", "f", "H"))

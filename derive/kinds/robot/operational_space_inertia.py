@@ -20,7 +20,7 @@ from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.robot import Robot
 from derive.names import require_free
 
-CLAIMED = ("J_inv",)
+CLAIMED = {"J_inv": "in-numbers"}
 
 NEEDS = ("bodies",)
 CLAIMS = ("symmetric", "kinetic-energy", "in-numbers")

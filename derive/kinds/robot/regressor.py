@@ -40,7 +40,7 @@ from derive.kinds.work import Work
 from derive.mechanics.regressor import ELEMENTS, MOMENTS, NAMES
 from derive.mechanics.robot import Robot
 
-CLAIMED = ("groups", "names")
+CLAIMED = {"groups": "motion-of-each-body", "names": "motion-of-each-body"}
 
 NEEDS = ("bodies",)
 CLAIMS = ("motion-of-each-body",)

@@ -20,7 +20,7 @@ from derive.mechanics.seen import easiest
 from derive.mechanics.strata import Strata, searching
 from derive.mechanics.wrist import wrist_of
 
-CLAIMED = ("det", "solutions")
+CLAIMED = {"det": "determinant-seen", "solutions": "full-rank"}
 CLAIMS = ("jacobian-seen", "determinant-seen", "full-rank")
 WHOLE = ("vx", "vy", "vz", "wx", "wy", "wz")
 

@@ -16,7 +16,7 @@ from derive.kinds.robot._dynamics.linearisation import linear_at, linearised
 from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 
-CLAIMED = ("A", "B")
+CLAIMED = {"A": "differences", "B": "differences"}
 
 NEEDS = ("bodies",)
 

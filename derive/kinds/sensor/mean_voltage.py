@@ -13,7 +13,7 @@ from derive.kinds.work import Work
 from derive.mechanics.sensing import PulseWidth
 
 NEEDS = ("voltage",)
-CLAIMED = ("duty", "mean")
+CLAIMED = {"duty": "sampled-mean", "mean": "sampled-mean"}
 CLAIMS = ("sampled-mean", "as-said")
 MEAN, DUTY, PERIOD = symbols("U_m D T")
 

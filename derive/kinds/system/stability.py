@@ -44,7 +44,7 @@ from derive.kinds.work import Work
 from derive.names import free
 
 SUBJECTS = ("system", "motor")
-CLAIMED = ("unstable_poles",)
+CLAIMED = {"unstable_poles": "sign-changes"}
 
 
 class Options(OptionsModel):

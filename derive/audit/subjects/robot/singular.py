@@ -13,6 +13,7 @@ from derive.audit.asked import Asked, Beyond, Holds, Same, Test
 from derive.audit.budget import spend
 from derive.audit.linear import Rows, det, product, transposed
 from derive.audit.points import Irrational, Number, Point, agree, floating, shown
+from derive.audit.putting_back import put_back
 from derive.audit.subjects.robot.arm import Arm
 from derive.audit.subjects.robot.task import Task
 from derive.audit.text import Json
@@ -146,12 +147,12 @@ def manipulability(asked: Asked, point: Point) -> Iterator[Test]:
     sizes = [mpmath.sqrt(abs(value)) for value in eigenvalues][::-1]
     order = list(range(len(sizes)))[::-1]
     yield Same("axes", sizes)
-    forces = [[1 / each] for each in reversed(sizes)] if min(sizes) > ZERO else None
-    if forces:
-        yield Same("force_axes", forces)
-        yield Same("evaluated force_axes", [each for (each,) in forces])
-    else:
-        yield Holds("force_axes", asked.results["force_axes"] == "infinite", "they are infinite")
+    forces = asked.results["force_axes"]
+    for told, each in zip(forces if isinstance(forces, list) else [], reversed(sizes), strict=True):
+        if each <= ZERO:
+            yield Holds("force_axes", told == "infinite", "a force there is infinite")
+        else:
+            yield put_back("force_axes", point, asked.read(told), 1 / each, f"it is {shown(1 / each)}")
     for name, expected in (("directions", order), ("force_directions", order[::-1])):
         ours = point.matrix(asked.result(name))
         for k, direction in zip(expected, ours, strict=True):

@@ -59,7 +59,7 @@ def at_point(task: Task, place: Place) -> Ellipsoids:
     sizes += [0.0] * (len(task.rows) - len(values))
     directions = [_turned(U[:, k]) for k in range(len(sizes))]
     order = sorted(range(len(sizes)), key=sizes.__getitem__)
-    forces = [1 / sizes[k] if sizes[k] else INFINITE for k in order]
+    forces: list[Any] = [1 / sizes[k] if sizes[k] else INFINITE for k in order]
     turned = [directions[k] for k in order]
     plots = _pictures(task, here, sizes, directions)
     told = PointTold(
@@ -72,7 +72,7 @@ def at_point(task: Task, place: Place) -> Ellipsoids:
     results: dict[str, Result] = {
         "axes": column(map(Approximate, sizes)),
         "directions": _rounded(directions),
-        "force_axes": _rounded([[force] for force in forces]) if all(sizes) else INFINITE,
+        "force_axes": tuple(push if push == INFINITE else Approximate(push) for push in forces),
         "force_directions": _rounded(turned),
     }
     evaluated = {"axes": sizes, "directions": directions, "force_axes": forces, "force_directions": turned}
@@ -162,18 +162,34 @@ def _claims(
     sizes = [row[n] for row in table]
     yield route("jacobian-here", close(arrays(step.result, here), J, DIFFERENCES))
     yield route("said-of-the-axes", _said(told, sizes, J))
-    pushes = ((row[n], row[n + 1 :]) for row in table)
+    pushes = [(row[n], row[n + 1 :], row[:n]) for row in table]
+    listed = list(zip(evaluated["force_axes"], evaluated["force_directions"], strict=True))
+    printed = list(
+        zip(_numbers_of(results["force_axes"]), _numbers_of(results["force_directions"]), strict=True)
+    )
     yield route(
-        "force-axes", (close(1 / size, push, DIFFERENCES) if size else not push for size, push in pushes)
+        "force-axes",
+        (
+            *(close(1 / size, push, DIFFERENCES) if size else not push for size, push, _ in pushes),
+            *(any(_same(*each, push, along) for _, push, along in pushes) for each in (*listed, *printed)),
+        ),
     )
 
 
-def _numbers_of(result: Result) -> Any:
-    """A column, or rows of vectors."""
-    if isinstance(result, Matrix):
-        return [numeric.number(entry, {}) for (entry,) in result.rows]
-    rows = [row for row in result if isinstance(row, tuple)] if isinstance(result, tuple) else []
-    return [[numeric.number(entry, {}) for entry in row if isinstance(entry, TREES)] for row in rows]
+def _same(force: Any, direction: list[float], push: list[float], along: list[float]) -> bool:
+    """Whether a force along its direction is that of a row of the table, which has no number for one without
+    bounds."""
+    return close([] if force == INFINITE else [force], push) and close(direction, along)
+
+
+def _numbers_of(result: Any) -> Any:
+    """A column, or rows of vectors; what has no number is said as it is."""
+    match result:
+        case Matrix(rows):
+            return [numeric.number(entry, {}) for (entry,) in rows]
+        case tuple():
+            return [_numbers_of(part) for part in result]
+    return result if result == INFINITE else numeric.number(result, {})
 
 
 def _said(told: PointTold, sizes: Sequence[float], J: Any) -> Iterator[bool]:
