@@ -144,6 +144,8 @@ def test_at_a_singular_configuration_a_force_is_unbounded() -> None:
     found = problem(arm(TWO_R)).ask("manipulability", evaluate=point)
     assert found.evaluated["axes"][1] == 0
     assert found.evaluated["force_axes"][0] == "infinite"
+    endless, bounded = found.results["force_axes"]
+    assert endless == "infinite" and numbers(bounded, {}) == found.evaluated["force_axes"][1]
 
 
 def test_positive_lengths_come_out_of_the_bars() -> None:
