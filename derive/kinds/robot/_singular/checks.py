@@ -164,14 +164,11 @@ class Checked:
         return [joint.variable for _, joint in found.moving if joint.type == "prismatic"]
 
     def _found(self, at: Values) -> Iterator[bool]:
-        """Whether every configuration that a search finds is singular and lies in a set that is told; a
-        determinant of squares changes no sign, and its zeros are not sought."""
-        if not self.task.square:
-            return
-        J = self.task
+        """Whether every configuration that a search finds is singular and lies in a set that is told."""
+        J, full = self.task, min(self.task.J.shape)
         for here in zeros_along(compiled(self.way.det), at, J.found.variables, self._slides):
             told = any(inside(branch, here, self._slides) for branch in self.solutions)
-            yield told and _rank(J.numbers(here)) < len(J.rows)
+            yield told and _rank(J.numbers(here)) < full
 
 
 def _sampled(each: Analysed) -> list[Values]:

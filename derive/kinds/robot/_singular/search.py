@@ -13,6 +13,8 @@ from derive.derivation import Branch, Phrase
 from derive.expression import Expr, Relation
 
 LINES, SAMPLES, HALVINGS = 5, 64, 60
+GOLDEN = (math.sqrt(5) - 1) / 2
+LOW, NOTHING = 0.05, 1e-12  # of the largest value on a line: what may lead down to zero, and what is zero
 CLOSE = 1e-5  # of a variable or an equation, at a zero found
 Values = dict[str, float]
 
@@ -20,7 +22,8 @@ Values = dict[str, float]
 def zeros_along(
     value: Callable[[Values], float], at: Mapping[str, float], names: Sequence[str], slides: Sequence[str]
 ) -> Iterator[Values]:
-    """Where a function changes its sign on lines at random, which an angle follows for a whole turn."""
+    """Where a function changes its sign, or touches zero as a square does, on lines at random, which an angle
+    follows for a whole turn."""
     draw = random.Random(" ".join(names))
     for _ in range(LINES):
         start = {name: draw.uniform(-math.pi, math.pi) for name in names}
@@ -39,6 +42,27 @@ def zeros_along(
         for (a, fa), (b, fb) in pairwise(zip(marks, heights, strict=True)):
             if fa * fb < 0:
                 yield there(_halved(height, a, b, fa))
+        yield from map(there, _touched(height, marks, heights))
+
+
+def _touched(value: Callable[[float], float], marks: list[float], heights: list[float]) -> Iterator[float]:
+    """Where a function comes down to zero and goes up again on the same side."""
+    highest = max(map(abs, heights))
+    triples = zip(marks, marks[2:], heights, heights[1:], heights[2:], strict=False)
+    for start, end, before, here, after in triples:
+        low = abs(here) <= min(abs(before), abs(after)) and abs(here) < LOW * highest
+        if low and before * here > 0 and here * after > 0:
+            at = _lowest(lambda s: abs(value(s)), start, end)
+            if abs(value(at)) < NOTHING * highest:
+                yield at
+
+
+def _lowest(value: Callable[[float], float], a: float, b: float) -> float:
+    """The place of the only minimum between two places, by golden section."""
+    for _ in range(HALVINGS):
+        left, right = b - GOLDEN * (b - a), a + GOLDEN * (b - a)
+        a, b = (a, right) if value(left) < value(right) else (left, b)
+    return (a + b) / 2
 
 
 def _halved(value: Callable[[float], float], a: float, b: float, fa: float) -> float:
