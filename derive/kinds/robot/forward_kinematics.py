@@ -8,7 +8,7 @@ from pydantic import Field
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.readable.form import readable_matrix
-from derive.derivation import Derivation, PageFacts, Step
+from derive.derivation import Derivation, PageFacts, Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Symbol, symbols
 from derive.kinds.checks import is_rotation
@@ -35,8 +35,8 @@ class Options(OptionsModel):
 
 class Facts(PageFacts):
     screws: ScrewsTold | None = None
-    dh_rows: tuple[int, ...] = ()
-    free_rows: tuple[int, ...] = ()
+    dh_rows: bool = False
+    free: Phrase | None = None  # rows of another form beside these
     locals: tuple[str, ...] = ()  # steps
     base: tuple[str, ...] = ()  # steps
     tool: tuple[str, ...] = ()  # steps
@@ -84,9 +84,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     factors = (*poses, *map(Symbol, tool))
     work = product_lines(work, name, factors, T)
     results[pose_name(last).name] = work.final(name)
+    free = tuple(i for i, sort in enumerate(sorts, 1) if sort == "motion")
     facts = Facts(
-        dh_rows=tuple(i for i, sort in enumerate(sorts, 1) if sort == "dh-row"),
-        free_rows=tuple(i for i, sort in enumerate(sorts, 1) if sort == "motion"),
+        dh_rows="dh-row" in sorts,
+        free=Phrase("free-rows", {"rows": free}) if free and "dh-row" in sorts else None,
         locals=tuple(row.name for row in rows),
         base=("T_base", "T_1^0") if robot.base else (),
         tool=tool,

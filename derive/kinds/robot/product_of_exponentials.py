@@ -22,8 +22,8 @@ CLAIMS = ("orthogonal", "right-handed", "pose", "poses-in-numbers")
 
 
 class Facts(PageFacts):
-    screws: ScrewsTold
-    rows: bool  # the arm is given by rows
+    screws: ScrewsTold | None  # where the arm is given by rows
+    product: str  # a step
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -40,5 +40,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.law("pose", screws.pose == chain_of(problem).T_tool)
     work = work.agrees("poses-in-numbers", problem.symbols, screws.pose, oracle.tool)
     page_names = {f"T_{n}^0": screws.name.name}
-    facts = Facts(screws=screws.told(), rows=not robot.by_screws, page_names=page_names)
+    facts = Facts(
+        screws=None if robot.by_screws else screws.told(),
+        product=screws.name.name,
+        page_names=page_names,
+    )
     return work.answer("product-of-exponentials", results, facts)

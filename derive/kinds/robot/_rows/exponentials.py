@@ -9,12 +9,26 @@ from typing import Any
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import Point, matrix_numbers, number
-from derive.derivation import Record
-from derive.expression import ZERO, Call, Expr, Indexed, Matrix, Symbol, column, cross, free_symbols, multiply
+from derive.derivation import Claim, Phrase, Record, Said
+from derive.expression import (
+    ZERO,
+    Call,
+    Expr,
+    Indexed,
+    Matrix,
+    Relation,
+    Symbol,
+    column,
+    cross,
+    free_symbols,
+    multiply,
+)
 from derive.expression import add as total
+from derive.kinds.checks import route
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import end_frame
 from derive.kinds.robot._columns import product_lines
+from derive.kinds.robot._rows.exponential_law import exponential_law
 from derive.kinds.work import Work
 from derive.mechanics.oracle import exponential
 from derive.mechanics.poses import composed
@@ -29,19 +43,14 @@ NAMED = ("exponential", "home", "twist")  # rules of the lines that are results
 
 
 class ScrewsTold(Record):
-    coupled: bool
-    home: str  # a step
-    direction: str  # the name of an axis
-    point: str  # that of a point on one
-    turn: tuple[Expr, Expr]  # the law of a twist
-    slide: tuple[Expr, Expr]
-    pitch: Symbol
-    turning: tuple[int, ...]
-    sliding: tuple[int, ...]
-    helical: tuple[int, ...]
-    whole: bool  # up to the end-effector
+    axes: Phrase  # what they are described by
+    twists: Phrase
+    pitch: Phrase | None
     base: bool
+    home: str  # a step
+    motions: Phrase  # what moves what
     product: str  # a step
+    order: Phrase | None  # of the factors
 
 
 @dataclass(frozen=True)
@@ -96,6 +105,9 @@ class Exponentials:
             work = work.line(T_BASE, value=composed(self.robot.base), rule="motion")
         if self.whole:
             work = work.line(self.letters["M"], value=home_of(self.robot), rule="home")
+        if any(map(turns, self.screws)):
+            helical = any(screw.h for screw in self.screws)
+            work = work.showing(exponential_law(self.problem.taken, helical))
         for screw in self.screws:
             factors.append(motion := self._motion(screw))
             E = screw.exponential
@@ -119,26 +131,45 @@ class Exponentials:
                 work = work.law("derivative", holds, i=screw.i, name=name, size=size)
             series = partial(_by_series, screw)
             work = work.agrees("exponential-series", self.problem.symbols, E, series, i=screw.i)
-        return work
+        return work.claim(self.sorted_right(self.told()))
 
     def told(self) -> ScrewsTold:
         """What the words read."""
-        S, helical = self._name("S", "i"), tuple(screw.i for screw in self.screws if screw.h)
+        turning, sliding = (tuple(s.i for s in self.screws if turns(s) == each) for each in (True, False))
+        helical = tuple(screw.i for screw in self.screws if screw.h)
+        S = self._name("S", "i")
+        about: dict[str, Said] = {
+            "direction": self._name("omega", "i"),
+            "point": self._name("q", "i"),
+            "turn": Relation(S, "=", self._twist("i", False, PITCH if helical else None)),
+            "slide": Relation(S, "=", self._twist("i", True)),
+            "pitch": PITCH,
+            "sliding": sliding,
+            "helical": helical,
+        }
+        several = len(self.screws) + self.whole + bool(self.robot.base) > 1
+        order = Phrase("order-with-home" if self.whole else "order")
         return ScrewsTold(
-            coupled=self.problem.subject.coupled,
-            home=self.letters["M"],
-            direction=self._name("omega", "i").name,
-            point=self._name("q", "i").name,
-            turn=(S, self._twist("i", False, PITCH if helical else None)),
-            slide=(S, self._twist("i", True)),
-            pitch=PITCH,
-            turning=tuple(screw.i for screw in self.screws if turns(screw)),
-            sliding=tuple(screw.i for screw in self.screws if not turns(screw)),
-            helical=helical,
-            whole=self.whole,
+            axes=Phrase(_of(turning, sliding, "axes-of-turns", "axes-of-slides", "axes-of-both"), about),
+            twists=Phrase(_of(turning, sliding, "turns", "slides", "turns-and-slides"), about),
+            pitch=Phrase("pitch", about) if helical else None,
             base=bool(self.robot.base),
-            product=self.name.name if len(self.screws) + self.whole + bool(self.robot.base) > 1 else "",
+            home=self.letters["M"] if self.whole else "",
+            motions=Phrase("coupled-motions" if self.problem.subject.coupled else "motions"),
+            product=self.name.name if several else "",
+            order=order if several else None,
         )
+
+    def sorted_right(self, told: ScrewsTold) -> Claim:
+        """That joints turn, slide or advance as is told, by their twists (6 by 1)."""
+        halves = {
+            s.i: (s.S.block(slice(0, 3), slice(None)), s.S.block(slice(3, 6), slice(None)))
+            for s in self.screws
+        }
+        sliding = tuple(i for i, (_, w) in halves.items() if not w)
+        helical = tuple(i for i, (v, w) in halves.items() if (w.T @ v)[0, 0])
+        said = told.pitch.about["helical"] if told.pitch else ()
+        return route("joint-sorts", (told.twists.about["sliding"] == sliding, said == helical))
 
     def _name(self, letter: str, i: int | str) -> Symbol:
         return Symbol(f"{self.letters[letter]}_{i}")
@@ -161,6 +192,11 @@ class Exponentials:
         home pose still belongs to T_1^0."""
         more = i == 1 and (bool(self.robot.base) or (self.whole and self.last == 1))
         return Symbol(f"T_{i}^{i - 1}") if self.frames and not more else Symbol(f"E_{i}")
+
+
+def _of(turning: tuple[int, ...], sliding: tuple[int, ...], turns: str, slides: str, both: str) -> str:
+    """Which of three keys says what joints there are."""
+    return both if turning and sliding else turns if turning else slides
 
 
 def turns(screw: Screw) -> bool:
