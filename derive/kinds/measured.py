@@ -5,7 +5,7 @@ The answer is derived and verified exactly; only then is each number in it that 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import fields, replace
 from fractions import Fraction
 from math import prod
@@ -66,9 +66,31 @@ def decimals(expr: Expr) -> Expr:
             return _shortest(number(expr, {}))
         except (NotDerivable, ValueError, ZeroDivisionError):  # no number after all
             pass
+    if isinstance(expr, Product) and (spread := _spread(expr)):
+        return decimals(spread)
     if isinstance(expr, Product | Sum):
         return _gathered(expr)
     return rebuild(expr, decimals)
+
+
+def _spread(expr: Product) -> Expr | None:
+    """Multiplied out where a long number stands before a sum of others: each of its terms then has one."""
+    for part in expr.factors:
+        if isinstance(part, Sum) and any(map(_is_long, walk(part))):
+            plain = [one for one in expr.factors if not free_symbols(one) and not isinstance(one, Matrix)]
+            rest = [one for one in expr.factors if one is not part and one not in plain]
+            terms = add(*(multiply(*plain, *_factors(term)) for term in part.terms))
+            return multiply(*rest, terms) if plain else None
+    return None
+
+
+def _factors(term: Expr) -> Iterator[Expr]:
+    """All of them, in products of products too."""
+    if isinstance(term, Product):
+        for factor in term.factors:
+            yield from _factors(factor)
+    else:
+        yield term
 
 
 def _gathered(expr: Product | Sum) -> Expr:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, get_args
@@ -54,24 +54,26 @@ def evaluated_words(
     """
     facts = derivation.facts
     shown = derivation.evaluated if facts.numbers is None else facts.numbers
-    values = {name: value for name, value in derivation.evaluated.items() if name in shown}
-    if not values:
+    found = derivation.evaluated
+    names = [name for name in found if name in shown]
+    if not names:
         return ""
     printer, style = Printer(notation), _style(facts.style, at)
     seen = [] if printed is None else printed
     speech = on_page(folder, derivation.kind, printer, skin.plain, seen, style)
     telling = _Telling(printer, speech, skin, facts.angle_results, style, seen)
     chains = {
-        chain: value
-        for name, value in values.items()
-        if (chain := telling.chain(_called(facts.page_names.get(name, name)), value, name))
+        chain: found[name]
+        for name in names
+        if (chain := telling.chain(_called(facts.page_names.get(name, name)), found[name], name))
     }
+    working = _working(derivation)
     context = {
         "point": [telling.given(name, value) for name, value in at.items()],
         "display": telling.display(chains) if chains else "",
         "branches": [
-            telling.branch(_unknowns(branch, derivation))
-            for branch in values.get("solutions", ())
+            telling.branch(branch, working)
+            for branch in (found["solutions"] if "solutions" in names else ())
             if branch.get("real", True) or not facts.met
         ],
         "items": skin.items,
@@ -83,12 +85,11 @@ def _called(name: str | Expr) -> Expr:
     return Symbol(name) if isinstance(name, str) else name
 
 
-def _unknowns(branch: Mapping[str, Any], derivation: Derivation) -> dict[str, Any]:
-    """A solution without the names of the working, which the page has above."""
+def _working(derivation: Derivation) -> set[str]:
+    """The names of the working in solutions, which the page has above."""
     found = derivation.results.get("solutions")
     solutions = [part for part in found if isinstance(part, Branch)] if isinstance(found, tuple) else []
-    working = {name for each in solutions for name in each.short.keys() - each.values.keys()}
-    return {name: value for name, value in branch.items() if name not in working}
+    return {name for each in solutions for name in each.short.keys() - each.values.keys()}
 
 
 def _style(style: Style, at: Mapping[str, Expr]) -> Style:
@@ -137,11 +138,11 @@ class _Telling:
         angle = _in_degrees(value, digits) if degrees else _in_radians(value, self.printer)
         return *chain_links((called,), self.printer), angle
 
-    def branch(self, branch: Mapping[str, Any]) -> dict[str, Any]:
+    def branch(self, branch: Mapping[str, Any], working: Collection[str]) -> dict[str, Any]:
         """One solution: its equations as inline mathematics, and when it is the one."""
-        values = {name: value for name, value in branch.items() if name not in ABOUT}
-        chains = [(self.chain(Symbol(name), value, name), value) for name, value in values.items()]
-        equations = [self.inline(chain, value) for chain, value in chains if chain]
+        names = [name for name in branch if name not in ABOUT and name not in working]
+        chains = [(name, self.chain(Symbol(name), branch[name], name)) for name in names]
+        equations = [self.inline(chain, branch[name]) for name, chain in chains if chain]
         when = self.speech.when(branch.get("when", ()))
         return {"when": when, "real": branch.get("real", True), "equations": equations}
 
