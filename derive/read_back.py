@@ -6,7 +6,7 @@ its tree; a page that says something else is refused. What was read and what cou
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import lru_cache
 
 from derive.algebra.fingerprint import fingerprint
@@ -53,8 +53,10 @@ def read_back(said: Sequence[Said]) -> Reading:
     for those that do not, with the question and the formula."""
     read, typed, unread, faults = 0, 0, dict[str, None](), list[SheetError]()
     for part in said:
-        for formula in dict.fromkeys(part.printed):
+        whole = dict.fromkeys(part.printed)
+        for formula in whole:
             try:
+                _require_part(formula, whole)
                 doubts = _unread(formula)
             except Misprinted as error:
                 message = f"question {part.question} failed its own check: {MISPRINTED}: {error}"
@@ -99,6 +101,31 @@ def _require_law(lines: Sequence[str]) -> None:
         found = require_tex(line)
         if any(token.text in SIGNS for token in found) and not is_law(line):
             raise Misprinted("it was typed, and is no law that is listed")
+
+
+def _require_part(formula: Printed, page: Iterable[Printed]) -> None:
+    """Raises Misprinted for a typed name with an index, or an expression, that no formula beside it has."""
+    for line in () if formula.chains else formula.lines:
+        own = _signs(line)
+        if len(own) < 2 or SIGNS.keys() & {*own} or is_law(line):
+            continue
+        known = (other for each in page for other in map(_signs, each.lines) if _is_whole(each, other))
+        if not any(other[k : k + len(own)] == own for other in known for k in range(len(other))):
+            raise Misprinted(f"{line} (it was typed, and stands in no formula)")
+
+
+def _is_whole(formula: Printed, line: tuple[str, ...]) -> bool:
+    """Whether it says something by itself: it was printed from trees, or is a law."""
+    return bool(formula.chains) or any(sign in SIGNS for sign in line)
+
+
+@lru_cache(REMEMBERED)
+def _signs(line: str) -> tuple[str, ...]:
+    """What a line is made of; nothing where it cannot be read, which is told by itself."""
+    try:
+        return tuple(token.text for token in require_tex(line) if token.kind not in ("gap", "end"))
+    except (FormulaError, Unfit):
+        return ()
 
 
 def _doubts(found: Sequence[tuple[str, Tokens]], chain: Chain, notation: Notation) -> Iterator[str]:

@@ -245,3 +245,26 @@ def test_names_of_entries_are_those_of_their_places(monkeypatch: pytest.MonkeyPa
     with pytest.raises(SheetErrors) as caught:
         read_back([wide(printer)])
     assert "names of its entries" in caught.value.errors[0].message
+
+
+@pytest.mark.parametrize(
+    ("typed", "held"), [("c_i", True), ("c_j", False), ("a - b", True), ("a + b", False)]
+)
+def test_what_is_typed_stands_in_a_formula(typed: str, held: bool) -> None:
+    a, b, c = symbols("a b c_i")
+    shown = Printed(("c_i = 2 (a - b)",), (says(c, "c_i")[:1],), Notation())
+    said = Said(
+        "1.1",
+        None,
+        (replace(shown, chains=((*says(c, "c_i"), *_link(2 * (a - b))),)), Printed((typed,), (), Notation())),
+    )
+    if held:
+        assert read_back([said]).typed == 1
+    else:
+        with pytest.raises(SheetErrors) as caught:
+            read_back([said])
+        assert "it was typed, and stands in no formula" in caught.value.errors[0].message
+
+
+def _link(tree: Expr) -> tuple[Any, ...]:
+    return says(tree, "2 (a - b)")

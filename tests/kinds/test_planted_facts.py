@@ -9,28 +9,25 @@ from collections.abc import Iterator
 from dataclasses import fields, replace
 from importlib import import_module
 from pathlib import Path
+from string import Formatter
 from typing import Any, get_args
 
 import pytest
 
-from derive.derivation import PageFacts, Record, Table
+from derive.derivation import PageFacts, Phrase, Record, Table
 from derive.errors import SheetErrors
 from derive.expression import ZERO, Expr, Relation, negate
+from derive.render.phrases import lines_in
 from derive.render.questions import example_of
+from derive.render.skin import words_file
 from tests.kinds.planting import Built
 
 TREES = get_args(Expr)
 SHARED = {each.name for each in fields(PageFacts)}
-OTHER_WORDS = {
-    "verdict": ("stable", "integrator", "oscillator", "unstable"),
-    "coefficients": ("met", "violated", "open"),
-    "family": ("P", "PI", "PD", "PID"),
-    "mended": ("derivative", "epsilon"),
-    "space": ("planar", "spatial", "spherical"),
-}
+OTHER_WORDS = {"space": ("planar", "spatial", "spherical")}
+OTHERS = 6  # phrases that are tried in the place of one
 TRUE_ANYWAY = {  # what a sentence says then is less, or is so too
-    "system.state_space": "as_found",
-    "system.stability": "coefficients: met -> open",
+    "system.stability": "coefficients: Phrase(key='met', about={}) -> Phrase(key='open', about={})",
 }
 SHEETS = {
     "system.transfer_function": (
@@ -84,9 +81,24 @@ SHEETS = {
 }  # fmt: skip
 
 
-def others(name: str, value: Any) -> Iterator[Any]:
+def phrases(phrase: Phrase, kind: str) -> Iterator[Phrase]:
+    """Other phrases of a kind that say something of the same things."""
+    folder, _, name = kind.partition(".")
+    lines = lines_in(words_file(folder, name))
+    fields_of = {
+        key: {field for _, field, *_ in Formatter().parse(words) if field} for key, words in lines.items()
+    }
+    alike = [key for key in fields_of if key != phrase.key and fields_of[key] == {*phrase.about}]
+    yield from (replace(phrase, key=key) for key in alike[-OTHERS:])
+
+
+def others(name: str, value: Any, kind: str = "") -> Iterator[Any]:
     """Values that a fact could have by mistake."""
     match value:
+        case Phrase(key, about):
+            yield from phrases(value, kind)
+            for field, part in about.items():
+                yield from (Phrase(key, {**about, field: other}) for other in others(field, part, kind))
         case bool():
             yield not value
         case int():
@@ -97,15 +109,15 @@ def others(name: str, value: Any) -> Iterator[Any]:
             yield Relation(left, "<" if sign == ">" else ">", right)
         case Table(headings, rows) if rows:
             yield Table(headings, rows[:-1])
-            yield from (Table(headings, (*rows[:-1], row)) for row in others("", rows[-1]))
+            yield from (Table(headings, (*rows[:-1], row)) for row in others("", rows[-1], kind))
         case tuple() if value:
             yield value[:-1]
-            yield from ((other, *value[1:]) for other in others(name, value[0]))
-            yield from ((*value[:-1], other) for other in others(name, value[-1]))
+            yield from ((other, *value[1:]) for other in others(name, value[0], kind))
+            yield from ((*value[:-1], other) for other in others(name, value[-1], kind))
         case Record():
             for each in fields(value):
                 if each.name not in SHARED:
-                    for other in others(each.name, getattr(value, each.name)):
+                    for other in others(each.name, getattr(value, each.name), kind):
                         yield replace(value, **{each.name: other})
         case _ if isinstance(value, TREES) and value != ZERO:
             yield negate(value)
@@ -132,7 +144,7 @@ def survivors(kind: str, sheet: Path, monkeypatch: pytest.MonkeyPatch) -> Iterat
         for name, value in told.items():
             if name in SHARED:
                 continue
-            for other in others(name, value):
+            for other in others(name, value, kind):
                 count = -1
 
                 def state(

@@ -62,15 +62,16 @@ def minors(printed: Printed) -> Iterator[bool]:
         if regular <= printed.degree + 1:
             first = hurwitz.entry(polynomial, regular, 1)
             yield first is None or abs(first) <= CLOSE * size
-        yield bool(printed.told.mended) == (regular <= printed.degree + 1)
+        mended = printed.epsilon is not None or any(s.rule == "auxiliary" for s in printed.steps)
+        yield mended == (regular <= printed.degree + 1)
 
 
 def as_printed(printed: Printed) -> Iterator[bool]:
     """The table and the first column hold the entries; a long one by its name, whose indices say where it
     is."""
     told, rows = printed.told, printed.routh.rows
-    yield told.degree == printed.degree
-    yield told.column == tuple(row[0] for row in rows)
+    columns = [each.about["column"] for each in told.concluded if "column" in each.about]
+    yield all(column == tuple(row[0] for row in rows) for column in columns)
     entries = {step.chain[0]: step for step in printed.steps if step.rule == "entry"}
     for name, step in entries.items():
         i, j = _place(name, printed.letter)

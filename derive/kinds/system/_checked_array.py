@@ -10,7 +10,7 @@ from functools import cached_property
 from derive.algebra.numbers.floats import number
 from derive.derivation import Step
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Expr, Matrix, Relation, free_symbols
+from derive.expression import ZERO, Expr, Matrix, Relation, Symbol, free_symbols
 from derive.kinds.fields import TREES
 from derive.kinds.system._stability_facts import Facts
 
@@ -30,6 +30,7 @@ class Printed:
     told: Facts
     positive: frozenset[str]
     letter: str  # of the entries
+    epsilon: Symbol | None  # the small number, where it takes the place of an entry
 
     @cached_property
     def symbols(self) -> list[str]:
@@ -40,7 +41,7 @@ class Printed:
             *(t for t in sides if isinstance(t, TREES)),
         ]
         found = frozenset[str]().union(*map(free_symbols, trees))
-        small = {self.told.epsilon.name} if self.told.epsilon else frozenset[str]()
+        small = {self.epsilon.name} if self.epsilon else frozenset[str]()
         return sorted(found - {"pi"} - small)
 
     @property
@@ -54,14 +55,14 @@ class Printed:
         mended."""
         first, second = self.routh.rows[:2]
         if self.first_mended == 2:
-            second = (ZERO, *second[1:]) if second[0] == self.told.epsilon else (ZERO,) * len(second)
+            second = (ZERO, *second[1:]) if second[0] == self.epsilon else (ZERO,) * len(second)
         both = [entry for pair in zip(first, second, strict=True) for entry in pair]
         return tuple(both[: self.degree + 1])
 
     @property
     def first_mended(self) -> int:
         """The first row that was mended; the one after the last where none was."""
-        small = (i for i, row in enumerate(self.routh.rows, 1) if row[0] == self.told.epsilon)
+        small = (i for i, row in enumerate(self.routh.rows, 1) if row[0] == self.epsilon)
         rows = (int(s.name.rsplit("_", 1)[-1]) for s in self.steps if s.rule == "auxiliary")
         return min((*small, *rows), default=self.degree + 2)
 

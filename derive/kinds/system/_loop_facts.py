@@ -8,18 +8,17 @@ from derive.kinds.system._plant import AtPoint
 
 
 class LoopAtPoint(AtPoint):
-    hidden: bool = False  # what grows cancels out of the output
+    hidden: Phrase | None = None  # what grows cancels out of the output
 
 
 class Facts(PageFacts):
-    family: str
+    family: Phrase
     through: Expr
     input: Symbol
     output: Symbol
     motor: tuple[str, ...]
-    differentiates: bool
     order: int
-    realisable: bool
+    derivative: Phrase | None  # that cannot be built
     tracks: Phrase | None  # a constant reference without error
-    cancelled: int
+    cancelled: Phrase | None
     at: LoopAtPoint | None

@@ -13,7 +13,7 @@ from derive.control.oracle import poles
 from derive.control.oracle.equations import Numeric, is_close, value
 from derive.control.oracle.minimal import order
 from derive.control.system import System
-from derive.derivation import Claim, Step
+from derive.derivation import Claim, Phrase, Step
 from derive.expression import ZERO, Expr, Matrix, Symbol, free_symbols, number
 from derive.expression import replace as put_in
 from derive.kinds.checks import route
@@ -53,7 +53,7 @@ def routes(
         if "poles" in evaluated:
             A = _array(evaluated["A"], {})
             yield route("eigenvalues", _eigenvalues(A, evaluated["poles"], told))
-            yield route("verdict", (told.at.verdict in _verdicts(A),))
+            yield route("verdict", (told.at.verdict is not None and told.at.verdict.key in _verdicts(A),))
 
 
 def _array(rows: Matrix | Sequence[Sequence[float | str]], at: Point) -> Numbers:
@@ -112,7 +112,8 @@ def _said(
     for (left, right), (state, drive) in zip((told.law, told.output_law), ((A, B), (C, D)), strict=True):
         yield is_close(value(right, known), state * value(x, known) + drive * known[u.name])
         yield left in (system.output, _dotted(x))
-    yield told.through == any(entry != ZERO for row in matrices["D"].rows for entry in row)
+    through = any(entry != ZERO for row in matrices["D"].rows for entry in row)
+    yield told.form == (None if told.physical else Phrase("form-beside" if through else "form"))
     yield from _hidden(told, matrices)
     changed = {name: results[name] for name in MATRICES if results[name] != matrices[name]}
     yield [*told.final] == [(printed[name][0], tree) for name, tree in changed.items()]
@@ -133,7 +134,9 @@ def _hidden(told: Facts, matrices: Mapping[str, Matrix]) -> Iterator[bool]:
     ]
     A, B, C = ([[x for x in row if x is not None] for row in rows] for rows in found)
     if found == [A, B, C]:
-        yield told.hidden == len(A) - order(A, B, C)
+        beyond = len(A) - order(A, B, C)
+        yield told.physical or beyond == 0
+        yield told.hidden == (Phrase("hidden-motions", {"count": beyond}) if beyond else None)
 
 
 # -- at the values asked for --------------------------------------------------------------------------

@@ -108,12 +108,15 @@ def _said(held: Held, files: Files, told: Facts) -> Iterator[bool]:
     for script in scripts:
         stepping = _stepping(script)
         others = {each for each in script.steps if each != stepping}
-        yield told.reference.name == stepping and {each.name for each in told.disturbances} == others
+        yield told.reference is None or told.reference.name == stepping
+        yield {each.name for each in told.disturbances} == others
         own = len(script.blocks) - _around(told)
         yield own == 1 if told.one_block else {each.name for each in signals} <= script.blocks.keys()
     yield told.taps == _taps(held, read_matlab(files.texts["model.m"], 1.0 + 1.0j))
-    yield told.error[0] in [Symbol(each) for each in scripts[0].blocks] if told.closed else True
-    yield told.error[1] == told.reference - told.output
+    yield (told.error is not None) == (told.reference is not None) == told.closed
+    if told.error is not None and told.reference is not None:
+        yield told.error[0] in [Symbol(each) for each in scripts[0].blocks]
+        yield told.error[1] == told.reference - told.output
     known = {**held.problem.where, **(held.given or {})}
     yield {chain[0]: chain[-1] for chain in told.point} == {
         Symbol(name): tree for name, tree in known.items()

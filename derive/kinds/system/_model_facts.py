@@ -14,8 +14,8 @@ class Facts(PageFacts):
     taps: bool
     input: Symbol
     output: Symbol
-    reference: Symbol
-    error: tuple[Expr, Expr]
+    reference: Symbol | None  # of a loop
+    error: tuple[Expr, Expr] | None
     disturbances: tuple[Symbol, ...]
     controller: Expr | None
     filter: tuple[tuple[Symbol, Expr], ...]

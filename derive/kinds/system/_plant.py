@@ -16,7 +16,7 @@ from derive.control.rational import Polynomial, Rational, S, names_in
 from derive.control.roots import as_json, isolated, roots
 from derive.control.signals import signals
 from derive.control.system import System
-from derive.derivation import Claim, Derivation, Record, Step
+from derive.derivation import Claim, Derivation, Phrase, Record, Step
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Number, Symbol, free_symbols, number, walk
 from derive.kinds.checks import law
@@ -113,7 +113,7 @@ class AtPoint(Record):
     point: tuple[tuple[Expr, ...], ...]
     poles: tuple[Expr, ...] = ()
     zeros: tuple[Expr, ...] = ()
-    verdict: str = ""
+    verdict: Phrase | None = None  # where the poles lie
 
 
 def delay_steps(system: System) -> Iterator[Step]:

@@ -12,7 +12,7 @@ from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
 from derive.control.rational import Polynomial, written
 from derive.control.routh import Row, leading
-from derive.derivation import Record, Step, Table
+from derive.derivation import Phrase, Step, Table
 from derive.expression import (
     ONE,
     ZERO,
@@ -31,6 +31,7 @@ from derive.expression import (
     walk,
 )
 from derive.kinds.chains import distinct
+from derive.kinds.system._stability_facts import Around
 
 S = Symbol("s")
 IN_TABLE = 6  # operations an entry of the table has at most; a longer one is named
@@ -157,10 +158,12 @@ def _computed(array: Array, i: int, row: Row) -> Iterator[Step]:
         name, formula, value = array.name(i, j), _formula(array, i, j), array.value(i, j)
         worked = _worked(array, i, j, formula)
         if j == 1 and row.origin == "epsilon":
-            yield Step(f"zero_{i}", (*worked, ZERO), "epsilon", spare=worked[1:])
+            small = Phrase("small-number", {"epsilon": Symbol(array.epsilon)})
+            said = Around(before=Phrase("next-vanishes"), after=small)
+            yield Step(f"zero_{i}", (*worked, ZERO), "epsilon", said, spare=worked[1:])
             continue
         chain = distinct((name, *worked, value))
-        yield Step(f"entry_{i}_{j}", chain, "entry", spare=(*worked[1:], value))
+        yield Step(f"entry_{i}_{j}", chain, "entry", Around(), spare=(*worked[1:], value))
 
 
 def _worked(array: Array, i: int, j: int, formula: Expr) -> tuple[Expr, ...]:
@@ -215,19 +218,17 @@ def _formula(array: Array, i: int, j: int) -> Expr:
     return (pivot * array.name(i - 2, j + 1) - array.name(i - 2, 1) * array.name(i - 1, j + 1)) / pivot
 
 
-class Vanishing(Record):
-    row: int
-    at_origin: bool  # the roots that belong to it
-
-
 def _auxiliary(array: Array, i: int, row: Row) -> Iterator[Step]:
     """The polynomial of the row above a row of zeros, and its derivative, which fills it."""
     name = array.polynomial_name(i)
     above = written(array.rows[i - 2].polynomial, array.style)
-    facts = Vanishing(row=i, at_origin=len(_powers(array.rows[i - 2])) == 1)
-    yield Step(f"auxiliary_{i}", (name, above), "auxiliary", facts)
+    roots = Phrase("root-at-the-origin" if len(_powers(array.rows[i - 2])) == 1 else "symmetric-roots")
+    said = Around(before=Phrase("row-vanishes", {"row": i}), after=roots)
+    yield Step(f"auxiliary_{i}", (name, above), "auxiliary", said)
     slope = written(row.polynomial, array.style)
-    yield Step(f"derivative_{i}", (Derivative(name, S), slope), "derivative")
+    yield Step(
+        f"derivative_{i}", (Derivative(name, S), slope), "derivative", Around(after=Phrase("fills-the-row"))
+    )
 
 
 def _powers(row: Row) -> list[int]:

@@ -2,35 +2,49 @@
 
 from __future__ import annotations
 
-from derive.derivation import PageFacts, Table
-from derive.expression import Expr, Relation, Symbol
+from derive.derivation import PageFacts, Phrase, Record, Table
+from derive.expression import Expr, Relation
 from derive.kinds.system._plant import AtPoint
+
+NEVER = {"derivative": "never-by-zeros", "epsilon": "never-by-a-zero", "": "never"}
 
 
 class StabilityAtPoint(AtPoint):
-    failing: tuple[Relation, ...] = ()
+    met: Phrase | None = None  # whether the conditions hold
+
+
+class Around(Record):
+    """What is said before and after a step of the array."""
+
+    before: Phrase | None = None
+    after: Phrase | None = None
 
 
 class Facts(PageFacts):
-    closed: bool
-    motor: tuple[str, ...]
-    hidden: Expr | None
-    degree: int
+    criterion: Phrase
     factor: Expr | None
-    coefficients: str  # "met", "violated", "open"
+    coefficients: Phrase  # what they say
     array: Table | None
-    column: tuple[Expr, ...]
-    mended: tuple[str, ...]  # the special cases of the array
-    epsilon: Symbol | None  # where it stands in the array
-    never: bool
+    second: Phrase | None  # of its rows, where that begins with a zero
+    concluded: tuple[Phrase, ...]  # from the first column
+    needed: Phrase | None
     conditions: tuple[Relation, ...]  # none where they never hold
-    marginal: tuple[Relation, ...] | None
-    one_sign: tuple[Expr, ...]
-    assumed: bool
-    symbolic: bool
-    limiting: Relation | None
+    one_sign: Phrase | None  # the same in other words
+    limit: Phrase | None
     critical: tuple[tuple[Expr, ...], ...] | None
-    changes: int
-    axis: tuple[Expr, ...]
-    verdict: str
     at: StabilityAtPoint | None
+
+    def said(self, *keys: str) -> Phrase | None:
+        """What is concluded, if it is one of these."""
+        return next((each for each in self.concluded if each.key in keys), None)
+
+    @property
+    def never(self) -> bool:
+        return self.said(*NEVER.values()) is not None
+
+    @property
+    def marginal(self) -> tuple[Relation, ...] | None:
+        """The conditions under which it is marginally stable though it is never stable."""
+        said = self.said("marginal", "marginal-where")
+        found = said.about.get("conditions", ()) if said else None
+        return tuple(c for c in found if isinstance(c, Relation)) if isinstance(found, tuple) else None

@@ -57,8 +57,12 @@ def of_one_sign(answer: Answer) -> tuple[Expr, ...]:
 
 
 def necessary(answer: Answer) -> str:
-    """Whether all coefficients are there and of one sign: "met", "violated" or "open"."""
+    """Whether all coefficients are there and of one sign, and whether that is enough: "met", "violated" or
+    "open", of low degree "met-enough" or "open-enough"."""
+    low = len(answer.array.rows) < 4
     lead, *rest = (known_sign(k, answer.positive) if k else 0 for k in answer.array.polynomial)
     if 0 in rest or (lead is not None and -lead in rest):
         return "violated"
-    return "open" if lead is None or None in rest else "met"
+    if lead is None or None in rest:
+        return "open-enough" if low else "open"
+    return "met-enough" if low else "met"

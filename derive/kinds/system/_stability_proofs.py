@@ -4,16 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
+from derive.control.oracle import poles
 from derive.control.oracle.equations import divides_by_s
-from derive.derivation import Claim, Result
-from derive.expression import Expr, free_symbols
+from derive.derivation import Claim, Result, Said
+from derive.expression import Symbol, free_symbols
 from derive.kinds.checks import route
+from derive.kinds.fields import TREES
 from derive.kinds.system._array_checks import as_printed, is_determinant, is_of_array, minors
 from derive.kinds.system._checked_array import Printed
 from derive.kinds.system._oracle import Held
-from derive.kinds.system._point_checks import verdict_claim
 from derive.kinds.system._verdict_checks import changes, limit, marginal, said, stable
 
+CALLED = {
+    "stable": {"is-stable"}, "unstable": {"is-unstable", "unstable-by-a-repeated-root"},
+    "integrator": {"is-marginal"}, "oscillator": {"is-marginal"},
+}  # fmt: skip
 MOST = 12  # equations whose determinant is taken
 
 
@@ -31,18 +36,21 @@ def routes(held: Held, printed: Printed, results: Mapping[str, Result]) -> Itera
         yield route("exactly-stable", found)
     if told.marginal is not None and (found := [*marginal(printed, told.marginal)]):
         yield route("marginally-stable", found)
-    if "epsilon" not in told.mended and (found := [*changes(printed)]):
+    if printed.epsilon is None and (found := [*changes(printed)]):
         yield route("sign-changes-at-random", found)
     yield route(
-        "as-said", (*said(held, printed, results), told.hidden is None or _is_polynomial(told.hidden))
+        "as-said",
+        (*said(held, printed, results), _is_polynomial(told.criterion.about.get("hidden", Symbol("s")))),
     )
     if found := [*limit(printed)]:
         yield route("limit", found)
+    called = {each.key for each in told.concluded}
     if not printed.symbols:
         (_, polynomial), *_ = printed.points()
-        yield verdict_claim(polynomial, told.verdict)
+        possible = poles.possible(polynomial)
+        yield route("verdict", (any(CALLED[each] & called for each in possible),))
 
 
-def _is_polynomial(hidden: Expr) -> bool:
+def _is_polynomial(hidden: Said) -> bool:
     """Whether a factor that is said to be hidden is a polynomial in s, and no number."""
-    return "s" in free_symbols(hidden)
+    return isinstance(hidden, TREES) and "s" in free_symbols(hidden)

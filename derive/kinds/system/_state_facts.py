@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from derive.derivation import PageFacts
+from derive.derivation import PageFacts, Phrase
 from derive.expression import Expr, Symbol
 from derive.kinds.system._plant import AtPoint
 
@@ -14,9 +14,8 @@ class Facts(PageFacts):
     law: tuple[Expr, ...]
     output_law: tuple[Expr, ...]
     matrices: tuple[Symbol, ...]
-    as_found: bool
-    through: bool
-    hidden: int  # motions
+    form: Phrase | None  # of the transfer function from which the state is read off
+    hidden: Phrase | None  # motions
     cancelled: tuple[Expr, ...]
     final: tuple[tuple[Expr, ...], ...]
     at: AtPoint | None

@@ -11,7 +11,7 @@ from derive.control.oracle import poles
 from derive.control.oracle.equations import is_close, quotient, value, value_over
 from derive.control.oracle.figures import Figures, Seen, agree
 from derive.control.response import StepResponse
-from derive.derivation import Claim, Result
+from derive.derivation import Claim, Phrase, Result
 from derive.expression import ZERO, Expr, Relation, Symbol
 from derive.kinds.checks import route
 from derive.kinds.fields import TREES
@@ -133,9 +133,10 @@ def _said(
         if not isinstance(time, TREES)
         else shown is not None and _equal(number(time, {}), shown)
     )
-    yield (told.none is not None) == (evaluated["steady_state"] == 0)
+    yield told.none == (Phrase("returns") if evaluated["steady_state"] == 0 else None)
     if len(whole) == 1:
-        yield (told.hidden is not None) == ("unstable" in whole and told.course.key != "grows")
+        hidden = "unstable" in whole and told.course.key != "grows"
+        yield told.hidden == (Phrase("hidden-growth") if hidden else None)
 
 
 def _courses(told: Facts, den: Sequence[float], seen: Seen) -> Iterator[bool]:

@@ -6,41 +6,67 @@ from collections.abc import Iterator, Sequence
 
 from derive.control.oracle.equations import Numeric, value
 from derive.control.oracle.growth import degree
-from derive.derivation import Claim, Step
-from derive.expression import ONE, Expr, Product, Quotient, Symbol, free_symbols
+from derive.derivation import Claim, Phrase, Step
+from derive.expression import ONE, Expr, Product, Quotient, Relation, Symbol, free_symbols
 from derive.kinds.checks import route
+from derive.kinds.fields import TREES
 from derive.kinds.system._oracle import Held, Point, reals
-from derive.kinds.system._transfer_facts import Eliminated, Facts
+from derive.kinds.system._transfer_facts import Facts, Told
 
+WAYS = (("given-directly", "solve"), ("put-into", "solve-and-put"))  # with nothing put in, and with something
+LAST = (("left", "only-one"), ("left-put",))
 NEARLY = 1e-9
 
 
 def said(held: Held, told: Facts, steps: Sequence[Step], G: Expr) -> Claim:
     """Degree, proper or not, integrating or not; which inputs and which signals."""
-    names = tuple(step.name for step in steps if step.rule == "elimination")
+    system, ends = held.system, {"input": held.source, "output": held.system.output}
+    done = [step for step in steps if step.rule == "elimination"]
+    motors = [each for each in ("armature", "field") if each in system.motor]
     plain = [
-        told.motor == held.system.motor,
-        (told.input, told.output) == (held.source, held.system.output),
-        told.disturbed == (held.source != held.system.input),
-        (*told.eliminations, "relation") == names,
+        told.described.key == (motors[0] if motors else "a-system"),
+        told.start == (Phrase("from-the-output", ends) if done else None),
+        (told.input, told.output) == (held.source, system.output),
+        *(_zero(held, step) for step in steps if step.rule == "superposition"),
     ]
     return route("as-said", [*plain, *held.compared(lambda at: _degrees(told, steps, G, at))])
 
 
+def _zero(held: Held, step: Step) -> bool:
+    """Which input is set to zero, and for which."""
+    if not isinstance(step.facts, Told):
+        return False
+    zero = {"zero": Relation(step.chain[0], "=", step.chain[1])}
+    usual = held.source == held.system.input
+    wanted = (
+        Phrase("disturbance-zero", zero) if usual else Phrase("others-zero", zero | {"input": held.source})
+    )
+    return step.facts.said == wanted
+
+
 def _degrees(told: Facts, steps: Sequence[Step], G: Expr, at: Point) -> Iterator[bool]:
     whole = next(step.chain[2] for step in steps if step.name == "G")
-    left = next((step.result for step in steps if step.rule == "cancel"), whole)
+    left = next((step.result for step in steps if step.rule == "cancel"), None)
+    order, lost = denominator_degree(whole, at), told.cancelled.about.get("count", 0) if told.cancelled else 0
     vanishes = not abs(value(G, at))
-    yield told.vanishes == vanishes
-    yield from is_degree(told.order, denominator_degree(whole, at))
-    yield from is_degree(told.order - told.cancelled, denominator_degree(left, at))
+    yield told.found == (Phrase("vanishes", {"input": told.input}) if vanishes else Phrase("ratio"))
+    lose = Phrase("motion-cancels", {"count": lost}) if lost else Phrase("factor-cancels", {"s": Symbol("s")})
+    yield told.cancelled == (None if left is None else lose)
+    if left is not None and (after := denominator_degree(left, at)) is not None:
+        yield order is None or order - after == lost
     if vanishes:
         return
+    nature = told.nature.key if told.nature else ""
+    yield nature in ("", "improper", "integrates")
     far, near = (degree(lambda s: value(G, {**at, "s": s}), inward) for inward in (False, True))
+    if told.nature and nature == "integrates":
+        about = {"s": Symbol("s"), "input": told.input, "output": told.output}
+        yield told.nature.about == {"order": told.nature.about["order"], **about}
+        yield order is None or told.nature.about["order"] == order
     if far is not None:
-        yield told.proper == (far <= 0)
-    if near is not None:
-        yield near < 0 if told.integrates else near >= 0 or told.cancelled > 0
+        yield (nature == "improper") == (far > 0)
+    if near is not None and nature != "improper":
+        yield near < 0 if nature == "integrates" else near >= 0 or bool(lost)
 
 
 def is_degree(told: int, seen: int | None) -> Iterator[bool]:
@@ -59,27 +85,30 @@ def denominator_degree(tree: Expr, at: Point) -> int | None:
 def eliminations(held: Held, steps: Sequence[Step]) -> Claim:
     """What each elimination is said to be: the equation holds, the signal stands in it, and what is put in
     has been found before."""
-    done = [step for step in steps if step.rule == "elimination"]
-    return route("eliminations", [*_told(done), *held.compared(lambda at: _holding(held, done, at))])
+    done = [step for step in steps if step.rule in ("elimination", "relation")]
+    return route("eliminations", [*_told(held, done), *held.compared(lambda at: _holding(held, done, at))])
 
 
-def _told(steps: Sequence[Step]) -> Iterator[bool]:
-    known: list[Symbol] = []
+def _told(held: Held, steps: Sequence[Step]) -> Iterator[bool]:
+    known: list[Expr] = []
     for step in steps:
-        told = step.facts
-        if not isinstance(told, Eliminated):
-            yield False
+        said = step.facts.said if isinstance(step.facts, Told) else Phrase("only-one")
+        equation, signal, put = (said.about.get(name) for name in ("equation", "signal", "put"))
+        sides = (equation.left, equation.right) if isinstance(equation, Relation) else step.chain[:2]
+        inside = frozenset[str]().union(*(free_symbols(side) for side in sides if isinstance(side, TREES)))
+        before = {each for each in known if isinstance(each, Symbol) and each.name in inside}
+        yield {*(put if isinstance(put, tuple) else ())} <= before
+        yield (put is not None) == bool(before)
+        yield said.key in (LAST if step.rule == "relation" else WAYS)[put is not None]
+        if step.rule == "relation":
+            ends = {"input": held.source, "output": held.system.output}
+            yield {name: tree for name, tree in said.about.items() if name in ends} == ends
+            yield (said.key == "only-one") == (len(steps) == 1)
             continue
-        if told.explicit:
-            yield step.chain[0] in told.equation and step.chain[1] in told.equation
-        inside = frozenset[str]().union(*map(free_symbols, told.equation))
-        before = {each for each in known if each.name in inside}
-        yield {*told.put} <= before and bool(told.put) == bool(before)
-        if step.name != "relation":
-            yield told.signal == step.chain[0] and told.signal not in known
-            yield told.signal.name in inside or bool(told.put)
-            yield told.explicit == (told.signal in told.equation)
-            known.append(told.signal)
+        explicit = said.key in ("put-into", "given-directly")
+        yield explicit == (step.chain[0] in sides) and step.chain[0] not in known
+        yield signal in (None, step.chain[0]) and (not explicit or step.chain[1] in sides)
+        known.append(step.chain[0])
 
 
 def _holding(held: Held, steps: Sequence[Step], at: Point) -> Iterator[bool]:
@@ -87,8 +116,7 @@ def _holding(held: Held, steps: Sequence[Step], at: Point) -> Iterator[bool]:
     found = {**at, **solved.signals(at["s"], {held.source: 1.0})}
     size = max(map(abs, found.values()))
     for step in steps:
-        told = step.facts
-        left, right = (
-            (value(side, found) for side in told.equation) if isinstance(told, Eliminated) else (1, 0)
-        )
+        said = step.facts.said.about.get("equation") if isinstance(step.facts, Told) else None
+        pair = (said.left, said.right) if isinstance(said, Relation) else step.chain[:2]
+        left, right = (value(side, found) for side in pair if isinstance(side, TREES))
         yield abs(left - right) <= NEARLY * max(abs(left), abs(right), size)

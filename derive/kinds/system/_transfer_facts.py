@@ -2,27 +2,23 @@
 
 from __future__ import annotations
 
-from derive.derivation import PageFacts, Record
-from derive.expression import Expr, Symbol
+from derive.derivation import PageFacts, Phrase, Record
+from derive.expression import Symbol
 from derive.kinds.system._plant import AtPoint
 
 
-class Eliminated(Record):
-    signal: Symbol
-    equation: tuple[Expr, Expr]
-    put: tuple[Symbol, ...]
-    explicit: bool
+class Told(Record):
+    """What is said before a step."""
+
+    said: Phrase
 
 
 class Facts(PageFacts):
-    motor: tuple[str, ...]
-    eliminations: tuple[str, ...]  # steps
+    described: Phrase  # by its equations
+    start: Phrase | None  # of what is eliminated
+    found: Phrase  # the transfer function
     input: Symbol
     output: Symbol
-    disturbed: bool  # it is not the usual input
-    order: int
-    proper: bool
-    vanishes: bool
-    integrates: bool
-    cancelled: int
+    cancelled: Phrase | None
+    nature: Phrase | None  # improper, or integrating
     at: AtPoint | None

@@ -8,7 +8,7 @@ from typing import Any
 from derive.algebra.numbers.floats import number
 from derive.control.oracle import poles
 from derive.control.oracle.equations import is_close, value
-from derive.derivation import Claim
+from derive.derivation import Claim, Phrase
 from derive.expression import Symbol
 from derive.kinds.checks import route
 from derive.kinds.fields import TREES
@@ -50,7 +50,8 @@ def _at_values(held: Held, printed: Printed, evaluated: Mapping[str, Any], at: P
     least, most = poles.on_right(polynomial)
     possible = poles.possible(polynomial)
     yield least <= evaluated["unstable_poles"] <= most
-    yield told.verdict in possible and evaluated["stable"] == (told.verdict == "stable")
+    verdict = told.verdict.key if told.verdict else ""
+    yield verdict in possible and evaluated["stable"] == (verdict == "stable")
     roots = complexes(evaluated["poles"])
     yield same_roots(told.poles, evaluated["poles"])
     yield is_close(
@@ -58,9 +59,13 @@ def _at_values(held: Held, printed: Printed, evaluated: Mapping[str, Any], at: P
         sum(k * at["s"] ** (len(polynomial) - 1 - place) for place, k in enumerate(polynomial)),
         1e-6,
     )
-    yield told.failing == tuple(
+    failing = tuple(
         each for found, each in zip(evaluated["conditions"], printed.conditions, strict=True) if not found
     )
+    if not printed.symbols or printed.told.never or not printed.conditions:
+        yield told.met is None
+    else:
+        yield told.met == (Phrase("not-met", {"failing": failing}) if failing else Phrase("all-met"))
 
 
 def _near(left: float, right: float) -> bool:

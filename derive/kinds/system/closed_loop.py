@@ -143,20 +143,36 @@ def _final(found: Closed, rational: Rational) -> Expr:
 
 
 def _facts(found: Closed, at: LoopAtPoint | None) -> Facts:
-    solved, loop = found.plant, found.loop
+    solved = found.plant
     return Facts(
-        family=found.controller.family,
+        family=Phrase(found.controller.family),
         through=solved.named("C") * solved.named("G"),
         input=solved.system.input,
         output=solved.system.output,
         motor=solved.system.motor,
-        differentiates=found.controller.differentiates,
         order=len(found.transfer.den) - 1,
-        realisable=loop.open.proper,
+        derivative=_derivative(found),
         tracks=Phrase("tracks", {"origin": Relation(Symbol("s"), "=", ZERO)}) if _tracks(found) else None,
-        cancelled=found.transfer.cancelled,
+        cancelled=_cancelled(found),
         at=at,
         numbers=(),
+    )
+
+
+def _derivative(found: Closed) -> Phrase | None:
+    """What stands against building the loop."""
+    if not found.loop.open.proper:
+        return Phrase("improper-loop")
+    return Phrase("ideal-derivative") if found.controller.differentiates else None
+
+
+def _cancelled(found: Closed) -> Phrase | None:
+    """What numerator and denominator have in common."""
+    if found.reduced is found.transfer:
+        return None
+    count = found.transfer.cancelled
+    return (
+        Phrase("motion-cancels", {"count": count}) if count else Phrase("factor-cancels", {"s": Symbol("s")})
     )
 
 
@@ -199,6 +215,6 @@ def _evaluated(found: Closed, options: Options) -> tuple[dict[str, Any], LoopAtP
         told,
         poles=tuple(map(root_tree, poles)),
         zeros=tuple(map(root_tree, zeros)),
-        verdict=verdict(whole.den),
-        hidden=verdict(numeric.den) == "stable" and verdict(whole.den) != "stable",
+        verdict=Phrase(verdict(whole.den)),
+        hidden=Phrase("growth-cancels") if verdict(numeric.den) == "stable" != verdict(whole.den) else None,
     )

@@ -147,18 +147,18 @@ def _definitions(answer: Answer) -> dict[Expr, Expr]:
 
 
 def _facts(answer: Answer, options: Options) -> Facts:
-    solved, diagram = answer.plant, answer.diagram
+    solved, diagram, closed = answer.plant, answer.diagram, answer.controller is not None
     taps = any(branch.tap for wired in answer.wired for branch in wired.realised.branches)
     return Facts(
-        closed=answer.controller is not None,
+        closed=closed,
         family=answer.controller.family if answer.controller else "",
         motor=solved.system.motor,
         one_block=not answer.wired,
         taps=taps,
         input=solved.system.input,
         output=solved.system.output,
-        reference=Symbol(diagram.input),
-        error=(Symbol("e"), Symbol(diagram.input) - solved.system.output),
+        reference=Symbol(diagram.input) if closed else None,
+        error=(Symbol("e"), Symbol(diagram.input) - solved.system.output) if closed else None,
         disturbances=tuple(map(Symbol, diagram.disturbances)),
         controller=controller_formula(answer) if answer.filter else None,
         filter=answer.filter,

@@ -2,29 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
-from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.readable.form import readable
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.roots_and_functions import root
-from derive.algebra.scalar import Scalar
-from derive.algebra.solving.polynomials import coefficients, known_sign, odd_part
-from derive.control.hurwitz import is_impossible, written
+from derive.algebra.solving.polynomials import known_sign, odd_part
+from derive.control.hurwitz import is_impossible
 from derive.control.rational import Rational, at, names_in
 from derive.control.rational import written as collected
 from derive.control.roots import roots
 from derive.control.system import System
-from derive.derivation import Derivation, Result, Step
+from derive.derivation import Derivation, Phrase, Result, Step
 from derive.expression import Expr, Quotient, Relation, Sum, Symbol, number, walk
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._checked_array import Printed
 from derive.kinds.system._options import ControllerField
 from derive.kinds.system._oracle import Held
-from derive.kinds.system._plant import mixed, point_chains, poles_json, root_tree, rounded, verdict
+from derive.kinds.system._plant import mixed, point_chains, poles_json, root_tree, verdict
 from derive.kinds.system._routh_steps import entry_steps, law_step
 from derive.kinds.system._stability_answer import Answer, answered, right_of_axis
 from derive.kinds.system._stability_checks import claims_about, signs_at
@@ -32,18 +30,14 @@ from derive.kinds.system._stability_facts import Facts as Facts
 from derive.kinds.system._stability_facts import StabilityAtPoint
 from derive.kinds.system._stability_limit import (
     frequency_squared,
-    is_marginal,
-    limiting,
-    necessary,
-    of_one_sign,
-    possible,
 )
 from derive.kinds.system._stability_proofs import routes
+from derive.kinds.system._stability_told import facts_of, omega_of, small_of, written_of
 from derive.kinds.system._values_checks import point_routes
 from derive.kinds.work import Work
-from derive.names import free
 
 SUBJECTS = ("system", "motor")
+S = Symbol("s")
 CLAIMED = {"unstable_poles": "sign-changes"}
 
 
@@ -71,9 +65,14 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
         results["unstable_poles"] = number(answer.changes)
     evaluated, numbers = _evaluated(answer, options)
     work = Work(problem, _definitions(answer), uses=(answer.base,), steps=tuple(_steps(answer)))
-    told, held = _facts(answer, options, numbers), Held(problem, system.input, options.controller)
+    told, held = (
+        facts_of(answer, options.controller is not None, numbers),
+        Held(problem, system.input, options.controller),
+    )
     letter = answer.array.letter
-    printed = Printed(answer.array.matrix, answer.written, work.steps, told, answer.positive, letter)
+    printed = Printed(
+        answer.array.matrix, answer.written, work.steps, told, answer.positive, letter, small_of(answer)
+    )
     there = replace(held, given=dict(options.evaluate or ()))
     work = work.claim(
         *claims_about(answer), *routes(held, printed, results), *point_routes(there, printed, evaluated)
@@ -109,12 +108,8 @@ def _terms(expr: Expr) -> int:
 def _definitions(answer: Answer) -> dict[Expr, Expr]:
     found = {_delta(answer): collected(answer.final, answer.plant.style), **answer.array.definitions}
     if (square := frequency_squared(answer)) is not None:
-        found[_omega(answer)] = readable(root(square), answer.plant.style)
+        found[omega_of(answer)] = readable(root(square), answer.plant.style)
     return found
-
-
-def _omega(answer: Answer) -> Symbol:
-    return Symbol(free(answer.symbols, "omega_0", "omega_n", "w_0"))
 
 
 def _limit_steps(answer: Answer) -> Iterator[Step]:
@@ -126,74 +121,8 @@ def _limit_steps(answer: Answer) -> Iterator[Step]:
     below, value = array.value(row, 1), readable(square, answer.plant.style)
     filled = array.value(row, 2) / below
     value = value if isinstance(below, Quotient) or operations(value) < operations(filled) else filled
-    chain: tuple[Expr, ...] = (_omega(answer) ** 2, array.name(row, 2) / array.name(row, 1))
+    chain: tuple[Expr, ...] = (omega_of(answer) ** 2, array.name(row, 2) / array.name(row, 1))
     yield Step("limit", (*chain, value), "limit", spare=(value,))
-
-
-def _facts(answer: Answer, options: Options, at: StabilityAtPoint | None) -> Facts:
-    array, solved = answer.array, answer.plant
-    degree = len(array.rows) - 1
-    found = () if answer.symbols else roots(array.polynomial)
-    never = is_impossible(answer.conditions, answer.positive)
-    return Facts(
-        closed=options.controller is not None,
-        motor=solved.system.motor,
-        hidden=collected(answer.hidden, solved.style) if len(answer.hidden) > 1 else None,
-        degree=degree,
-        factor=None if answer.factor.constant is not None else readable(answer.factor, solved.style),
-        coefficients=necessary(answer),
-        array=array.table if degree > 1 else None,
-        column=tuple(array.value(i, 1) for i in range(1, degree + 2)),
-        mended=array.mended,
-        epsilon=Symbol(array.epsilon) if "epsilon" in array.mended else None,
-        never=never,
-        conditions=() if never else answer.written,
-        marginal=_written(answer, possible(answer)) if is_marginal(answer) else None,
-        one_sign=of_one_sign(answer),
-        assumed=bool(answer.positive & set(answer.symbols)),
-        symbolic=bool(answer.symbols),
-        limiting=_written_limit(answer),
-        critical=_critical(answer),
-        changes=0 if answer.symbols else answer.changes,
-        axis=tuple(dict.fromkeys(root_tree(z) for z in found if z.real == 0)),
-        verdict="" if answer.symbols else verdict(array.polynomial),
-        at=at,
-        numbers=(),
-    )
-
-
-def _written(answer: Answer, found: Iterable[Scalar]) -> tuple[Relation, ...]:
-    return tuple(written(each, answer.plant.style) for each in found)
-
-
-def _written_limit(answer: Answer) -> Relation | None:
-    found = limiting(answer)
-    if found is None or frequency_squared(answer) is None:
-        return None
-    return written(found, answer.plant.style)
-
-
-def _critical(answer: Answer) -> tuple[tuple[Expr, ...], ...] | None:
-    """(K = its value at the limit, omega there) where only one symbol is open."""
-    limit, square = limiting(answer), frequency_squared(answer)
-    if limit is None or square is None or len(answer.symbols) != 1:
-        return None
-    (name,) = answer.symbols
-    found = coefficients(limit, name)
-    if len(found) != 2:
-        return None
-    value = -found[0] / found[1]
-    others = (each for each in answer.conditions if each is not limit)
-    if not all(known_sign(each.substitute({name: value})) == 1 for each in others):
-        return None
-    at = square.substitute({name: value})
-    if known_sign(at) != 1:
-        return None
-    exact = readable(root(at), answer.plant.style)
-    size = scalar_number(root(at), {})
-    omega: tuple[Expr, ...] = (_omega(answer), exact)
-    omega = omega if root(at).constant is not None else (*omega, rounded(size))
-    return (Symbol(name), readable(value, answer.plant.style)), omega
 
 
 # -- in numbers ---------------------------------------------------------------------------------------
@@ -223,15 +152,22 @@ def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], Stabil
     return {**array, **values}, replace(
         told,
         poles=tuple(map(root_tree, poles)),
-        verdict=verdict(numeric.den),
-        failing=tuple(each for each, holds in zip(answer.written, met, strict=True) if not holds),
+        verdict=Phrase(verdict(numeric.den)),
+        met=_met(answer, tuple(each for each, holds in zip(answer.written, met, strict=True) if not holds)),
     )
+
+
+def _met(answer: Answer, failing: tuple[Relation, ...]) -> Phrase | None:
+    """Which of the conditions do not hold, where some are told."""
+    if not answer.written or not answer.symbols or is_impossible(answer.conditions, answer.positive):
+        return None
+    return Phrase("not-met", {"failing": failing}) if failing else Phrase("all-met")
 
 
 def _left(answer: Answer, place: Mapping[Expr, Expr]) -> list[bool | Relation]:
     """Each condition as far as it is decided there, else as an inequality in the symbols left."""
     signs = [known_sign(each, answer.positive) for each in at(answer.conditions, place)]
-    left = _written(answer, [odd_part(each, answer.positive) for each in at(answer.conditions, place)])
+    left = written_of(answer, [odd_part(each, answer.positive) for each in at(answer.conditions, place)])
     return [c if known is None else known > 0 for c, known in zip(left, signs, strict=True)]
 
 

@@ -15,7 +15,7 @@ from derive.control.roots import as_json, roots
 from derive.control.states import ORDERS, Law
 from derive.control.states import written as written_form
 from derive.control.system import System
-from derive.derivation import Derivation, Step, as_matrix
+from derive.derivation import Derivation, Phrase, Step, as_matrix
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol, add, column, multiply
 from derive.kinds.fields import Evaluation, OptionsModel
@@ -139,8 +139,8 @@ def _definitions(answer: Answer) -> dict[Expr, Expr]:
 
 
 def _facts(answer: Answer, at: AtPoint | None) -> Facts:
-    solved, steps = answer.plant, tuple(_steps(answer))
-    order, whole = len(answer.transfer.den) - 1, answer.transfer.expr(solved.style)
+    solved = answer.plant
+    beyond = len(answer.state) - len(answer.transfer.den) + 1
     beside = hidden(solved.system, answer.transfer.den, solved.decimals)
     return Facts(
         physical=answer.is_physical,
@@ -149,9 +149,8 @@ def _facts(answer: Answer, at: AtPoint | None) -> Facts:
         law=_equation(answer, Symbol(f"{answer.letter.name}_dot"), "A", "B"),
         output_law=_equation(answer, solved.system.output, "C", "D"),
         matrices=tuple(solved.named(name) for name in MATRICES),
-        as_found=any(step.name == "G" and step.result == whole for step in steps),
-        through=bool(answer.space.D[0, 0]),
-        hidden=len(answer.state) - order,
+        form=None if answer.is_physical else Phrase("form-beside" if answer.space.D[0, 0] else "form"),
+        hidden=Phrase("hidden-motions", {"count": beyond}) if beyond else None,
         cancelled=() if answer.is_physical or len(beside) == 1 else (collected(beside, solved.style),),
         final=_final(answer),
         at=at,
@@ -193,5 +192,5 @@ def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], AtPoin
         return values, told
     poles = roots(characteristic)
     return {**values, "poles": [as_json(pole) for pole in poles]}, replace(
-        told, poles=tuple(map(root_tree, poles)), verdict=verdict(characteristic)
+        told, poles=tuple(map(root_tree, poles)), verdict=Phrase(verdict(characteristic))
     )

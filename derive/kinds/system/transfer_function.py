@@ -12,8 +12,8 @@ from derive.algebra.readable.operation_count import operations
 from derive.control.elimination import Elimination, without
 from derive.control.roots import roots
 from derive.control.system import System
-from derive.derivation import Claim, Derivation, Step
-from derive.expression import ZERO, Expr, free_symbols, walk
+from derive.derivation import Claim, Derivation, Phrase, Step
+from derive.expression import ZERO, Expr, Relation, Symbol, free_symbols, walk
 from derive.kinds.checks import law
 from derive.kinds.fields import Evaluation, Name, OptionsModel
 from derive.kinds.problem import Problem
@@ -34,11 +34,13 @@ from derive.kinds.system._plant import (
 )
 from derive.kinds.system._point_checks import AT_POINT, point_claims
 from derive.kinds.system._transfer_checks import eliminations, said
-from derive.kinds.system._transfer_facts import Eliminated
 from derive.kinds.system._transfer_facts import Facts as Facts
+from derive.kinds.system._transfer_facts import Told
 from derive.kinds.work import Work
 
 SUBJECTS = ("system", "motor")
+S = Symbol("s")
+MOTORS = ("armature", "field")
 
 
 class Options(OptionsModel):
@@ -80,24 +82,48 @@ def _steps(solved: Plant) -> Iterator[Step]:
     yield from delay_steps(system)
     for place, equation in enumerate(system.equations, 1):
         yield Step(f"equation_{place}", (equation.left, equation.right), "given")
+    usual = solution.source == system.input
     for signal in solution.zero:
-        yield Step("zero", (signal, ZERO), "superposition")
+        zero = {"zero": Relation(signal, "=", ZERO)}
+        said = (
+            Phrase("disturbance-zero", zero)
+            if usual
+            else Phrase("others-zero", zero | {"input": solution.source})
+        )
+        yield Step("zero", (signal, ZERO), "superposition", Told(said=said))
     for step in solution.steps:
-        yield _elimination(step, solved, step.signal.name)
-    yield _elimination(solution.relation, solved, "relation")
+        yield Step(
+            f"{step.signal.name}_eliminated", step.chain, "elimination", Told(said=_eliminated(step, solved))
+        )
+    last = Told(said=_left(solution.relation, solved))
+    yield Step("relation", solution.relation.chain, "relation", last)
     yield from _transfer(solved)
 
 
-def _elimination(step: Elimination, solved: Plant, name: str) -> Step:
-    equation = solved.system.equations[step.equation]
-    zero = solved.solution.zero
-    facts = Eliminated(
-        signal=step.signal,
-        equation=(without(equation.left, zero), without(equation.right, zero)),
-        put=step.put,
-        explicit=step.explicit,
-    )
-    return Step(f"{name}_eliminated" if name != "relation" else name, step.chain, "elimination", facts)
+def _equation(step: Elimination, solved: Plant) -> Relation:
+    equation, zero = solved.system.equations[step.equation], solved.solution.zero
+    return Relation(without(equation.left, zero), "=", without(equation.right, zero))
+
+
+def _eliminated(step: Elimination, solved: Plant) -> Phrase:
+    """How a signal is expressed."""
+    equation = _equation(step, solved)
+    match step.explicit, bool(step.put):
+        case True, True:
+            return Phrase("put-into", {"put": step.put, "equation": equation})
+        case True, False:
+            return Phrase("given-directly", {"signal": step.signal})
+        case False, True:
+            return Phrase("solve-and-put", {"equation": equation, "signal": step.signal, "put": step.put})
+    return Phrase("solve", {"equation": equation, "signal": step.signal})
+
+
+def _left(step: Elimination, solved: Plant) -> Phrase:
+    """The equation between input and output that is left."""
+    ends = {"input": solved.solution.source, "output": solved.system.output}
+    if step.put:
+        return Phrase("left-put", {"put": step.put, "equation": _equation(step, solved), **ends})
+    return Phrase("left" if solved.solution.steps else "only-one", ends)
 
 
 def _transfer(solved: Plant) -> Iterator[Step]:
@@ -137,20 +163,37 @@ def _result(solved: Plant) -> Expr:
 
 def _facts(solved: Plant, at: AtPoint | None) -> Facts:
     system, rational = solved.system, solved.rational
+    ends = {"input": solved.solution.source, "output": system.output}
     return Facts(
-        motor=system.motor,
-        eliminations=tuple(f"{step.signal.name}_eliminated" for step in solved.solution.steps),
+        described=Phrase(next((word for word in system.motor if word in MOTORS), "a-system")),
+        start=Phrase("from-the-output", ends) if solved.solution.steps else None,
+        found=Phrase("ratio") if rational.num else Phrase("vanishes", {"input": solved.solution.source}),
         input=solved.solution.source,
         output=system.output,
-        disturbed=solved.solution.source != system.input,
-        order=len(rational.den) - 1,
-        proper=rational.proper,
-        vanishes=not rational.num,
-        integrates=bool(rational.num) and not rational.den[-1] and bool(rational.num[-1]),
-        cancelled=rational.cancelled,
+        cancelled=_cancelled(solved),
+        nature=_nature(solved),
         at=at,
         numbers=(),
     )
+
+
+def _cancelled(solved: Plant) -> Phrase | None:
+    """What numerator and denominator have in common."""
+    if solved.rational.reduced() is solved.rational:
+        return None
+    count = solved.rational.cancelled
+    return Phrase("motion-cancels", {"count": count}) if count else Phrase("factor-cancels", {"s": S})
+
+
+def _nature(solved: Plant) -> Phrase | None:
+    """What it does to any input."""
+    rational = solved.rational
+    if not rational.proper:
+        return Phrase("improper")
+    if rational.num and not rational.den[-1] and rational.num[-1]:
+        ends = {"input": solved.solution.source, "output": solved.system.output}
+        return Phrase("integrates", {"order": len(rational.den) - 1, "s": S, **ends})
+    return None
 
 
 def _claims(solved: Plant) -> Iterator[Claim]:
@@ -181,5 +224,5 @@ def _evaluated(solved: Plant, options: Options) -> tuple[dict[str, Any], AtPoint
         told,
         poles=tuple(map(root_tree, poles)),
         zeros=tuple(map(root_tree, zeros)),
-        verdict=verdict(numeric.den),
+        verdict=Phrase(verdict(numeric.den)),
     )
