@@ -1,7 +1,11 @@
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from hypothesis import settings
+
+from tests.commands import SHEET
 
 # The same examples on every run, so that a failure of the gate is a failure anyone gets again;
 # `--hypothesis-profile=search` looks further.
@@ -21,3 +25,11 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 @pytest.fixture
 def update_golden(request: pytest.FixtureRequest) -> bool:
     return bool(request.config.getoption("--update-golden"))
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The folder that commands are typed in, with one sheet."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "week1.yaml").write_text(SHEET, encoding="utf-8")
+    return tmp_path

@@ -6,32 +6,11 @@ from errno import ENOSPC
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner, Result
 
 from derive import build as pipeline
-from derive.cli import main
 from derive.errors import Place, SheetError
 from derive.messages import written
-
-SHEET = """\
-title: A planar arm
-problems:
-- robot:
-    links:
-    - {theta: theta1*, d: 0, a: L, alpha: 0}
-  find: dh-table
-"""
-
-
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "week1.yaml").write_text(SHEET, encoding="utf-8")
-    return tmp_path
-
-
-def run(*arguments: str) -> Result:
-    return CliRunner().invoke(main, list(arguments))
+from tests.commands import SHEET, run
 
 
 def test_a_sheet_alone_is_built(folder: Path) -> None:

@@ -6,32 +6,17 @@ from contextlib import suppress
 from pathlib import Path
 
 import pytest
-from click.testing import CliRunner, Result
+from click.testing import Result
 
 from derive.audit import engine
 from derive.audit.asked import Asked, Same
 from derive.audit.points import Point
-from derive.cli import main
-
-SHEET = """\
-title: A planar arm
-problems:
-- robot:
-    links:
-    - {theta: theta1*, d: 0, a: L, alpha: 0}
-  find: dh-table
-"""
-
-
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "week1.yaml").write_text(SHEET, encoding="utf-8")
-    return tmp_path
+from tests import commands
+from tests.commands import SHEET
 
 
 def run(*arguments: str) -> Result:
-    return CliRunner().invoke(main, ["week1.yaml", "--format", "json", *arguments])
+    return commands.run("week1.yaml", "--format", "json", *arguments)
 
 
 def test_the_answers_audited_are_counted(folder: Path) -> None:
