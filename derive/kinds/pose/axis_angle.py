@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
@@ -21,13 +22,14 @@ from derive.expression import (
     atan2,
     column,
     cos,
+    free_symbols,
     number,
     sin,
     sqrt,
     squared,
     transpose,
 )
-from derive.kinds.meanings import Chain, Names, as_told, column_of
+from derive.kinds.meanings import Chain, Names, as_told, column_of, told
 from derive.kinds.pose._given import Given, given_pose, lacking
 from derive.kinds.pose._given import PoseOptions as Options
 from derive.kinds.pose._meanings import entries_of, printed, turn_of
@@ -36,6 +38,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.motion import Move
 from derive.mechanics.oracle import elementary
+from derive.mechanics.oracle.poses import turn
 from derive.names import free
 
 SUBJECTS = ("motion", "frames", "robot")
@@ -85,13 +88,14 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
         return _nothing(work, given, names, facts)
     half = given.R == given.R.T
     work, angle, axis = (_half_turn if half else _general)(work, given, names)
+    work = _in_general(work, names)
     if given.numeric:
         k = normal_matrix(axis)
         work = work.law("unit-axis", (k.T @ k)[0, 0] == 1).law("axis-stays", given.R @ k == k)
     (x,), (y,), (z,) = axis.rows
-    turn = Move("rotate", (x, y, z), angle)
+    move = Move("rotate", (x, y, z), angle)
     work = work.agrees(
-        "orientation-again", problem.symbols, lambda at: elementary(turn, at)[:3, :3], given.turns, 1e-8
+        "orientation-again", problem.symbols, lambda at: elementary(move, at)[:3, :3], given.turns, 1e-8
     )
     facts = replace(
         facts,
@@ -118,11 +122,32 @@ def _meant(given: Given, names: _Names, axis: Matrix | None, at: Point) -> Names
 
     R = given.turns(at)
     angle, k = turn_of(R, None if axis is None else printed(axis, at))
-    w = 2 * np.sin(angle) * k
+    return {**_called(names, R, angle, k), given.rotation: R, Symbol("I"): np.eye(3)}
+
+
+def _called(names: _Names, R: Any, angle: float, k: Any) -> dict[Expr, Any]:
+    """What stands for the entries of a rotation, its angle, its axis and w."""
+    w = 2 * math.sin(angle) * k
     return {
-        **entries_of(R), given.rotation: R, Symbol("I"): np.eye(3), names.angle: angle,
-        names.axis: column_of(k), names.turn: column_of(w), **dict(zip(names.components, w, strict=True)),
+        **entries_of(R), names.angle: angle, names.axis: column_of(k), names.turn: column_of(w),
+        **dict(zip(names.components, w, strict=True)),
     }  # fmt: skip
+
+
+def _in_general(work: Work, names: _Names) -> Work:
+    """With the claim that the formulas in these names hold of a rotation that has no two entries alike."""
+    import numpy as np
+
+    angle, k = 1.1, np.array([2.0, 3.0, 6.0]) / 7
+    means = _called(names, turn(k, angle), angle, k)
+    chains = [step.chain[:2] for step in work.steps if _of_entries(step.chain[1], means)]
+    return work.claim(told(chains, lambda _: means, (), {}, "in-general")) if chains else work
+
+
+def _of_entries(formula: Expr, means: Names) -> bool:
+    """Whether a formula is one in the names of entries."""
+    used = {Symbol(name) for name in free_symbols(formula)}
+    return bool(used) and used <= means.keys()
 
 
 def _told(given: Given, names: _Names, facts: Facts) -> tuple[Chain, ...]:
@@ -155,7 +180,7 @@ def _trace() -> Expr:
 def _nothing(work: Work, given: Given, names: _Names, facts: Facts) -> Derivation:
     """The identity: the angle is zero, and every axis is as good as another."""
     work = work.line(cos(names.angle), _trace() / 2, value=ONE, label="cosine")
-    work = work.line(names.angle, value=ZERO, label="angle")
+    work = _in_general(work.line(names.angle, value=ZERO, label="angle"), names)
     work = as_told(work, partial(_meant, given, names, None), _told(given, names, facts)[1:])
     work = work.law("said", facts.zero)
     results: dict[str, Result] = {"angle": ZERO, "axis": "any"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from functools import partial
@@ -13,9 +14,11 @@ from derive.control.rational import at
 from derive.control.roots import roots
 from derive.control.routh import remainder
 from derive.control.signals import signals
-from derive.derivation import Claim
-from derive.expression import Expr, Symbol, number
-from derive.kinds.checks import law, random_points, route
+from derive.derivation import Claim, Step
+from derive.expression import ZERO, Expr, Symbol, number
+from derive.kinds.checks import close, law, random_points, route
+from derive.kinds.meanings import valued
+from derive.kinds.system._routh_steps import Array, entry_steps
 from derive.kinds.system._stability_answer import Answer, right_of_axis
 from derive.kinds.system._stability_limit import frequency_squared, limiting
 
@@ -30,6 +33,8 @@ def claims_about(answer: Answer) -> Iterator[Claim]:
             if row.origin == "derivative":
                 left = remainder(array.polynomial, array.rows[i - 2].polynomial)
                 yield law("auxiliary-divides", (not any(left),), row=i - 1)
+    if found := [*_in_general(array)]:
+        yield route("entries", found)
     limit = limiting(answer)
     if limit is not None and frequency_squared(answer) is not None:
         yield law("row-divides", _divides(answer, limit))
@@ -38,6 +43,30 @@ def claims_about(answer: Answer) -> Iterator[Claim]:
         yield route("sign-changes", (answer.changes == right,))
     if len(answer.hidden) > 1:
         yield route("hidden-motion", map(partial(_solves, answer), range(POINTS_OF_MOTION)))
+
+
+def _in_general(array: Array) -> Iterator[bool]:
+    """Whether the formula of each entry is the law of the array for any entries that are not zero."""
+    size = len(array.rows[0].entries)
+    drawn = random.Random(size)
+    entry = {
+        (i, j): drawn.uniform(1.0, 2.0) if j <= size and array.trees[i - 1][j - 1] != ZERO else 0.0
+        for i in range(1, len(array.rows) + 1)
+        for j in range(1, size + 2)
+    }
+    names: dict[Expr, float] = {array.name(*place): value for place, value in entry.items()}
+    for (i, j), step in _formulas(array):
+        first, second = entry[i - 2, 1], entry[i - 1, 1]
+        wanted = entry[i - 2, j + 1] - first * entry[i - 1, j + 1] / second
+        yield close(valued(step.chain[1], names), wanted)
+
+
+def _formulas(array: Array) -> Iterator[tuple[tuple[int, int], Step]]:
+    """The steps with the formulas of entries, by row and column."""
+    for step in entry_steps(array):
+        if step.rule == "entry":
+            row, column = step.name.removeprefix("entry_").split("_")
+            yield (int(row), int(column)), step
 
 
 def _solves(answer: Answer, seed: int) -> bool:
