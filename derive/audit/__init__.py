@@ -11,6 +11,6 @@ house, the strings of the JSON, to the test there.
 - `algebra` is what of SymPy may be dear, `linear` algebra of numbers, `budget` counts what an answer costs;
 - `putting_back`, `conditions` and `roots` are for answers that are put back: two sides that must be one at a
   point, the words beside a branch, and roots looked for by Newton's method;
-- `poses` and `orientation` are shared by all subjects that have a pose;
+- `poses`, `turns` and `orientation` are shared by all subjects that have a pose;
 - `registry` finds the auditors of a subject: `subjects/SUBJECT.py`, or a package of that name, with `KINDS`.
 """

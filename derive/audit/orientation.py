@@ -1,5 +1,5 @@
-"""What can be asked of a pose, whatever it is the pose of: its inverse, Euler angles, axis and angle,
-quaternion, and how the rates of Euler angles turn it. An answer is put back: the rotation is made of it anew.
+"""What can be asked of a pose, whatever it is the pose of: beside one turn (`turns`) its Euler angles, and
+how their rates turn it. An answer is put back: the rotation is made of it anew.
 """
 
 from __future__ import annotations
@@ -20,21 +20,17 @@ from derive.audit.points import NEAR, ROUNDED, Number, Point, floating
 from derive.audit.poses import UNIT, turned, vector_of
 from derive.audit.putting_back import array, flat, put_back, rounded
 from derive.audit.registry import Auditor
+from derive.audit.turns import ZERO, Array, Pose, axis_angle, inverse, quaternion, rotation, rotation_vector
 from derive.expression import Symbol
 from derive.mechanics.motion import Motion
 
-Array: TypeAlias = np.ndarray[Any, Any]
-Pose: TypeAlias = "sympy.Matrix | Array"  # T (4 by 4), of expressions or of numbers
 PoseOf: TypeAlias = Callable[[Asked, Point], Pose]
 ANGLES = (("phi", "theta", "psi"), ("alpha", "beta", "gamma"), ("phi_e", "theta_e", "psi_e"))
 SPECIAL = (sympy.Integer(0), sympy.pi / 2, sympy.pi, -sympy.pi / 2)
-ONE, ZERO = sympy.Integer(1), sympy.Integer(0)
-IDENTITY = np.diag([ONE] * 3)
 TRIED = 4  # pairs of names in which a singular rotation is looked for
 STARTS = (("0.4", "0.7"), ("-1.1", "2.3"))
 STEPS = 12
 FIRST, MIDDLE, LAST = sympy.symbols("_first _middle _last")
-DIFFER = "its rotation is not the one of the sheet"
 
 
 def kinds(pose: PoseOf) -> Mapping[str, Auditor]:
@@ -51,70 +47,6 @@ def kinds(pose: PoseOf) -> Mapping[str, Auditor]:
         "euler-angles": lambda asked, point: euler_angles(asked, point, pose),
         "euler-rates": euler_rates,
     }
-
-
-def inverse(asked: Asked, point: Point, T: Pose) -> Iterator[Test]:
-    """T T^-1 = 1."""
-    product_ = array(T, point) @ array(asked.result("T"), point)
-    yield put_back("T", point, product_, sympy.eye(4), "T times it is not the identity")
-
-
-# -- one turn -----------------------------------------------------------------------------------------
-
-
-def cross_matrix(v: Sequence[Number]) -> Array:
-    """S(v) (3 by 3), with S(v) w = v x w."""
-    x, y, z = v
-    return np.array([[0 * x, -z, y], [z, 0 * y, -x], [-y, x, 0 * z]], dtype=object)
-
-
-def rotation(axis: Sequence[Number], c: Number, s: Number) -> Array:
-    """R (3 by 3) about a unit vector in numbers: 1 + s S + (1 - c) S^2."""
-    S = cross_matrix(axis)
-    R: Array = np.eye(3, dtype=int) + s * S + (1 - c) * (S @ S)
-    return R
-
-
-def axis_angle(asked: Asked, point: Point, T: Pose) -> Iterator[Test]:
-    """The rotation by the angle, from 0 to pi, about the unit axis."""
-    R, angle = array(T, point)[:3, :3], asked.result("angle")
-    yield Holds("angle", _up_to_pi(angle, point), "an angle from 0 to pi")
-    if asked.results["axis"] == "any":
-        yield put_back("angle", point, [R, angle], [IDENTITY, ZERO], "the rotation of the sheet does turn")
-        yield Holds("axis", True, "")
-        return
-    axis = flat(asked.result("axis"), point)
-    near = ROUNDED if rounded(asked.result("axis")) else NEAR
-    yield put_back("axis", point, sum(part**2 for part in axis), ONE, "a unit vector", near)
-    yield put_back("angle", point, rotation(axis, *point.turn(angle)), R, DIFFER, near)
-
-
-def rotation_vector(asked: Asked, point: Point, T: Pose) -> Iterator[Test]:
-    """The rotation about it by its length, which is at most pi."""
-    r, R = asked.result("r"), array(T, point)[:3, :3]
-    near = ROUNDED if rounded(r) else NEAR
-    size = mpmath.sqrt(sum(floating(part) ** 2 for part in flat(r, point)))
-    yield Holds("r", bool(size <= mpmath.pi + ROUNDED), "no longer than pi")
-    unit = [floating(part) / (size or 1) for part in flat(r, point)]
-    yield put_back("r", point, rotation(unit, mpmath.cos(size), mpmath.sin(size)), R, DIFFER, near)
-
-
-def quaternion(asked: Asked, point: Point, T: Pose) -> Iterator[Test]:
-    """q v q* of the three axes: 1 + 2 w S + 2 S^2."""
-    near = ROUNDED if rounded(asked.result("q")) else NEAR
-    w, *v = flat(asked.result("q"), point)
-    yield put_back("q", point, w**2 + sum(part**2 for part in v), ONE, "a unit quaternion", near)
-    S = cross_matrix(v)
-    again = np.eye(3, dtype=int) + 2 * w * S + 2 * (S @ S)
-    yield put_back("q", point, again, array(T, point)[:3, :3], DIFFER, near)
-
-
-def _up_to_pi(angle: sympy.Expr, point: Point) -> bool:
-    """Whether it is an angle from 0 to pi: asked at 60 digits."""
-    return bool(-ROUNDED <= floating(_floating(point).at(angle)) <= mpmath.pi + ROUNDED)
-
-
-# -- Euler angles -------------------------------------------------------------------------------------
 
 
 def sequence(convention: str, turns: Sequence[tuple[Number, Number]]) -> Array:
@@ -245,14 +177,14 @@ def _rooted(
     for pair in chain(*(islice(combinations(reversed(turning), size), TRIED) for size in sizes)):
 
         def others(values: Array, pair: tuple[str, ...] = pair) -> Array:
-            there = _floating(point).where(**dict(zip(pair, values, strict=True)))
+            there = point.in_digits().where(**dict(zip(pair, values, strict=True)))
             return np.array([each for k, each in enumerate(row(there)) if k != j], dtype=object)
 
         for start in STARTS:
             with suppress(ZeroDivisionError):
                 if (found := _root(others, start[: len(pair)])) is not None:
                     for turn in product((0, mpmath.pi), repeat=len(pair)):
-                        yield _floating(point).where(**dict(zip(pair, found + turn, strict=True)))
+                        yield point.in_digits().where(**dict(zip(pair, found + turn, strict=True)))
 
 
 def _root(of: Callable[[Array], Array], start: Sequence[str]) -> Array | None:
@@ -266,10 +198,6 @@ def _root(of: Callable[[Array], Array], start: Sequence[str]) -> Array | None:
         J = mpmath.matrix([list((of(x + small * unit) - value) / small) for unit in units]).T
         x = x - np.array(list(mpmath.lu_solve(J, mpmath.matrix(list(value)))), dtype=object)
     return None
-
-
-def _floating(point: Point) -> Point:
-    return Point(point.seed, False, point.angles, point.assumptions, point.fixed)
 
 
 def _shown(angles: Mapping[str, sympy.Expr]) -> str:

@@ -54,6 +54,10 @@ class Point:
         """The same point with the values of some names given."""
         return Point(self.seed, self.exact, self.angles, self.assumptions, {**self.fixed, **fixed})
 
+    def in_digits(self) -> Point:
+        """The same point in numbers of 60 digits."""
+        return Point(self.seed, False, self.angles, self.assumptions, self.fixed)
+
     def __getitem__(self, name: str) -> Number:
         """The value of a name."""
         return self.at(sympy.Symbol(name))
