@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from functools import lru_cache
 from math import isfinite
-from typing import Any, get_args
+from typing import Any, TypeAlias, get_args
 
 from derive.algebra.fingerprint import fingerprint
-from derive.derivation import Branch
+from derive.derivation import Branch, Derivation
 from derive.errors import FormulaError, SheetError, SheetErrors
 from derive.expression import Approximate, Expr, Matrix, Number, rebuild
 from derive.kinds.sure import read
@@ -21,63 +21,65 @@ DIGITS = 17  # of a float
 REMEMBERED = 20_000
 REPORT = "please report this with the sheet"
 
+Verdict: TypeAlias = "bool | None"  # None of what cannot be read
+
 
 def read_json(document: Document, text: str) -> tuple[str, ...]:
     """The results of which a text could not be read. Raises SheetErrors where one is not what was derived."""
     told = [question for problem in json.loads(text)["problems"] for question in problem["questions"]]
     faults, unread = [], dict[str, None]()
     for (problem, question), its in zip(document.questions(), told, strict=True):
-        results = question.derivation.results if question.derivation else {}
-        for name, result in results.items():
-            found = its["results"][name]
-            rows = question.derivation is not None and name in question.derivation.matrices
-            shaped = not isinstance(result, Matrix) or _is_shaped(result, found, rows)
-            same = [_same(tree, written) for tree, written in _pairs(result, found)]
-            place = f"question {problem.number}.{question.number}"
-            if not shaped or False in same:
+        place = f"question {problem.number}.{question.number}"
+        for name, verdicts in _compared(question.derivation, its):
+            if False in verdicts:
                 message = f"{place} failed its own check: {name} as JSON"
                 faults.append(SheetError(message, question.place, REPORT))
-            elif None in same:
+            elif None in verdicts:
                 unread[f"{name} of {place}"] = None
     if faults:
         raise SheetErrors(faults)
     return tuple(unread)
 
 
-def _is_shaped(result: Matrix, written: Any, rows: bool) -> bool:
-    """A matrix is a list of rows, a column a flat list unless it is to be `rows` too."""
-    m, n = result.shape
-    if n == 1 and not rows:
-        return len(written) == m and all(isinstance(entry, str) for entry in written)
-    return len(written) == m and all(isinstance(row, list) and len(row) == n for row in written)
+def _compared(derivation: Derivation | None, its: Mapping[str, Any]) -> Iterator[tuple[str, list[Verdict]]]:
+    """Each result, formulas and numbers, with the verdicts on what is written of it."""
+    if derivation is None:
+        return
+    for name, result in derivation.results.items():
+        yield name, list(_verdicts(result, its["results"][name], name in derivation.matrices))
+    for name, found in derivation.evaluated.items():
+        yield f"{name} in numbers", list(_verdicts(found, its["evaluated"][name]))
 
 
-def _pairs(result: Any, written: Any) -> Iterator[tuple[Expr, Any]]:
-    """The formulas of a result with what is written of each."""
-    match result:
-        case Matrix(rows):
-            entries = [entry for row in rows for entry in row]
-            yield from zip(entries, _flat(written), strict=True)
+def _verdicts(value: Any, written: Any, rows: bool = False) -> Iterator[Verdict]:
+    """Whether each part of a value is written so; what is said in words is not looked at. A matrix is a list
+    of rows, a column a flat list unless it is to be `rows` too."""
+    match value:
+        case Matrix():
+            m, n = value.shape
+            entries = [[entry] for entry in written] if n == 1 and not rows else written
+            yield len(entries) == m and all(isinstance(row, list) and len(row) == n for row in entries)
+            for ours, its in zip(value.rows, entries, strict=False):
+                for entry, text in zip(ours, its, strict=False):
+                    yield _same(entry, text) if isinstance(text, str) else False
         case Branch():
-            for name, tree in (result.short or result.values).items():
-                yield from _pairs(tree, written[name])
-        case tuple():
-            for part, its in zip(result, written, strict=True):
-                yield from _pairs(part, its)
-        case _ if isinstance(result, TREES):
-            yield result, written
-
-
-def _flat(rows: Any) -> Iterator[Any]:
-    for part in rows:
-        if isinstance(part, list):
-            yield from _flat(part)
-        else:
-            yield part
+            yield value.true_at == written.get("true_at", True)
+            yield from _verdicts({**(value.short or value.values), **value.facts}, written)
+        case dict():
+            for name, part in value.items():
+                yield from _verdicts(part, written[name]) if name != "when" else ()
+        case list() | tuple():
+            yield isinstance(written, list) and len(written) == len(value)
+            for part, its in zip(value, written, strict=False):
+                yield from _verdicts(part, its)
+        case bool() | int() | float() | str() | None:
+            yield value == written
+        case _ if isinstance(value, TREES):
+            yield _same(value, written)
 
 
 @lru_cache(REMEMBERED)
-def _same(tree: Expr, written: str) -> bool | None:
+def _same(tree: Expr, written: str) -> Verdict:
     """Whether a text says what the tree does; None where it cannot be read, as a name with indices."""
     try:
         found = read(written)

@@ -98,6 +98,17 @@ def test_a_column_in_rows_is_no_list_of_numbers(tmp_path: Path) -> None:
     assert "v as JSON" in refused.value.errors[0].message
 
 
+def test_numbers_in_the_json_are_those_that_were_evaluated(tmp_path: Path) -> None:
+    document = built(tmp_path)
+    text = render_json(document)
+    number = json.loads(text)["problems"][0]["questions"][0]["evaluated"]["J"][0][0]
+    for planted in (str(-number), f"[{number}]", f'"{number}"'):
+        wrong = text.replace(str(number), planted)
+        with pytest.raises(SheetErrors) as refused:
+            json_back.read_json(document, wrong)
+        assert "J in numbers as JSON" in refused.value.errors[0].message
+
+
 def test_numbers_have_the_shape_of_their_result(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     right = evaluated_again.plain
     monkeypatch.setattr(evaluated_again, "plain", lambda value, *more: [right(value, *more)])
