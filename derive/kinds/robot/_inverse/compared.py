@@ -38,11 +38,11 @@ class Poses:
         end = self.last if between.last is None else str(between.last)
         return Compared(
             axes=tuple("xyz"[e.row] for e in equations) if position else (),
-            entries=tuple(f"({e.row + 1}, {e.col + 1})" for e in equations),
+            entries=() if position else tuple(f"({e.row + 1}, {e.col + 1})" for e in equations),
             frame=None if base else between.first,
             wrist=self.stage == "arm",
-            product=self._product(between),
-            equals=None if base else Symbol(f"{self.letter}_{end}^{between.first}"),
+            product=None if position else self._product(between),
+            equals=None if base or position else Symbol(f"{self.letter}_{end}^{between.first}"),
         )
 
     def _product(self, between: Between) -> Expr:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from derive.derivation import PageFacts, Record, Step, Table
-from derive.expression import Degrees, Expr, Symbol
+from derive.derivation import Condition, PageFacts, Phrase, Record, Step, Table
+from derive.expression import Expr, Symbol
 
 
 class Compared(Record):
@@ -17,7 +17,7 @@ class Compared(Record):
     entries: tuple[str, ...]
     frame: int | None
     wrist: bool
-    product: Expr
+    product: Expr | None
     equals: Symbol | None
 
 
@@ -63,43 +63,42 @@ class SolvedFacts(Record):
 class SingularWrist(Record):
     """The middle angle at which the outer axes of a wrist coincide, and what is determined there."""
 
-    middle: tuple[Symbol, Degrees]
+    said: Phrase
     step: Step
 
 
 class Wrist(Record):
-    """Of a spherical wrist: the rows of its joints; the place of its centre, where that has to be found, and
-    whether it is the origin of the end-effector's frame; the rotation before it, what it has to make and in
-    which `elements`, and what it makes; its sub-problems, and its singular cases."""
+    """Of a spherical wrist: where its axes meet, and the place of that centre, where it has to be found; what
+    the joints before it leave it to make, in which `elements`, and what it makes in the angles that are
+    `named`; its sub-problems, and its singular cases."""
 
-    joints: tuple[int, int, int]
+    meeting: Phrase | None
     centre: tuple[Step, ...]
-    at_end: bool
-    before: Symbol
+    before: Phrase | None
     wanted: tuple[Step, ...]
     elements: tuple[Step, ...]
+    named: Phrase
     made: Step
     solved: tuple[SolvedFacts, ...]
     singular: tuple[SingularWrist, ...]
 
 
+class ElbowTold(Record):
+    """One of the two ways to bend it."""
+
+    when: tuple[Condition, ...]
+    step: str
+
+
 class Triangle(Record):
-    """Of two links, the line of length `r` to the end-effector, and the angle at the `elbow`; `same` of links
-    that are equally long."""
+    """Of two links, the line of length `r` to the end-effector, and the angle at the `elbow`; links that are
+    equally long can be `folded` to nothing."""
 
     r: Expr
     elbow: Expr
     theta_1: Symbol
-    theta_2: Symbol
-    same: bool
-
-
-class GivenAngle(Record):
-    """From an axis of the base to one of the end-effector."""
-
-    name: Symbol
-    base: str
-    axis: str
+    elbows: tuple[ElbowTold, ...]
+    folded: Phrase | None
 
 
 class AtPlace(Record):
@@ -112,22 +111,30 @@ class AtPlace(Record):
     free: bool = False
     rounded: bool = False
 
+    @property
+    def said(self) -> tuple[Phrase, ...]:
+        """What is told of it."""
+        cases = {
+            "out-of-reach": self.out_of_reach,
+            "free-there": self.free,
+            "rounded-pose": self.rounded,
+            "missed": self.missed,
+        }
+        return tuple(Phrase(key) for key, holds in cases.items() if holds)
+
 
 class Facts(PageFacts):
-    """Of the whole: the `pose` that is given, by its elements, as a position and an angle or an orientation;
-    `conditions` on it; the sub-problems of the `arm`, then of its wrist; `chosen` are the joint variables
-    with two values, in a `tree` where there are several. `partial`: not every solution is one at every
-    pose."""
+    """Of the whole: the `pose` that is given, by its elements, and how it is `known`; `conditions` on it; the
+    sub-problems of the `arm`, then of its wrist; how many solutions there are, and the `tree` of choices
+    where there are several. `partial`: not every solution is one at every pose."""
 
     triangle: Triangle | None = None
     pose: tuple[Step, ...] = ()
-    angle: GivenAngle | None = None
-    orientation: bool = False
+    known: Phrase | None = None
     conditions: tuple[tuple[Expr, ...], ...] = ()
     arm: tuple[SolvedFacts, ...] = ()
     wrist: Wrist | None = None
     tree: Table | None = None
-    count: int = 0
-    chosen: tuple[Expr, ...] = ()
-    partial: bool = False
-    place: AtPlace = AtPlace()
+    count: Phrase | None = None
+    partial: Phrase | None = None
+    place: tuple[Phrase, ...] = ()

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers.arrays import arrays
 from derive.derivation import Claim, Step
-from derive.expression import Expr
+from derive.expression import Expr, Relation, Symbol
 from derive.kinds.checks import close, route
 from derive.kinds.robot._inverse import breaks
 from derive.kinds.robot._inverse.checks import Tried
@@ -85,8 +85,9 @@ class Lines:
         is determined so, and the outer joints can turn against each other without moving anything else."""
         tool, (first, _, last) = self.target.oracle.tool, self.target.joints[-3:]
         for case in self.worked.singular:
-            name, angle = case.middle
-            at = {**point, name.name: arrays(angle, {})}
+            middle = case.said.about["middle"]
+            assert isinstance(middle, Relation) and isinstance(middle.left, Symbol)
+            at = {**point, middle.left.name: arrays(middle.right, {})}
             at |= self.target.goal.numbers(tool(at))
             known = defined(self.worked.all_items, at)
             yield equal(case.step.chain, known, True)

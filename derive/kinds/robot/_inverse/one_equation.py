@@ -131,7 +131,9 @@ def _alone(solving: Solving, angle: Form, trees: Trees, row: TrigEquation, lengt
         shown.append(Choice(_angle(own, page, even), sign, when))
         trig[sign] = {own: u, other: value}
     method = Method(
-        name="cosine" if even else "sine", exists=u if plain else own, by_length=length is not None
+        name="cosine" if even else "sine",
+        exists=None if length else u if plain else own,
+        by_length=length is not None,
     )
     solving.solved(q, choices, method, shown, trig)
 

@@ -44,7 +44,7 @@ class Reading:
         ]
         told = solved.equations or tuple((step.chain[0], step.chain[1]) for step in solved.facts.solved)
         failed = [[float(arrays(left, at) - arrays(right, at)) for at in moved] for left, right in told]
-        missed = [element for each in solved.facts.compared for element in self._missed(each, solved, moved)]
+        missed = [element for each in solved.compared for element in self._missed(each, solved, moved)]
         yield from (any(_alike(one, other) for other in missed) for one in failed)
         yield from (any(_alike(one, other) for one in failed) for other in missed)
 
@@ -72,6 +72,7 @@ class Reading:
 
     def _differs(self, told: Compared, hand: bool, at: Values) -> Array:
         """The product that is known less what it is said to equal, by itself the pose of the end-effector."""
+        assert told.product is not None
         meaning: dict[str, Any] = {**at, **self.given}
         for name in free_symbols(told.product) - meaning.keys():
             meaning[name] = self._named(name, at)

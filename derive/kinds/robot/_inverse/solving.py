@@ -65,10 +65,12 @@ class Solving:
         for choice in shown or choices:
             self.add("choice", head, choice.value)
         left = progress.left_of(unknown) if isinstance(unknown, Form) else ()
+        compared = self.poses.compared(equations_of(self.found))
+        read = self._by("equation") or (self._by("solved") and not self._by("squares"))
         facts = SolvedFacts(
             method=method,
             unknown=head,
-            compared=self.poses.compared(equations_of(self.found)),
+            compared=compared if read else (),
             orientation=progress.goal.R is not None and None in progress.goal.p,
             names=self._by("name"),
             equations=self._by("equation"),
@@ -82,7 +84,7 @@ class Solving:
         steps = (*(step for rule in ORDER for step in self._by(rule)), *left)
         solved = Solved(
             number, unknown, head, tuple(choices), steps, facts, self.poses.stage, trig or {},
-            tuple(self.equations),
+            tuple(self.equations), compared,
         )  # fmt: skip
         if solved.two_valued and trig:
             progress.signs[f"{'sin' if method.name == 'cosine' else 'cos'}({unknown})"] = number

@@ -14,7 +14,7 @@ from derive.algebra.numbers.compiled import Compiled, compiled
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Condition, Step
 from derive.expression import ZERO, Expr, Symbol, add, multiply, number
-from derive.kinds.robot._inverse.facts import SolvedFacts
+from derive.kinds.robot._inverse.facts import Compared, SolvedFacts
 from derive.kinds.robot._inverse.signs import opposite
 from derive.mechanics.inverse.known import completed
 
@@ -68,6 +68,7 @@ class Solved:
     stage: str
     trig: Mapping[int, Mapping[Expr, Expr]] = field(default_factory=dict)
     equations: tuple[tuple[Expr, Expr], ...] = ()
+    compared: tuple[Compared, ...] = ()  # where they were read
 
     @property
     def two_valued(self) -> bool:

@@ -21,7 +21,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.at_pose import Configuration
 from derive.kinds.robot._inverse.checks import Tried, as_printed
 from derive.kinds.robot._inverse.evaluated import SMALL, Evaluated, at_point, evaluated
-from derive.kinds.robot._inverse.facts import Facts, Triangle
+from derive.kinds.robot._inverse.facts import ElbowTold, Facts, Triangle
 from derive.kinds.robot._inverse.given import refuse_namesakes
 from derive.kinds.robot._inverse.lines import equal
 from derive.kinds.robot._inverse.one_equation import of_sign
@@ -62,9 +62,11 @@ def derive(
     work = work.claim(*tried.claims(), as_printed(tried, branches, ()))
     placed = Placed(target, branches, (), values, dict)
     work = work.claim(*placed.claims(place, problem))
-    triangle = writing.triangle()
+    triangle = writing.triangle(conditions)
     work = work.claim(*Seen(tried, steps, writing.lengths, triangle).claims())
-    facts = Facts(triangle=triangle, place=values.place, angle_results=chain.variables, style=problem.style)
+    facts = Facts(
+        triangle=triangle, place=values.place.said, angle_results=chain.variables, style=problem.style
+    )
     results = {"solutions": tuple(branches)}
     return work.answer("inverse-kinematics", results, facts, evaluated=values.values)
 
@@ -133,14 +135,17 @@ class _Writing:
             self.arm.theta_2: atan2(self.sine(sign, u), u),
         }
 
-    def triangle(self) -> Triangle:
+    def triangle(self, conditions: Sequence[tuple[Condition, ...]]) -> Triangle:
         """For the words."""
         return Triangle(
             r=sqrt(self.square),
             elbow=PI - self.theta_2,
             theta_1=self.theta_1,
-            theta_2=self.theta_2,
-            same=self.a_1 == self.a_2,
+            elbows=tuple(
+                ElbowTold(when=when, step=elbow.replace("-", "_"))
+                for elbow, when in zip(ELBOWS, conditions, strict=True)
+            ),
+            folded=Phrase("folded", {"theta_1": self.theta_1}) if self.a_1 == self.a_2 else None,
         )
 
 
@@ -192,7 +197,7 @@ class Seen:
         yield close(
             math.cos(arrays(told.elbow, known)), (base - elbow) @ (tip - elbow) / math.prod(sides), SAME
         )
-        yield told.same == close(sides[0], sides[1], SAME)
+        yield bool(told.folded) == close(sides[0], sides[1], SAME)
 
     def _pivot(self, name: str, at: Values) -> Any:
         """The point (2) about which a joint turns the end-effector."""

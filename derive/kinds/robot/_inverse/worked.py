@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from derive.derivation import Cell, Phrase, Step, Table
+from derive.derivation import Cell, Phrase, Said, Step, Table
 from derive.expression import Expr, Matrix, Symbol, atan2, free_symbols
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.branches import Solutions
-from derive.kinds.robot._inverse.facts import AtPlace, Facts, GivenAngle, SingularWrist, SolvedFacts, Wrist
+from derive.kinds.robot._inverse.facts import AtPlace, Facts, SingularWrist, SolvedFacts, Wrist
 from derive.kinds.robot._inverse.subproblem import Definition, Item, Solved
 from derive.kinds.robot._inverse.wrist import singular
 from derive.mechanics.chain import Chain
@@ -86,9 +86,10 @@ class Worked:
         method = first.facts.method.name
         if method not in ("cosine", "sine"):
             return ()
-        return tuple(
-            singular(self.orientation.rotation, self.orientation.entries, joints, method == "cosine")
-        )
+        if self.plan.decoupling is None:
+            return ()
+        found, rows, even = self.orientation, self.plan.decoupling.wrist.rows, method == "cosine"
+        return tuple(singular(found.rotation, found.entries, joints, (rows[0], rows[2]), even))
 
     @cached_property
     def steps(self) -> tuple[Step, ...]:
@@ -147,37 +148,51 @@ class Worked:
 
     def facts(self, solutions: Solutions, partial: bool, place: AtPlace) -> Facts:
         """What the words choose their sentences by."""
-        goal = self.goal
-        angle = None
-        if goal.angle:
-            angle = GivenAngle(name=Symbol(goal.angle), base=AXES[goal.plane[0]], axis=AXES[goal.plane[2]])
         return Facts(
             pose=self.pose,
-            angle=angle,
-            orientation=goal.R is not None and not goal.whole_position,
+            known=self._known(),
             conditions=self.conditions,
             arm=tuple(each.facts for each in self.arm),
             wrist=self._wrist(),
             tree=self._tree(solutions),
-            count=len(solutions.chosen),
-            chosen=tuple(each.head for each in self._two_valued()),
-            partial=partial,
-            place=place,
+            count=self._counted(len(solutions.chosen)),
+            partial=Phrase("partial") if partial else None,
+            place=place.said,
             angle_results=solutions.turning,
             style=self.problem.style,
         )
+
+    def _known(self) -> Phrase | None:
+        """What is given of the pose."""
+        goal = self.goal
+        if goal.angle:
+            about: dict[str, Said] = {
+                "name": Symbol(goal.angle),
+                "base": Symbol(AXES[goal.plane[0]]),
+                "axis": Symbol(AXES[goal.plane[2]]),
+            }
+            return Phrase("known-angle" if self.pose else "known-angle-alone", about)
+        turned = goal.R is not None and not goal.whole_position
+        return Phrase("known-orientation" if turned else "known-pose") if self.pose else None
+
+    def _counted(self, count: int) -> Phrase:
+        """How many solutions there are."""
+        chosen = tuple(each.head for each in self._two_valued())
+        return Phrase("together", {"count": count, "chosen": chosen}) if count > 1 else Phrase("unique")
 
     def _wrist(self) -> Wrist | None:
         if self.plan.decoupling is None or self.orientation is None:
             return None
         wrist = self.plan.decoupling.wrist
+        key = "axes-meet-at-the-end" if self.at_end else "axes-meet"
+        before = Phrase("rest-to-make", {"before": self.orientation.before})
         return Wrist(
-            joints=wrist.rows,
+            meeting=Phrase(key, {"joints": wrist.rows}) if self.arm else None,
             centre=self.centre,
-            at_end=self.at_end,
-            before=self.orientation.before,
+            before=(before if self.orientation.wanted else Phrase("not-turned")) if self.arm else None,
             wanted=self.orientation.wanted,
             elements=self.elements,
+            named=Phrase("in-angles-of-the-wrist" if self.arm else "in-joint-angles"),
             made=self.orientation.made,
             solved=tuple(map(self._in_wrist, self.hand)),
             singular=self.singular,

@@ -8,15 +8,17 @@ from itertools import product
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix, trig_of
 from derive.algebra.scalar import Scalar
-from derive.derivation import Step
-from derive.expression import Degrees, Expr, Matrix, Symbol, atan2, number
+from derive.derivation import Phrase, Said, Step
+from derive.expression import Degrees, Expr, Matrix, Relation, Symbol, atan2, number
 from derive.kinds.robot._inverse.facts import SingularWrist
 from derive.kinds.robot._inverse.signs import signed
 
 
-def singular(made: Matrix, known: Matrix, joints: tuple[str, ...], even: bool) -> Iterator[SingularWrist]:
+def singular(
+    made: Matrix, known: Matrix, joints: tuple[str, ...], outer: tuple[int, int], even: bool
+) -> Iterator[SingularWrist]:
     """`made` is the wrist's rotation in the angles of its three `joints`, `known` its entries by name; `even`
-    where the middle angle is known by its cosine."""
+    where the middle angle is known by its cosine. `outer` are the rows of the first and the last joint."""
     first, between, last = map(Symbol, joints)
     count = 0
     for degrees in (0, 180) if even else (90, -90):
@@ -25,7 +27,10 @@ def singular(made: Matrix, known: Matrix, joints: tuple[str, ...], even: bool) -
         if found:
             count += 1
             chain = (first + signed(found[0], last), found[1])
-            yield SingularWrist(middle=(between, middle), step=Step(f"singular_{count}", chain, "singular"))
+            about: dict[str, Said] = {"middle": Relation(between, "=", middle), "a": outer[0], "b": outer[1]}
+            said = Phrase("outer-axes-too" if count > 1 else "outer-axes", about)
+            step = Step(f"singular_{count}", chain, "singular")
+            yield SingularWrist(said=said, step=step)
 
 
 def _combination(R: ScalarMatrix, known: Matrix, joints: tuple[str, ...]) -> tuple[int, Expr] | None:
