@@ -61,7 +61,8 @@ def evaluated_words(
     printer, style = Printer(notation), _style(facts.style, at)
     seen = [] if printed is None else printed
     speech = on_page(folder, derivation.kind, printer, skin.plain, seen, style)
-    telling = _Telling(printer, speech, skin, facts.angle_results, style, seen)
+    turning = frozenset(_called(facts.page_names.get(name, name)) for name in facts.angle_results)
+    telling = _Telling(printer, speech, skin, facts.angle_results, turning, style, seen)
     chains = {
         chain: found[name]
         for name in names
@@ -100,12 +101,13 @@ def _style(style: Style, at: Mapping[str, Expr]) -> Style:
 
 @dataclass(frozen=True, slots=True)
 class _Telling:
-    """Values on one page; `angles` are the names of those that are angles."""
+    """Values on one page; `angles` are names of results that are angles, `turning` what these are called."""
 
     printer: Printer
     speech: Speech
     skin: Skin
     angles: tuple[str, ...]
+    turning: frozenset[Expr]
     style: Style
     printed: list[Printed]
 
@@ -113,13 +115,13 @@ class _Telling:
         """Equations side by side, each of which tells a value."""
         display = lay_out(tuple(chains))
         shown = Printed.display(display, self.printer.notation)
-        self.printed.append(replace(shown, evaluated=all(map(_tells, chains, chains.values()))))
+        self.printed.append(replace(shown, evaluated=all(map(self._tells, chains, chains.values()))))
         return self.skin.display(display)
 
     def inline(self, chain: Chain, value: Any) -> str:
         """An equation in a line of text that tells a value."""
         shown = Printed.inline(one_line(chain), chain, self.printer.notation)
-        self.printed.append(replace(shown, evaluated=_tells(chain, value)))
+        self.printed.append(replace(shown, evaluated=self._tells(chain, value)))
         return f"${one_line(chain)}$"
 
     def given(self, name: str, value: Expr) -> str:
@@ -146,11 +148,13 @@ class _Telling:
         when = self.speech.when(branch.get("when", ()))
         return {"when": when, "real": branch.get("real", True), "equations": equations}
 
-
-def _tells(chain: Chain, value: Any) -> bool:
-    """Whether an equation ends in the value."""
-    tree = chain[-1].tree
-    return tree is not None and same_numbers(tree, value)
+    def _tells(self, chain: Chain, value: Any) -> bool:
+        """Whether an equation ends in the value, in degrees only where it is an angle."""
+        tree = chain[-1].tree
+        if tree is None or not same_numbers(tree, value):
+            return False
+        turned = any(isinstance(node, Degrees) for node in walk(tree))
+        return not turned or chain[0].tree in self.turning or isinstance(value, TREES)
 
 
 def _in_degrees(angle: float, digits: int) -> Link:

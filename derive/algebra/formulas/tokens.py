@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import keyword
+import re
 from fractions import Fraction
 from typing import Literal, NamedTuple, TypeAlias
 
@@ -32,6 +33,7 @@ SIGNS = {sign: sign for sign in "+-*/^(),="} | {
 # Words of programming languages: two of them side by side would read as a product of names.
 # `lambda` stays a name, as it is a Greek letter.
 CODE_WORDS = frozenset(keyword.kwlist) - {"lambda"} | {"eval", "exec", "open", "print", "getattr"}
+NUMERAL = re.compile(r"(?P<whole>[0-9]*)(?P<places>\.[0-9]*)?(?:[eE](?P<power>[+-]?[0-9]+))?")
 NOT_A_FORMULA = "this is not a formula"
 ALLOWED = "numbers, names, + - * / ^, parentheses and functions such as cos and sqrt"
 
@@ -95,21 +97,17 @@ def _read(text: str, at: int) -> list[Token]:
 
 
 def _number(text: str, at: int) -> Token:
-    whole = end = _digits(text, at)
-    if text[end : end + 1] == ".":
-        end = _digits(text, end + 1)
-    mantissa = end
-    if text[end : end + 1] in ("e", "E"):
-        sign = end + 1 + (text[end + 1 : end + 2] in ("+", "-"))
-        if (after := _digits(text, sign)) > sign:
-            end = after
-    if whole - at > MAX_DIGITS or mantissa - whole > MAX_PLACES:
+    found = NUMERAL.match(text, at)
+    assert found is not None  # it begins like one
+    whole, places, power = (found[part] or "" for part in ("whole", "places", "power"))
+    if len(whole) > MAX_DIGITS or len(places) > MAX_PLACES:
         raise FormulaError(f"a number of more than {MAX_DIGITS} digits", at, "shorten it")
-    if end - mantissa > 5 or (end > mantissa and abs(int(text[mantissa + 1 : end])) > MAX_EXPONENT):
-        raise FormulaError(f"a power of ten beyond {MAX_EXPONENT}", mantissa, "use a smaller exponent")
-    if text[end : end + 1] == ".":
-        raise FormulaError("a number has one decimal point", end)
-    return Token("number", text[at:end], at, end)
+    if len(power) > 4 or abs(int(power or 0)) > MAX_EXPONENT:
+        place = at + len(whole) + len(places)
+        raise FormulaError(f"a power of ten beyond {MAX_EXPONENT}", place, "use a smaller exponent")
+    if text[found.end() : found.end() + 1] == ".":
+        raise FormulaError("a number has one decimal point", found.end())
+    return Token("number", found[0], at, found.end())
 
 
 def _name(text: str, at: int) -> Token:
@@ -132,12 +130,6 @@ def _superscript(text: str, at: int) -> list[Token]:
         end += 1
     digits = "".join(SUPERSCRIPTS[char] for char in text[at:end])
     return [Token("sign", "^", at, at), Token("number", digits, at, end)]
-
-
-def _digits(text: str, at: int) -> int:
-    while at < len(text) and _digit(text[at]):
-        at += 1
-    return at
 
 
 def _digit(char: str) -> bool:
