@@ -9,6 +9,7 @@ it is typed in a sheet, x^2 and 90 deg.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from string import Formatter
@@ -173,8 +174,12 @@ def on_page(
 
 
 def lines_of(folder: str, kind: str) -> dict[str, str]:
-    """The phrases that the derivations of a kind may say, by their keys."""
-    return shared_lines() | lines_in(f"words/{folder}/_phrases.j2") | lines_in(words_file(folder, kind))
+    """The phrases that the derivations of a kind may say, by their keys. Raises PhraseError where two say the
+    same: what is not the same is not said in the same words."""
+    lines = shared_lines() | lines_in(f"words/{folder}/_phrases.j2") | lines_in(words_file(folder, kind))
+    if alike := [key for key, times in Counter(lines.values()).items() if times > 1]:
+        raise PhraseError(f"{words_file(folder, kind)}: two keys say the same: '{alike[0]}'")
+    return lines
 
 
 def shared_lines() -> dict[str, str]:

@@ -207,7 +207,7 @@ def value_of(branch: Branch) -> float:
 
 def test_what_square_roots_do_not_reach_is_enclosed_and_said() -> None:
     found = ask("lagrange-multipliers", function("x^2 + y", "x y", "x^4 + y^4 = 1"))
-    assert found.facts.enclosed
+    assert found.facts.enclosed is not None
     assert any(claim.by == "ball-arithmetic" for claim in found.claims)
     best = [value_of(branch) for branch in points(found) if said(branch) == "global maximum"]
     # y = t, x^2 = sqrt(1 - t^4): the greatest of sqrt(1 - t^4) + t over a fine grid

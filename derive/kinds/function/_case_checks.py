@@ -7,12 +7,19 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
 
 from derive.algebra.numbers.floats import Point, completed, number
-from derive.derivation import Claim
-from derive.expression import Symbol
-from derive.kinds.checks import close, random_points, route
+from derive.derivation import Claim, Phrase
+from derive.expression import Relation, Symbol
+from derive.kinds.checks import close, law, random_points, route
 from derive.kinds.function._telling import CaseTold, Equation
 from derive.kinds.problem import Problem
 
+SAID = {  # what is said, by what is said of
+    frozenset(("equation",)): ("squares", "last"), frozenset(("left",)): ("eliminate",),
+    frozenset(("equation", "variable")): ("last-of",), frozenset(("variable",)): ("square",),
+    frozenset(("chain", "variable")): ("square-so",), frozenset(("chain",)): ("so", "that-is"),
+    frozenset(("equation", "chain", "variable")): ("square-follows",),
+    frozenset(("equation", "chain")): ("follows",),
+}  # fmt: skip
 TRIED, EACH = 60, 2
 CLOSE = 1e-6
 UNREAL = (ValueError, ZeroDivisionError, OverflowError)
@@ -31,6 +38,7 @@ def cases_told(cases: Sequence[CaseTold], variables: Sequence[str], problem: Pro
     ]
     if held:
         yield route("cases", held)
+    yield law("sentences", phrases_told(cases))
 
 
 def _places(
@@ -54,16 +62,38 @@ def _within(case: CaseTold, outer: CaseTold) -> bool:
 
 def _statements(case: CaseTold, at: Point) -> Iterator[bool]:
     """Every equation that is said to hold, and one of those that the case leaves."""
-    for equation in filter(None, (case.given, *(move.equation for move in case.moves))):
-        yield _holds(equation, at)
-    for move in case.moves:
-        yield from (_holds(each, at) for each in (move.chain, *move.left) if each)
+    for each in (*([case.given] if case.given else []), *_relations(case.moves)):
+        yield _holds(each, at)
     if case.split:
         yield any(_holds(each, at) for each in case.split)
-    if case.against:
-        yield not _holds(case.against, at)
+    if case.none:
+        yield from (not _holds(each, at) for each in _relations((case.none,)))
 
 
-def _holds(equation: Equation, at: Mapping[str, float]) -> bool:
-    left, right = equation
-    return close(number(left, at), number(right, at), CLOSE)
+def _relations(phrases: Sequence[Phrase]) -> Iterator[Relation]:
+    for phrase in phrases:
+        for said in phrase.about.values():
+            yield from (
+                part for part in (said if isinstance(said, tuple) else (said,)) if isinstance(part, Relation)
+            )
+
+
+def _holds(equation: Relation, at: Mapping[str, float]) -> bool:
+    if equation.sign != "=" or isinstance(equation.left, Relation):
+        return False
+    return close(number(equation.left, at), number(equation.right, at), CLOSE)
+
+
+def phrases_told(cases: Sequence[CaseTold]) -> Iterator[bool]:
+    """Which sentence stands for what is said: by what it says."""
+    labels = {case.label for case in cases}
+    for case in cases:
+        inner = case.label in labels and any(
+            each.startswith(f"{case.label}." if case.label else "1") for each in labels
+        )
+        yield bool(case.split) == inner == (case.whole is not None)
+        yield (case.none is not None) == (not case.split and not case.points)
+        if case.none:
+            yield case.none.key == ("impossible" if case.none.about else "no-real-solution")
+        for phrase in case.moves:
+            yield SAID.get(frozenset(phrase.about), ()) == () or phrase.key in SAID[frozenset(phrase.about)]

@@ -29,7 +29,6 @@ LOCAL: Mapping[str, Lie] = {
     "local-maximum": "maximum", "local-minimum": "minimum", "saddle-point": "saddle",
     "undecided": "undecided", "isolated-point": "isolated", "singular-point": "singular",
 }  # fmt: skip
-IF: Mapping[str, Lie] = {"local-maximum-if": "maximum", "local-minimum-if": "minimum"}
 GLOBAL = {"global-maximum": (1,), "global-minimum": (-1,), "global-extremes": (1, -1)}
 
 
@@ -94,10 +93,29 @@ class PointsTold:
             yield route("as-listed", (self._listed(k, at) for k, at in met))
             yield route("what-it-is", (self._is_said(k, at) for k, at in met))
 
-    def greatest_and_smallest(self, greatest: Expr | None, smallest: Expr | None) -> Iterator[Claim]:
+    def tests(self, said: Sequence[Phrase], flat: Phrase | None) -> Claim:
+        """The rules by which points are told apart are those for so many variables and constraints."""
+        n, m = len(self.land.variables), len(self.land.g)
+        free, several, odd = not m, n - m > 1, m % 2 == 1
+        rule = {  # by the sign of the last minor at a minimum, (-1)^m
+            (True, True, False): "minors", (True, False, False): "curvature",
+            (False, True, True): "odd-minors", (False, True, False): "even-minors",
+            (False, False, True): "odd-determinant", (False, False, False): "even-determinant",
+        }[free, several, odd]  # fmt: skip
+        keys = ["by-the-hessian" if free else "by-the-border", rule]
+        counted = all(each.about.get("count", n - m) == n - m for each in said)
+        along = flat is None or flat.key == ("flat" if free else "flat-along")
+        return route("tests", ([each.key for each in said] in ([], keys), counted, along))
+
+    def greatest_and_smallest(self, reach: Phrase | None) -> Iterator[Claim]:
         """The value that is told to be the greatest, or the smallest, is that of a point, and no other point
         nor a sample has one beyond it."""
-        told_of = [(tree, sign) for tree, sign in ((greatest, 1), (smallest, -1)) if tree is not None]
+        if reach is None:
+            return
+        values = ((reach.about.get("greatest"), 1), (reach.about.get("smallest"), -1))
+        told_of = [(tree, sign) for tree, sign in values if isinstance(tree, TREES)]
+        signs = {"compact": [1, -1], "falls": [1], "grows": [-1]}[reach.key]
+        yield route("which", ([sign for _, sign in told_of] == signs, reach.about["name"] == self.name))
         names = self.problem.symbols | {*self.land.variables}
         there = [completed(at, self.problem.where) for at in random_points(names, TRIED)]
         if told_of:  # at some of these places the point in question is real
@@ -161,9 +179,13 @@ class PointsTold:
         if None in phrases or (lie == "singular") != ("singular-point" in said):
             return False
         right = [LOCAL[key] == lie for key in said if key in LOCAL]
-        right += [_holds(each, at) == (lie == IF[key]) for key, each in said.items() if key in IF]
+        right += [self._is_so_if(each, lie, at) for key, each in said.items() if key == "it-is-if"]
         right += [self._is_best(sign, at) for key in said for sign in GLOBAL.get(key, ())]
         return bool(right) and all(right)
+
+    def _is_so_if(self, said: Phrase, lie: Lie, at: Point) -> bool:
+        what = said.about["said"]
+        return isinstance(what, Phrase) and _holds(said, at) == (lie == LOCAL[what.key])
 
     def _plain(self, said: Said, at: Point) -> Phrase | None:
         """What is said where the point is real; None where it is said not to be."""

@@ -12,30 +12,21 @@ from derive.algebra.scalar import Scalar
 from derive.algebra.solving.elimination_rules import Move
 from derive.algebra.solving.polynomial_systems import Case, Solution
 from derive.algebra.solving.polynomials import coefficients
-from derive.derivation import Record
-from derive.expression import Expr, Symbol, multiply, number
+from derive.derivation import Phrase, Record, Said
+from derive.expression import Expr, Relation, Symbol, multiply, number
 from derive.kinds.function._writing import vanishing, written
 from derive.kinds.problem import Problem
 
 Equation: TypeAlias = tuple[Expr, Expr]
 
 
-class MoveTold(Record):
-    rule: str
-    equation: Equation | None
-    variable: Expr
-    chain: Equation | None  # what follows
-    left: tuple[Equation, ...]
-    own: bool  # the equation is the chain already, so that there is nothing to say
-    given: bool  # the equation is that of the case itself
-
-
 class CaseTold(Record):
     label: str  # "" for the whole, "1", "2.1"
-    given: Equation | None  # what holds in the case
-    moves: tuple[MoveTold, ...]
-    split: tuple[Equation, ...]
-    against: Equation | None  # what cannot hold
+    given: Relation | None  # what holds in the case
+    moves: tuple[Phrase, ...]
+    whole: Phrase | None  # what leaves the cases of a split
+    split: tuple[Relation, ...]
+    none: Phrase | None  # why there is no point
     points: tuple[tuple[Equation, ...], ...]
 
 
@@ -45,35 +36,66 @@ def told(case: Case, problem: Problem, order: Sequence[str]) -> tuple[CaseTold, 
 
 
 def _told(case: Case, problem: Problem, order: Sequence[str], label: tuple[int, ...]) -> Iterator[CaseTold]:
-    given = None if case.given is None else vanishing(case.given, problem)
+    given = None if case.given is None else _equal(vanishing(case.given, problem))
+    moves = (_move(move, problem, None if k else given) for k, move in enumerate(case.moves))
+    told_moves = tuple(each for each in moves if each is not None)
+    split = tuple(_equal(vanishing(part, problem)) for part in case.split)
+    leaves = Phrase("this-leaves" if label or case.moves else "the-equations-leave") if split else None
+    points = tuple(_point(solution, problem, order) for solution in case.solutions)
     yield CaseTold(
-        label=".".join(map(str, label)),
-        given=given,
-        moves=tuple(_move(move, problem, None if k else given) for k, move in enumerate(case.moves)),
-        split=tuple(vanishing(part, problem) for part in case.split),
-        against=None if case.against is None else vanishing(case.against, problem),
-        points=tuple(_point(solution, problem, order) for solution in case.solutions),
-    )
+        label=".".join(map(str, label)), given=given, moves=told_moves, whole=leaves, split=split,
+        none=_none(case, problem) if not split and not points else None, points=points,
+    )  # fmt: skip
     for k, inner in enumerate(case.cases, 1):
         yield from _told(inner, problem, order, (*label, k))
 
 
-def _move(move: Move, problem: Problem, given: Equation | None) -> MoveTold:
+def _none(case: Case, problem: Problem) -> Phrase:
+    """Why a case has no point."""
+    if case.against is None:
+        return Phrase("no-real-solution")
+    return Phrase("impossible", {"against": _equal(vanishing(case.against, problem))})
+
+
+def _equal(equation: Equation) -> Relation:
+    return Relation(equation[0], "=", equation[1])
+
+
+def _move(move: Move, problem: Problem, given: Relation | None) -> Phrase | None:
+    """What is said of a move; nothing where the case says it already."""
     symbol: Expr = Symbol(move.variable) if move.variable else number(0)
     left = symbol**2 if move.rule == "square" else symbol
-    value = None if move.value is None else written(move.value, problem)
-    equation = None if move.equation is None else vanishing(move.equation, problem)
+    pair = None if move.equation is None else vanishing(move.equation, problem)
     if move.rule == "last" and move.equation is not None:
-        equation = _pure(move.equation, move.variable, problem) or equation
-    return MoveTold(
-        rule=move.rule,
-        equation=equation,
-        variable=symbol,
-        chain=None if value is None else (left, value),
-        left=tuple(vanishing(each, problem) for each in move.left),
-        own=(left, value) in (equation, equation[::-1]) if equation else False,
-        given=given is not None and equation == given,
-    )
+        pair = _pure(move.equation, move.variable, problem) or pair
+    equation: dict[str, Said] = {} if pair is None else {"equation": _equal(pair)}
+    value = None if move.value is None else written(move.value, problem)
+    match move.rule:
+        case "squares":
+            return Phrase("squares", equation)
+        case "eliminate":
+            return Phrase(
+                "eliminate", {"left": tuple(_equal(vanishing(each, problem)) for each in move.left)}
+            )
+        case "last":
+            return (
+                Phrase("last-of", equation | {"variable": symbol})
+                if move.variable
+                else Phrase("last", equation)
+            )
+    if value is None:
+        return None
+    chain: dict[str, Said] = {"chain": Relation(left, "=", value)}
+    own = (left, value) in (pair, pair[::-1]) if pair else False
+    known = given is not None and equation.get("equation") == given
+    if move.rule == "square":
+        only = {"variable": symbol}
+        if own and known:
+            return Phrase("square", only)
+        return Phrase("square-so", chain | only) if own else Phrase("square-follows", equation | chain | only)
+    if own:
+        return None if known else Phrase("so", chain)
+    return Phrase("that-is", chain) if known else Phrase("follows", equation | chain)
 
 
 def _pure(equation: Scalar, name: str, problem: Problem) -> Equation | None:

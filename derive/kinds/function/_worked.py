@@ -26,18 +26,17 @@ from derive.kinds.function._newton import NEAR, stationary
 from derive.kinds.function._point_checks import PointsTold
 from derive.kinds.function._stationary import Point, Task, bordered_hessian, is_flat_saddle, patterns, points
 from derive.kinds.function._telling import CaseTold, divided_by, is_enclosed, told
+from derive.kinds.function._verdicts import HESSIAN, flat_test, reached, tests_of
 from derive.kinds.function._writing import written
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 
 LAMBDA = Symbol("Lambda")
-HESSIAN = Symbol("H")
 SINGULAR = "singular-point"
 LOCAL = {
     "maximum": "local-maximum", "minimum": "local-minimum", "saddle": "saddle-point",
     "undecided": "undecided", "isolated": "isolated-point", "singular": SINGULAR,
 }  # fmt: skip
-CONDITIONAL = {"maximum": "local-maximum-if", "minimum": "local-minimum-if"}
 GLOBAL = {"maximum": "global-maximum", "minimum": "global-minimum", "both": "global-extremes"}
 LARGEST_SEARCH = 5  # unknowns with which Newton's method is cheap
 
@@ -51,16 +50,12 @@ class Facts(PageFacts):
     variables: int
     cases: tuple[CaseTold, ...]
     nonzero: tuple[Expr, ...]  # taken not to vanish
-    count: int  # of the points
-    enclosed: bool
-    minors: int  # how many are looked at
-    odd: bool  # the number of constraints
-    flat: bool
-    table: Table
-    singular: bool
-    compact: bool
-    greatest: Expr | None
-    smallest: Expr | None
+    enclosed: Phrase | None  # roots that are rounded
+    tests: tuple[Phrase, ...]  # by which the points are told apart
+    flat: Phrase | None  # a test where the last minor vanishes
+    table: Table | None  # of the points, where there are some
+    singular: Phrase | None
+    reach: Phrase | None  # the greatest and the smallest value
 
 
 def worked(kind: str, function: Function, problem: Problem) -> Derivation:
@@ -96,14 +91,14 @@ def worked(kind: str, function: Function, problem: Problem) -> Derivation:
         goal=goal, name=name, multipliers=tuple(multipliers), variables=len(function.variables),
         partials=tuple((*step.chain, ZERO) for step in steps if step.rule == "stationary"),
         determinants=tuple((*step.chain, ZERO) for step in steps if step.rule == "dependent"),
-        cases=cases, nonzero=divided_by(case, problem), count=len(found),
-        enclosed=is_enclosed([p.solution for p in found]), flat=any(map(is_flat_saddle, found)),
-        minors=len(function.variables) - len(function.constraints), odd=len(function.constraints) % 2 == 1,
-        table=table, singular=any(p.kind == "singular" for p in found),
-        compact=limits.highest == "compact", greatest=_best("maximum", found, best, problem),
-        smallest=_best("minimum", found, best, problem),
+        cases=cases, nonzero=divided_by(case, problem),
+        enclosed=Phrase("enclosed") if is_enclosed([p.solution for p in found]) else None,
+        tests=tests_of(len(function.variables), len(function.constraints), found),
+        flat=flat_test(found, bool(multipliers)), table=table if found else None,
+        singular=Phrase("at-singular-points") if any(p.kind == "singular" for p in found) else None,
+        reach=reached(limits, name, *(_best(each, found, best, problem) for each in ("maximum", "minimum"))),
     )  # fmt: skip
-    work = work.claim(*checked.greatest_and_smallest(facts.greatest, facts.smallest))
+    work = work.claim(*checked.greatest_and_smallest(facts.reach), checked.tests(facts.tests, facts.flat))
     return work.answer(kind, {"solutions": solutions}, facts)
 
 
@@ -164,9 +159,8 @@ def _conditional(point: Point, problem: Problem, task: Task) -> Iterator[Phrase]
     for kind, wanted in patterns(len(task.g), len(point.minors)).items():
         needs = [_need(v, sign, problem, task) for v, sign in zip(point.minors, wanted, strict=True)]
         if None not in needs:
-            yield Phrase(
-                CONDITIONAL[kind], {"needs": tuple(dict.fromkeys(each for n in needs for each in n or ()))}
-            )
+            given = tuple(dict.fromkeys(each for n in needs for each in n or ()))
+            yield Phrase("it-is-if", {"said": Phrase(LOCAL[kind]), "needs": given})
 
 
 def _need(minor: Value, sign: int, problem: Problem, task: Task) -> tuple[Relation, ...] | None:

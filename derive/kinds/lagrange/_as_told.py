@@ -27,7 +27,7 @@ SOLVED = ("acceleration", "multiplier")
 
 
 class Conserved(Record):
-    total: bool  # it is the energy, and not only Jacobi's integral
+    said: Phrase  # "conserved" of the energy, "jacobi" of what is only Jacobi's integral
 
 
 def as_told(
@@ -69,7 +69,7 @@ def _told_chains(model: Model, work: Work) -> Iterator[Chain]:
                 yield across(int(k)), step.chain[0]
             case _ if step.rule not in SOLVED:
                 yield step.chain
-                if isinstance(step.facts, Conserved) and step.facts.total:
+                if isinstance(step.facts, Conserved) and step.facts.said.key == "conserved":
                     yield Symbol(step.name), TOTAL
 
 

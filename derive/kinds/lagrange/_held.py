@@ -142,14 +142,18 @@ def _verdict(said: Said, at: Point, growth: float | None) -> bool | None:
             return _verdict(about["said"], at, growth)
         case "where":
             return _holds(about["need"], at) and _verdict(about["said"], at, growth)
-        case "stable-or-unstable":
+        case "either-or" | "either-or-negative" | "it-is-if" if about["said"] != Phrase("stable"):
+            return False
+        case "either-or" | "either-or-negative" if about["other"] != Phrase("unstable"):
+            return False
+        case "either-or":
             need, opposite = _holds(about["need"], at), _holds(about["opposite"], at)
             return need != opposite and (growth < STEADY if need else growth > GROWING)
-        case "stable-if" | "stable-or-negative":
+        case "it-is-if" | "either-or-negative":
             needs = about["needs"]
             if isinstance(needs, tuple) and all(_holds(need, at) for need in needs):
                 return growth < STEADY
-            return growth > GROWING if said.key == "stable-or-negative" else None
+            return growth > GROWING if said.key == "either-or-negative" else None
     return None
 
 

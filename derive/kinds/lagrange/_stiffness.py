@@ -10,7 +10,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import completed, matrix_numbers, number
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.polynomials import known_sign, odd_part
-from derive.derivation import Phrase
+from derive.derivation import Phrase, Said
 from derive.expression import ZERO, Approximate, Relation, Symbol, walk
 from derive.kinds.lagrange._angles_found import Found
 from derive.kinds.lagrange._model import Model
@@ -102,10 +102,11 @@ def _stability_in_numbers(model: Model, found: Found, stiffness: ScalarMatrix) -
 def _conditional(needs: tuple[Relation, ...], model: Model) -> Phrase:
     """Where parameters decide the signs of leading minors."""
     if _gyroscopic(model):
-        return Phrase("stable-if", {"needs": needs})
+        return Phrase("it-is-if", {"said": STABLE, "needs": needs})
+    both: dict[str, Said] = {"said": STABLE, "other": UNSTABLE}
     if len(needs) > 1:
-        return Phrase("stable-or-negative", {"needs": needs})
-    return Phrase("stable-or-unstable", {"need": needs[0], "opposite": replace(needs[0], sign="<")})
+        return Phrase("either-or-negative", both | {"needs": needs})
+    return Phrase("either-or", both | {"need": needs[0], "opposite": replace(needs[0], sign="<")})
 
 
 def _principal_minors(K: ScalarMatrix) -> Iterator[Scalar]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from derive.algebra.scalar import Scalar
-from derive.derivation import Claim, Derivation, PageFacts, Result, Step
-from derive.expression import ZERO, Derivative, Expr, Symbol, add, column, negate
+from derive.derivation import Claim, Derivation, PageFacts, Phrase, Result, Step
+from derive.expression import ZERO, Derivative, Expr, Symbol, add, column, free_symbols, negate
 from derive.kinds.checks import law
 from derive.kinds.fields import OptionsModel
 from derive.kinds.lagrange._as_told import Conserved, as_told
@@ -42,7 +42,6 @@ class Facts(PageFacts):
     several: bool  # bodies
     turning: bool
     gravity: Expr | None
-    still: bool  # the potential energy
     dissipation: tuple[Expr, Expr] | None
     forces: tuple[tuple[Expr, Expr], ...]
     constraints: tuple[tuple[Expr, Expr], ...]
@@ -79,7 +78,24 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     equations = [problem.final(difference(*sides)) for sides in zip(lefts, rights, strict=True)]
     results, facts = _results(model, lefts, equations, solution), _facts(model, lefts, rights)
     work = work.claim(*as_told(model, work, results, facts.forces, facts.cyclic))
+    work = work.law("said", _said(system, work, facts))
     return work.answer("equations-of-motion", results, facts)
+
+
+def _said(system: LagrangianSystem, work: Work, facts: Facts) -> Iterator[bool]:
+    """What the words call one or several, and what they take from the sheet."""
+    rules = [step.rule for step in work.steps]
+    yield facts.several == (rules.count("position") > 1) and facts.turning == ("spin" in rules)
+    yield tuple(name.name for name in facts.coordinates) == system.coordinates
+    yield dict(facts.forces) == {Symbol(f"Q_{q}"): value for q, value in system.forces}
+    yield facts.constraints == tuple((each.left, each.right) for each in system.constraints)
+    rates = {*system.rates}
+    holding = [free_symbols(side) & rates for pair in facts.constraints for side in pair]
+    yield facts.velocity == any(holding)
+    yield len(facts.slopes) == len(facts.multipliers) == len(facts.constraints)
+    yield facts.gravity is None or facts.gravity == column(system.gravity)
+    yield (facts.dissipation is None) == (system.dissipation == ZERO)
+    yield facts.dissipation is None or facts.dissipation[1] == system.dissipation
 
 
 def _general(model: Model) -> Step:
@@ -125,7 +141,7 @@ def _conserved(model: Model) -> Iterator[Step]:
         total = energy(model.lagrangian, system)
         whole = sum((*model.kinetic, *model.potential), Scalar.of(0))
         name = Symbol(model.letters.energy)
-        facts = Conserved(total=total == whole)
+        facts = Conserved(said=Phrase("conserved" if total == whole else "jacobi"))
         yield Step(name.name, (name, written_side(total, system, model.problem)), "energy", facts)
 
 
@@ -195,7 +211,6 @@ def _facts(model: Model, lefts: list[Expr], rights: list[Expr]) -> Facts:
         several=letters.indexed,
         turning=any(body.inertia is not None for body in system.bodies),
         gravity=column(system.gravity) if any(map(model.scalar, system.gravity)) else None,
-        still=not sum(model.potential, Scalar.of(0)),
         dissipation=lost,
         forces=tuple((Symbol(f"Q_{q}"), value) for q, value in system.forces),
         constraints=tuple((c.left, c.right) for c in system.constraints),

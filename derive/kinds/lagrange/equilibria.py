@@ -38,7 +38,6 @@ class Facts(PageFacts):
     inputs: tuple[Symbol, ...]  # at zero
     given: tuple[tuple[Symbol, Expr], ...]
     table: Table | None  # of the states of rest, where there are some
-    single: bool
     free: tuple[Symbol, ...]
     angles: bool
 
@@ -79,7 +78,6 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
         inputs=tuple(name for name, value in given.items() if value == ZERO),
         given=tuple((name, value) for name, value in given.items() if value not in (ZERO, name)),
         table=_table(system, branches) if branches else None,
-        single=len(system.coordinates) == 1,
         free=tuple(Symbol(q) for q in dict.fromkeys(q for each in found for q in each.free)),
         angles=any(PI in walk(tree) for branch in branches for tree in branch.values.values()),
     )

@@ -13,7 +13,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, normal_matrix
 from derive.algebra.numbers.floats import completed, number, number_rows, numbers
 from derive.algebra.solving.polynomials import known_sign
-from derive.derivation import Claim, Derivation, PageFacts, Step, as_matrix
+from derive.derivation import Claim, Derivation, PageFacts, Phrase, Step, as_matrix
 from derive.errors import NotDerivable, NotReal
 from derive.expression import ZERO, Expr, Matrix, Symbol, add, column, free_symbols
 from derive.kinds.checks import close, random_points, route
@@ -60,8 +60,7 @@ class Facts(PageFacts):
     inputs: tuple[Symbol, ...]
     damped: bool
     state: tuple[Expr, Expr]  # z = ...
-    single: bool
-    stability: str  # "stable", "unstable", ""
+    stability: Phrase | None
 
 
 def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Derivation:
@@ -92,7 +91,7 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     work = work.law("symmetric", linear.M == linear.M.T).claim(_second_route(model, linear, at, results))
     work = work.law("as-told", (_same(step.result, results[step.name], problem) for step in steps))
     work = work.law("said", _said(system, linear, facts, options))
-    if facts.stability:
+    if facts.stability is not None:
         work = work.claim(_comes_back(results, facts.stability, problem, at))
     return work.answer("linearisation", results, facts)
 
@@ -106,7 +105,6 @@ def _said(system: LagrangianSystem, linear: Linear, facts: Facts, options: Optio
     yield all(given[name.name] == value for name, value in facts.held)
     yield tuple(name.name for name in facts.inputs) == linear.inputs
     yield facts.damped == any(entry for row in linear.C.rows for entry in row)
-    yield facts.single == (len(system.coordinates) == 1)
     _, z = facts.state
     names = (*system.coordinates, *system.rates)
     yield isinstance(z, Matrix) and [text(entry) for (entry,) in z.rows] == [
@@ -143,7 +141,9 @@ def _moving(results: Mapping[str, Expr], problem: Problem, at: Mapping[str, floa
     return {**names, Symbol("q_ddot"): np.linalg.solve(found["M_0"], force - rest)}
 
 
-def _comes_back(results: Mapping[str, Expr], said: str, problem: Problem, at: Mapping[Expr, Expr]) -> Claim:
+def _comes_back(
+    results: Mapping[str, Expr], said: Phrase, problem: Problem, at: Mapping[Expr, Expr]
+) -> Claim:
     """Whether K_0, which small motions obey, has a direction in which it does not drive back."""
     import numpy as np
 
@@ -152,9 +152,10 @@ def _comes_back(results: Mapping[str, Expr], said: str, problem: Problem, at: Ma
     def holds(point: Mapping[str, float]) -> bool:
         K = np.array(number_rows(as_matrix(results["K_0"], "K_0"), completed(point, problem.where)))
         least = float(np.linalg.eigvalsh((K + K.T) / 2).min())
-        return least > 0 if said == "stable" else least < 0
+        return least > 0 if stable else least < 0
 
-    return route(said, map(holds, random_points(symbols, 3)))
+    stable = said == Phrase("at-rest-stable", {"K_0": Symbol("K_0")})
+    return route("stable" if stable else "unstable", map(holds, random_points(symbols, 3)))
 
 
 def _state(options: Options, system: LagrangianSystem, inputs: tuple[str, ...]) -> dict[Expr, Expr]:
@@ -239,7 +240,6 @@ def _facts(model: Model, options: Options, linear: Linear, at: Mapping[Expr, Exp
         inputs=tuple(map(Symbol, linear.inputs)),
         damped=bool(linear.C),
         state=(Symbol("z"), _state_vector(system)),
-        single=len(system.coordinates) == 1,
         stability=_stability(model, linear),
     )
 
@@ -250,19 +250,20 @@ def _state_vector(system: LagrangianSystem) -> Matrix:
     return column(Symbol("delta") * Symbol(name) for name in names)
 
 
-def _stability(model: Model, linear: Linear) -> str:
-    """Of a conservative system: "stable" where K_0 is positive definite, "unstable" where a displacement
-    lowers the potential energy (Lagrange and Dirichlet); "" where it is not known."""
+def _stability(model: Model, linear: Linear) -> Phrase | None:
+    """Of a conservative system: stable where K_0 is positive definite, unstable where a displacement lowers
+    the potential energy (Lagrange and Dirichlet); None where it is not known."""
     if linear.C or linear.K != linear.K.T:
-        return ""
+        return None
     assumed = model.problem.assumptions.items()
     positive = {name for name, what in assumed if what == "positive"} | surely_positive(model)
     n = len(linear.K.rows)
     signs = [known_sign(linear.K.block(slice(k), slice(k)).det(), positive) for k in range(1, n + 1)]
     if all(sign == 1 for sign in signs):
-        return "stable"
+        return Phrase("at-rest-stable", {"K_0": Symbol("K_0")})
     diagonal = [known_sign(linear.K[k, k], positive) for k in range(n)]
-    return "unstable" if -1 in diagonal or signs[-1] == -1 else ""
+    falls = -1 in diagonal or signs[-1] == -1
+    return Phrase("at-rest-unstable", {"K_0": Symbol("K_0")}) if falls else None
 
 
 def _second_route(model: Model, linear: Linear, at: Mapping[Expr, Expr], told: Mapping[str, Expr]) -> Claim:
