@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field, PlainValidator, WithJsonSchema
 
 from derive.algebra.numbers.floats import matrix_numbers, scalar_number
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Derivation, PageFacts, Phrase, Plot, Result, Step, Table
+from derive.derivation import Derivation, PageFacts, Phrase, Plot, Result, Said, Step, Table
 from derive.errors import NotDerivable
-from derive.expression import Approximate, Expr, Matrix, Symbol, add, column, number
+from derive.expression import Approximate, Expr, Matrix, Symbol, add, column, number, symbols
 from derive.kinds.fields import OptionsModel, Place, Quantity, read_point
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
@@ -29,7 +29,7 @@ from derive.mechanics.task import ROWS, moving_rows
 CLAIMED = {"iterations": "as-listed", "solution": "last-row"}
 CLAIMS = ("rows-in-numbers", "place", "begun", "numbered", "errors", "ended", "as-listed", "last-row")
 NOTHING = 1e-16  # an error too small for a logarithm
-J, R, F, H = map(Symbol, ("J", "r_d", "f", "H"))
+J, R, F, H, ALPHA = symbols("J r_d f H alpha")
 
 
 Start = Annotated[Place, PlainValidator(read_point), WithJsonSchema({"type": "object"})]
@@ -50,18 +50,21 @@ class Options(OptionsModel):
 
 
 class Facts(PageFacts):
-    """How the iteration went: its table, how it ended, and what was explained before."""
+    """How the iteration went: the law of its steps, where it was not explained before; its table; how it
+    ended, where, and what is to be expected of more steps."""
 
-    method: str
-    square: bool
+    again: Phrase | None  # explained before
+    newton: Phrase | None
+    pseudo: Phrase | None
+    gradient: Phrase | None
+    best: Phrase | None  # no step is given
+    alpha: tuple[Expr, Expr] | None
+    measure: Phrase | None
     table: Table
-    verdict: Verdict
-    steps: int
-    error: Expr
-    best: bool  # no step is given
-    alpha: Expr | None
+    ended: Phrase
     solution: tuple[tuple[Symbol, Expr], ...]
-    seen: frozenset[str]  # methods that were explained before
+    outlook: Phrase | None
+    drawn: bool
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -80,9 +83,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     evaluated = {"iterations": listed, "solution": list(map(float, run.rows[-1].q))}
     rows = tuple(_row(k, row) for k, row in enumerate(run.rows))
     facts, forward = _facts(arm, options, run, rows), arm.forward()
+    solution = _solution(arm, run)
     results: dict[str, Result] = {
         "iterations": rows,
-        "solution": column(value for _, value in facts.solution),
+        "solution": column(value for _, value in solution),
     }
     given = {**problem.where, **dict(options.evaluate or ()), **dict(options.start)}
     here = {**arm.here, **place(given)}
@@ -91,8 +95,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.showing(Step("r_d", (R, work[R]), "given"), Step("f", (F, forward), "forward"))
     work = task.proved(work.line(J, value=task.J, rule="rows"))
     work = work.agrees("place", problem.symbols, forward, again.place)
-    told = {name.name: value_of(value, {}) for name, value in facts.solution}
-    work = work.claim(*again.claims(facts.table, listed, here, facts.verdict, told))
+    told = {name.name: value_of(value, {}) for name, value in solution}
+    work = work.claim(*again.claims(facts.table, listed, here, run.verdict, told))
+    if _explained(problem, options):
+        work = replace(work, steps=work.steps[:1])
     return work.answer(
         "numerical-inverse-kinematics", results, facts, evaluated=evaluated, plots=(_plot(run),)
     )
@@ -189,21 +195,58 @@ def _value(tree: Expr, here: Mapping[str, float]) -> float:
 
 
 def _facts(arm: Arm, options: Options, run: Iteration, rows: tuple[tuple[Expr, ...], ...]) -> Facts:
-    variables = [Symbol(name) for name in arm.variables]
-    last = run.rows[-1]
+    problem, last = arm.task.problem, len(run.rows) - 1
+    newton, explained = options.method == "newton", _explained(problem, options)
+    again = options.method in explained
+    found = run.verdict in ("converged", "unfinished")
+    error = run.rows[-1].error
+    about: dict[str, Said] = {"steps": last, "error": Approximate(error if error >= CLOSE else 0.0)}
+    fixed = None if newton else options.step
+    first = not again
     return Facts(
-        method=options.method,
-        square=arm.task.square,
-        table=Table((Symbol("k"), *variables, Phrase("error"), H), rows),
-        verdict=run.verdict,
-        steps=len(run.rows) - 1,
-        error=Approximate(last.error if last.error >= CLOSE else 0.0),
-        best=options.step is None,
-        alpha=options.step,
-        solution=tuple((name, Approximate(value)) for name, value in zip(variables, last.q, strict=True)),
-        seen=_seen(arm.task.problem, options),
+        again=Phrase("newton-again" if newton else "gradient-again") if again else None,
+        newton=Phrase("newton") if first and newton and arm.task.square else None,
+        pseudo=Phrase("newton-pseudo") if first and newton and not arm.task.square else None,
+        gradient=None if newton or again else Phrase("gradient"),
+        best=Phrase("best-step") if first and not newton and fixed is None else None,
+        alpha=(ALPHA, fixed) if fixed is not None and first else None,
+        measure=None if explained else Phrase("measure", {"r_d": R, "f": F, "H": H}),
+        table=Table((Symbol("k"), *map(Symbol, arm.variables), Phrase("error"), H), rows),
+        ended=Phrase(_end(run.verdict, newton), about),
+        solution=_solution(arm, run) if found else (),
+        outlook=Phrase(_outlook(run.verdict, newton, fixed is not None)) if found else None,
+        drawn=last > 1,
         numbers=(),
     )
+
+
+def _end(verdict: Verdict, newton: bool) -> str:
+    """How it ended."""
+    match verdict:
+        case "converged":
+            return "converged"
+        case "singular":
+            return "newton-stopped"
+        case "stuck":
+            return "gradient-stopped"
+        case "diverging":
+            return "newton-diverged" if newton else "gradient-diverged"
+    return "not-yet"
+
+
+def _outlook(verdict: Verdict, newton: bool, fixed: bool) -> str:
+    """What is said of how fast it goes, or would go on."""
+    if verdict == "converged":
+        return "quadratic" if newton else "linear"
+    if newton:
+        return "newton-goes-on"
+    return "fixed-goes-on" if fixed else "gradient-goes-on"
+
+
+def _solution(arm: Arm, run: Iteration) -> tuple[tuple[Symbol, Expr], ...]:
+    """The joint variables of the last row."""
+    values = zip(arm.variables, run.rows[-1].q, strict=True)
+    return tuple((Symbol(name), Approximate(value)) for name, value in values)
 
 
 def _row(k: int, row: Row) -> tuple[Expr, ...]:
@@ -212,7 +255,7 @@ def _row(k: int, row: Row) -> tuple[Expr, ...]:
     return (number(k), *map(Approximate, row.q), Approximate(error), Approximate(error**2 / 2))
 
 
-def _seen(problem: Problem, options: Options) -> frozenset[str]:
+def _explained(problem: Problem, options: Options) -> frozenset[str]:
     """The methods that earlier questions of the problem explained already."""
     asked = [each for kind, each in problem.questions if kind == "numerical-inverse-kinematics"]
     before = asked[: asked.index(options)] if options in asked else []
