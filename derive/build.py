@@ -11,7 +11,6 @@ from typing import Any
 from derive.derivation import Claim, Derivation, Figure
 from derive.errors import NotDerivable, SheetError, SheetErrors
 from derive.evaluate import strange_names, with_numbers
-from derive.kinds.measured import InDecimals
 from derive.kinds.problem import Problem as Working
 from derive.kinds.problem import parts
 from derive.kinds.registry import words_folder
@@ -21,7 +20,7 @@ from derive.render.printed import Printed
 from derive.render.trig import meant_indices
 from derive.sheet.load import load_sheet
 from derive.sheet.model import Problem, Question, Sheet
-from derive.verify import answered
+from derive.verify import answered, in_decimals
 from derive.writing import Progress, render, write
 
 ODD = re.compile(r"[^\w.-]+")
@@ -134,7 +133,7 @@ def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool, warn: Wa
         warn(needless)
     places = max(getattr(part, "rounded", 0) for part in parts(problem.subject))
     if places:
-        answers = list(map(InDecimals(), answers))
+        answers = in_decimals(answers, problem.place)
     asked = [answer for answer in answers if solutions]
     printed: list[Derivation] = []
     notation = _notation(sheet, working)

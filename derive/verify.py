@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 from derive.derivation import Claim, Derivation, Phrase
 from derive.errors import NotAsWritten, NotDerivable, Place, SheetError, SheetErrors
 from derive.expression import Number, walk
 from derive.kinds.checks import SECOND_ROUTE
+from derive.kinds.measured import InDecimals
 from derive.kinds.problem import Problem, expressions
 from derive.kinds.registry import words_folder
 from derive.sheet.model import Question
@@ -47,6 +48,14 @@ def answered(question: Question, working: Problem) -> Derivation:
     if not derivation.proved:
         raise SheetErrors([SheetError(UNPROVED.format(derivation.kind), question.place, PROVE)])
     return derivation
+
+
+def in_decimals(answers: Sequence[Derivation], place: Place) -> list[Derivation]:
+    """The answers to the questions of a problem with rounded data. Raises SheetErrors."""
+    try:
+        return list(map(InDecimals(), answers))
+    except NotAsWritten as error:
+        raise SheetErrors([SheetError(AS_WRITTEN, place, REPORT)]) from error
 
 
 def _failure(derivation: Derivation, claim: Claim, question: Question, working: Problem) -> SheetError:

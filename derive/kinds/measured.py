@@ -1,19 +1,21 @@
 """Answers that rest on rounded data, in decimals: exactly they have dozens of digits that nobody reads.
 
-The answer is derived and verified exactly; only then is each number in it that fills a line rounded.
+The answer is derived and verified exactly; only then is each number in it that fills a line rounded, and what
+was made of a formula compared with it in numbers.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import fields, replace
 from fractions import Fraction
 from math import prod
 from typing import Any, get_args
 
-from derive.algebra.numbers.floats import number
+from derive.algebra.numbers.floats import number, numbers
 from derive.derivation import Branch, Derivation, Step, Table
-from derive.errors import NotDerivable
+from derive.errors import NotAsWritten, NotDerivable
 from derive.expression import (
     Approximate,
     Expr,
@@ -27,10 +29,14 @@ from derive.expression import (
     rebuild,
     walk,
 )
+from derive.kinds.checks import TOLERANCE, flat, random_points
+from derive.kinds.values_at import NOT_REAL
 
 TREES = get_args(Expr)
 LONGEST = 10**9  # above this the numerator or the denominator of a fraction is not read
 PARTS = (Step, Branch, Table)
+POINTS = 2
+NOTHING = 1e-12  # numbers are compared as if one were as large
 
 
 class InDecimals:
@@ -40,13 +46,13 @@ class InDecimals:
         self.known: dict[int, tuple[Derivation, Derivation]] = {}
 
     def __call__(self, value: Any) -> Any:
-        """A derivation, or anything that holds some, in decimals."""
+        """A derivation, or anything that holds some, in decimals. Raises NotAsWritten."""
         if isinstance(value, Derivation):
             if id(value) not in self.known:
                 self.known[id(value)] = value, self._part(value)
             return self.known[id(value)][1]
         if isinstance(value, TREES):
-            return decimals(value)
+            return _compared(value, decimals(value))
         if isinstance(value, tuple | list):
             return type(value)(map(self, value))
         if isinstance(value, Mapping):
@@ -55,6 +61,18 @@ class InDecimals:
 
     def _part(self, value: Any) -> Any:
         return replace(value, **{each.name: self(getattr(value, each.name)) for each in fields(value)})
+
+
+def _compared(exact: Expr, rounded: Expr) -> Expr:
+    """What was rounded, where it has the same numbers. Raises NotAsWritten."""
+    if rounded is not exact:
+        for at in random_points(free_symbols(exact) | free_symbols(rounded), POINTS):
+            with suppress(NotDerivable, *NOT_REAL):  # a law has no numbers
+                ours, theirs = (list(flat(numbers(tree, at))) for tree in (exact, rounded))
+                near = TOLERANCE * max(map(abs, (*ours, *theirs, NOTHING)))
+                if any(abs(a - b) > near for a, b in zip(ours, theirs, strict=True)):
+                    raise NotAsWritten
+    return rounded
 
 
 def decimals(expr: Expr) -> Expr:
@@ -79,7 +97,7 @@ def _spread(expr: Product) -> Expr | None:
         if isinstance(part, Sum) and any(map(_is_long, walk(part))):
             plain = [one for one in expr.factors if not free_symbols(one) and not isinstance(one, Matrix)]
             rest = [one for one in expr.factors if one is not part and one not in plain]
-            terms = add(*(multiply(*plain, *_factors(term)) for term in part.terms))
+            terms = add(*(multiply(*_exactly(*plain, *_factors(term))) for term in part.terms))
             return multiply(*rest, terms) if plain else None
     return None
 
@@ -91,6 +109,12 @@ def _factors(term: Expr) -> Iterator[Expr]:
             yield from _factors(factor)
     else:
         yield term
+
+
+def _exactly(*factors: Expr) -> Iterator[Expr]:
+    """With one number for those among them that are fractions."""
+    yield Number(prod((each.value for each in factors if isinstance(each, Number)), start=Fraction(1)))
+    yield from (each for each in factors if not isinstance(each, Number))
 
 
 def _gathered(expr: Product | Sum) -> Expr:
