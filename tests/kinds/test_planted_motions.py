@@ -28,7 +28,7 @@ from derive.kinds.lagrange import (
     equations_of_motion,
     linearisation,
 )
-from derive.kinds.motion import _factors, equivalent_sequences, rotation_vector, velocity
+from derive.kinds.motion import _factors, _product, equivalent_sequences, rotation_vector, velocity
 from derive.kinds.points import _rows, _svd
 from derive.kinds.pose import _euler_steps, _given, axis_angle, euler_rates, quaternion
 from derive.kinds.profile import _axis, _blends, _drawn, _ends, _spline_laws, _trapezoid
@@ -86,6 +86,12 @@ problems:
   - {find: rotation-matrix}
   - {find: velocity}
   - {find: quaternion}
+"""
+ABOUT_Y = """
+title: About one axis
+problems:
+- motion: [{rotate: y, by: phi}]
+  questions: [{find: axis-angle}, {find: quaternion}]
 """
 HALF_TURN = (
     "title: t\nproblems:\n- motion: [{rotate: x, by: 180 deg}, {rotate: z, by: 60 deg}]\n  find: axis-angle\n"
@@ -218,6 +224,12 @@ MISTAKES = {
         "return first + -last",
         SYMBOLS,
     ),
+    "r_23 - r_32 where both are zero": Mistake(
+        _given.lacking, '("r_32", "r_23")', '("r_23", "r_32")', ABOUT_Y
+    ),
+    "factors under the names of others": Mistake(
+        _product._factor_results, "{factor.index}", "{len(factors.factors) + 1 - factor.index}", ABOUT_BOTH
+    ),
     # frames
     "T_1^3 for T_3^1": Mistake(_frames.pose_name, "T_{number}^{reference}", "T_{reference}^{number}", TREE),
     "0.6 - 0.8 without axes": Mistake(
@@ -246,6 +258,9 @@ MISTAKES = {
     ),
     "from and to exchanged": Mistake(
         frame_transform.derive, "pose_name(source, options.target)", "pose_name(options.target, source)", TREE
+    ),
+    "a stable state said to be undecided": Mistake(
+        _stiffness._stability, "_neutral(STABLE, neutral)", "_neutral(OPEN, neutral)", "lagrange.equilibria"
     ),
     # points
     "a reflection for a rotation": Mistake(fitting.by_singular_values, "*= det", "*= 1", MIRRORED),

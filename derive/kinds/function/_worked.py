@@ -14,7 +14,7 @@ from derive.algebra.rationals import as_fraction
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.polynomial_systems import Value, put_in
 from derive.algebra.solving.polynomials import known_sign, odd_part
-from derive.derivation import Branch, Claim, Condition, Derivation, PageFacts, Phrase, Step, Table
+from derive.derivation import Branch, Claim, Condition, Derivation, PageFacts, Phrase, Said, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Call, Derivative, Expr, Relation, Sum, Symbol, add, multiply
 from derive.kinds.checks import NORMAL_FORM, every, law, random_points, route
@@ -99,6 +99,8 @@ def worked(kind: str, function: Function, problem: Problem) -> Derivation:
         reach=reached(limits, name, *(_best(each, found, best, problem) for each in ("maximum", "minimum"))),
     )  # fmt: skip
     work = work.claim(*checked.greatest_and_smallest(facts.reach), checked.tests(facts.tests, facts.flat))
+    singular = any(SINGULAR in _keys(each) for when in said for each in when)
+    work = work.law("said", (facts.singular is not None) == singular)
     return work.answer(kind, {"solutions": solutions}, facts)
 
 
@@ -152,6 +154,13 @@ def _said(point: Point, extreme: str, problem: Problem, task: Task) -> tuple[Con
         need = Relation(problem.readable(each), ">=", ZERO)
         said[-1:] = [Phrase("where", {"said": said[-1] if said else "", "need": need})]
     return tuple(said)
+
+
+def _keys(said: Said) -> Iterator[str]:
+    """Of a phrase, and of what it says holds somewhere."""
+    while isinstance(said, Phrase):
+        yield said.key
+        said = said.about.get("said", "")
 
 
 def _conditional(point: Point, problem: Problem, task: Task) -> Iterator[Phrase]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice
 from math import pi
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers.floats import Point, completed, number
 from derive.derivation import Branch, Claim, Phrase, Said, Step
-from derive.expression import PI, Expr, Relation, Symbol, free_symbols, walk
+from derive.expression import PI, Approximate, Expr, Relation, Symbol, free_symbols, walk
 from derive.kinds.checks import random_points, route
 from derive.kinds.lagrange._oracle import Differences
 from derive.kinds.meanings import Names, told
@@ -76,6 +76,19 @@ class Still:
         eigenvalues = np.linalg.eigvals(A)
         return float(eigenvalues.real.max() / max(abs(eigenvalues).max(), NEARLY))
 
+    def comes_back(self, at: Point, neutral: Collection[str]) -> bool:
+        """Whether a potential drives it back along all other coordinates and no force feeds a motion: then it
+        certainly is stable (Lagrange and Dirichlet)."""
+        import numpy as np
+
+        kept = [k for k, q in enumerate(self.system.coordinates) if q not in neutral]
+        K, C = (self.slopes(at, names) for names in (self.system.coordinates, self.system.rates))
+        K = K[np.ix_(kept, kept)]
+        size = max(np.abs(K).max(initial=0.0), NEARLY)
+        even = np.abs(K - K.T).max(initial=0.0) < STEADY * size
+        least = [np.linalg.eigvalsh(each + each.T).min(initial=np.inf) for each in (K, C)]
+        return bool(even and least[0] > STEADY * size and least[1] > -STEADY * max(np.abs(C).max(), NEARLY))
+
 
 def held(
     still: Still, problem: Problem, steps: Sequence[Step], branches: Sequence[Branch]
@@ -92,7 +105,7 @@ def held(
         holds
         for branch, at in pairs
         for said in branch.when
-        if (holds := _verdict(said, at, still.growth(at))) is not None
+        if (holds := _is_so(still, branch, said, at)) is not None
     ]
     if verdicts:
         yield route("verdicts", verdicts)
@@ -126,6 +139,24 @@ def _needs_no_force(still: Still, branch: Branch, at: Point) -> bool:
     fixed = [at[q] for q, tree in branch.values.items() if PI in walk(tree) and not free_symbols(tree)]
     principal = all(-pi + NEARLY < angle < pi + NEARLY for angle in fixed)
     return principal and all(abs(left) < NEARLY * size for left in still.differences.left_over(at))
+
+
+def _is_so(still: Still, branch: Branch, said: Said, at: Point) -> bool | None:
+    """Whether a verdict is so. What is said to be left open must be, but for rounded states."""
+    if (plain := _undecided(said)) is None:
+        return _verdict(said, at, still.growth(at))
+    if any(isinstance(node, Approximate) for tree in branch.values.values() for node in walk(tree)):
+        return None
+    return not still.comes_back(at, plain)
+
+
+def _undecided(said: Said) -> set[str] | None:
+    """The coordinates along which it is said to be neutral, of a state left undecided; None of any other."""
+    along = set[str]()
+    while isinstance(said, Phrase) and said.key in ("neutral", "where"):
+        along |= {str(said.about["along"])} if said.key == "neutral" else set()
+        said = said.about["said"]
+    return along if isinstance(said, Phrase) and said.key == "undecided" else None
 
 
 def _verdict(said: Said, at: Point, growth: float | None) -> bool | None:

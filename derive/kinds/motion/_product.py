@@ -44,7 +44,8 @@ def composed(
     work = work.knowing({name: written}) if numeric else work.closed(name)
     parts = _factor_results(factors, problem)
     work = work.claim(*_laws(problem.exact(value), name.name))
-    work = motion_made(work, name.name, moves, exact, *parts.values())
+    told = [parts[f"{name.name.replace('T', 'A')}_{k}"] for k in range(1, len(moves) + 1)]
+    work = motion_made(work, name.name, moves, exact, *told)
     facts, point = _facts(factors, numeric, name), completed({}, problem.where)
     chains = (*placed_chains(facts.placed), *order_chains(factors, facts.mode, name))
     work = as_told(work, partial(meant, factors, name), chains)

@@ -4,7 +4,7 @@ rotation entry by entry, under the names r_11, r_12, ..."""
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from importlib import import_module
 from itertools import product
@@ -18,10 +18,12 @@ from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
-from derive.expression import Expr, Symbol, free_symbols
+from derive.expression import Expr, Symbol, free_symbols, number
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.pose._numbers import over
 from derive.kinds.problem import Problem
+from derive.mechanics.motion import Move
+from derive.mechanics.oracle import elementary
 from derive.mechanics.poses import rotation_part
 
 if TYPE_CHECKING:
@@ -95,6 +97,12 @@ class Given:
     def turns(self, point: Point) -> NDArray[Any]:
         """R (3 by 3) at a point by the other route."""
         return self.oracle(point)[:3, :3]
+
+
+def of_any_rotation(given: Given) -> Given:
+    """The same names, of a rotation in which no two entries are alike, for formulas in names."""
+    turn = Move("rotate", (number(1), number(2), number(-2)), number("11/10"))
+    return replace(given, oracle=lambda _: elementary(turn, {}))
 
 
 def given_pose(options: PoseOptions, problem: Problem, rotation_only: bool = True) -> Given:

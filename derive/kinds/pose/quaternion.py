@@ -9,8 +9,8 @@ from derive.algebra.numbers.floats import Point, numbers
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts, Step
 from derive.expression import ONE, ZERO, Matrix, Symbol, add, column, multiply, number, sqrt
-from derive.kinds.meanings import Names, as_told, column_of
-from derive.kinds.pose._given import Given, given_pose, lacking
+from derive.kinds.meanings import Names, as_told, column_of, told
+from derive.kinds.pose._given import Given, given_pose, lacking, of_any_rotation
 from derive.kinds.pose._given import PoseOptions as Options
 from derive.kinds.pose._meanings import entries_of, printed, turn_of
 from derive.kinds.pose._numbers import over, size
@@ -40,18 +40,22 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     work = Work(problem, {**given.entries, name: q}, uses=given.uses, steps=steps).linked(but=("q_0", "q"))
     work = work.agrees("turns-the-axes", problem.symbols, lambda at: _turned(q, at), given.turns, 1e-8)
     facts = Facts(rotation=given.rotation, half=half, scalar=scalar)
-    told = (name, q), (given.rotation, facts.rotation), (scalar, facts.scalar)
-    work = as_told(work, partial(_meant, given, name, scalar, q), told)
+    beside = (name, q), (given.rotation, facts.rotation), (scalar, facts.scalar)
+    work = as_told(work, partial(_meant, given, name, scalar, q), beside)
+    if not half:
+        anywhere = partial(_meant, of_any_rotation(given), name, scalar, None)
+        formulas = [step.chain[:2] for step in steps]
+        work = work.claim(told(formulas, anywhere, (), {}, "in-general"))
     work = work.law("said", facts.half == (q.rows[0][0] == ZERO))
     return work.answer("quaternion", {"q": q}, facts)
 
 
-def _meant(given: Given, name: Symbol, scalar: Symbol, q: Matrix, at: Point) -> Names:
+def _meant(given: Given, name: Symbol, scalar: Symbol, q: Matrix | None, at: Point) -> Names:
     """cos(angle/2), and the axis times sin(angle/2), of the rotation by its other route."""
     import numpy as np
 
     R = given.turns(at)
-    angle, axis = turn_of(R, printed(q, at)[1:])
+    angle, axis = turn_of(R, None if q is None else printed(q, at)[1:])
     parts = np.array([np.cos(angle / 2), *(np.sin(angle / 2) * axis)])
     return {**entries_of(R), given.rotation: R, name: column_of(parts), scalar: parts[0]}
 

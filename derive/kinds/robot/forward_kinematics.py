@@ -45,7 +45,7 @@ class Facts(PageFacts):
 
 def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:
     """Of screws also that each exponential is one."""
-    screws = ("derivative", "exponential-series") if robot.by_screws else ()
+    screws = ("derivative", "exponential-series", "twist-of-any-screw") if robot.by_screws else ()
     return ("orthogonal", "right-handed", "poses-composed", "names", *screws)
 
 

@@ -35,6 +35,7 @@ from derive.kinds.robot._singular.ways import seen_from_middle
 from derive.kinds.robot._velocity.ellipsoid_laws import ellipsoid_laws
 from derive.kinds.robot._velocity.ellipsoids import PointTold, at_point, decided, figure_of
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
+from derive.kinds.sure import place as surely
 from derive.kinds.work import Work
 from derive.mechanics.minors import minors
 from derive.mechanics.robot import Robot
@@ -124,10 +125,13 @@ def _at_point(options: Options, problem: Problem, place: Place) -> Derivation:
     found = at_point(task, place)
     w = base.scalar("w")
     size = number(w, found.place)
-    facts = Facts(here=found.told, w=(W, Approximate(size)), numbers=())
+    shown = (W, Approximate(size))
+    facts = Facts(here=found.told, w=shown, numbers=())
+    here = found.place | surely({**problem.where, **dict(place)})
+    told = close(number(shown[1], {}), _singular_values(task, here), DIFFERENCES)
     return (
         Work(problem, uses=(base,), steps=(found.step,))
-        .claim(*found.claims)
+        .claim(*found.claims, route("singular-values", told))
         .answer(
             "manipulability",
             {"w": w, **found.results},

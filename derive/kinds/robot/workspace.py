@@ -26,7 +26,7 @@ from derive.kinds.work import Work
 from derive.mechanics.reach import moving_joints, turns_freely
 from derive.mechanics.robot import Robot
 
-CLAIMS = ("largest-distance", "smallest-distance", "lines", "link-lengths", "hole")
+CLAIMS = ("largest-distance", "smallest-distance", "lines", "link-lengths", "hole", "called")
 
 
 class Options(OptionsModel):
@@ -68,6 +68,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     facts = _facts(problem, region, point, inner, plots)
     reached = Reached(problem, found, point, region, {1: r_max, -1: r_min})
     work = work.claim(*reached.claims(steps, region.smallest[-1] == ZERO, inner))
+    work = work.claim(reached.is_called(facts.description))
     results = {"r_min": r_min, "r_max": r_max, "description": facts.description}
     return work.answer("workspace", results, facts, plots=plots)
 

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
 
 from derive.derivation import Derivation, Step
-from derive.expression import Expr, Matrix
-from derive.kinds.robot import energy, singularities, state_space
+from derive.expression import ONE, ZERO, Expr, Matrix, Symbol
+from derive.kinds.problem import Problem
+from derive.kinds.robot import energy, manipulability, singularities, state_space, workspace
 from derive.kinds.robot._dynamics import matrix_laws
 from derive.kinds.robot._inverse import one_equation, two_link
+from derive.kinds.robot._rows import exponentials
 from derive.kinds.robot._singular import saying, ways
 from derive.mechanics import iteration, newton_euler
+from derive.mechanics.motion import Motion, Move
+from derive.mechanics.robot import Link, Robot, ScrewRow
 from tests.kinds.planting import turned
 from tests.kinds.robot.arms import ARMS
 from tests.kinds.robot.test_singularities import ELBOW, TWO_R, arm
@@ -129,3 +134,35 @@ def test_a_moment_turned_the_wrong_way(monkeypatch: pytest.MonkeyPatch) -> None:
     """R^T I R for R I R^T in the law of kinetic energy."""
     plant(monkeypatch, matrix_laws.energy_law, "R * I * transpose(R)", "transpose(R) * I * R")
     assert "links" in refused(problem(HEAVY["2R, uniform links"]).ask("energy"))
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong"), [("disc", "annulus"), ("annulus", "disc"), ("hollow-cylinder", "annulus")]
+)
+def test_a_region_called_as_another(right: str, wrong: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    same = "1" if right == "disc" else "2"
+    rows = [("q1*", "0", "1", "0"), ("q2*", "0", same, "0")]
+    rows += [("0", "q3*", "0", "0")] if right == "hollow-cylinder" else []
+    told = workspace.region_told
+    assert told_region(rows) == right and not refused(problem(arm(rows)).ask("workspace"))
+    monkeypatch.setattr(workspace, "region_told", lambda *given: replace(told(*given), key=wrong))
+    assert refused(problem(arm(rows)).ask("workspace")) == {"called"}
+
+
+def told_region(rows: list[tuple[str, str, str, str]]) -> str:
+    return problem(arm(rows)).ask("workspace").told(workspace.Facts).description.key
+
+
+def test_a_measure_of_another_place(monkeypatch: pytest.MonkeyPatch) -> None:
+    plant(monkeypatch, manipulability._at_point, "(W, Approximate(size))", "(W, Approximate(size * size))")
+    asked = {"rows": ("vx", "vy"), "evaluate": {"q1": 0.3, "q2": 1.0}}
+    found = problem(arm([("q1*", "0", "1", "0"), ("q2*", "0", "2", "0")])).ask("manipulability", **asked)
+    assert "singular-values" in refused(found)
+
+
+def test_a_law_of_twists_of_one_screw_through_the_origin(monkeypatch: pytest.MonkeyPatch) -> None:
+    """q x omega is zero there, and no value tells it from omega x q."""
+    plant(monkeypatch, exponentials.Exponentials._twist, "cross(q, w)", "cross(w, q)")
+    screw = ScrewRow("z", (ZERO,) * 3, Symbol("q1"))
+    one = Robot("", "standard", (Link(screw, "revolute", "q1"),), home=Motion((Move("translate", "x", ONE),)))
+    assert "twist-of-any-screw" in refused(Problem("robot", one).ask("product-of-exponentials"))

@@ -10,7 +10,7 @@ from itertools import pairwise, product
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers import floats as numeric
-from derive.derivation import Claim, Step
+from derive.derivation import Claim, Phrase, Step
 from derive.expression import Expr, free_symbols
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.problem import Problem
@@ -18,7 +18,7 @@ from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._point import Tracked
 from derive.kinds.robot._reach.regions import Region, Secondary
 from derive.kinds.robot._seen import apart, axis_seen
-from derive.mechanics.chain import Chain
+from derive.mechanics.chain import Chain, Joint
 from derive.mechanics.reach import moving_joints
 
 if TYPE_CHECKING:
@@ -28,6 +28,13 @@ if TYPE_CHECKING:
 
 SMALL = 1e-6
 NEAR, TOUCHING = 1e-4, 1e-2  # a search creeps where links of 2, 2 and 4 are folded to nothing
+CALLED = {  # what lies between the distances, whether axes are parallel, whether the point slides along them
+    "circle": ("surface", True, False), "side-of-a-cylinder": ("surface", True, True),
+    "disc": ("solid", True, False), "annulus": ("hollow", True, False),
+    "cylinder": ("solid", True, True), "hollow-cylinder": ("hollow", True, True),
+    "ball": ("solid", False, False), "hollow-ball": ("hollow", False, False),
+    "swung-annulus": ("", False, False),
+}  # fmt: skip
 SWEEPS = 100  # of a search joint by joint
 POINTS, STARTS = 4, 3
 Values = dict[str, float]
@@ -55,6 +62,33 @@ class Reached:
         yield route("hole", (not each for each in holes) if closed else max(holes))
         if secondary:
             yield route("secondary", (each for at in points for each in self._secondary(secondary, at)))
+
+    def is_called(self, description: Phrase) -> Claim:
+        """Whether the region is what it is called: by the distances, the axes, and what slides."""
+        ball = description.about.get("ball")
+        key = ball.key if isinstance(ball, Phrase) else description.key
+        return route("called", self._is_called(key, isinstance(ball, Phrase)))
+
+    def _is_called(self, key: str, bored: bool) -> Iterator[bool]:
+        shape, parallel, slides = CALLED[key]
+        bounds = [[numeric.number(self.bounds[sign], at) for sign in (-1, 1)] for at in self._general]
+        one = all(close(low, high, SMALL) for low, high in bounds)
+        hole = any(low > SMALL for low, _ in bounds)
+        yield shape in ("", "surface" if one else "hollow" if hole else "solid")
+        for at in self._points:
+            axes = [axis_seen(self.problem, self.found, i, at)[0] for i in self._turning]
+            yield parallel == all(apart(axes[0], z) < SMALL for z in axes)
+            yield slides == any(self._is_moved(joint.variable, at) for joint in self._sliding)
+            yield bored == (numeric.number(self.region.side, at) > SMALL and shape != "")
+            yield (shape == "") == (numeric.number(self.region.offset, at) > SMALL)
+
+    @property
+    def _sliding(self) -> list[Joint]:
+        return [joint for _, joint in self.found.moving if joint.type == "prismatic"]
+
+    def _is_moved(self, name: str, at: Values) -> bool:
+        """Whether a joint moves the point."""
+        return not close(self._place(at), self._place({**at, name: at[name] + 1.0}), SMALL)
 
     @property
     def _points(self) -> Iterator[Values]:

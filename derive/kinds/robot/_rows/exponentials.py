@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property, partial, reduce
 from typing import Any
@@ -24,13 +25,16 @@ from derive.expression import (
     multiply,
 )
 from derive.expression import add as total
-from derive.kinds.checks import route
+from derive.kinds.checks import close, route
+from derive.kinds.fields import TREES
+from derive.kinds.meanings import valued
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import end_frame
 from derive.kinds.robot._columns import product_lines
 from derive.kinds.robot._rows.exponential_law import exponential_law
 from derive.kinds.work import Work
-from derive.mechanics.oracle import exponential
+from derive.mechanics.oracle import STEP, exponential, vee
+from derive.mechanics.oracle.rows import helix
 from derive.mechanics.poses import composed
 from derive.mechanics.robot import Robot
 from derive.mechanics.screws import Screw, home_of, screws_of
@@ -39,6 +43,7 @@ from derive.names import free
 LETTERS = {"omega": ("omega", "w", "n"), "q": ("q", "u", "b"), "S": ("S", "xi"), "M": ("M", "T_home")}
 NOTHING, T_BASE = Symbol("0"), Symbol("T_base")  # three zeros; the pose of the base
 PITCH = Symbol("h_i")
+DIFFERENCES = 1e-8
 NAMED = ("exponential", "home", "twist")  # rules of the lines that are results
 
 
@@ -131,7 +136,28 @@ class Exponentials:
                 work = work.law("derivative", holds, i=screw.i, name=name, size=size)
             series = partial(_by_series, screw)
             work = work.agrees("exponential-series", self.problem.symbols, E, series, i=screw.i)
-        return work.claim(self.sorted_right(self.told()))
+        return work.claim(self.sorted_right(self.told()), route("twist-of-any-screw", self._twists()))
+
+    def _twists(self) -> Iterator[bool]:
+        """Whether the laws that are told hold of a screw of numbers, by how it begins to move."""
+        import numpy as np
+
+        about, k, q = self.told().twists.about, np.array([2.0, -1.0, 2.0]) / 3, np.array([0.3, 0.5, -0.4])
+        h = 0.7 if about["helical"] else 0.0
+        ahead, behind = (helix(k, q, by, h) for by in (STEP, -STEP))
+        D = (ahead - behind) / (2 * STEP)
+        names: dict[Expr, Any] = {
+            self._name("omega", "i"): k[:, None], self._name("q", "i"): q[:, None],
+            NOTHING: np.zeros((3, 1)), PITCH: h,
+        }  # fmt: skip
+        twists = {"turn": [*D[:3, 3], *vee(D)], "slide": [*k, 0.0, 0.0, 0.0]}
+        for name, twist in twists.items():
+            law = about[name]
+            yield (
+                isinstance(law, Relation)
+                and isinstance(law.right, TREES)
+                and close(valued(law.right, names), twist, DIFFERENCES)
+            )
 
     def told(self) -> ScrewsTold:
         """What the words read."""
