@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
@@ -42,12 +42,13 @@ def agreement(
     other: Callable[[Mapping[str, float]], Any],
     tolerance: float = TOLERANCE,
     points: int = 3,
+    moving: Collection[str] = (),
     **about: Said,
 ) -> Claim:
-    """Two routes to the same numbers at random points of the symbols where they are real. Raises NotReal
-    where no such point is found."""
+    """Two routes to the same numbers at random points of the symbols where they are real, those that are
+    `moving` on both sides of zero. Raises NotReal where no such point is found."""
     holds, met = True, 0
-    for at in random_points(symbols, TRIES):
+    for at in random_points(symbols, TRIES, moving):
         try:
             holds &= close(ours(at), other(at), tolerance)
         except NotReal:  # acos(q) at q = 1.5
@@ -60,12 +61,24 @@ def agreement(
     return Claim(key, SECOND_ROUTE, holds, about, tried=met)
 
 
-def random_points(names: Iterable[str], count: int) -> Iterator[dict[str, float]]:
-    """Points anyone gets again: the same names give the same numbers. Without names there is one point."""
+def random_points(
+    names: Iterable[str], count: int, moving: Collection[str] = ()
+) -> Iterator[dict[str, float]]:
+    """Points anyone gets again: the same names give the same numbers. Without names there is one point.
+    What moves, which are the names in `moving`, rates, and what these are rates of, is negative at every
+    other one."""
     ordered = sorted(names)
     draw = random.Random(" ".join(ordered))
-    for _ in range(count if ordered else 1):
-        yield {name: draw.uniform(0.2, 1.9) for name in ordered}
+    below = {*moving}.union(*(_in_motion(name) for name in ordered))
+    for k in range(count if ordered else 1):
+        point = {name: draw.uniform(0.2, 1.9) for name in ordered}
+        yield {name: -value if k % 2 and name in below else value for name, value in point.items()}
+
+
+def _in_motion(name: str) -> set[str]:
+    """A rate or an acceleration, and what it is that of."""
+    stem = name.removesuffix("_ddot").removesuffix("_dot")
+    return set() if stem == name else {name, stem, f"{stem}_dot"}
 
 
 def close(left: Any, right: Any, tolerance: float = TOLERANCE) -> bool:

@@ -7,7 +7,7 @@ alone, and each member of a chain, as it is written, must come to the same.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import reduce
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -41,7 +41,9 @@ def as_told(
     lines = (inner.chain for step in work.steps for inner in step.all())
     names = work.problem.symbols if symbols is None else symbols
     every = [*lines, *chains]
-    return work.claim(told(every, meanings, names, work.problem.where, key, tolerance, points, **about))
+    moving = getattr(work.problem.subject, "variables", ())
+    where = work.problem.where
+    return work.claim(told(every, meanings, names, where, key, tolerance, points, moving, **about))
 
 
 def told(
@@ -52,6 +54,7 @@ def told(
     key: str = "as-told",
     tolerance: float = TOLERANCE,
     points: int = 2,
+    moving: Collection[str] = (),
     **about: Said,
 ) -> Claim:
     """The claim by itself: the members of each chain come to the same at random points of the symbols."""
@@ -61,7 +64,7 @@ def told(
         letters: Names = {Symbol(name): value for name, value in point.items()}
         return farthest(chains, {**letters, **meanings(point)})
 
-    return agreement(key, symbols, gap, lambda _: 0.0, tolerance, points, **about)
+    return agreement(key, symbols, gap, lambda _: 0.0, tolerance, points, moving, **about)
 
 
 def farthest(chains: Iterable[Chain], names: Names) -> float:

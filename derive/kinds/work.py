@@ -256,7 +256,8 @@ class Work:
         where = self.problem.where
         route: Callable[[Point], Any] = ours if callable(ours) else partial(numbers, ours)
         mine, another = (lambda at, of=each: of(completed(at, where)) for each in (route, other))
-        return self.claim(agreement(claim, symbols, mine, another, tolerance, points, **about))
+        moving = getattr(self.problem.subject, "variables", ())
+        return self.claim(agreement(claim, symbols, mine, another, tolerance, points, moving, **about))
 
     def claim(self, *claims: Claim) -> Work:
         """With claims that were made elsewhere."""

@@ -92,11 +92,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     det, whole, w = _measure(task)
     work = _lines(task, whole, w).closed(W)
     work = work.agrees(
-        "singular-values",
-        task.symbols,
-        lambda at: [number(work[W], place) for place in _about_zero(task, at)],
-        lambda at: [_singular_values(task, place) for place in _about_zero(task, at)],
-        DIFFERENCES,
+        "singular-values", task.symbols, work[W], lambda at: _singular_values(task, at), DIFFERENCES
     )
     printed = [step for step in work.steps if step.rule == "in-numbers"]
     points = islice(random_points(task.symbols, POINTS), POINTS)
@@ -108,11 +104,6 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         work = work.claim(route("largest", _largest(task, best)))
     facts = Facts(general=_general(task, best), numbers=("w",))
     return work.answer("manipulability", {"w": work[W]}, facts)
-
-
-def _about_zero(task: Task, at: Point) -> tuple[Point, Point]:
-    """A point, and one with the joint variables less than zero: w is never negative."""
-    return at, {**at, **{name: -at[name] for name in task.found.variables}}
 
 
 def _at_point(options: Options, problem: Problem, place: Place) -> Derivation:
