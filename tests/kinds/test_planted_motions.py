@@ -202,7 +202,7 @@ MISTAKES = {
         axis_angle._facts, "2 * sin(names.angle)", "2 * cos(names.angle)", "pose.axis_angle"
     ),
     "r_00 in the trace": Mistake(axis_angle._trace, "(1, 2, 3)", "(0, 1, 2)", "pose.axis_angle"),
-    "R = 2 k k^T + 1": Mistake(axis_angle._facts, "twice - Symbol", "twice + Symbol", HALF_TURN),
+    "R = 2 k k^T + 1": Mistake(axis_angle._of_half_a_turn, "- Symbol", "+ Symbol", HALF_TURN),
     "entries of w exchanged": Mistake(
         _given.lacking, '("r_32", "r_23")', '("r_23", "r_32")', "pose.quaternion"
     ),
@@ -273,13 +273,13 @@ MISTAKES = {
         _svd._spectral, "_diagonal_rows(fit.S)", "_diagonal_rows([-s for s in fit.S])", MIRRORED
     ),
     "a row of T": Mistake(_rows._transform, "[0] * size + [1]", "[1] * size + [1]", BY_ROWS),
-    "a rotation that is none": Mistake(
-        _rows.fitted, "scaled.orthogonal and scaled.det == number(1)", "True", BY_ROWS
-    ),
+    "a rotation that is none": Mistake(_rows.Scaled.verdict, "self.det == number(1)", "True", BY_ROWS),
     # profiles
-    "the area of the plateau": Mistake(_axis.told, "v_M * t_2", "v_M * t_1", "profile.trapezoidal_profile"),
+    "the area of the plateau": Mistake(
+        _axis._what, "given.fastest * T_2", "given.fastest * T_1", "profile.trapezoidal_profile"
+    ),
     "a triangle told a trapezoid": Mistake(
-        _axis.told, "plateau=outcome.plateau", "plateau=not outcome.plateau", TIMED
+        _axis._what, "is None, outcome.plateau", "is None, not outcome.plateau", TIMED
     ),
     "the peak of a triangle": Mistake(_trapezoid.timed, "peak = 2 * d / t_3", "peak = d / t_3", TIMED),
     "a blend too long": Mistake(
