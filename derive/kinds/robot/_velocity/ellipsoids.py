@@ -60,6 +60,7 @@ def at_point(task: Task, place: Place) -> Ellipsoids:
     directions = [_turned(U[:, k]) for k in range(len(sizes))]
     order = sorted(range(len(sizes)), key=sizes.__getitem__)
     forces: list[Any] = [1 / sizes[k] if sizes[k] else INFINITE for k in order]
+    pushes = tuple(Approximate(force) if force != INFINITE else force for force in forces)
     turned = [directions[k] for k in order]
     plots = _pictures(task, here, sizes, directions)
     told = PointTold(
@@ -72,7 +73,7 @@ def at_point(task: Task, place: Place) -> Ellipsoids:
     results: dict[str, Result] = {
         "axes": column(map(Approximate, sizes)),
         "directions": _rounded(directions),
-        "force_axes": tuple(push if push == INFINITE else Approximate(push) for push in forces),
+        "force_axes": column(pushes) if all(sizes) else pushes,
         "force_directions": _rounded(turned),
     }
     evaluated = {"axes": sizes, "directions": directions, "force_axes": forces, "force_directions": turned}
