@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
-from derive.derivation import Derivation, PageFacts
+from derive.derivation import Derivation, PageFacts, Phrase, Said
 from derive.expression import ZERO, Derivative, Expr, Number, Sum, Symbol, add, multiply, number
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
@@ -29,12 +29,9 @@ HALF = number("1/2")
 
 
 class Facts(PageFacts):
-    """What the words need to know: how many symbols there are, how many of them vanish without being shown,
-    and whether the arm is so `big` that none is."""
+    """What is said of the symbols that are not shown."""
 
-    big: bool
-    count: int
-    vanish: int
+    others: Phrase | None
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -50,17 +47,21 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.knowing({_name(ijk): found[_ordered(ijk)] for ijk in symbols})
     work = work.law("symmetric", (value == symbols[j, i, k] for (i, j, k), value in symbols.items()))
     work = work.law("skew-symmetric", _skew(D, symbols, robot.variables))
-    facts = Facts(
-        big=big,
-        count=len(symbols),
-        vanish=sum(not value for ijk, value in symbols.items() if _ordered(ijk) not in shown),
-    )
+    vanish = sum(not value for ijk, value in symbols.items() if _ordered(ijk) not in shown)
     results = {_name(ijk).name: found[_ordered(ijk)] for ijk in sorted(symbols)}
     untold = [results[_name(ijk).name] for ijk in symbols if _ordered(ijk) not in shown]
     gone = sum(value == ZERO for value in untold)
-    work = work.law("others-vanish", (gone == facts.vanish, big or gone == len(untold)))
+    work = work.law("others-vanish", (gone == vanish, big or gone == len(untold)))
     work = by_index(work, results)
-    return work.answer("christoffel", results, facts)
+    return work.answer("christoffel", results, Facts(others=_others(big, len(symbols), vanish)))
+
+
+def _others(big: bool, count: int, vanish: int) -> Phrase | None:
+    """What becomes of those that are not shown; of a `big` arm none is."""
+    about: dict[str, Said] = {"count": count, "vanish": vanish}
+    if big:
+        return Phrase("long-symbols", about)
+    return None if not vanish else Phrase("one-vanishes") if vanish == 1 else Phrase("some-vanish", about)
 
 
 def _shown(symbols: Christoffel, n: int) -> tuple[Index, ...]:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from itertools import combinations, combinations_with_replacement, product
 
 from derive.algebra.normal import normal_matrix
-from derive.derivation import Derivation, PageFacts, Record
+from derive.derivation import Derivation, PageFacts, Phrase, Record
 from derive.expression import ZERO, Derivative, Expr, Matrix, Symbol, add, column, multiply, number, squared
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
@@ -40,12 +40,11 @@ MEANINGS: Mapping[str, Meaning] = {
 
 
 class Facts(PageFacts):
-    """What the words need to know: whether the arm is so `big` that all stays in names, whether it has `one`
-    joint, and how many of the b_ijk vanish without being shown."""
+    """What is said of the derivatives, and of the b_ijk that are not shown; how many joints there are."""
 
-    big: bool
+    derivatives: Phrase
+    others: Phrase | None
     one: bool
-    vanish: int
 
 
 class Row(Record):
@@ -73,6 +72,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         work = work.knowing({_b(i, j, k): value, _b(i, k, j): value})
     work = _matrices(work, arm, symbols)
     results = {name.name: work.matrix(name) for name in ((C, B) if n > 1 else (C,))}
+    changes, others = any(map(bool, values.values())), len(values) - len(shown)
     made = _whole(arm, results["C"], results.get("B")) - work[V]
     work = arm.agrees(work.law("makes-v", not work.value_matrix(made)), "v", work[V])
     entries = {_b(*ijk).name: value for ijk, value in sorted(b.items())}
@@ -80,7 +80,11 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     return work.answer(
         "coriolis-matrices",
         {**results, **entries, "v": work[V]},
-        Facts(big=arm.long, one=n == 1, vanish=len(values) - len(shown)),
+        Facts(
+            derivatives=Phrase("long-sums" if arm.long else "derivatives" if changes else "none-changes"),
+            others=Phrase("others-vanish", {"count": others}) if others and not arm.long else None,
+            one=n == 1,
+        ),
         matrices=frozenset({"C", "B"}),
     )
 

@@ -11,7 +11,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.drives import Facts as Facts
-from derive.kinds.robot._dynamics.drives import friction_sorts
+from derive.kinds.robot._dynamics.drives import friction_sorts, friction_told
 from derive.kinds.robot._dynamics.index_laws import motion_law
 from derive.kinds.robot._dynamics.terms import equation, equations
 from derive.kinds.robot.inertia_matrix import Facts as InertiaFacts
@@ -47,5 +47,5 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = arm.moved(work, tau)
     results = {"D": arm.inertia.results["D"], **speed.results, **weight.results, "tau": tau}
     work = by_index(work, results)
-    facts = Facts(big=big, notation="spong", viscous=viscous, coulomb=coulomb)
+    facts = Facts(big=big, notation="spong", rubbing=friction_told(viscous, coulomb))
     return work.answer("dynamics", results, facts, matrices=frozenset({"D"}))

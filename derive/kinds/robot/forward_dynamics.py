@@ -8,7 +8,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numbers.floats import Point, numbers
 from derive.algebra.readable.form import readable, readable_matrix
-from derive.derivation import Derivation, PageFacts, Step
+from derive.derivation import Derivation, PageFacts, Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Matrix, Symbol, add, children, column, multiply, replace
 from derive.kinds.fields import NoOptions as Options
@@ -39,8 +39,8 @@ MEANINGS: Mapping[str, Meaning] = {
 
 
 class Facts(PageFacts):
-    long: bool
     one: bool  # joint
+    in_full: Phrase | None
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -98,7 +98,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     )
     work = by_index(work, results, MEANINGS)
     return work.answer(
-        "forward-dynamics", results, Facts(long=long, one=n == 1), matrices=frozenset({"D_inv"})
+        "forward-dynamics",
+        results,
+        Facts(one=n == 1, in_full=Phrase("long") if long else None),
+        matrices=frozenset({"D_inv"}),
     )
 
 

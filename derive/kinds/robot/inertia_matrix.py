@@ -5,7 +5,7 @@ from __future__ import annotations
 from derive.algebra.normal import normal_matrix
 from derive.algebra.readable.form import factored_matrix
 from derive.algebra.readable.operation_count import operations
-from derive.derivation import Derivation, PageFacts
+from derive.derivation import Derivation, PageFacts, Phrase
 from derive.expression import ZERO, Expr, Matrix, Product, Symbol, add, children, free_symbols, transpose
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
@@ -37,13 +37,11 @@ D = Symbol("D")
 
 
 class Facts(PageFacts):
-    """What the words need to know: whether moments are those of shapes or `changing` with a joint variable,
-    whether the arm is `big`, and whether a com `drifts` in its link."""
+    """What is said of the moments of inertia, whether the arm is `big`, and that a com moves in its link."""
 
-    shapes: bool
+    moments: Phrase
     big: bool
-    drifts: bool
-    changing: bool
+    drifts: Phrase | None
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -76,13 +74,15 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         oracle_of(problem).inertia_matrix,
     )
     work = by_index(work, results)
+    changing = any(
+        not free_symbols(each).isdisjoint(robot.variables) for body in bodies for each in body.moments
+    )
     facts = Facts(
-        shapes=bool(moments),
-        big=big,
-        drifts=any(body.at.drift for body in bodies),
-        changing=any(
-            not free_symbols(each).isdisjoint(robot.variables) for body in bodies for each in body.moments
+        moments=Phrase(
+            "changing-moments" if changing else "moments-of-shapes" if moments else "steady-moments"
         ),
+        big=big,
+        drifts=Phrase("drifts") if any(body.at.drift for body in bodies) else None,
         numbers=("D",),
     )
     return work.answer("inertia-matrix", results, facts, matrices=frozenset(results))

@@ -30,8 +30,7 @@ class Options(OptionsModel):
 
 
 class Facts(PageFacts):
-    rows: tuple[Symbol, ...]
-    all: bool
+    rows: tuple[Symbol, ...]  # none where all are meant
     rates: tuple[Symbol, ...]
 
 
@@ -45,7 +44,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = task.board().knowing({Q_DOT: column(task.rates)}).line(J_DOT, total, rule="chain-rule")
     work = work.line(bias, label="bias", rule="product")
     work = work.closed(J_DOT, bias)
-    facts = Facts(rows=task.velocities, all=len(task.rows) == len(ROWS), rates=task.rates)
+    some = () if len(task.rows) == len(ROWS) else task.velocities
+    facts = Facts(rows=some, rates=task.rates)
     results = {"J_dot": work.final(J_DOT), "bias": work.steps[-1].result}
     work = work.agrees(
         "differences",

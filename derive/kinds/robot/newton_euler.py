@@ -106,7 +106,8 @@ class OfLink(Record):
 
 
 class Facts(PageFacts):
-    long: bool
+    laws: Phrase
+    in_names: Phrase | None
     constants: tuple[Phrase, ...]  # what there is of each link
 
 
@@ -137,7 +138,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     for line in (*recursion.outward(), *recursion.inward()):
         work = _in_names(work, line) if arm.long else _written(work, line, torques.get(line.name))
     facts = Facts(
-        long=arm.long,
+        laws=Phrase("laws-ask" if arm.long else "laws-give", {"F": Symbol("F_i"), "N": Symbol("N_i")}),
+        in_names=Phrase("in-names") if arm.long else None,
         constants=said_of_each(CONSTANTS, (line.name for line in constants)),
     )
     work = arm.moved(_same_as_lagrange(work, arm, sweeping), tau)

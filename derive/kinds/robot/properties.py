@@ -28,8 +28,8 @@ ROUNDING = 1e-9
 
 class Facts(PageFacts):
     big: bool
+    definite: Phrase  # or not, or not known
     minors: Table | None  # None where the bodies are not all possible ones
-    definite: bool
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -54,8 +54,18 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     return work.answer(
         "properties",
         {**results, **{name: linear.results[name] for name in names}},
-        Facts(big=arm.long, minors=_table(minors), definite=all(map(_positive, minors))),
+        Facts(big=arm.long, definite=_definite(minors), minors=_table(minors)),
         matrices=frozenset({"D_dot", "N", "Y", "Y_b"}),
+    )
+
+
+def _definite(minors: list[list[float]]) -> Phrase:
+    """What the leading principal minors say of D."""
+    if not minors:
+        return Phrase("not-all-possible")
+    return Phrase(
+        "definite" if all(map(_positive, minors)) else "semidefinite",
+        {"D": Symbol("D"), "minors": Symbol("Delta_k")},
     )
 
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from derive.algebra.numbers.floats import Point, numbers
-from derive.derivation import Derivation, PageFacts, Step
+from derive.derivation import Derivation, PageFacts, Phrase, Step
 from derive.expression import Expr, Symbol, children, column
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
@@ -33,7 +33,7 @@ class Facts(PageFacts):
     linear: bool
     long: bool
     viscous: bool
-    coulomb: bool
+    coulomb: Phrase | None
     held: bool
 
 
@@ -61,7 +61,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         linear=linear is not None,
         long=bool(linear and linear.long),
         viscous=bool(linear and linear.friction),
-        coulomb=friction_sorts(robot)[1],
+        coulomb=Phrase("coulomb-left-out") if linear and friction_sorts(robot)[1] else None,
         held=bool(linear and linear.torques),
     )
     return work.answer("state-space", results, facts, matrices=frozenset({"A", "B"}))

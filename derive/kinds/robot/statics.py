@@ -39,8 +39,7 @@ class Options(OptionsModel):
 
 
 class Facts(PageFacts):
-    rows: tuple[Symbol, ...]
-    only: bool
+    rows: tuple[Symbol, ...]  # none where all are meant
     revolute: bool
     moments: bool
 
@@ -96,8 +95,7 @@ def _by_work(task: Task, force: tuple[Expr, ...], at: Mapping[str, float]) -> An
 
 def _facts(task: Task) -> Facts:
     return Facts(
-        rows=task.velocities,
-        only=not set(task.rows) >= {"vx", "vy", "vz", "wx", "wy", "wz"},
+        rows=() if set(task.rows) >= {"vx", "vy", "vz", "wx", "wy", "wz"} else task.velocities,
         revolute=all(joint.type == "revolute" for _, joint in task.found.moving),
         moments=any(row[0] == "w" for row in task.rows),
     )

@@ -171,7 +171,7 @@ def test_skew_symmetry_in_numbers(tmp_path: Path) -> None:
     N = np.array(number_rows(found.results["N"], at))
     assert np.allclose(N, -N.T)
     assert abs(N).max() > 1
-    assert found.facts.definite
+    assert found.facts.definite.key == "definite"
 
 
 def test_an_arm_whose_inertia_is_semidefinite_only(tmp_path: Path) -> None:
@@ -180,7 +180,7 @@ def test_an_arm_whose_inertia_is_semidefinite_only(tmp_path: Path) -> None:
         pendulum() + "    - {theta: phi*, d: 0, a: 0, alpha: 0, mass: M, com: [0, 0, 0], inertia: point}\n"
     )
     properties = derived(tmp_path, links, "properties")[0]
-    assert properties.facts.definite is False
+    assert properties.facts.definite.key == "semidefinite"
     with pytest.raises(SheetErrors) as caught:
         derived(tmp_path, links, "forward-dynamics")
     assert "singular" in caught.value.errors[0].message

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.derivation import PageFacts
+from derive.derivation import PageFacts, Phrase, Said
 from derive.expression import ZERO, Expr, Matrix, Symbol
 from derive.mechanics.joint_loads import reflected, resistance
 from derive.mechanics.robot import Link, Robot
@@ -21,8 +21,7 @@ class Facts(PageFacts):
     big: bool
     notation: str
     friction: bool = False  # in the notation of Khatib
-    viscous: bool = False
-    coulomb: bool = False
+    rubbing: Phrase | None = None  # in that of Spong
 
 
 def moving(robot: Robot) -> tuple[Link, ...]:
@@ -58,6 +57,14 @@ def friction_sorts(robot: Robot) -> tuple[bool, bool]:
     """Whether there is viscous and whether there is Coulomb friction."""
     known = [link.friction for link in moving(robot) if link.friction]
     return any(each.viscous != ZERO for each in known), any(each.coulomb != ZERO for each in known)
+
+
+def friction_told(viscous: bool, coulomb: bool) -> Phrase | None:
+    """What joints rub by, in the letters of the law."""
+    about: dict[str, Said] = {"viscous": Symbol("B_k"), "coulomb": Symbol("tau_ck")}
+    if viscous and coulomb:
+        return Phrase("both-frictions", about)
+    return Phrase("viscous", about) if viscous else Phrase("coulomb", about) if coulomb else None
 
 
 def rigid(robot: Robot) -> Robot:
