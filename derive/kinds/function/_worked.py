@@ -43,7 +43,7 @@ LARGEST_SEARCH = 5  # unknowns with which Newton's method is cheap
 
 class Facts(PageFacts):
     goal: Symbol  # f, or the Lagrange function
-    name: Symbol
+    name: Symbol | None  # whose gradient is a combination of others
     multipliers: tuple[Symbol, ...]
     partials: tuple[tuple[Expr, ...], ...]  # each with the zero that it is equal to
     determinants: tuple[tuple[Expr, ...], ...]  # likewise
@@ -88,7 +88,8 @@ def worked(kind: str, function: Function, problem: Problem) -> Derivation:
     work = work.claim(checked.lines(steps), *checked.points())
     work = work.claim(*cases_told(cases, function.variables, problem))
     facts = Facts(
-        goal=goal, name=name, multipliers=tuple(multipliers), variables=len(function.variables),
+        goal=goal, name=name if any(step.rule == "dependent" for step in steps) else None,
+        multipliers=tuple(multipliers), variables=len(function.variables),
         partials=tuple((*step.chain, ZERO) for step in steps if step.rule == "stationary"),
         determinants=tuple((*step.chain, ZERO) for step in steps if step.rule == "dependent"),
         cases=cases, nonzero=divided_by(case, problem),

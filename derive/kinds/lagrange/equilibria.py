@@ -74,9 +74,10 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     still, free = Still(Differences(system, problem.where), given), [each.free for each in found]
     work = work.claim(*held(still, problem, steps, branches))
     work = work.claim(*none_is_missing(still, problem, steps, branches, free))
+    told_of = given.items() if any(left) else ()
     facts = Facts(
-        inputs=tuple(name for name, value in given.items() if value == ZERO),
-        given=tuple((name, value) for name, value in given.items() if value not in (ZERO, name)),
+        inputs=tuple(name for name, value in told_of if value == ZERO),
+        given=tuple((name, value) for name, value in told_of if value not in (ZERO, name)),
         table=_table(system, branches) if branches else None,
         free=tuple(Symbol(q) for q in dict.fromkeys(q for each in found for q in each.free)),
         angles=any(PI in walk(tree) for branch in branches for tree in branch.values.values()),

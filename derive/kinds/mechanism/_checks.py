@@ -153,8 +153,7 @@ def _said(mechanism: Mechanism, told: Facts, built: Built) -> Iterator[bool]:
     yield told.legs == tuple((chain, _tree(n), _tree(len(chain[1:]))) for chain, n in mechanism.legs)
     several = [each for each in built.sorts if each.joining > 2]
     yield told.coincident == tuple(
-        (Phrase(s.name) if s.name else None, *map(_tree, (s.count, s.joining, s.joining - 1)))
-        for s in several
+        (Phrase(s.name) if s.name else None, *map(_tree, (s.joining, s.joining - 1))) for s in several
     )
     others = [(space, built.lying(space)) for space in CLOSED_OUTSIDE[built.space] if built.loops > 0]
     yield [(space, n) for space, _, n in told.others] == [

@@ -17,7 +17,7 @@ class Facts(PageFacts):
     pairs: Expr | None  # revolute joints of a loop that may move though the formula does not see it
     loops: Expr | None  # that are closed
     table: Table
-    coincident: tuple[tuple[Phrase | None, Expr, Expr, Expr], ...]  # joints: name, count, bodies, pairs
+    coincident: tuple[tuple[Phrase | None, Expr, Expr], ...]  # joints: name, bodies, pairs
     legs: tuple[tuple[str, Expr, Expr], ...]  # chain, count, bodies between
     sign: int  # of the degrees of freedom
     missing: Expr | None  # where there are less than none

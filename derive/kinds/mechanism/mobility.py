@@ -75,7 +75,6 @@ def _facts(mechanism: Mechanism, size: int) -> Facts:
         coincident=tuple(
             (
                 Phrase(each.name) if each.name else None,
-                number(each.count),
                 number(each.joining),
                 number(each.joining - 1),
             )

@@ -12,7 +12,6 @@ from derive.errors import NotDerivable
 from derive.expression import ZERO, Call, Expr, Matrix, Symbol, column, multiply, walk
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.meanings import Names, as_told, column_of
-from derive.kinds.pose import axis_angle
 from derive.kinds.pose._meanings import printed, turn_of
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
@@ -23,8 +22,7 @@ CLAIMS = ("exponential", "as-told")
 
 
 class Facts(PageFacts):
-    numeric: bool
-    zero: bool
+    way: Phrase  # in which it is found
 
 
 def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
@@ -34,14 +32,15 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
     """
     turn, r = problem.ask("axis-angle"), Symbol("r")
     angle, axis = turn.results["angle"], turn.results["axis"]
-    told, work = turn.told(axis_angle.Facts), Work(problem, uses=(turn,))
-    if told.zero:  # whatever the axis is
+    names, work = _named(turn), Work(problem, uses=(turn,))
+    nothing = axis == "any"
+    if nothing:  # whatever the axis is
         work = work.line(r, value=column((ZERO, ZERO, ZERO)), rule="rotation-vector")
     elif not isinstance(axis, Matrix) or isinstance(angle, tuple | Phrase | float | str | Matrix):
         raise NotDerivable("this rotation has no single axis")
     else:
         vector = column(_entry(angle, entry, problem) for (entry,) in axis.rows)
-        work = work.line(r, told.angle * told.axis, value=vector, rule="rotation-vector")
+        work = work.line(r, names[0] * names[1], value=vector, rule="rotation-vector")
     work = work.linked(but=("r",)).agrees(
         "exponential",
         problem.symbols,
@@ -49,16 +48,26 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
         lambda at: made(motion.moves, at)[:3, :3],
         1e-8,
     )
-    facts = Facts(numeric=told.numeric, zero=told.zero)
-    work = as_told(work, partial(_meant, motion, told, work.matrix(r)))
-    work = work.law("said", facts.zero == (set(work.entries(r)) == {ZERO}))
+    facts = Facts(way=Phrase("nothing-turned" if nothing else "as-long-as-the-angle"))
+    work = as_told(work, partial(_meant, motion, names, work.matrix(r)))
+    still = set(work.entries(r)) == {ZERO}
+    work = work.law("said", facts.way == Phrase("nothing-turned" if still else "as-long-as-the-angle"))
     return work.answer("rotation-vector", {"r": work[r]}, facts)
 
 
-def _meant(motion: Motion, told: axis_angle.Facts, r: Matrix, at: Point) -> Names:
+def _named(turn: Derivation) -> tuple[Symbol, Symbol]:
+    """What the angle and the axis are called there; of nothing, usual names."""
+    given = turn.facts.page_names
+    angle, axis = (given.get(name, Symbol(name)) for name in ("angle", "axis"))
+    if isinstance(angle, Symbol) and isinstance(axis, Symbol):
+        return angle, axis
+    return Symbol("theta"), Symbol("k")
+
+
+def _meant(motion: Motion, names: tuple[Symbol, Symbol], r: Matrix, at: Point) -> Names:
     """The vector, the angle and the axis of the motion made in numbers."""
     angle, axis = turn_of(made(motion.moves, at)[:3, :3], printed(r, at))
-    return {told.angle: angle, told.axis: column_of(axis), Symbol("r"): column_of(angle * axis)}
+    return {names[0]: angle, names[1]: column_of(axis), Symbol("r"): column_of(angle * axis)}
 
 
 def _entry(angle: Expr, entry: Expr, problem: Problem) -> Expr:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
@@ -47,13 +48,10 @@ CLAIMS = ("as-told",)
 
 class Facts(PageFacts):
     rotation: Symbol
-    angle: Symbol
-    axis: Symbol
-    zero: bool = False
-    half: bool = False
-    numeric: bool = False
-    turned: Symbol
-    twice: tuple[Expr, Expr]
+    angle: Symbol | None = None
+    axis: Symbol | None = None
+    turned: Symbol | None = None  # along the axis; it may vanish
+    twice: tuple[Expr, Expr] | None = None  # what that is
     law: tuple[Expr, Expr] | None = None  # of half a turn
 
 
@@ -83,9 +81,9 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     """The angle (rad, from 0 to pi) from the trace, the axis (3 by 1) from what R lacks of symmetry; from
     R + 1 for half a turn (Siciliano et al., eqs. 2.27 and 2.28)."""
     given, names = given_pose(options, problem), _Names.of(problem)
-    work, facts = Work(problem, given.entries, uses=given.uses), _facts(given, names)
+    work = Work(problem, given.entries, uses=given.uses)
     if ScalarMatrix.identity(3) == given.R:
-        return _nothing(work, given, names, facts)
+        return _nothing(work, given, names)
     half = given.R == given.R.T
     work, angle, axis = (_half_turn if half else _general)(work, given, names)
     work = _in_general(work, names)
@@ -98,11 +96,7 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
         "orientation-again", problem.symbols, lambda at: elementary(move, at)[:3, :3], given.turns, 1e-8
     )
     facts = replace(
-        facts,
-        zero=False,
-        half=half,
-        law=_of_half_a_turn(given, names) if half else None,
-        numeric=given.numeric,
+        _half_facts(given, names) if half else _facts(given, names),
         angle_results=("angle",),
         style=problem.style,
         page_names={"angle": names.angle, "axis": names.axis},
@@ -112,7 +106,7 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
         partial(_meant, given, names, axis),
         (*_told(given, names, facts), (names.angle, angle), (names.axis, axis)),
     )
-    work = work.law("said", (facts.half == half, not facts.zero))
+    work = work.law("said", ((facts.law is None) != half, (facts.turned is None) == (half or given.numeric)))
     return work.answer("axis-angle", {"angle": angle, "axis": axis}, facts)
 
 
@@ -150,26 +144,28 @@ def _of_entries(formula: Expr, means: Names) -> bool:
     return bool(used) and used <= means.keys()
 
 
-def _told(given: Given, names: _Names, facts: Facts) -> tuple[Chain, ...]:
+def _told(given: Given, names: _Names, facts: Facts) -> Iterator[Chain]:
     """The law that is told, and what the words call the rotation, its angle, its axis and w."""
-    pairs = (given.rotation, facts.rotation), (names.angle, facts.angle), (names.axis, facts.axis)
-    return (facts.law or facts.twice, *pairs, (names.turn, facts.turned))
+    called = ((given.rotation, facts.rotation), (names.angle, facts.angle), (names.axis, facts.axis))
+    yield from ((name, told) for name, told in (*called, (names.turn, facts.turned)) if told is not None)
+    yield from (law for law in (facts.law, facts.twice) if law is not None)
 
 
 def _facts(given: Given, names: _Names) -> Facts:
+    """Of a rotation that is none by half a turn."""
     return Facts(
         rotation=given.rotation,
         angle=names.angle,
         axis=names.axis,
-        zero=True,
-        turned=names.turn,
+        turned=None if given.numeric else names.turn,
         twice=(names.turn, 2 * sin(names.angle) * names.axis),
     )
 
 
-def _of_half_a_turn(given: Given, names: _Names) -> tuple[Expr, Expr]:
+def _half_facts(given: Given, names: _Names) -> Facts:
     """R = 2 k k^T - 1."""
-    return given.rotation, 2 * names.axis * transpose(names.axis) - Symbol("I")
+    twice = 2 * names.axis * transpose(names.axis)
+    return Facts(rotation=given.rotation, law=(given.rotation, twice - Symbol("I")))
 
 
 def _trace() -> Expr:
@@ -177,12 +173,12 @@ def _trace() -> Expr:
     return add(*(Symbol(f"r_{i}{i}") for i in (1, 2, 3)), number(-1))
 
 
-def _nothing(work: Work, given: Given, names: _Names, facts: Facts) -> Derivation:
+def _nothing(work: Work, given: Given, names: _Names) -> Derivation:
     """The identity: the angle is zero, and every axis is as good as another."""
     work = work.line(cos(names.angle), _trace() / 2, value=ONE, label="cosine")
     work = _in_general(work.line(names.angle, value=ZERO, label="angle"), names)
-    work = as_told(work, partial(_meant, given, names, None), _told(given, names, facts)[1:])
-    work = work.law("said", facts.zero)
+    facts = Facts(rotation=given.rotation)
+    work = as_told(work, partial(_meant, given, names, None), _told(given, names, facts))
     results: dict[str, Result] = {"angle": ZERO, "axis": "any"}
     return work.answer("axis-angle", results, facts)
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import partial
 from typing import Any
 
 from derive.algebra.numbers.floats import Point, numbers
 from derive.algebra.scalar import Scalar
-from derive.derivation import Derivation, PageFacts, Step
+from derive.derivation import Derivation, PageFacts, Phrase, Said, Step
 from derive.expression import ONE, ZERO, Matrix, Symbol, add, column, multiply, number, sqrt
 from derive.kinds.meanings import Names, as_told, column_of, told
 from derive.kinds.pose._given import Given, given_pose, lacking, of_any_rotation
@@ -23,9 +24,8 @@ CLAIMS = ("turns-the-axes", "as-told")
 
 
 class Facts(PageFacts):
-    rotation: Symbol
-    half: bool
-    scalar: Symbol
+    before: Phrase  # the scalar part
+    after: Phrase  # it, before the rest
 
 
 def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
@@ -39,15 +39,33 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     steps = (Step("q_0", (scalar, ZERO)), Step("q", (name, q))) if half else _steps(given, name, scalar, q)
     work = Work(problem, {**given.entries, name: q}, uses=given.uses, steps=steps).linked(but=("q_0", "q"))
     work = work.agrees("turns-the-axes", problem.symbols, lambda at: _turned(q, at), given.turns, 1e-8)
-    facts = Facts(rotation=given.rotation, half=half, scalar=scalar)
-    beside = (name, q), (given.rotation, facts.rotation), (scalar, facts.scalar)
-    work = as_told(work, partial(_meant, given, name, scalar, q), beside)
+    facts = Facts(before=_before(given, scalar, half), after=_after(given, half))
+    work = as_told(work, partial(_meant, given, name, scalar, q), ((name, q),))
     if not half:
         anywhere = partial(_meant, of_any_rotation(given), name, scalar, None)
         formulas = [step.chain[:2] for step in steps]
         work = work.claim(told(formulas, anywhere, (), {}, "in-general"))
-    work = work.law("said", facts.half == (q.rows[0][0] == ZERO))
+    work = work.law("said", _said(facts, given, scalar, q))
     return work.answer("quaternion", {"q": q}, facts)
+
+
+def _before(given: Given, scalar: Symbol, half: bool) -> Phrase:
+    about: dict[str, Said] = {"R": given.rotation}
+    return Phrase("half-turn", about) if half else Phrase("diagonal", about | {"scalar": scalar})
+
+
+def _after(given: Given, half: bool) -> Phrase:
+    return Phrase("along-the-axis") if half else Phrase("lacking", {"R": given.rotation})
+
+
+def _said(facts: Facts, given: Given, scalar: Symbol, q: Matrix) -> Iterator[bool]:
+    """Which way is told, by the scalar part that was found."""
+    half = q.rows[0][0] == ZERO
+    yield (facts.before.key, facts.after.key) == (
+        ("half-turn", "along-the-axis") if half else ("diagonal", "lacking")
+    )
+    yield all(each.about.get("R", given.rotation) == given.rotation for each in (facts.before, facts.after))
+    yield facts.before.about.get("scalar", scalar) == scalar
 
 
 def _meant(given: Given, name: Symbol, scalar: Symbol, q: Matrix | None, at: Point) -> Names:

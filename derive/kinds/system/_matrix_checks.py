@@ -101,7 +101,7 @@ def _said(
 ) -> Iterator[bool]:
     """The equations of the state, in letters; what passes straight through; motions that are hidden."""
     system: System = held.system
-    yield (told.motor, told.disturbance) == (system.motor, system.disturbance)
+    yield (told.motor, told.disturbance) == (system.motor, system.disturbance if told.physical else None)
     letters = [printed[name][0] for name in MATRICES]
     yield list(told.matrices) == letters
     x, u = printed["x"][0], system.input

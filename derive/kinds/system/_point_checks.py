@@ -41,7 +41,10 @@ def point_claims(
     yield route("values-as-given", _given(held, told, name))
     if "poles" in functions[name]:
         yield route("roots-as-printed", _roots(evaluated, functions[name], told))
-        yield verdict_claim(whole or functions[name]["den"], told.verdict.key if told.verdict else "")
+        if told.verdict is None:
+            yield route("verdict", (not told.poles,))
+        else:
+            yield verdict_claim(whole or functions[name]["den"], told.verdict.key)
 
 
 def _given(held: Held, told: AtPoint, name: str) -> Iterator[bool]:

@@ -145,7 +145,7 @@ def _facts(answer: Answer, at: AtPoint | None) -> Facts:
     return Facts(
         physical=answer.is_physical,
         motor=solved.system.motor,
-        disturbance=solved.system.disturbance,
+        disturbance=solved.system.disturbance if answer.is_physical else None,
         law=_equation(answer, Symbol(f"{answer.letter.name}_dot"), "A", "B"),
         output_law=_equation(answer, solved.system.output, "C", "D"),
         matrices=tuple(solved.named(name) for name in MATRICES),

@@ -224,5 +224,5 @@ def _evaluated(solved: Plant, options: Options) -> tuple[dict[str, Any], AtPoint
         told,
         poles=tuple(map(root_tree, poles)),
         zeros=tuple(map(root_tree, zeros)),
-        verdict=Phrase(verdict(numeric.den)),
+        verdict=Phrase(verdict(numeric.den)) if poles else None,
     )
