@@ -88,8 +88,8 @@ def in_numbers(asked: Asked, point: Point) -> Iterator[Test]:
             tried += 1
             yield Holds("evaluated solutions", right, f"{told(moved)} brings it to {told(reached)}")
     free = any("free" in branch for branch in branches)
-    for formula in formulas:
-        if formula is not None and not free:
+    for formula in formulas:  # one that divides zero by zero there leads elsewhere
+        if formula is not None and not free and _leads(asked, here, formula, q, target):
             found = any(
                 other is not None
                 and all(
@@ -102,6 +102,12 @@ def in_numbers(asked: Asked, point: Point) -> Iterator[Test]:
         yield Holds("evaluated solutions", False, "a branch is real there")
     if not tried:
         yield Beyond("evaluated solutions", "none is real there")
+
+
+def _leads(asked: Asked, here: Point, branch: Values, q: Values, target: Values) -> bool:
+    """Whether a branch brings the end-effector to its place."""
+    reached = goal(asked, Arm(asked, here.where(**{joint: branch[joint] for joint in q}), 1))
+    return reaches(asked, reached, target, ROUNDED_STEP)
 
 
 def _along(branch: Mapping[str, Json], joints: Values) -> Iterator[Values]:
