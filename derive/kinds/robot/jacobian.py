@@ -151,7 +151,7 @@ def _pose(found: Chain, point: Tracked) -> ScalarMatrix:
 
 def _facts(found: Chain, point: Tracked) -> Facts:
     return Facts(
-        point=point.name,
+        point=point.name if point.carried else None,
         link=point.frame,
         carried=point.carried,
         revolute=joint_numbers(found, lambda joint: joint.type != "prismatic", point.last),
