@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.derivation import PageFacts, Step
+from derive.derivation import PageFacts, Phrase, Step
 from derive.expression import ZERO, Expr, Matrix, Product, Symbol, add, cross
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import axis_names, pose_name
@@ -27,14 +27,10 @@ class Facts(PageFacts):
     angles: tuple[Symbol, ...] = ()  # of the analytic one
     det: Expr | None = None  # that of their rates
     restated: bool = False
-    point: Symbol | None = None
-    link: int = 0  # that carries the point
-    carried: bool = False
-    revolute: tuple[int, ...] = ()
-    helical: tuple[int, ...] = ()
-    prismatic: tuple[int, ...] = ()
-    coupled: bool = False
-    still: tuple[int, ...] = ()  # joints after the point
+    point: Phrase | None = None  # where it is no origin that is known
+    sorts: Phrase | None = None  # of joints, and how they move it
+    helical: Phrase | None = None
+    still: Phrase | None = None  # joints after the point
 
 
 def blocks(

@@ -10,18 +10,18 @@ from pydantic import AfterValidator, Field
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point
-from derive.derivation import Derivation
+from derive.derivation import Derivation, Phrase
 from derive.expression import ZERO, Indexed, Matrix, Symbol, free_symbols, symbols, transpose
 from derive.kinds.fields import Evaluation, Name, OptionsModel
 from derive.kinds.pose.euler_angles import known_convention
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
-from derive.kinds.robot._chain import TOOL, chain_of, joint_numbers, oracle_of
+from derive.kinds.robot._chain import TOOL, chain_of, oracle_of
 from derive.kinds.robot._columns import Facts as Facts
 from derive.kinds.robot._columns import jacobian_lines
 from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.kinds.robot._seen import sorts
-from derive.kinds.robot._turning import turning_law
+from derive.kinds.robot._turning import Sorts, turning_law
 from derive.kinds.robot._velocity.task import RowName
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
@@ -75,10 +75,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     point = tracked(problem, found, options.point)
     value = point.jacobian(found)
     work = Work(problem).resting_on(problem.ask("joint-axes"))
-    if point.name not in work.known:
+    made, kinds = point.name not in work.known, Sorts.of(found, point.last)
+    if made:
         work = point.line(work, found)
-    facts = _facts(found, point)
-    if facts.coupled or facts.revolute:
+    if kinds.coupled or kinds.turning:
         work = work.showing(turning_law(problem.taken))
     work = jacobian_lines(work, found, point.moving, J, point.name)
     written, work = work.matrix(J), work.closed(J)
@@ -95,9 +95,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     result = {"J": work.final(J)}
     work = work.knowing({J: written})  # those who build on it keep the names of `where`
     work = by_index(work, result)
-    if not facts.coupled:
+    if not kinds.coupled:
         joints = [i for i, _ in found.moving]
-        work = work.claim(sorts(problem, written, joints, facts.revolute, facts.prismatic, facts.helical))
+        work = work.claim(sorts(problem, written, joints, kinds.turning, kinds.sliding, kinds.helical))
+    facts = _facts(found, point, kinds, made)
     return work.answer("jacobian", result, facts, matrices=frozenset(result))
 
 
@@ -149,16 +150,14 @@ def _pose(found: Chain, point: Tracked) -> ScalarMatrix:
     return found.T_tool if point.frame > len(found.T_local) else found.T[point.frame]
 
 
-def _facts(found: Chain, point: Tracked) -> Facts:
+def _facts(found: Chain, point: Tracked, kinds: Sorts, made: bool) -> Facts:
+    still = tuple(i for i, _ in found.moving if i > point.last)
+    where = Phrase("carried" if point.carried else "itself", {"link": point.frame, "point": point.name})
     return Facts(
-        point=point.name if point.carried else None,
-        link=point.frame,
-        carried=point.carried,
-        revolute=joint_numbers(found, lambda joint: joint.type != "prismatic", point.last),
-        helical=joint_numbers(found, lambda joint: bool(joint.pitch), point.last),
-        prismatic=joint_numbers(found, lambda joint: joint.type == "prismatic", point.last),
-        coupled=found.coupling is not None,
-        still=tuple(i for i, _ in found.moving if i > point.last),
+        point=where if made else None,
+        sorts=kinds.told,
+        helical=kinds.advancing,
+        still=Phrase("still", {"still": still}) if still and not kinds.coupled else None,
     )
 
 

@@ -9,15 +9,15 @@ from pydantic import Field
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.floats import Point
-from derive.derivation import Derivation, PageFacts
+from derive.derivation import Derivation, PageFacts, Phrase
 from derive.expression import ZERO, Expr, Indexed, Matrix, Symbol, column, symbols, transpose
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.robot._chain import chain_of, joint_numbers, oracle_of
+from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._columns import blocks
 from derive.kinds.robot._couplings import gamma_of, phi_of
 from derive.kinds.robot._seen import sorts
-from derive.kinds.robot._turning import turning_law
+from derive.kinds.robot._turning import Sorts, turning_law
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.jacobian import halves, jacobian, motions_jacobian
@@ -41,10 +41,8 @@ class Options(OptionsModel):
 
 class Facts(PageFacts):
     body: bool
-    turning: tuple[int, ...]  # joints
-    sliding: tuple[int, ...]
-    helical: tuple[int, ...]
-    coupled: bool
+    sorts: Phrase | None  # of joints, and how they move it
+    helical: Phrase | None
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -59,17 +57,16 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         "differences", problem.symbols, J, lambda at: _differences(problem, at, body), DIFFERENCES
     )
     work = _seen(work) if body else work
+    kinds = Sorts.of(found)
     facts = Facts(
         body=body,
-        turning=joint_numbers(found, lambda joint: joint.type != "prismatic"),
-        sliding=joint_numbers(found, lambda joint: joint.type == "prismatic"),
-        helical=joint_numbers(found, lambda joint: bool(joint.pitch)),
-        coupled=found.coupling is not None,
+        sorts=None if body else kinds.told,
+        helical=None if body else kinds.advancing,
     )
-    if not facts.coupled:
+    if not kinds.coupled:
         joints = [i for i, _ in found.moving]
         work = work.claim(
-            sorts(problem, work.matrix(name), joints, facts.turning, facts.sliding, facts.helical)
+            sorts(problem, work.matrix(name), joints, kinds.turning, kinds.sliding, kinds.helical)
         )
     results = {name.name: work.final(name)}
     return work.answer("space-jacobian", results, facts, matrices=frozenset(results))

@@ -48,8 +48,8 @@ def local_steps(problem: Problem, bodies: tuple[Weighted, ...]) -> Iterator[Step
 
 
 def inertia_steps(problem: Problem, bodies: tuple[Weighted, ...]) -> tuple[Step, ...]:
-    """I_1 = I_2 about the com in the link's frame, equal ones once; then what the names of a shape's
-    moments stand for."""
+    """I_1 from the inertia about an origin, I_1 = I_2 about the com in the link's frame, equal ones once;
+    then what the names of a shape's moments stand for."""
     alike: dict[Matrix, list[Symbol]] = {}
     for body in bodies:
         if body.turns and body.body.about == "com":
@@ -57,7 +57,7 @@ def inertia_steps(problem: Problem, bodies: tuple[Weighted, ...]) -> tuple[Step,
     matrices = [Step(names[0].name, (*names, matrix), "inertia") for matrix, names in alike.items()]
     values = {name: value for body in bodies for name, value in body.named.items()}
     named = [_moment(problem, name, value) for name, value in values.items() if isinstance(name, Symbol)]
-    return (*matrices, *_moved(problem, bodies), *named)
+    return (*_moved(problem, bodies), *matrices, *named)
 
 
 def _moved(problem: Problem, bodies: tuple[Weighted, ...]) -> Iterator[Step]:
