@@ -181,7 +181,7 @@ MISTAKES = {
         'move.about != "world" else "right"',
         ABOUT_BOTH,
     ),
-    "a side told wrong": Mistake(_factors.Factors.placed, "side=p.side", 'side="left"', ABOUT_BOTH),
+    "a side told wrong": Mistake(_factors.Factors._placed, "placing.side]", '"left"]', ABOUT_BOTH),
     "world and current in a sequence": Mistake(
         equivalent_sequences._told, "about=move.about", 'about="world"', "motion.equivalent_sequences"
     ),
@@ -202,7 +202,7 @@ MISTAKES = {
         axis_angle._facts, "2 * sin(names.angle)", "2 * cos(names.angle)", "pose.axis_angle"
     ),
     "r_00 in the trace": Mistake(axis_angle._trace, "(1, 2, 3)", "(0, 1, 2)", "pose.axis_angle"),
-    "R = 2 k k^T + 1": Mistake(axis_angle._of_half_a_turn, "- Symbol", "+ Symbol", HALF_TURN),
+    "R = 2 k k^T + 1": Mistake(axis_angle._half_facts, "- Symbol", "+ Symbol", HALF_TURN),
     "entries of w exchanged": Mistake(
         _given.lacking, '("r_32", "r_23")', '("r_23", "r_32")', "pose.quaternion"
     ),

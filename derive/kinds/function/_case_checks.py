@@ -10,7 +10,7 @@ from derive.algebra.numbers.floats import Point, completed, number
 from derive.derivation import Claim, Phrase
 from derive.expression import Relation, Symbol
 from derive.kinds.checks import close, law, random_points, route
-from derive.kinds.function._telling import CaseTold, Equation
+from derive.kinds.function._telling import CaseTold
 from derive.kinds.problem import Problem
 
 SAID = {  # what is said, by what is said of
@@ -42,7 +42,7 @@ def cases_told(cases: Sequence[CaseTold], variables: Sequence[str], problem: Pro
 
 
 def _places(
-    point: Sequence[Equation], variables: Sequence[str], problem: Problem
+    point: Sequence[Relation], variables: Sequence[str], problem: Problem
 ) -> Iterator[dict[str, float]]:
     """Where the point is real, with its coordinates as they are told; free ones are random."""
     for parameters in random_points(problem.symbols | {*variables}, TRIED):
@@ -50,7 +50,7 @@ def _places(
         try:
             yield {
                 **at,
-                **{name.name: number(value, at) for name, value in point if isinstance(name, Symbol)},
+                **{each.left.name: number(each.right, at) for each in point if isinstance(each.left, Symbol)},
             }
         except UNREAL:
             continue

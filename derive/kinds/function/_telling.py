@@ -27,7 +27,7 @@ class CaseTold(Record):
     whole: Phrase | None  # what leaves the cases of a split
     split: tuple[Relation, ...]
     none: Phrase | None  # why there is no point
-    points: tuple[tuple[Equation, ...], ...]
+    points: tuple[tuple[Relation, ...], ...]
 
 
 def told(case: Case, problem: Problem, order: Sequence[str]) -> tuple[CaseTold, ...]:
@@ -107,9 +107,9 @@ def _pure(equation: Scalar, name: str, problem: Problem) -> Equation | None:
     return multiply(problem.readable(k[-1]), power), problem.readable(-k[0])
 
 
-def _point(solution: Solution, problem: Problem, order: Sequence[str]) -> tuple[Equation, ...]:
+def _point(solution: Solution, problem: Problem, order: Sequence[str]) -> tuple[Relation, ...]:
     known = [(name, solution.values[name]) for name in order if name in solution.values]
-    return tuple((Symbol(name), written(value, problem)) for name, value in known)
+    return tuple(Relation(Symbol(name), "=", written(value, problem)) for name, value in known)
 
 
 def divided_by(case: Case, problem: Problem) -> tuple[Expr, ...]:

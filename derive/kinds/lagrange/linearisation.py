@@ -154,7 +154,7 @@ def _comes_back(
         least = float(np.linalg.eigvalsh((K + K.T) / 2).min())
         return least > 0 if stable else least < 0
 
-    stable = said == Phrase("at-rest-stable", {"K_0": Symbol("K_0")})
+    stable = said == _verdict(True)
     return route("stable" if stable else "unstable", map(holds, random_points(symbols, 3)))
 
 
@@ -260,10 +260,16 @@ def _stability(model: Model, linear: Linear) -> Phrase | None:
     n = len(linear.K.rows)
     signs = [known_sign(linear.K.block(slice(k), slice(k)).det(), positive) for k in range(1, n + 1)]
     if all(sign == 1 for sign in signs):
-        return Phrase("at-rest-stable", {"K_0": Symbol("K_0")})
+        return _verdict(True)
     diagonal = [known_sign(linear.K[k, k], positive) for k in range(n)]
     falls = -1 in diagonal or signs[-1] == -1
-    return Phrase("at-rest-unstable", {"K_0": Symbol("K_0")}) if falls else None
+    return _verdict(False) if falls else None
+
+
+def _verdict(stable: bool) -> Phrase:
+    """What the stiffness says of the state of rest."""
+    said = Phrase("rest-stable" if stable else "rest-unstable")
+    return Phrase("definite" if stable else "not-definite", {"K_0": Symbol("K_0"), "verdict": said})
 
 
 def _second_route(model: Model, linear: Linear, at: Mapping[Expr, Expr], told: Mapping[str, Expr]) -> Claim:

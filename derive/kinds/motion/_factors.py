@@ -11,7 +11,7 @@ from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import completed, number
 from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar
-from derive.derivation import Record
+from derive.derivation import Phrase
 from derive.errors import NotDerivable
 from derive.expression import (
     ONE,
@@ -34,12 +34,18 @@ from derive.kinds.work import Work
 from derive.mechanics.elementary import factor_name, homogeneous, rotation_matrix, skew, translation
 from derive.mechanics.motion import Axis, Move
 from derive.mechanics.poses import composed, pose, rotation_part, unit_vector
-from derive.mechanics.sequences import in_product_order, placings
+from derive.mechanics.sequences import Placing, in_product_order, placings
 from derive.names import free
 
 IDENTITY = Symbol("I")
 NO_ROW = Symbol("0")  # three zeros side by side
 LETTERS: dict[int, tuple[str, str]] = {3: ("R", ""), 4: ("Rot", "Trans")}
+
+
+PLACED = {  # by the kind of move, and the side on which its factor is put
+    ("rotate", "left"): "then-about-world", ("rotate", "right"): "then-about-current",
+    ("translate", "left"): "then-along-world", ("translate", "right"): "then-along-current",
+}  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,24 +78,16 @@ class Factors:
         names = tuple(self.factors[i].name for i in indices)
         return Product(names) if len(names) > 1 else names[0]
 
-    def placed(self) -> tuple[Placed, ...]:
+    def placed(self) -> tuple[Phrase, ...]:
         """How each factor is multiplied on, and the product so far."""
-        return tuple(
-            Placed(
-                move=self.factors[p.index].move.kind,
-                side=p.side,
-                factor=self.factors[p.index].name,
-                product=self.named(p.product),
-            )
-            for p in placings(self.moves)
-        )
+        return tuple(map(self._placed, placings(self.moves)))
 
-
-class Placed(Record):
-    move: str  # "rotate", "translate"
-    side: str
-    factor: Expr
-    product: Expr  # so far
+    def _placed(self, placing: Placing) -> Phrase:
+        factor = self.factors[placing.index]
+        if placing.side == "first":
+            return Phrase("we-start", {"factor": factor.name})
+        way = PLACED[factor.move.kind, placing.side]
+        return Phrase(way, {"factor": factor.name, "product": self.named(placing.product)})
 
 
 def factors_of(

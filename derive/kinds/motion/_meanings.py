@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from derive.algebra.numbers.floats import Point
+from derive.derivation import Phrase
 from derive.expression import Expr, Indexed, Product, Symbol
+from derive.kinds.fields import TREES
 from derive.kinds.meanings import Chain, Names, column_of, skew_of, valued
-from derive.kinds.motion._factors import IDENTITY, NO_ROW, Factors, Placed
+from derive.kinds.motion._factors import IDENTITY, NO_ROW, PLACED, Factors
 from derive.mechanics.oracle import made
 
 
@@ -29,31 +31,39 @@ def meant(factors: Factors, whole: Symbol, at: Point) -> Names:
     return {**names, whole: made(factors.moves, at)[:size, :size]}
 
 
-def order_told(factors: Factors, mode: str) -> bool:
+def order_told(factors: Factors, reason: Phrase | None) -> bool:
     """Whether the axes of the moves after the first are taken as it is told."""
     taken = {move.about for move in factors.moves[1:]}
-    return taken == {"single": set(), "mixed": {"world", "current"}}.get(mode, {mode})
+    noun = Phrase("rotation" if factors.size == 3 else "move")
+    if reason is None:
+        return taken == {"world", "current"}
+    wanted = {"one-factor": set[str](), "about-world": {"world"}, "about-current": {"current"}}
+    return wanted.get(reason.key) == taken and reason.about == {"noun": noun}
 
 
-def order_chains(factors: Factors, mode: str, whole: Symbol) -> Iterator[Chain]:
+def order_chains(factors: Factors, reason: Phrase | None, whole: Symbol) -> Iterator[Chain]:
     """The order in which the factors stand where all axes are taken alike."""
-    names = tuple(factor.name for factor in factors.factors)
-    if mode == "world":
+    names, key = tuple(factor.name for factor in factors.factors), reason.key if reason else ""
+    if key == "about-world":
         yield whole, Product(names[::-1])
-    if mode == "current":
+    if key == "about-current":
         yield whole, Product(names)
 
 
-def placed_chains(placed_moves: Sequence[Placed]) -> Iterator[Chain]:
+def placed_chains(factors: Factors, placed_moves: Sequence[Phrase]) -> Iterator[Chain]:
     """The motion after each move, as the words tell it: the product so far, made of the one before it by
     multiplying the new factor on from the side that is told."""
+    sides = {key: (kind, side) for (kind, side), key in PLACED.items()}
     before: Expr | None = None
     for k, placed in enumerate(placed_moves, 1):
-        reached: tuple[Expr, ...] = (_reached(k), placed.product)
-        if before is not None:
-            left = placed.side == "left"
-            reached = (*reached, placed.factor * before if left else before * placed.factor)
-        yield reached
+        factor, product = (placed.about.get(name) for name in ("factor", "product"))
+        move = factors.factors[k - 1].move
+        if isinstance(factor, TREES):
+            yield factors.factors[k - 1].name, factor
+        if before is not None and isinstance(factor, TREES) and isinstance(product, TREES):
+            kind, side = sides[placed.key]
+            put = factor * before if side == "left" else before * factor
+            yield (_reached(k), product, put) if kind == move.kind else (_reached(k), NO_ROW)
         before = _reached(k)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 from typing import Any, Literal
 
@@ -12,7 +13,7 @@ from derive.derivation import Claim, Derivation, PageFacts, Phrase, Result
 from derive.expression import Expr, Matrix, Symbol
 from derive.kinds.checks import is_rotation, law
 from derive.kinds.meanings import as_told
-from derive.kinds.motion._factors import Factors, Placed, factors_of, product_of, rounded_matrix, value_of
+from derive.kinds.motion._factors import Factors, factors_of, product_of, rounded_matrix, value_of
 from derive.kinds.motion._meanings import meant, order_chains, order_told, placed_chains
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
@@ -21,11 +22,12 @@ from derive.mechanics.oracle import made
 from derive.mechanics.poses import inverse_pose, rotation_part
 from derive.mechanics.sequences import mode, order
 
+REASONS = {"single": "one-factor", "world": "about-world", "current": "about-current"}
+
 
 class Facts(PageFacts):
-    mode: str
-    placed: tuple[Placed, ...]  # where each stands is told one by one
-    noun: str
+    reason: Phrase | None  # for the order of the factors
+    placed: tuple[Phrase, ...]  # where each is told one by one
 
 
 def composed(
@@ -39,7 +41,8 @@ def composed(
     value = product_of(moves, size)
     written, formula = problem.readable_matrix(value), (factors.named(order(moves)),) if moves else ()
     shown = rounded_matrix(written, problem) if numeric else written
-    work = factors.work.line(name, *formula, value=shown, rule="product")
+    work = factors.work if len(moves) != 1 else _without_its_matrix(factors.work)
+    work = work.line(name, *formula, value=shown, rule="product")
     exact = problem.final(written)
     work = work.knowing({name: written}) if numeric else work.closed(name)
     parts = _factor_results(factors, problem)
@@ -47,11 +50,9 @@ def composed(
     told = [parts[f"{name.name.replace('T', 'A')}_{k}"] for k in range(1, len(moves) + 1)]
     work = motion_made(work, name.name, moves, exact, *told)
     facts, point = _facts(factors, numeric, name), completed({}, problem.where)
-    chains = (*placed_chains(facts.placed), *order_chains(factors, facts.mode, name))
+    chains = (*placed_chains(factors, facts.placed), *order_chains(factors, facts.reason, name))
     work = as_told(work, partial(meant, factors, name), chains)
-    work = work.law(
-        "said", (facts.noun == ("rotation" if size == 3 else "move"), order_told(factors, facts.mode))
-    )
+    work = work.law("said", (order_told(factors, facts.reason), bool(facts.placed) == (facts.reason is None)))
     results: dict[str, Result] = {name.name: exact, **parts}
     evaluated: dict[str, Any] = {}
     if numeric:  # the page shows them so already
@@ -61,11 +62,16 @@ def composed(
     return work.answer(kind, results, facts, evaluated=evaluated)
 
 
+def _without_its_matrix(work: Work) -> Work:
+    """One move alone, whose matrix is the answer."""
+    return replace(work, steps=tuple(step for step in work.steps if step.rule != "elementary"))
+
+
 def _facts(factors: Factors, numeric: bool, name: Symbol) -> Facts:
+    noun, how = Phrase("rotation" if factors.size == 3 else "move"), mode(factors.moves)
     return Facts(
-        mode=mode(factors.moves),
-        placed=factors.placed() if mode(factors.moves) == "mixed" else (),
-        noun="rotation" if factors.size == 3 else "move",
+        reason=None if how == "mixed" else Phrase(REASONS[how], {"noun": noun}),
+        placed=factors.placed() if how == "mixed" else (),
         numbers=() if numeric else (name.name,),
     )
 
