@@ -16,8 +16,7 @@ from derive.expression import Expr, Relation
 Sayable: TypeAlias = Expr | Relation | Phrase | Table
 SAYABLE = (*get_args(Expr), Relation, Phrase, Table)
 CHOOSING = frozenset(  # kinds whose words still choose among what they are given
-    ("regressor",
-     "singularities")
+    ("regressor",)
 )  # fmt: skip
 NOT_FOR_WORDS = frozenset(field.name for field in fields(PageFacts))
 

@@ -7,7 +7,7 @@ from math import prod
 from typing import TypeAlias
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.derivation import PageFacts, Phrase, Record
+from derive.derivation import PageFacts, Phrase, Record, Said
 from derive.expression import ZERO, Expr, Product, Symbol, transpose
 from derive.kinds.problem import Problem
 from derive.kinds.robot._singular.saying import clauses
@@ -30,7 +30,6 @@ class CaseTold(Record):
     null: tuple[Chain, ...]
     range: tuple[Chain, ...]
     lost: tuple[Chain, ...]
-    letters: tuple[Symbol, ...]  # of null space, range and lost directions
 
 
 class Inside(Record):
@@ -61,42 +60,81 @@ class Facts(PageFacts):
     """The way to the determinant, and the sets on which the rank drops."""
 
     way: str  # "wrist", "minors", ...
-    rows: tuple[Symbol, ...]
-    frame: int | None
-    frames: tuple[int | None, ...]  # of the parts of a wrist
-    rates: tuple[tuple[Symbol, ...], ...]
-    wide: bool
-    gram: Expr
+    parts: tuple[Phrase, ...]  # of a wrist, else how the Jacobian is written
+    taken: Phrase | None  # what is taken of it
+    lengths: Phrase | None
+    where: Phrase  # the rank drops
     sets: tuple[SetTold, ...]
     inner: tuple[Inside, ...]  # sets inside others
-    exact: bool
-    graded: bool  # the sets have different ranks
+    inside: Phrase | None  # what is said of those
+    holding: Phrase | None  # where what is said of a set holds
     none: bool
-    complete: bool
-    letters: int  # how many symbols stand for lengths
 
 
 def facts_of(problem: Problem, way: Way, sets: tuple[Analysed, ...]) -> Facts:
     """The way, and each set with its cases."""
-    first = way.parts[0].block
-    J, wide = Symbol(first.name), len(first.rows) < len(first.variables)
     inner = tuple(each for each in sets if each.inner)
+    none, outer = not sets and way.complete, len(sets) - len(inner)
     return Facts(
         way=way.name,
-        rows=tuple(map(Symbol, first.rows)),
-        frame=first.frame,
-        frames=tuple(part.block.frame for part in way.parts),
-        rates=tuple(_rates(part.block.variables) for part in way.parts),
-        wide=wide,
-        gram=Product((J, transpose(J)) if wide else (transpose(J), J)),
+        parts=_parts(way),
+        taken=_taken(way),
+        lengths=None if none else _lengths(len(problem.symbols - set(problem.subject.variables))),
+        where=Phrase(_where(way, none, outer)),
         sets=tuple(_set(problem, way, each) for each in sets if not each.inner),
         inner=tuple(_inside(each) for each in inner),
-        exact=all(each.exact for each in sets),
-        graded=len({each.rank for each in sets}) > 1,
-        none=not sets and way.complete,
-        complete=way.complete,
-        letters=len(problem.symbols - set(problem.subject.variables)),
+        inside=Phrase("inside-of-a-wrist" if way.name == "wrist" else "inside-these") if inner else None,
+        holding=_holding(len({each.rank for each in sets}) > 1, all(each.exact for each in sets)),
+        none=none,
     )
+
+
+def _parts(way: Way) -> tuple[Phrase, ...]:
+    """How the Jacobian that is shown is written; of a wrist the two parts of it."""
+    first = way.parts[0].block
+    if way.name != "wrist":
+        about: dict[str, Said] = {"rows": tuple(map(Symbol, first.rows)), "frame": first.frame or 0}
+        return (Phrase("in-axes-of-a-frame" if first.frame else "rows-of-the-jacobian", about),)
+    keys = ("velocity-of-the-center", "angular-velocity-of-the-hand")
+    blocks = (part.block for part in way.parts)
+    return tuple(
+        Phrase(key, {"rates": _rates(block.variables), "frame": block.frame or 0})
+        for key, block in zip(keys, blocks, strict=True)
+    )
+
+
+def _taken(way: Way) -> Phrase | None:
+    """Of which matrix the determinant is taken."""
+    block = way.parts[0].block
+    if way.name == "wrist":
+        return None
+    if way.name != "minors":
+        return Phrase("its-determinant")
+    J, wide = Symbol(block.name), len(block.rows) < len(block.variables)
+    gram = Product((J, transpose(J)) if wide else (transpose(J), J))
+    return Phrase("more-columns" if wide else "more-rows", {"gram": gram})
+
+
+def _lengths(count: int) -> Phrase | None:
+    """What is taken for granted of so many symbols."""
+    return None if not count else Phrase("one-length" if count == 1 else "lengths")
+
+
+def _where(way: Way, none: bool, count: int) -> str:
+    if none:
+        return "never"
+    if way.name != "minors":
+        return "vanishes-where" if count == 1 else "vanishes-in-cases"
+    if way.complete:
+        return "happens-where" if count == 1 else "happens-in-cases"
+    return "happens-here-at-least" if count else "happens-somewhere"
+
+
+def _holding(graded: bool, exact: bool) -> Phrase | None:
+    """Sets have different ranks where they are `graded`."""
+    if exact:
+        return Phrase("holds-outside-of-others") if graded else None
+    return Phrase("holds-in-general-and-others" if graded else "holds-in-general")
 
 
 def _rates(variables: tuple[str, ...]) -> tuple[Symbol, ...]:
@@ -152,7 +190,6 @@ def _case(problem: Problem, way: Way, each: Analysed, case: Case) -> CaseTold:
         null=_basis(problem, N, case.null),
         range=_basis(problem, R, case.range if shown else ()),
         lost=_basis(problem, U, case.lost),
-        letters=(N, R, U),
     )
 
 
