@@ -41,7 +41,7 @@ def as_told(
     lines = (inner.chain for step in work.steps for inner in step.all())
     names = work.problem.symbols if symbols is None else symbols
     every = [*lines, *chains]
-    moving = getattr(work.problem.subject, "variables", ())
+    moving = work.problem.moving
     where = work.problem.where
     return work.claim(told(every, meanings, names, where, key, tolerance, points, moving, **about))
 

@@ -86,6 +86,14 @@ class Problem:
         trees = [*expressions(self.subject), *self.where.values()]
         return frozenset().union(*map(free_symbols, trees)) - set(self.where)
 
+    @cached_property
+    def moving(self) -> frozenset[str]:
+        """The names that stand for what lies on both sides of zero: joint variables and coordinates; of
+        motions and frames every one that its author does not say is positive."""
+        if self.name in ("motion", "frames"):
+            return self.symbols - self.assumptions.keys()
+        return frozenset(getattr(self.subject, "variables", getattr(self.subject, "coordinates", ())))
+
     # -- from trees to normal forms and back ------------------------------------------------------
 
     @cached_property

@@ -256,7 +256,7 @@ class Work:
         where = self.problem.where
         route: Callable[[Point], Any] = ours if callable(ours) else partial(numbers, ours)
         mine, another = (lambda at, of=each: of(completed(at, where)) for each in (route, other))
-        moving = getattr(self.problem.subject, "variables", ())
+        moving = self.problem.moving
         return self.claim(agreement(claim, symbols, mine, another, tolerance, points, moving, **about))
 
     def claim(self, *claims: Claim) -> Work:

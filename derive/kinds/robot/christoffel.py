@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts, Phrase, Said
 from derive.expression import ZERO, Derivative, Expr, Number, Sum, Symbol, add, multiply, number
@@ -47,10 +48,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.knowing({_name(ijk): found[_ordered(ijk)] for ijk in symbols})
     work = work.law("symmetric", (value == symbols[j, i, k] for (i, j, k), value in symbols.items()))
     work = work.law("skew-symmetric", _skew(D, symbols, robot.variables))
-    vanish = sum(not value for ijk, value in symbols.items() if _ordered(ijk) not in shown)
     results = {_name(ijk).name: found[_ordered(ijk)] for ijk in sorted(symbols)}
     untold = [results[_name(ijk).name] for ijk in symbols if _ordered(ijk) not in shown]
-    gone = sum(value == ZERO for value in untold)
+    vanish = sum(value == ZERO for value in untold)
+    gone = sum(not normal(value, problem.names) for value in untold)
     work = work.law("others-vanish", (gone == vanish, big or gone == len(untold)))
     work = by_index(work, results)
     return work.answer("christoffel", results, Facts(others=_others(big, len(symbols), vanish)))
