@@ -423,3 +423,16 @@ def test_a_table_without_its_last_heading(tmp_path: Path, monkeypatch: pytest.Mo
 
     monkeypatch.setattr(_routh_steps.Array, "table", property(table))
     assert is_refused(tmp_path, MOTOR.replace("OUTPUT", "angle"), "stability", "controller: P", VALUES)
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong"), [('"-" if sign < 0', '"-" if sign > 0'), ("'+' if sign > 0", "'+' if sign < 0")]
+)
+def test_signs_that_cancel_along_a_loop(
+    right: str, wrong: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """All sums of a script turned: its output is as it was, the signals inside are not."""
+    plant(monkeypatch, programs._connected if right[0] == '"' else programs._settings, right, wrong)
+    sheet = 'system: {equations: ["m*s^2*X = F - b*s*X - k*X"], input: F, output: X}'
+    where = "{m: 1, b: 2, k: 5}"
+    assert is_refused(tmp_path, sheet, "model", "controller: {PI: {K_p: 1, K_i: 2}}", where=where)

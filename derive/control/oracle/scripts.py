@@ -49,6 +49,10 @@ class Script:
 
     def gain(self, source: str) -> complex:
         """The output over a source, by the blocks alone."""
+        return self.driven(source)[self.output]
+
+    def driven(self, source: str) -> dict[str, complex]:
+        """Every block's output over a source."""
         import numpy
 
         places = {name: place for place, name in enumerate((*self.blocks, *self.steps))}
@@ -58,7 +62,8 @@ class Script:
                 matrix[places[name], places[other]] -= sign * block.gain
         drive = numpy.zeros(len(places), dtype=complex)
         drive[places[source]] = 1.0
-        return complex(numpy.linalg.solve(matrix, drive)[places[self.output]])
+        found = numpy.linalg.solve(matrix, drive)
+        return {name: complex(found[place]) for name, place in places.items()}
 
 
 @dataclass(slots=True)

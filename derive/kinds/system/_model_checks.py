@@ -56,7 +56,15 @@ def _script(held: Held, name: str, text: str, told: Facts, at: Point) -> Iterato
     wanted = solved.gain(s) if held.controller is None else solved.closed(s, strength)
     yield is_close(script.names["G"], solved.gain(s))
     yield is_close(script.names["T"], wanted)
-    yield is_close(script.gain(_stepping(script)), wanted)
+    inside = script.driven(_stepping(script))
+    yield is_close(inside[script.output], wanted)
+    error = 1 - wanted
+    put_in = 1.0 if held.controller is None else strength * error
+    for signal, right in solved.signals(s, {held.source: put_in}).items():
+        yield signal not in script.blocks or is_close(inside[signal], right)
+    if told.error is not None:
+        difference = told.error[0]
+        yield isinstance(difference, Symbol) and is_close(inside[difference.name], error)
     if held.controller is not None:
         yield is_close(script.names["C"], strength)
     disturbance = held.system.disturbance
