@@ -8,15 +8,15 @@ from typing import Any
 
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point, number
-from derive.derivation import Claim, Derivation, PageFacts
+from derive.derivation import Claim, Derivation, PageFacts, Phrase, Said
 from derive.errors import NotReal
-from derive.expression import ZERO, Expr, Symbol, column
+from derive.expression import ZERO, Expr, Relation, Symbol, column, transpose
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._point import PointOn
-from derive.kinds.robot._velocity.solving import Solved, by_inverse, by_pseudo_inverse
+from derive.kinds.robot._velocity.solving import PLUS, RATES, A, J, Solved, V, by_inverse, by_pseudo_inverse
 from derive.kinds.robot._velocity.splitting import by_wrist
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.kinds.work import Work
@@ -42,7 +42,8 @@ class Facts(PageFacts):
     frames: tuple[int, ...] = ()  # of the arm and of the hand
     offset: bool = False  # of the center of the wrist
     zero: tuple[tuple[Expr, ...], ...]  # singular where one of these holds
-    redundant: bool = False
+    least: Phrase | None = None  # what the pseudo-inverse makes so
+    spare: Phrase | None = None  # joint rates
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -64,7 +65,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         way=solved.way,
         rows=task.velocities,
         zero=(solved.zero,),
-        redundant=task.redundant,
+        least=None if task.square else _least(task.redundant),
+        spare=Phrase("null-space") if task.redundant else None,
     )
     return _answer(task, _law(task, solved), problem.final(solved.qdot), facts)
 
@@ -75,6 +77,14 @@ def _law(task: Task, solved: Solved) -> Work:
     if not task.square and not task.redundant:
         return solved.work.law("least-squares", not task.J.T @ error)
     return solved.work.law("solves", not error)
+
+
+def _least(redundant: bool) -> Phrase:
+    """What the pseudo-inverse makes least."""
+    inverse, turned = A**-1, transpose(J)
+    plus = turned * inverse if redundant else inverse * turned
+    about: dict[str, Said] = {"rates": Relation(RATES, "=", PLUS * V), "plus": Relation(PLUS, "=", plus)}
+    return Phrase("least-rates" if redundant else "least-error", about)
 
 
 def _answer(task: Task, work: Work, qdot: Expr, facts: Facts) -> Derivation:
