@@ -59,6 +59,8 @@ class Again:
                 return self._branch(found, text, names)
             case tree, str() if isinstance(tree, TREES) and (formula := self._formula(text)):
                 self._partly(tree, formula, names)
+            case (float() | int(), [dict(), *_]):
+                self._of_a_branch(found, text, names)
             case (float() | int() | list(), str() | list()):
                 self.same.append(False)
         return found
@@ -108,6 +110,22 @@ class Again:
             near = PARTLY * (max(1.0, abs(its)) if at_branches else abs(its))
             self.same.append(abs(ours - its) <= rounding(found, there) + near)
         if len(self.same) == tried:
+            self.left[self.name] = None
+
+    def _of_a_branch(
+        self, found: float, branches: Sequence[dict[str, Any]], names: Mapping[str, Expr]
+    ) -> None:
+        """One number of a result in several branches, as of a trajectory, is that of one of them."""
+        same = []
+        for branch in branches:
+            formula = self._formula(str(branch.get(self.name)))
+            with suppress(*NOWHERE, *UNDECIDED):
+                if formula is not None and free_symbols(formula) <= names.keys():
+                    near = rounding(formula, names) + PARTLY * max(1.0, abs(found))
+                    same.append(abs(found - float(sure(formula, names))) <= near)
+        if same:
+            self.same.append(any(same))
+        else:
             self.left[self.name] = None
 
     def _branch(

@@ -228,7 +228,7 @@ class Telling:
         return [early for steps in _siblings(self.d.steps) for early in self._early(steps)]
 
     def _early(self, steps: tuple[Step, ...]) -> Iterator[str]:
-        names = [step.name for step in steps if step.name in self.told]
+        names = dict.fromkeys(step.name for step in steps if step.name in self.told)
         for before, name in pairwise(names):
             if self.told[name] < self.told[before]:
                 yield name

@@ -24,7 +24,15 @@ from derive.expression import replace as put_in
 from derive.kinds.drive import gear_ratio
 from derive.kinds.mechanism import mobility
 from derive.kinds.sensor import _encoder, mean_voltage
-from derive.kinds.system import _routh_steps, closed_loop, model, stability, step_response, transfer_function
+from derive.kinds.system import (
+    _routh_steps,
+    _stability_told,
+    closed_loop,
+    model,
+    stability,
+    step_response,
+    transfer_function,
+)
 from derive.kinds.work import Work
 from derive.mechanics.mobility import Joints, Mechanism
 from derive.sheet.load import load_sheet
@@ -340,7 +348,7 @@ def test_scripts(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
 @pytest.mark.parametrize(
     ("module", "find", "more"),
     [
-        (stability, "stability", ()),
+        (_stability_told, "stability", ()),
         (closed_loop, "closed-loop", (VALUES,)),
         (step_response, "step-response", (VALUES,)),
     ],

@@ -9,7 +9,7 @@ from typing import Any
 
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point
-from derive.derivation import Derivation, PageFacts, Record, Result
+from derive.derivation import Derivation, PageFacts, Phrase, Record, Result
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Product, Symbol
 from derive.kinds.fields import NoOptions as Options
@@ -23,6 +23,9 @@ from derive.mechanics.frame_tree import local, mismatch, relative, way
 from derive.mechanics.frames import Frame, Frames
 from derive.mechanics.poses import inverse_pose
 
+VERDICTS = {  # by whether the axes are turned, and whether the origin is elsewhere
+    (False, False): "closes", (True, False): "turned", (False, True): "shifted", (True, True): "both",
+}  # fmt: skip
 NEARLY = 1e-9
 CLAIMS = ("verdict", "as-told")
 
@@ -32,12 +35,9 @@ class LoopTold(Record):
     parent: int
     given: tuple[str, ...]  # the steps of the first description
     first: Symbol
-    route: bool  # whether these are more than the pose of the frame itself
     second: Symbol
     E: Symbol
-    closes: bool
-    turned: bool
-    shifted: bool
+    verdict: Phrase
 
 
 class Facts(PageFacts):
@@ -65,11 +65,12 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     told = facts.loops
     chains: list[Chain] = [(loop.E, errors[loop.E.name]) for loop in loops]
     work = frames_told(work, frames, chains, others=partial(_around, loops))
-    closes = results["closes"] == ", ".join({True: "yes", False: "no"}[one.closes] for one in told)
+    closes = results["closes"] == ", ".join("yes" if one.verdict.key == "closes" else "no" for one in told)
     firsts = (each.first == pose_name(each.number, each.parent) for each in told)
     work = work.law("said", (closes, *firsts))
     for loop, each in zip(loops, told, strict=True):
-        said = [float(each.closes), float(each.turned), float(each.shifted)]
+        turned, shifted = next(wrong for wrong, key in VERDICTS.items() if key == each.verdict.key)
+        said = [float(not (turned or shifted)), float(turned), float(shifted)]
         work = work.agrees("verdict", problem.symbols, partial(_said, said), loop.verdict, E=loop.E.name)
     return work.answer("loop", results, facts)
 
@@ -147,17 +148,15 @@ class _Loop:
         return [float(not (turned or shifted)), float(turned), float(shifted)]
 
     def facts(self) -> LoopTold:
+        names = [pose_name(frame.number, frame.parent).name for frame in self.given]
         identity = self.error @ inverse_pose(self.error)
         wrong = [(i, j) for i in range(3) for j in range(4) if self.error[i, j] != identity[i, j]]
         return LoopTold(
             number=self.frame.number,
             parent=self.frame.parent,
-            given=tuple(pose_name(frame.number, frame.parent).name for frame in self.given),
+            given=tuple(dict.fromkeys((*names, self.first.name))),
             first=self.first,
-            route=len(self.given) > 1 or bool(self.path.down),
             second=self.second,
             E=self.E,
-            closes=self.closes,
-            turned=any(j < 3 for _, j in wrong),
-            shifted=any(j == 3 for _, j in wrong),
+            verdict=Phrase(VERDICTS[any(j < 3 for _, j in wrong), any(j == 3 for _, j in wrong)]),
         )

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 from pydantic import Field
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.derivation import Derivation, PageFacts
+from derive.derivation import Derivation, PageFacts, Phrase, Record
 from derive.expression import Call, Expr, Product, Symbol
 from derive.kinds.checks import is_rotation
 from derive.kinds.fields import OptionsModel
@@ -30,14 +31,13 @@ class Options(OptionsModel):
     target: int = Field(default=0, alias="to", ge=0)
 
 
+class LineTold(Record):
+    said: Phrase
+    step: str
+
+
 class Facts(PageFacts):
-    name: str
-    source: int
-    target: int
-    meeting: int
-    inverse: tuple[str, ...]  # steps
-    products: tuple[str, ...]  # steps
-    direct: bool
+    told: tuple[LineTold, ...]
 
 
 def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
@@ -52,17 +52,38 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     work = work.claim(*is_rotation(R, f"R_{source}^{options.target}"))
     asked = pose_name(source, options.target)
     work = frames_told(work, frames, ((asked, name), (name, work.final(name))))
-    lines = work.steps[:-1]
-    facts = Facts(
-        name=name.name,
-        source=source,
-        target=options.target,
-        meeting=path.meeting,
-        inverse=tuple(step.name for step in lines if step.rule == "inverse"),
-        products=tuple(step.name for step in lines if step.rule == "product"),
-        direct=len(path.up) == 1 and not path.down,
-    )
+    facts = Facts(told=tuple(_told(work, path, source, options.target)))
+    work = work.law("said", _said(work, facts, frames))
     return work.answer("transform", {name.name: work.final(name)}, facts)
+
+
+def _told(work: Work, path: Way, source: int, target: int) -> Iterator[LineTold]:
+    """What is said before each line."""
+    *before, last = work.steps
+    for step in before:
+        said = Phrase("way-back") if step.rule == "inverse" else Phrase("along", {"meeting": path.meeting})
+        yield LineTold(said=said, step=step.name)
+    if last.rule == "inverse":
+        said = Phrase("way-back")
+    elif len(path.up) == 1 and not path.down:
+        between = {"source": source, "target": target}
+        said = Phrase("given-already", between) if work.uses else Phrase("given-here", between)
+    else:
+        said = Phrase("indices-cancel")
+    yield LineTold(said=said, step=last.name)
+
+
+def _said(work: Work, facts: Facts, frames: Frames) -> Iterator[bool]:
+    """Which sentence stands before a line, by what stands in it."""
+    for step, told in zip(work.steps, facts.told, strict=True):
+        formula = step.chain[1]
+        back = isinstance(formula, Call) and formula.function == "inverse"
+        yield told.step == step.name and (told.said.key == "way-back") == back
+        if told.said.key.startswith("given"):
+            source, target = (told.said.about[name] for name in ("source", "target"))
+            yield any((each.number, each.parent) == (source, target) for each in frames.frames)
+        else:
+            yield back or isinstance(formula, Product)
 
 
 def _board(path: Way, name: Symbol, T: ScalarMatrix, problem: Problem) -> Work:

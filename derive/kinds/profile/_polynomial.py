@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from math import factorial
 
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Derivation, PageFacts, Step
+from derive.derivation import Derivation, PageFacts, Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import ONE, ZERO, Expr, Symbol, add, free_symbols, multiply, number, sqrt
-from derive.kinds.fields import Place
+from derive.kinds.fields import TREES, Place
 from derive.kinds.meanings import as_told
 from derive.kinds.problem import Problem
 from derive.kinds.profile._drawn import Drawn, LimitTold
@@ -27,13 +27,15 @@ q = Symbol("q")
 class Facts(PageFacts):
     given: tuple[tuple[Expr, Expr, int | None], ...]  # each with how often it is differentiated
     units: Units
-    order: int
+    ends: Phrase  # what is given there
+    first: tuple[str, ...]  # steps: the polynomial and its derivatives
     T: Symbol
     t: Symbol = t
     zero: Expr = ZERO
-    long: bool
+    sum: tuple[str, ...]  # the step with all of it, where it is short
     lower: tuple[str, ...]  # steps
     upper: tuple[str, ...]  # steps
+    greatest: Phrase | None  # where the velocity and the acceleration are
     peaks: tuple[str, ...]  # steps
     drawn: bool
     limits: tuple[LimitTold, ...]
@@ -61,11 +63,13 @@ def polynomial(
     facts = Facts(
         given=tuple((name, value, ends.rates[name]) for name, value in typed if name in ends.rates),
         units=profile.units,
-        order=order,
+        ends=Phrase({2: "cubic-ends", 3: "quintic-ends"}[order]),
+        first=tuple(step.name for step in work.steps[:order]),
         T=ends.T,
-        long=bool(free_symbols(law) - {"t"}) and not ends.at_rest,
+        sum=() if bool(free_symbols(law) - {"t"}) and not ends.at_rest else ("q_of_t",),
         lower=tuple(names[:order]),
         upper=tuple(names[order:]),
+        greatest=_greatest(order) if peaks else None,
         peaks=peaks,
         drawn=course is not None,
         limits=drawn.limits(),
@@ -75,11 +79,30 @@ def polynomial(
     told_too = (*printed, *((name, value) for name, value, _ in facts.given), (ends.T, facts.T))
     rates = {name: rate for places in (ends.start, ends.end) for rate, name in enumerate(places)}
     told_rates = [rate == (None if name == ends.T else rates[name]) for name, _, rate in facts.given]
-    work = work.law("said", (*told_rates, 2 * facts.order == len(names)))
+    work = work.law("said", (*told_rates, *_said(facts, len(names))))
     work = as_told(work, means.names, told_too, "both-ends", symbols=problem.symbols | {t.name})
     work = work.claim(*drawn.claims(((results["q"], None),), facts.limits, facts.drawn))
     evaluated = drawn.evaluated({name: tree for name, tree in results.items() if name != "q"})
     return work.answer(kind, results, facts, evaluated=evaluated, plots=drawn.plots("trajectory"))
+
+
+def _greatest(order: int) -> Phrase:
+    """Where velocity and acceleration are greatest from rest to rest; shares of the whole time."""
+    if order == 2:
+        return Phrase("cubic-peaks")
+    half, apart = ONE / number(2), sqrt(number(3)) / number(6)
+    return Phrase("quintic-peaks", {"early": half - apart, "late": half + apart})
+
+
+def _said(facts: Facts, coefficients: int) -> Iterator[bool]:
+    """The sentences are those for so many coefficients; the jerk vanishes where it is said."""
+    name = {4: "cubic", 6: "quintic"}[coefficients]
+    yield facts.ends.key == f"{name}-ends" and (facts.greatest is not None) == bool(facts.peaks)
+    if facts.greatest is not None:
+        yield facts.greatest.key == f"{name}-peaks"
+        shares = [value_of(share, {}) for share in facts.greatest.about.values() if isinstance(share, TREES)]
+        yield len(shares) == (0 if coefficients == 4 else 2)
+        yield all(abs(1 - 6 * x + 6 * x**2) < 1e-9 for x in shares) and shares == sorted(shares)
 
 
 def _journey(profile: Profile) -> Journey:
