@@ -183,7 +183,10 @@ MISTAKES = {
     ),
     "a side told wrong": Mistake(_factors.Factors._placed, "placing.side]", '"left"]', ABOUT_BOTH),
     "world and current in a sequence": Mistake(
-        equivalent_sequences._told, "about=move.about", 'about="world"', "motion.equivalent_sequences"
+        equivalent_sequences._told,
+        "move.kind, move.about",
+        'move.kind, "world"',
+        "motion.equivalent_sequences",
     ),
     "Rodrigues' last term": Mistake(
         _factors.rodrigues,

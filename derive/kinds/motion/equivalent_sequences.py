@@ -8,7 +8,7 @@ from typing import Any, Literal
 from derive.algebra.infix import text
 from derive.derivation import Derivation, PageFacts, Phrase, Record, Step
 from derive.errors import NotDerivable
-from derive.expression import Expr, Symbol
+from derive.expression import Symbol
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.motion._factors import Factors, factors_of, product_of
 from derive.kinds.motion._product import motion_made
@@ -18,20 +18,17 @@ from derive.mechanics.sequences import Alternative, equivalents, mode, order
 
 CLAIMS = ("same-matrix", "motion-made")
 
-ABOUT: tuple[Literal["world", "current"], ...] = ("world", "current")
-
-
-class MoveTold(Record):
-    move: str  # "rotate", "translate"
-    by: Expr
-    axis: Symbol
-    about: str  # "world", "current"
+MOVES: dict[str, tuple[Literal["rotate", "translate"], Literal["world", "current"]]] = {
+    "turn": ("rotate", "current"), "shift": ("translate", "current"),  # of the first either is meant
+    "turn-world": ("rotate", "world"), "shift-world": ("translate", "world"),
+    "turn-current": ("rotate", "current"), "shift-current": ("translate", "current"),
+}  # fmt: skip
+MODES = {"world": "all-world", "current": "all-current", "mixed": "mixed"}
 
 
 class SequenceTold(Record):
-    mode: str
-    first: MoveTold
-    rest: tuple[MoveTold, ...]
+    mode: Phrase
+    moves: tuple[Phrase, ...]
 
 
 class Facts(PageFacts):
@@ -61,9 +58,9 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
     for number, (alternative, sequence) in enumerate(zip(found, facts.sequences, strict=True), 1):
         same = product_of(alternative.moves, factors.size) == value
         work = work.law("same-matrix", same, number=number)
-        told = tuple(_move(each, factors) for each in (sequence.first, *sequence.rest))
+        told = tuple(_move(each, factors) for each in sequence.moves)
         work = motion_made(work, Phrase("sequence", {"number": number}), told, exact)
-        work = work.law("said", mode(told) == sequence.mode)
+        work = work.law("said", sequence.mode == Phrase(MODES[mode(told)]))
     results: dict[str, Any] = {"sequences": tuple(_typed(each.moves) for each in found)}
     return work.answer("equivalent-sequences", results, facts)
 
@@ -71,19 +68,21 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
 def _told(alternative: Alternative, factors: Factors) -> SequenceTold:
     """For the words: the moves in order, each with its axis as it is called."""
     axes = {factor.move.axis: factor.axis for factor in factors.factors}
-    first, *rest = (
-        MoveTold(move=move.kind, by=move.by, axis=axes[move.axis], about=move.about)
-        for move in alternative.moves
-    )
-    return SequenceTold(mode=alternative.mode, first=first, rest=tuple(rest))
+    found = []
+    for k, move in enumerate(alternative.moves):
+        keys = [key for key, way in MOVES.items() if way == (move.kind, move.about)]
+        first = "turn" if move.kind == "rotate" else "shift"
+        about = {"by": move.by, "axis": axes[move.axis]}
+        found.append(Phrase(keys[-1] if k else first, about))
+    return SequenceTold(mode=Phrase(MODES[alternative.mode]), moves=tuple(found))
 
 
-def _move(told: MoveTold, factors: Factors) -> Move:
+def _move(told: Phrase, factors: Factors) -> Move:
     """The move that is meant by what is told. Raises StopIteration for an axis that there is not."""
-    axis = next(factor.move.axis for factor in factors.factors if factor.axis == told.axis)
-    kind = next(move.kind for move in factors.moves if move.kind == told.move)
-    about = next(each for each in ABOUT if each == told.about)
-    return Move(kind, axis, told.by, about)
+    kind, about = MOVES[told.key]
+    by = told.about["by"]
+    axis = next(factor.move.axis for factor in factors.factors if factor.axis == told.about["axis"])
+    return Move(kind, axis, next(move.by for move in factors.moves if move.by == by), about)
 
 
 def _typed(moves: tuple[Move, ...]) -> tuple[dict[str, Any], ...]:

@@ -49,6 +49,9 @@ def _named_as_meant(facts: Facts) -> Iterator[bool]:
         yield free_symbols(facts.entries.middle[1]) == middle
         for name, pair in zip(outer, facts.entries.pairs, strict=True):
             yield from (free_symbols(tree) - middle == name for _, tree in pair)
+    both = {"first": facts.first, "last": facts.last}
+    key = "in-each-case" if len(facts.cases) > 1 else "in-this-case"
+    yield facts.free == (Phrase(key, both) if facts.cases else None)
     for case in facts.cases:
         yield case.middle[0] == facts.middle and free_symbols(case.sum) == outer[0] | outer[1]
 

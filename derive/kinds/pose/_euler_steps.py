@@ -75,6 +75,7 @@ class Facts(PageFacts):
     g: Expr  # vanishes in the singular cases
     branches: tuple[Regular, ...]
     cases: tuple[Case, ...]
+    free: Phrase | None  # what is left open in these
 
 
 def factors_of(euler: Euler) -> dict[Expr, Expr]:
@@ -224,11 +225,19 @@ class Comparison:
                 if self.regular
             ),
             cases=tuple(self._case(k, case) for k, case in enumerate(self.singular_cases, 1)),
+            free=self._free(),
             met=True,
             angle_results=euler.names,
             style=self.problem.style,
             short_names=euler.names,
         )
+
+    def _free(self) -> Phrase | None:
+        if not self.singular_cases:
+            return None
+        first, _, last = map(Symbol, self.euler.outer)
+        key = "in-each-case" if len(self.singular_cases) > 1 else "in-this-case"
+        return Phrase(key, {"first": first, "last": last})
 
     def _entries(self, g: Expr) -> Entries:
         """Those that hold the middle angle alone, and one of the others beside it."""

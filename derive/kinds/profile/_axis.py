@@ -114,7 +114,7 @@ def _opening(each: Solved, among: bool) -> Phrase:
     if among:
         return Phrase("ramps-among", {"fastest": given.fastest})
     ramp = given.fastest / given.strongest
-    names = {"t_1": T_1, "t_2": T_2, "t_3": Symbol("t_3")}
+    names = {"until": T_1, "after": T_2, "rest": Symbol("t_3")}
     return Phrase("ramps", {**names, "strongest": given.strongest, "fastest": given.fastest, "ramp": ramp})
 
 
@@ -138,13 +138,13 @@ def _what(each: Solved, outcome: Outcome) -> Phrase:
     match each.time is None, outcome.plateau:
         case True, True:
             area = Relation(given.d, "=", given.fastest * T_2)
-            return Phrase("room", {**about, "area": area, "t_2": T_2})
+            return Phrase("room", {**about, "area": area, "after": T_2})
         case True, False:
             half = Relation(given.d / 2, "=", given.strongest * T_1**2 / 2)
             return Phrase("no-room", {**about, "area": half})
         case False, True:
             area = Relation(given.d, "=", v * (given.t_3 + T_M) / 2)
-            return Phrase("plateau", {**about, "t_m": T_M, "area": area})
+            return Phrase("plateau", {**about, "between": T_M, "area": area})
     return Phrase("triangle")
 
 

@@ -189,8 +189,8 @@ def _said(each: Solved, about: Mapping[str, Said]) -> Iterator[Chain]:
     """What the words call something, and the areas and times in them."""
     names = each.given
     called: dict[str, Expr] = {
-        "fastest": names.fastest, "strongest": names.strongest, "t_1": T_1, "t_2": T_2, "t_m": T_M,
-        "t_3": Symbol("t_3"), "time": Symbol("t_3"), "ramp": TO_THE_LIMIT,
+        "fastest": names.fastest, "strongest": names.strongest, "until": T_1, "after": T_2, "between": T_M,
+        "rest": Symbol("t_3"), "time": Symbol("t_3"), "ramp": TO_THE_LIMIT,
         "border": names.d if each.time is None else names.fastest,
     }  # fmt: skip
     for name, said in about.items():
