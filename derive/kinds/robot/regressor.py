@@ -25,6 +25,7 @@ from derive.expression import (
     walk,
 )
 from derive.kinds.fields import NoOptions as Options
+from derive.kinds.meanings import Names, column_of, told
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.matrix_laws import regressor_laws
@@ -91,6 +92,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         shown = _columns(columns)
         work = work.law("columns", _are_columns(work, shown, as_matrix(results["Y_b"], "Y_b")))
         work = _linear(work.showing(*shown), results)
+    elif lost:
+        means = partial(_columns_at, parameters, as_matrix(results["Y"], "Y"))
+        work = work.claim(told([step.chain for step in lost], means, arm.moving, problem.where, "dependent"))
     for Y, name in PRODUCTS:
         ours = partial(_product, as_matrix(results[Y], Y), results[name])
         work = work.agrees("motion-of-each-body", arm.moving, ours, arm.rubbing.torques, Y=Y, theta=name)
@@ -124,6 +128,12 @@ def _product(Y: Matrix, theta: Expr, at: Point) -> list[float]:
 def _y(name: Indexed) -> Indexed:
     """The column of a parameter."""
     return Indexed("y", (name,))
+
+
+def _columns_at(parameters: Sequence[Standard], Y: Matrix, at: Point) -> Names:
+    """The column of Y of each parameter in numbers."""
+    columns = zip(*number_rows(Y, at), strict=True)
+    return {_y(part.name): column_of(each) for part, each in zip(parameters, columns, strict=True)}
 
 
 def _gathered(problem: Problem, each: Base, value: Expr) -> Step:
