@@ -34,7 +34,7 @@ def routes(held: Held, printed: Printed, results: Mapping[str, Result]) -> Itera
     found = [*stable(printed)]
     if found or (printed.symbols and not told.never):
         yield route("exactly-stable", found)
-    if told.marginal is not None and (found := [*marginal(printed, told.marginal)]):
+    if told.never and (found := [*marginal(printed)]):
         yield route("marginally-stable", found)
     if printed.epsilon is None and (found := [*changes(printed)]):
         yield route("sign-changes-at-random", found)

@@ -48,9 +48,11 @@ def stable(printed: Printed) -> Iterator[bool]:
             yield not (printed.told.never and verdict == "stable")
 
 
-def marginal(printed: Printed, conditions: tuple[Relation, ...]) -> Iterator[bool]:
+def marginal(printed: Printed) -> Iterator[bool]:
+    """What is never stable is marginally so just where that is said."""
+    conditions = printed.told.marginal
     for at, _, verdict in _verdicts(printed):
-        met = all_hold(conditions, at)
+        met = False if conditions is None else all_hold(conditions, at)
         if met is not None:
             yield met == (verdict in MARGINAL)
 
