@@ -242,9 +242,17 @@ def as_seen(work: Work, frames: tuple[FrameTold, ...]) -> Claim:
         point = {**at, **variables}
         lines = {step.name: step.result for step in work.steps if step.rule in ("axis", "normal", "origin")}
         named = {name: np.ravel(numbers(line, point)) for name, line in lines.items()}
-        return [MEANINGS[frame.why.key](_Seen(named, frame.why.about)) for frame in frames]
+        return [_stands(frame.why, named) for frame in frames]
 
     return agreement("frames-told", work.problem.symbols, held, lambda _: [True] * len(frames))
+
+
+def _stands(why: Phrase, named: Mapping[str, Array]) -> bool:
+    """Whether a frame stands as is told; not where it is told of axes that are none."""
+    try:
+        return MEANINGS[why.key](_Seen(named, why.about))
+    except KeyError:
+        return False
 
 
 def _cross(a: Array, b: Array) -> Any:
