@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable, Iterator, Mapping
+from itertools import pairwise
+
+from derive.derivation import Derivation, Step
 
 
 class ForgottenStep(Exception):
@@ -31,3 +34,26 @@ class EarlyStep(Exception):
 
     def __init__(self, kind: str, names: Iterable[str]) -> None:
         super().__init__(f"the words of {kind} tell before what was derived first: {', '.join(names)}")
+
+
+def forgotten(derivation: Derivation, told: Collection[str]) -> list[str]:
+    """The steps with something to say that were not told."""
+    steps = derivation.all_steps()
+    return [step.name for step in steps if step.name not in told and (step.chain or not step.steps)]
+
+
+def early(derivation: Derivation, told: Mapping[str, int]) -> list[str]:
+    """The steps that are told before one that was derived earlier beside them; of each its place is given."""
+    found: list[str] = []
+    for steps in _siblings(derivation.steps):
+        names = dict.fromkeys(step.name for step in steps if step.name in told)
+        found += [name for before, name in pairwise(names) if told[name] < told[before]]
+    return found
+
+
+def _siblings(steps: tuple[Step, ...]) -> Iterator[tuple[Step, ...]]:
+    """The steps beside each other, at every depth."""
+    yield steps
+    for step in steps:
+        if step.steps:
+            yield from _siblings(step.steps)

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from itertools import pairwise
 from pathlib import PurePosixPath
 from typing import Any, Literal
 
@@ -29,7 +28,7 @@ from derive.render.printed import Naming, Printed
 from derive.render.room import abridged, has_room, kept
 from derive.render.skin import Skin, environment, words_file
 from derive.render.typed import typed_in
-from derive.render.untold import EarlyStep, ForgottenFact, ForgottenStep, UnknownFamily
+from derive.render.untold import EarlyStep, ForgottenFact, ForgottenStep, UnknownFamily, early, forgotten
 
 QUESTION = "question"  # the block of a words template that asks for its derivation
 APART = (QUESTION, PHRASES, "results", "example")  # said elsewhere: see render/questions.py and phrases.py
@@ -64,12 +63,12 @@ def words(
     written = "".join(template.root_render_func(context))
     if "." not in folder:  # the words of another package have laws of their own
         seen.extend(typed_in(written, seen, notation))
-    if forgotten := telling.forgotten():
-        raise ForgottenStep(derivation.kind, forgotten)
+    if left := forgotten(derivation, telling.told):
+        raise ForgottenStep(derivation.kind, left)
     if asked and (unsaid := telling.unsaid()):
         raise ForgottenFact(derivation.kind, unsaid)
-    if early := telling.disordered():
-        raise EarlyStep(derivation.kind, early)
+    if first := early(derivation, telling.told):
+        raise EarlyStep(derivation.kind, first)
     return written.strip()
 
 
@@ -211,27 +210,9 @@ class Telling:
         """Where a file of this derivation is kept, seen from the page."""
         return self.skin.plain(self.files.get(name, name))
 
-    def forgotten(self) -> list[str]:
-        """The steps with something to say that were not told."""
-        return [
-            step.name
-            for step in self.d.all_steps()
-            if step.name not in self.told and (step.chain or not step.steps)
-        ]
-
     def unsaid(self) -> list[str]:
         """The facts that could be said and were not."""
         return list(dict.fromkeys(name for name, fact in sayable(self.d) if fact not in self.said))
-
-    def disordered(self) -> list[str]:
-        """The steps that are told before one that was derived earlier beside them."""
-        return [early for steps in _siblings(self.d.steps) for early in self._early(steps)]
-
-    def _early(self, steps: tuple[Step, ...]) -> Iterator[str]:
-        names = dict.fromkeys(step.name for step in steps if step.name in self.told)
-        for before, name in pairwise(names):
-            if self.told[name] < self.told[before]:
-                yield name
 
     def _note(self, step: Step) -> None:
         self.told.setdefault(step.name, len(self.told))
@@ -293,11 +274,3 @@ class Telling:
             return self.say(entry)
         unit = entry.unit if isinstance(entry, Number) and entry.value else ""
         return f"{self.math(entry)} {unit}".rstrip()
-
-
-def _siblings(steps: tuple[Step, ...]) -> Iterator[tuple[Step, ...]]:
-    """The steps beside each other, at every depth."""
-    yield steps
-    for step in steps:
-        if step.steps:
-            yield from _siblings(step.steps)
