@@ -62,6 +62,17 @@ SHEETS = {
         "- motor: {control: armature, output: speed}\n  find: model\n"
         "  evaluate: {J: 2, K_m: 10, R_a: 1, L_a: 1, b: 0.5, K_b: 0.1}\n",
     ),
+    "profile.lspb_trajectory": (),
+    "points.fit_transform": (),
+    "pose.quaternion": (),
+    "pose.euler_angles": (),
+    "motion.rotation_matrix": (),
+    "motion.equivalent_sequences": (),
+    "frames.loop": (),
+    "frames.transform": (),
+    "function.stationary_points": (),
+    "function.lagrange_multipliers": (),
+    "lagrange.linearisation": (),
     "sensor.mean_voltage": (
         "- sensor: {pwm: U, low: -U, duty: D, frequency: f}\n  find: mean-voltage\n",
     ),

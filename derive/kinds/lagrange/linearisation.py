@@ -105,7 +105,8 @@ def _said(system: LagrangianSystem, linear: Linear, facts: Facts, options: Optio
     yield all(given[name.name] == value for name, value in facts.held)
     yield tuple(name.name for name in facts.inputs) == linear.inputs
     yield facts.damped == any(entry for row in linear.C.rows for entry in row)
-    _, z = facts.state
+    letter, z = facts.state
+    yield letter == Symbol("z")
     names = (*system.coordinates, *system.rates)
     yield isinstance(z, Matrix) and [text(entry) for (entry,) in z.rows] == [
         f"delta*{name}" for name in names

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any, Literal
 
@@ -60,7 +61,7 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
         work = work.law("same-matrix", same, number=number)
         told = tuple(_move(each, factors) for each in sequence.moves)
         work = motion_made(work, Phrase("sequence", {"number": number}), told, exact)
-        work = work.law("said", sequence.mode == Phrase(MODES[mode(told)]))
+        work = work.law("said", (sequence.mode == Phrase(MODES[mode(told)]), *_beginning(sequence)))
     results: dict[str, Any] = {"sequences": tuple(_typed(each.moves) for each in found)}
     return work.answer("equivalent-sequences", results, facts)
 
@@ -83,6 +84,12 @@ def _move(told: Phrase, factors: Factors) -> Move:
     by = told.about["by"]
     axis = next(factor.move.axis for factor in factors.factors if factor.axis == told.about["axis"])
     return Move(kind, axis, next(move.by for move in factors.moves if move.by == by), about)
+
+
+def _beginning(sequence: SequenceTold) -> Iterator[bool]:
+    """Only of the first move no axes are told."""
+    for k, move in enumerate(sequence.moves):
+        yield (move.key in ("turn", "shift")) == (k == 0)
 
 
 def _typed(moves: tuple[Move, ...]) -> tuple[dict[str, Any], ...]:

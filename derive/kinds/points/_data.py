@@ -109,6 +109,13 @@ class Facts(PageFacts):
     rows: RowsTold | None = None
 
 
+def lists(table: Table, pairs: PointPairs) -> bool:
+    """Whether a table has every point beside its partner, under its number."""
+    points = [cell for row in table.rows for cell in row[1:]]
+    both = [Matrix((each,)) for pair in zip(pairs.source, pairs.target, strict=True) for each in pair]
+    return points == both and [row[0] for row in table.rows] == [*map(number, range(1, len(both) // 2 + 1))]
+
+
 def point_table(pairs: PointPairs) -> Table:
     """The points as given."""
     rows = zip(pairs.source, pairs.target, strict=True)

@@ -11,7 +11,7 @@ from derive.derivation import Claim
 from derive.expression import Expr, Product, Symbol, transpose
 from derive.kinds.checks import close, route
 from derive.kinds.meanings import Chain, farthest, valued
-from derive.kinds.points._data import RowsTold, SvdTold
+from derive.kinds.points._data import Facts
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.fitting import PointPairs, by_quaternion
@@ -53,10 +53,13 @@ class Pairs:
         return float((gaps**2).sum(axis=1).mean() ** 0.5)
 
 
-def best_rotation(work: Work, told: SvdTold, results: Mapping[str, Expr], pairs: Pairs) -> tuple[Claim, ...]:
+def best_rotation(work: Work, facts: Facts, results: Mapping[str, Expr], pairs: Pairs) -> tuple[Claim, ...]:
     """Horn's rotation for every R; the factors of H, of which others would do too, by what they must be."""
     import numpy as np
 
+    told = facts.svd
+    if told is None:
+        return ()
     X, Y = pairs.centred
     H = X.T @ Y
     R, mean_a, mean_b = np.array(by_quaternion(H.tolist())), pairs.a.mean(axis=0), pairs.b.mean(axis=0)
@@ -93,10 +96,13 @@ def _factors() -> tuple[Chain, ...]:
     return ((H, Product((U, S, transpose(V)))), *orthogonal)
 
 
-def rows_fitted(work: Work, told: RowsTold, results: Mapping[str, Expr], pairs: Pairs) -> tuple[Claim, ...]:
+def rows_fitted(work: Work, facts: Facts, results: Mapping[str, Expr], pairs: Pairs) -> tuple[Claim, ...]:
     """Each row by the singular values of the table."""
     import numpy as np
 
+    told = facts.rows
+    if told is None:
+        return ()
     count, size = pairs.a.shape
     table = np.hstack([pairs.a, np.ones((count, 1))])
     rows = np.linalg.lstsq(table, pairs.b, rcond=None)[0].T

@@ -13,7 +13,16 @@ from derive.derivation import Claim, Derivation, Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Matrix, Symbol, number, transpose
 from derive.kinds.checks import close, law, route
-from derive.kinds.points._data import Data, Facts, RowsTold, point_table, rounded, rounded_matrix, shown
+from derive.kinds.points._data import (
+    Data,
+    Facts,
+    RowsTold,
+    lists,
+    point_table,
+    rounded,
+    rounded_matrix,
+    shown,
+)
 from derive.kinds.points._fit_checks import Pairs, rows_fitted
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
@@ -59,8 +68,9 @@ def fitted(pairs: PointPairs, problem: Problem) -> Derivation:
     lengths = tuple(step.name for step in steps if step.name.startswith("length"))
     told = RowsTold(verdict=scaled.verdict, lengths=lengths)
     work = Work(problem, steps=steps).claim(*_claims(data, table, rows, targets))
-    work = work.claim(*rows_fitted(work, told, results, Pairs.of(pairs, problem)))
     facts = Facts(points=point_table(pairs), rows=told, numbers=())
+    work = work.claim(*rows_fitted(work, facts, results, Pairs.of(pairs, problem)))
+    work = work.law("said", lists(facts.points, pairs))
     return work.answer("fit-transform", results, facts)
 
 

@@ -47,6 +47,7 @@ def _named_as_meant(facts: Facts) -> Iterator[bool]:
     middle, outer = {facts.middle.name}, ({facts.first.name}, {facts.last.name})
     if facts.entries is not None:
         yield free_symbols(facts.entries.middle[1]) == middle
+        yield [len(pair) for pair in facts.entries.pairs] == [2, 2]
         for name, pair in zip(outer, facts.entries.pairs, strict=True):
             yield from (free_symbols(tree) - middle == name for _, tree in pair)
     both = {"first": facts.first, "last": facts.last}

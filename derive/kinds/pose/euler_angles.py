@@ -8,7 +8,7 @@ from typing import Annotated, Any
 from pydantic import AfterValidator
 
 from derive.algebra.normal import normal_matrix
-from derive.derivation import Derivation
+from derive.derivation import Derivation, Phrase
 from derive.errors import NotDerivable
 from derive.expression import Product
 from derive.kinds.checks import is_rotation
@@ -21,6 +21,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.euler import Convention, Euler
 
+ORDERS = {True: "about-current", False: "about-world"}  # of capital letters, and of small ones
 SUBJECTS = ("motion", "frames", "robot")
 DEFAULTS = (("phi", "theta", "psi"), ("alpha", "beta", "gamma"), ("phi_e", "theta_e", "psi_e"))
 CLAIMS = ("orthogonal", "right-handed", "branch-again|singular-again", "orientation-again")
@@ -55,7 +56,9 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     work = replace(work, steps=(*work.steps, *compared.steps()))  # the names of angles stand for no one value
     work = work.claim(*compared.laws(), *is_rotation(normal_matrix(E)))
     solutions, facts = compared.solutions(), compared.facts()
-    work = work.law("order", ((facts.order.key == "about-current") == options.convention.isupper(),))
+    work = work.law(
+        "order", (facts.order == Phrase(ORDERS[options.convention.isupper()]), facts.rotation == rotation)
+    )
     return put_back(work, compared, solutions, facts).answer(
         "euler-angles",
         {"R": E, "solutions": solutions},

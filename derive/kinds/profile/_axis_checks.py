@@ -10,7 +10,7 @@ from derive.algebra.numbers.floats import Point, completed
 from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Claim, Phrase, Said, Step
 from derive.errors import NotDerivable
-from derive.expression import Expr, Relation, Symbol
+from derive.expression import ZERO, Expr, Relation, Symbol
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import TREES
 from derive.kinds.meanings import Chain, Names, farthest
@@ -22,6 +22,11 @@ from derive.mechanics.trapezoid import Switching
 
 EACH = 2  # points for a case
 TRIED = 20
+OPENINGS = {
+    True: ("ramps", "ramps-among"),
+    False: ("triangle-first", "triangle-among"),
+}  # alone, among others
+WHAT = {True: ("room", "no-room"), False: ("plateau", "triangle")}
 WITH_A_PLATEAU = ("room", "plateau")
 LOOSE = 1e-6  # a search for a flat minimum finds no more digits
 PROBE, TO_THE_LIMIT = Symbol("probe"), Symbol("time to the limit")
@@ -109,8 +114,12 @@ def _verdicts(each: Solved, told: AxisTold, k: int, at: Point) -> bool:
     decided = {"at-most": probe <= limit * (1 + LOOSE), "more-than": probe >= limit * (1 - LOOSE)}
     backwards = value_of(each.axis.distance, completed(at, each.problem.where)) < 0
     return (
-        told.opening.key.startswith("ramps") == (t_3 is None)
-        and (case.what.key in ("room", "no-room")) == (t_3 is None)
+        told.opening.key in OPENINGS[t_3 is None]
+        and case.what.key in WHAT[t_3 is None]
+        and case.begins.key in ("if", "at-most", "more-than")
+        and (len(told.cases) > 1) == (case.begins.key == "if")
+        and told.backwards in (None, Phrase("backwards"))
+        and len(told.given) in (0, len(names.working.typed))
         and (told.backwards is None or backwards)
         and all(rates[name] == rate for name, _, rate in told.given if isinstance(name, Symbol))
         and ((case.what.key in WITH_A_PLATEAU) == plateau or border or (slow and stuck))
@@ -196,6 +205,8 @@ def _said(each: Solved, about: Mapping[str, Said]) -> Iterator[Chain]:
     for name, said in about.items():
         if isinstance(said, TREES):
             yield called[name], said
+        elif isinstance(said, Relation) and said.sign != "=" and name not in ("when", "conditions"):
+            yield Symbol("t_3"), ZERO  # no equation
         elif isinstance(said, Relation) and said.sign == "=" and isinstance(said.left, TREES):
             yield (called[name], said.left, said.right) if name in called else (said.left, said.right)
 

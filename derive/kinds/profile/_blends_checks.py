@@ -27,6 +27,8 @@ from derive.mechanics.profile import Journey, Profile
 
 EACH = 2  # points
 CLOSE = 1e-6
+HOW = {True: "blended", False: "as-the-profile"}
+PIECES = {1: "begins", 2: "goes-on", 3: "ends"}
 WITHIN = (0.3, 0.8)  # of a piece: moments at which its law is tried
 
 
@@ -79,16 +81,34 @@ class Blends:
         met = list(islice(self._possible(), EACH))
         yield route("as-told", (self._holds(at, chains, pieces, told) for at in met))
 
-    def said(self, how: Phrase, smaller: Phrase | None, possible: Phrase | None) -> Iterator[Claim]:
+    def said(
+        self,
+        how: Phrase,
+        smaller: Phrase | None,
+        possible: Phrase | None,
+        told: Sequence[tuple[Expr, Expr, int | None]],
+    ) -> Iterator[Claim]:
         """What is said of all of it: how it is made, and for which values."""
         area, given = how.about.get("area"), self.given[0]
-        yield law("said", ((smaller is not None) == (given == "a"), (how.key == "blended") == bool(given)))
-        if isinstance(area, Relation) and isinstance(area.left, TREES):
+        equal = area is None or (isinstance(area, Relation) and area.sign == "=")
+        root = Phrase("smaller-root") if given == "a" else None
+        yield law("said", (smaller == root, how.key == HOW[bool(given)], equal, self._is_given(told)))
+        if isinstance(area, Relation) and isinstance(area.left, TREES) and area.sign == "=":
             names = (self.names(motion, at) for at in self._possible() if (motion := self.possible(at)))
             chains = [(area.left, area.right), (how.about["v"], V), (how.about["t_b"], T_B)]
             yield route("area", (farthest(chains, each) < CLOSE for each in islice(names, EACH)))
         if possible is not None:
             yield route("which", self._which(possible))
+
+    def _is_given(self, told: Sequence[tuple[Expr, Expr, int | None]]) -> bool:
+        """Whether all that the sheet gives is told, each with how often it is differentiated."""
+        found, sorts = self.found, {"v": 1, "a": 2, "t_b": None, "": None}
+        rates: dict[Expr, int | None] = {
+            found.start: 0, found.end: 0, found.T: None, V: 1, A: 2, T_B: None,
+            found.given or T_B: sorts[self.given[0]],
+        }  # fmt: skip
+        typed = [(name, value, rates[name]) for name, value in found.working.typed if name in rates]
+        return list(told) == typed
 
     @property
     def given(self) -> tuple[str, Expr | None]:
@@ -111,8 +131,9 @@ class Blends:
             way = worth(end, at) - worth(start, at)
             if worth(self.found.T, at) <= 0 or sizes["given"] * (1.0 if by == "t_b" else way) <= 0:
                 continue
-            least, most = abs(sizes.get("least", 0.0)), abs(sizes.get("most", inf))
-            yield (least < abs(sizes["given"]) <= most) == (self.possible(at) is not None)
+            sign = 1.0 if by == "t_b" or way > 0 else -1.0
+            least, most = sign * sizes.get("least", 0.0), sign * sizes.get("most", sign * inf)
+            yield least >= 0 and (least < abs(sizes["given"]) <= most) == (self.possible(at) is not None)
 
     def possible(self, at: Point) -> Motion | None:
         """The motion at a point; None where there is none."""
@@ -165,6 +186,7 @@ class Blends:
         gaps = [farthest(chains, names)]
         flat = motion.borders[2] - motion.borders[1] <= CLOSE * motion.T
         whole = {1, 3} <= told.keys() and (2 in told or flat)
+        whole &= all(what.key == PIECES[k] for k, (_, what) in told.items())
         for k, branch in enumerate(pieces, 1):
             low, high = motion.borders[k - 1 : k + 1]
             law, about = (told[k][0], told[k][1].about) if k in told else ((), {})

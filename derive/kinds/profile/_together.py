@@ -85,6 +85,8 @@ class Together:
         times, common = [fastest_time(axis) for axis in self.alone], said.common.about
         short = self.slowest is None and value_of(self.time, {}) < max(times) * (1 - LOOSE)
         holds = [(said.table is None) == (said.least is not None) == short]
+        numbers = [row[0] for row in said.table.rows] if said.table else []
+        holds.append(numbers == [number(k) for k, _ in enumerate(numbers, 1)])
         holds.append(not said.least or _is(said.least.about["least"], max(times)))
         slowest = common.get("slowest")
         holds += [(slowest is None) == (not said.alone), [each is None for each in said.axes].count(True) < 2]

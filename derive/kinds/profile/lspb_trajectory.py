@@ -77,7 +77,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     by_name = {step.name: step for step in work.steps}
     told = {int(each.step[-1]): (by_name[each.step].chain, each.what) for each in facts.pieces}
     work = work.claim(*checked.claims([each for each in chains if each[0] != q], pieces, told))
-    work = work.claim(*checked.said(facts.how, facts.smaller, facts.possible))
+    work = work.claim(*checked.said(facts.how, facts.smaller, facts.possible, facts.given))
     timed = [(piece.values["q"], times_of(piece)) for piece in pieces]
     work = work.claim(*drawn.claims(timed, facts.limits, facts.drawn, results))
     return work.answer(
