@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -32,9 +32,10 @@ from derive.mechanics.oracle.heavy import Heavy
 from derive.mechanics.robot import Robot
 
 NEEDS = ("bodies",)
-CLAIMS = ("inertia", "christoffel", "gravity", "motion-of-each-body", "names")
+CLAIMS = ("inertia", "christoffel", "gravity", "motion-of-each-body", "names", "each-link")
 CLAIMED = {"tau": "motion-of-each-body"}  # by the motion of each body; of a long arm no line has it
 BASE = Symbol("o_0_ddot")
+OF_EACH_LINK = ("omega_{}", "omega_{}_dot", "o_{}_ddot", "f_{}", "mu_{}")
 CONSTANTS = {"e": "constant-e", "r": "constant-r", "r_c": "constant-r_c", "p": "constant-p"}
 
 
@@ -137,6 +138,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     torques = {Symbol(f"tau_{k}"): entry for k, (entry,) in enumerate(tau.rows, 1)}
     for line in (*recursion.outward(), *recursion.inward()):
         work = _in_names(work, line) if arm.long else _written(work, line, torques.get(line.name))
+    work = work.law("each-link", _lines_of_each(robot, {step.name for step in work.steps}))
     facts = Facts(
         laws=Phrase("laws-ask" if arm.long else "laws-give", {"F": Symbol("F_i"), "N": Symbol("N_i")}),
         in_names=Phrase("in-names") if arm.long else None,
@@ -146,6 +148,13 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     return by_index(work, {"tau": tau}, _meanings(work.definitions)).answer(
         "newton-euler", {"tau": tau}, facts
     )
+
+
+def _lines_of_each(robot: Robot, told: set[str]) -> Iterator[bool]:
+    """Whether every link has its lines out and back, and every joint its force."""
+    links, joints = range(1, len(robot.links) + 1), range(1, len(robot.variables) + 1)
+    yield from (name.format(i) in told for i in links for name in OF_EACH_LINK)
+    yield from (f"tau_{k}" in told for k in joints)
 
 
 def _sweeping(arm: Arm, bodies: tuple[Weighted, ...]) -> NewtonEuler:

@@ -8,7 +8,7 @@ from functools import partial
 
 from derive.algebra.infix import text
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numbers.floats import Point, number_rows, numbers
+from derive.algebra.numbers.floats import Point, number, number_rows, numbers
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts, Phrase, Step, Table, as_matrix
 from derive.expression import (
@@ -95,6 +95,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     elif lost:
         means = partial(_columns_at, parameters, as_matrix(results["Y"], "Y"))
         work = work.claim(told([step.chain for step in lost], means, arm.moving, problem.where, "dependent"))
+    others = [part for part in parameters if part.name.base not in NAMES]
+    if others:
+        work = work.law("of-their-joints", (_moves_its_joint(robot, part) for part in others))
     for Y, name in PRODUCTS:
         ours = partial(_product, as_matrix(results[Y], Y), results[name])
         work = work.agrees("motion-of-each-body", arm.moving, ours, arm.rubbing.torques, Y=Y, theta=name)
@@ -105,10 +108,17 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         mass=of_each("M"),
         moments=tuple(map(of_each, MOMENTS)),
         elements=tuple(map(of_each, sorted(ELEMENTS))),
-        others=said_of_each(COLUMNS, (part.name for part in parameters if part.name.base not in NAMES)),
+        others=said_of_each(COLUMNS, (part.name for part in others)),
         numbers=("Y", "parameters", "Y_b", "base_parameters"),
     )
     return work.answer("regressor", results, facts, matrices=frozenset({"Y", "Y_b"}))
+
+
+def _moves_its_joint(robot: Robot, part: Standard) -> bool:
+    """Whether it is numbered by the row of the joint, the only one that it acts on."""
+    row = int(number(part.name.lower[0], {}))
+    own = robot.variables.index(robot.links[row - 1].variable or "")
+    return [bool(entry) for entry in part.column.entries] == [k == own for k in range(len(robot.variables))]
 
 
 def _linear(work: Work, results: Mapping[str, Expr]) -> Work:
