@@ -210,7 +210,7 @@ class Comparison:
         """What the words read."""
         euler = self.euler
         centre = Symbol(euler.outer[1])
-        g = sin(centre) if euler.even else cos(centre)
+        g = (sin if euler.even else cos)(centre)
         return Facts(
             rotation=self.given.rotation,
             order=Phrase("about-current" if euler.convention.about == "current" else "about-world"),
@@ -233,11 +233,9 @@ class Comparison:
         )
 
     def _free(self) -> Phrase | None:
-        if not self.singular_cases:
-            return None
         first, _, last = map(Symbol, self.euler.outer)
-        key = "in-each-case" if len(self.singular_cases) > 1 else "in-this-case"
-        return Phrase(key, {"first": first, "last": last})
+        key = (None, "in-this-case", "in-each-case")[len(self.singular_cases)]
+        return Phrase(key, {"first": first, "last": last}) if key else None
 
     def _entries(self, g: Expr) -> Entries:
         """Those that hold the middle angle alone, and one of the others beside it."""
