@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from derive.derivation import Condition, PageFacts, Phrase, Record, Step, Table
-from derive.expression import Expr, Symbol
+from derive.expression import ZERO, Expr, Relation, Symbol
 
 
 class Compared(Record):
@@ -41,6 +41,11 @@ class Method(Record):
     by_name: bool = False
     by_length: bool = False
     positive: bool = False
+
+    @property
+    def signs(self) -> tuple[Relation, ...]:
+        """Those of the factor, in the order of the choices."""
+        return tuple(Relation(self.factor, sign, ZERO) for sign in "><") if self.factor else ()
 
 
 class SolvedFacts(Record):
