@@ -28,6 +28,7 @@ OPENINGS = {
 }  # alone, among others
 WHAT = {True: ("room", "no-room"), False: ("plateau", "triangle")}
 WITH_A_PLATEAU = ("room", "plateau")
+SURE = 1e-12  # of numbers that are compared as they stand
 LOOSE = 1e-6  # a search for a flat minimum finds no more digits
 PROBE, TO_THE_LIMIT = Symbol("probe"), Symbol("time to the limit")
 
@@ -111,7 +112,7 @@ def _verdicts(each: Solved, told: AxisTold, k: int, at: Point) -> bool:
     stuck = found.case == "infeasible"
     slow = t_3 is not None and v_max * t_3 <= d
     probe, limit = (v_max**2 / a_max, d) if t_3 is None else (2 * d / t_3, v_max)
-    decided = {"at-most": probe <= limit * (1 + LOOSE), "more-than": probe >= limit * (1 - LOOSE)}
+    decided = {"at-most": probe <= limit * (1 + SURE), "more-than": probe > limit * (1 + SURE)}
     backwards = value_of(each.axis.distance, completed(at, each.problem.where)) < 0
     return (
         told.opening.key in OPENINGS[t_3 is None]

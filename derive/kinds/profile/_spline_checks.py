@@ -4,20 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from itertools import islice, pairwise
-from typing import Any
+from typing import Any, TypeAlias
 
 from derive.algebra.numbers.floats import Point, completed
 from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Branch, Claim, Table
-from derive.expression import Expr, Relation, Symbol
+from derive.expression import ZERO, Expr, Relation, Symbol
 from derive.kinds.checks import route
 from derive.kinds.fields import TREES
 from derive.kinds.meanings import Chain, farthest
 from derive.kinds.problem import Problem
 from derive.kinds.profile._pieces import t, times_of
 from derive.kinds.profile._places import places
+from derive.mechanics.profile import Journey
 from derive.mechanics.splines import solved_in_floats
 
+Knots: TypeAlias = tuple[Sequence[Expr], Sequence[Expr], Sequence[Expr | None]]
 EACH = 2  # points
 CLOSE = 1e-7
 WITHIN = (0.3, 0.8)  # of a piece
@@ -25,8 +27,17 @@ C = tuple(Symbol(f"c_{k}") for k in range(4))
 FROM, TO, Q = Symbol("from"), Symbol("to"), Symbol("q")
 
 
+def asked(journey: Journey, time: Expr | None, natural: bool) -> Knots:
+    """The times, the places and the velocities that the sheet gives; at natural ends it gives none."""
+    first, last = (None, None) if natural else (journey.start_velocity, journey.end_velocity)
+    between = [(via.time, via.place, via.velocity) for via in journey.via]
+    rows = [(ZERO, journey.start, first), *between, (time or ZERO, journey.end, last)]
+    times, places, velocities = zip(*rows, strict=True)
+    return times, places, velocities
+
+
 def claims(
-    knots: tuple[Sequence[Expr], Sequence[Expr], Sequence[Expr | None]],
+    knots: Knots,
     chains: Sequence[Chain],
     pieces: Sequence[Branch],
     table: Table,
@@ -46,7 +57,7 @@ def claims(
 
 def _holds(
     at: Point,
-    knots: tuple[Sequence[Expr], Sequence[Expr], Sequence[Expr | None]],
+    knots: Knots,
     chains: Sequence[Chain],
     pieces: Sequence[Branch],
     table: Table,

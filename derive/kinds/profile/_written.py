@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 FINE = 4001  # moments looked at
 STEP = 1e-4  # of differences, as a part of the whole time
+SOON = 4e-3  # after the limit is exceeded, as a part of the whole time
 LOOSE = 1e-3  # what the moments between those leave
 
 
@@ -90,7 +91,7 @@ class Written:
             return right and told.kept and not len(beyond) and told.first is None
         first = value_of(told.first, {})
         early = size[times < first - 4 * STEP * self.end]
-        late = size[(times > first) & (times < first + 0.05 * self.end)]
+        late = size[(times > first) & (times < first + SOON * self.end)]
         return (
             right
             and reached > most - slack

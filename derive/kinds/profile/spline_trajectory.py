@@ -30,7 +30,7 @@ from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.profile._drawn import Drawn, LimitTold
 from derive.kinds.profile._pieces import Span, branch, joined, times_of
-from derive.kinds.profile._spline_checks import claims
+from derive.kinds.profile._spline_checks import asked, claims
 from derive.kinds.profile._spline_laws import laws
 from derive.kinds.work import Work
 from derive.mechanics.profile import Journey, Profile, Units
@@ -114,7 +114,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     facts = _facts(knots, spans, profile, drawn, options)
     chains = [step.chain for step in work.steps if step.rule != "law"]
     chains += [(Symbol(name), tree) for name, tree in results.items()]
-    given = knots.times, knots.places, knots.velocities
+    given = asked(journey, profile.time, options.ends == "natural")
     work = work.claim(*claims(given, chains, pieces, facts.pieces, problem))
     timed = [(piece.values["q"], times_of(piece)) for piece in pieces]
     work = work.claim(*drawn.claims(timed, facts.limits, facts.drawn))
