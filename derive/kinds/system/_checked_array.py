@@ -16,6 +16,7 @@ from derive.kinds.system._stability_facts import Facts
 
 TRIED, LARGEST = 40, 6.0  # points, and the largest value of a symbol there
 FAR = (-2, 3)  # powers of ten of which some are drawn, for conditions as K < 30
+SOUGHT, SIZES = 300, (-3, 2)  # points, and powers of ten, where a stable loop is sought
 NOWHERE = (ValueError, ZeroDivisionError, OverflowError, NotDerivable)
 
 
@@ -76,9 +77,24 @@ class Printed:
                 * (1 if name in self.positive or k % 2 else draw.choice((1, -1)))
                 for name in self.symbols
             }
-            try:
-                found = [number(each, at) for each in self.coefficients]
-            except NOWHERE:
-                continue
-            if found[0]:
-                yield at, found
+            yield from self._there(at)
+
+    def far_and_near(self) -> Iterator[tuple[dict[str, float], list[float]]]:
+        """Many values of every size, and the polynomial there: a region of stable loops may be small."""
+        draw = random.Random(" ".join(self.symbols))
+        for k in range(SOUGHT if self.symbols else 0):
+            sizes = {name: 10 ** draw.uniform(*SIZES) for name in self.symbols}
+            yield from self._there(
+                {
+                    name: size if name in self.positive or k % 2 else draw.choice((1, -1)) * size
+                    for name, size in sizes.items()
+                }
+            )
+
+    def _there(self, at: dict[str, float]) -> Iterator[tuple[dict[str, float], list[float]]]:
+        try:
+            found = [number(each, at) for each in self.coefficients]
+        except NOWHERE:
+            return
+        if found[0]:
+            yield at, found

@@ -13,7 +13,7 @@ from derive.kinds.fields import TREES
 from derive.kinds.system._array_checks import as_printed, is_determinant, is_of_array, minors
 from derive.kinds.system._checked_array import Printed
 from derive.kinds.system._oracle import Held
-from derive.kinds.system._verdict_checks import changes, limit, marginal, said, stable
+from derive.kinds.system._verdict_checks import changes, limit, marginal, said, sought, stable
 
 CALLED = {
     "stable": {"is-stable"}, "unstable": {"is-unstable", "unstable-by-a-repeated-root"},
@@ -34,6 +34,8 @@ def routes(held: Held, printed: Printed, results: Mapping[str, Result]) -> Itera
     found = [*stable(printed)]
     if found or (printed.symbols and not told.never):
         yield route("exactly-stable", found)
+    if found := [*sought(printed)]:
+        yield route("stable-elsewhere", found)
     if told.never and (found := [*marginal(printed)]):
         yield route("marginally-stable", found)
     if printed.epsilon is None and (found := [*changes(printed)]):

@@ -18,6 +18,7 @@ from derive.kinds.system._oracle import Held
 from derive.kinds.system._relation_checks import CLEAR, all_hold, holds
 from derive.kinds.system._stability_facts import NEVER, Around
 
+ENOUGH = 6  # points with a stable loop
 OUT = 2.3  # a place further out than 1
 SYMBOLIC = {*NEVER.values(), "marginal", "marginal-where", "always", "left-where"}
 IN_NUMBERS = {
@@ -46,6 +47,24 @@ def stable(printed: Printed) -> Iterator[bool]:
         if met is not None:
             yield met == (verdict == "stable")
             yield not (printed.told.never and verdict == "stable")
+
+
+def sought(printed: Printed) -> Iterator[bool]:
+    """The same where a wide search finds that all roots lie left, or that the conditions are said to hold."""
+    met = 0
+    for at, polynomial in printed.far_and_near():
+        possible = poles.possible(polynomial)
+        try:
+            said = all_hold(printed.conditions, at)
+        except NOWHERE:
+            continue
+        if said is None or len(possible) > 1:
+            continue
+        if said or possible == {"stable"}:
+            yield said and possible == {"stable"} and not printed.told.never
+            met += 1
+        if met == ENOUGH:
+            return
 
 
 def marginal(printed: Printed) -> Iterator[bool]:
