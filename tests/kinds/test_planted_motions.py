@@ -254,7 +254,7 @@ MISTAKES = {
         change_of_frame.derive, "pose_name(source, options.target)", "pose_name(options.target, source)", TREE
     ),
     "a loop that does not close told closed": Mistake(
-        loop._Loop.facts, "closes=self.closes", "closes=not self.closes", "frames.loop"
+        loop._Loop.facts, "any(j < 3 for _, j in wrong)", "not any(j < 3 for _, j in wrong)", "frames.loop"
     ),
     "yes for no": Mistake(
         loop.derive, '"yes" if loop.closes else "no"', '"no" if loop.closes else "yes"', "frames.loop"

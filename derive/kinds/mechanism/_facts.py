@@ -13,7 +13,6 @@ Other: TypeAlias = tuple[Space, tuple[Expr, Expr], Expr]  # its lambda, and the 
 
 class Facts(PageFacts):
     space: Space
-    freedoms: Expr  # of a joint
     bodies: Expr
     pairs: Expr | None  # revolute joints of a loop that may move though the formula does not see it
     loops: Expr | None  # that are closed

@@ -68,7 +68,6 @@ def _facts(mechanism: Mechanism, size: int) -> Facts:
     spherical = sum(each.pairs for each in mechanism.joints if each.name == "spherical")
     return Facts(
         space=mechanism.space,
-        freedoms=F_I,
         bodies=number(mechanism.bodies),
         pairs=number(mechanism.pairs) if _known(mechanism) else None,
         loops=number(mechanism.loops) if mechanism.loops else None,

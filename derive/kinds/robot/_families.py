@@ -23,11 +23,13 @@ def of_each(base: str) -> Indexed:
 
 
 def _sort(name: Expr) -> tuple[str, Expr]:
-    """The letter of a name and what it is with the index i."""
+    """The letter of a name and what it is with the index i; one without a number is called as it is."""
     match name:
         case Indexed(base, _):
             return base, of_each(base)
         case Symbol(written):
             stem = written.rstrip(digits)
+            if stem == written:  # k_e, of the end-effector
+                return written.partition("_")[0], name
             return stem, Symbol(f"{stem}{I.name}")
     raise TypeError(f"{name} is no name")

@@ -19,7 +19,7 @@ from derive.kinds.checks import close, random_points, route
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._singular.facts import CaseTold, SetTold
 from derive.kinds.robot._singular.postures import Postures
-from derive.kinds.robot._singular.search import Values, inside, placed, zeros_along
+from derive.kinds.robot._singular.search import Values, inside, placed, put, zeros_along
 from derive.kinds.robot._singular.sets import Analysed, Block, Case
 from derive.kinds.robot._singular.ways import Way
 from derive.kinds.robot._velocity.task import Task
@@ -28,6 +28,7 @@ from derive.mechanics.task import ROWS
 SMALL = 1e-5  # a singular value, relative to the largest; differences leave less
 DIFFERENCES = 1e-6
 POINTS, TRIES = 3, 60
+IN_A_SET = 1, 36  # lines along which lower ranks are sought, and places on each
 WRIST = 3  # joints
 SETS = ("on-the-set", "inside-larger-sets")
 
@@ -67,6 +68,9 @@ class Checked:
             yield route("spaces-told", spaces)
         if self.way.complete and (found := [*self._found(some[0])]):
             yield route("all-found", found)
+        one_of_each = {id(each): branch for branch, each, _ in self._listed() if not each.inner}
+        if lower := [found for branch in one_of_each.values() for found in self._lower(branch, some[0])]:
+            yield route("inner-found", lower)
 
     def _listed(self) -> Iterator[tuple[Branch, Analysed, Case | None]]:
         """Each result with the set, and the choice of values in it, that it tells."""
@@ -170,16 +174,38 @@ class Checked:
             told = any(inside(branch, here, self._slides) for branch in self.solutions)
             yield told and _rank(J.numbers(here)) < full
 
+    def _lower(self, branch: Branch, at: Values) -> Iterator[bool]:
+        """Whether each configuration of a set in which the rank is less, as a search along a line in it
+        finds, lies in a set that is told to have that rank."""
+        rank, own = branch.facts.get("rank"), branch.values
+        if not isinstance(rank, int) or not own:
+            return
+
+        def height(there: Values) -> float:
+            here = put(own, there)
+            return 1.0 if here is None else float(_singular_values(self.task.numbers(here))[rank - 1]) ** 2
+
+        free = [name for name in self.task.found.variables if name not in own]
+        for there in zeros_along(height, at, free, self._slides, *IN_A_SET) if rank and free else ():
+            if (here := put(own, there)) is not None:
+                lower = _rank(self.task.numbers(here))
+                around = [each for each in self.solutions if inside(each, here, self._slides)]
+                yield lower in [each.facts.get("rank", each.facts.get("rank_at_most")) for each in around]
+
 
 def _sampled(each: Analysed) -> list[Values]:
     """Some places of a set that is told by its equations."""
     return [here for zeros in each.places for here in each.block.seeing.places(zeros)]
 
 
-def _rank(J: Any) -> int:
+def _singular_values(J: Any) -> Any:
     import numpy as np
 
-    values = np.linalg.svd(J, compute_uv=False)
+    return np.linalg.svd(J, compute_uv=False)
+
+
+def _rank(J: Any) -> int:
+    values = _singular_values(J)
     return int((values > SMALL * max(1.0, values[0])).sum())
 
 

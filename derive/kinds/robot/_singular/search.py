@@ -13,19 +13,24 @@ from derive.derivation import Branch, Phrase
 from derive.expression import Expr, Relation
 
 LINES, SAMPLES, HALVINGS = 5, 64, 60
-GOLDEN = (math.sqrt(5) - 1) / 2
-LOW, NOTHING = 0.05, 1e-12  # of the largest value on a line: what may lead down to zero, and what is zero
+PARABOLAS = 8
+LOW, NOTHING = 0.3, 1e-12  # of the largest value on a line: what may lead down to zero, and what is zero
 CLOSE = 1e-5  # of a variable or an equation, at a zero found
 Values = dict[str, float]
 
 
 def zeros_along(
-    value: Callable[[Values], float], at: Mapping[str, float], names: Sequence[str], slides: Sequence[str]
+    value: Callable[[Values], float],
+    at: Mapping[str, float],
+    names: Sequence[str],
+    slides: Sequence[str],
+    lines: int = LINES,
+    samples: int = SAMPLES,
 ) -> Iterator[Values]:
     """Where a function changes its sign, or touches zero as a square does, on lines at random, which an angle
     follows for a whole turn."""
     draw = random.Random(" ".join(names))
-    for _ in range(LINES):
+    for _ in range(lines):
         start = {name: draw.uniform(-math.pi, math.pi) for name in names}
         way = {name: draw.choice((-1, 1)) * draw.uniform(0.5, 1.0) for name in names}
         if slides:
@@ -37,7 +42,7 @@ def zeros_along(
         def height(s: float, there: Callable[[float], Values] = there) -> float:
             return value(there(s))
 
-        marks = [2 * math.pi * k / SAMPLES for k in range(SAMPLES + 1)]
+        marks = [2 * math.pi * k / samples for k in range(samples + 1)]
         heights = list(map(height, marks))
         for (a, fa), (b, fb) in pairwise(zip(marks, heights, strict=True)):
             if fa * fb < 0:
@@ -58,11 +63,15 @@ def _touched(value: Callable[[float], float], marks: list[float], heights: list[
 
 
 def _lowest(value: Callable[[float], float], a: float, b: float) -> float:
-    """The place of the only minimum between two places, by golden section."""
-    for _ in range(HALVINGS):
-        left, right = b - GOLDEN * (b - a), a + GOLDEN * (b - a)
-        a, b = (a, right) if value(left) < value(right) else (left, b)
-    return (a + b) / 2
+    """The place of the only minimum between two places, by parabolas through three closer and closer ones."""
+    middle, apart = (a + b) / 2, (b - a) / 2
+    for _ in range(PARABOLAS):
+        before, here, after = (value(middle + step * apart) for step in (-1, 0, 1))
+        bend = before - 2 * here + after
+        if bend > 0:
+            middle -= apart * max(-1.0, min(1.0, (after - before) / (2 * bend)))
+        apart /= 10
+    return middle
 
 
 def _halved(value: Callable[[float], float], a: float, b: float, fa: float) -> float:
@@ -105,15 +114,23 @@ def _met(relation: Relation, here: Values) -> bool:
     return abs(gap) < CLOSE or abs(math.remainder(gap, 2 * math.pi)) < CLOSE
 
 
+def put(values: Mapping[str, Expr], at: Values) -> Values | None:
+    """A point moved to these values; None where they are not real."""
+    here = dict(at)
+    try:
+        for _ in values:  # a value may hold another one
+            here |= {name: number(value, here) for name, value in values.items()}
+    except ValueError:
+        return None
+    return here
+
+
 def placed(values: Mapping[str, Expr], points: Iterator[Values], most: int = 3) -> Iterator[Values]:
     """Points moved to these values, where they are real."""
     count = 0
     for at in points:
-        here = dict(at)
-        try:
-            for _ in values:  # a value may hold another one
-                here |= {name: number(value, here) for name, value in values.items()}
-        except ValueError:
+        here = put(values, at)
+        if here is None:
             continue
         yield here
         count += 1
