@@ -31,9 +31,13 @@ def _plain(text: str, escape: Callable[[str], str], formula: Callable[[str], str
     pieces = FORMULA.split(text.strip())
     if any(map(MARKUP.search, pieces[::2])):
         return ""
-    return "".join(
+    written = "".join(
         f"${formula(piece)}$" if place % 2 else escape(piece) for place, piece in enumerate(pieces)
     )
+    kept = "".join(written.split())
+    if lost := [piece for piece in pieces[1::2] if f"${''.join(piece.split())}$" not in kept]:
+        raise ValueError(f"a text has lost a formula: {lost[0]}")
+    return written
 
 
 def _blocks(text: str, writer: Writer) -> str:

@@ -61,9 +61,9 @@ def _within(case: CaseTold, outer: CaseTold) -> bool:
 
 
 def _statements(case: CaseTold, at: Point) -> Iterator[bool]:
-    """Every equation that is said to hold, and one of those that the case leaves."""
+    """Every equation that is said to hold says something and does, and one of those that the case leaves."""
     for each in (*([case.given] if case.given else []), *_relations(case.moves)):
-        yield _holds(each, at)
+        yield each.left != each.right and _holds(each, at)
     if case.split:
         yield any(_holds(each, at) for each in case.split)
     if case.none:

@@ -79,15 +79,16 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     linear = _linear(model, at, inputs)
     if not linear.M.det():
         raise NotDerivable("the mass matrix is singular at this state: a coordinate has no inertia there")
-    steps = (*_matrix_steps(model, linear), *_state_steps(model, linear))
+    matrices, state = (*_matrix_steps(model, linear),), (*_state_steps(model, linear),)
+    steps, facts = (*matrices, *state), _facts(model, options, linear, at)
     results = {step.name: problem.final(step.result) for step in steps}
     motion = _small_motion(linear)
-    work = Work(problem, uses=(equations(problem),)).showing(motion).step(*steps)
+    work = Work(problem, uses=(equations(problem),)).showing(motion).step(*matrices)
+    work = work.showing(Step("z", facts.state, "in-numbers")).step(*state)
     letters = problem.symbols.union(*map(free_symbols, at.values()))
     means = partial(_moving, results, problem)
     sides = tuple(NOTHING if side == ZERO else side for side in motion.chain)  # a column of zeros
     work = work.claim(told([sides], means, letters, problem.where, "linear-equation"))
-    facts = _facts(model, options, linear, at)
     work = work.law("symmetric", linear.M == linear.M.T).claim(_second_route(model, linear, at, results))
     work = work.law("as-told", (_same(step.result, results[step.name], problem) for step in steps))
     work = work.law("said", _said(system, linear, facts, options))

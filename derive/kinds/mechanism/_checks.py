@@ -161,7 +161,8 @@ def _said(mechanism: Mechanism, told: Facts, built: Built) -> Iterator[bool]:
     ]
     yield all(size == (Symbol("lambda"), _tree(_size(space))) for space, size, _ in told.others)
     spatial = built.space == "spatial" and built.loops > 0
-    yield told.may_spin == (spatial and not rods and pairs["spherical"] > 1)
+    held_twice = spatial and not rods and pairs["spherical"] > 1
+    yield told.may_spin == (Phrase("idle-rods-apart") if held_twice else None)
     known = spatial and built.loops == 1 and pairs.keys() == {"revolute"} and 3 < pairs.total() < 7
     yield told.pairs == (_tree(pairs.total()) if known else None)
 

@@ -23,5 +23,5 @@ class Facts(PageFacts):
     missing: Expr | None  # where there are less than none
     idle: Expr | None
     effective: Expr | None  # without the idle ones
-    may_spin: bool
+    may_spin: Phrase | None
     others: tuple[Other, ...]

@@ -86,10 +86,9 @@ def _facts(mechanism: Mechanism, size: int) -> Facts:
         missing=number(-mechanism.dof) if mechanism.loops and mechanism.dof < 0 else None,
         idle=number(mechanism.rods) if mechanism.rods else None,
         effective=number(mechanism.dof - mechanism.rods) if mechanism.rods else None,
-        may_spin=mechanism.space == "spatial"
-        and not mechanism.rods
-        and spherical >= 2
-        and mechanism.loops > 0,
+        may_spin=Phrase("idle-rods-apart")
+        if mechanism.space == "spatial" and not mechanism.rods and spherical >= 2 and mechanism.loops > 0
+        else None,
         others=_others(mechanism),
     )
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from derive.derivation import Derivation
-from derive.expression import add, column
+from derive.expression import ZERO, add, column
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
@@ -29,6 +29,11 @@ class Options(OptionsModel):
     notation: Literal["spong", "khatib"] = "spong"
 
 
+FRICTIONS = {  # whether there is viscous and Coulomb friction, and what is said of it
+    (False, False): "", (True, False): "viscous", (False, True): "coulomb", (True, True): "both-frictions",
+}  # fmt: skip
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """tau_k = sum d_kj qddot_j + sum c_ijk qdot_i qdot_j + g_k (Spong et al., eq. 6.39)."""
     if options.notation == "khatib":
@@ -48,4 +53,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     results = {"D": arm.inertia.results["D"], **speed.results, **weight.results, "tau": tau}
     work = by_index(work, results)
     facts = Facts(big=big, notation="spong", rubbing=friction_told(viscous, coulomb))
+    rubs = [friction for link in robot.links if (friction := link.friction) is not None]
+    sorts = (
+        any(each.viscous != ZERO for each in rubs),
+        any(each.coulomb != ZERO for each in rubs),
+    )
+    work = work.law("friction-said", (facts.rubbing.key if facts.rubbing else "") == FRICTIONS[sorts])
     return work.answer("dynamics", results, facts, matrices=frozenset({"D"}))

@@ -84,8 +84,11 @@ class Lines:
         """Whether what is said of a singular wrist holds at a configuration: its sum or difference of angles
         is determined so, and the outer joints can turn against each other without moving anything else."""
         tool, (first, _, last) = self.target.oracle.tool, self.target.joints[-3:]
-        for case in self.worked.singular:
+        rows = {link.variable: i for i, link in enumerate(self.target.oracle.robot.links, 1)}
+        for k, case in enumerate(self.worked.singular):
             middle = case.said.about["middle"]
+            yield case.said.key == ("outer-axes-too" if k else "outer-axes")
+            yield (case.said.about["a"], case.said.about["b"]) == (rows[first], rows[last])
             assert isinstance(middle, Relation) and isinstance(middle.left, Symbol)
             at = {**point, middle.left.name: arrays(middle.right, {})}
             at |= self.target.goal.numbers(tool(at))
