@@ -59,7 +59,6 @@ class Facts(PageFacts):
     held: tuple[tuple[Symbol, Expr], ...]  # inputs
     inputs: tuple[Symbol, ...]
     damped: bool
-    state: tuple[Expr, Expr]  # z = ...
     stability: Phrase | None
 
 
@@ -84,20 +83,23 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     results = {step.name: problem.final(step.result) for step in steps}
     motion = _small_motion(linear)
     work = Work(problem, uses=(equations(problem),)).showing(motion).step(*matrices)
-    work = work.showing(Step("z", facts.state, "in-numbers")).step(*state)
+    z = _state_vector(system)
+    work = work.showing(Step("z", (Symbol("z"), z), "in-numbers")).step(*state)
     letters = problem.symbols.union(*map(free_symbols, at.values()))
     means = partial(_moving, results, problem)
     sides = tuple(NOTHING if side == ZERO else side for side in motion.chain)  # a column of zeros
     work = work.claim(told([sides], means, letters, problem.where, "linear-equation"))
     work = work.law("symmetric", linear.M == linear.M.T).claim(_second_route(model, linear, at, results))
     work = work.law("as-told", (_same(step.result, results[step.name], problem) for step in steps))
-    work = work.law("said", _said(system, linear, facts, options))
+    work = work.law("said", _said(system, linear, facts, z, options))
     if facts.stability is not None:
         work = work.claim(_comes_back(results, facts.stability, problem, at))
     return work.answer("linearisation", results, facts)
 
 
-def _said(system: LagrangianSystem, linear: Linear, facts: Facts, options: Options) -> Iterator[bool]:
+def _said(
+    system: LagrangianSystem, linear: Linear, facts: Facts, z: Matrix, options: Options
+) -> Iterator[bool]:
     """What the words read: the state as it was given, the inputs, and what z holds."""
     given = dict(options.at or ())
     yield {name.name: value for name, value in facts.at} == {
@@ -106,12 +108,8 @@ def _said(system: LagrangianSystem, linear: Linear, facts: Facts, options: Optio
     yield all(given[name.name] == value for name, value in facts.held)
     yield tuple(name.name for name in facts.inputs) == linear.inputs
     yield facts.damped == any(entry for row in linear.C.rows for entry in row)
-    letter, z = facts.state
-    yield letter == Symbol("z")
     names = (*system.coordinates, *system.rates)
-    yield isinstance(z, Matrix) and [text(entry) for (entry,) in z.rows] == [
-        f"delta*{name}" for name in names
-    ]
+    yield [text(entry) for (entry,) in z.rows] == [f"delta*{name}" for name in names]
 
 
 def _same(shown: Expr, result: Expr, problem: Problem) -> bool:
@@ -241,7 +239,6 @@ def _facts(model: Model, options: Options, linear: Linear, at: Mapping[Expr, Exp
         held=tuple((Symbol(u), at[Symbol(u)]) for u in linear.inputs if at[Symbol(u)] != ZERO),
         inputs=tuple(map(Symbol, linear.inputs)),
         damped=bool(linear.C),
-        state=(Symbol("z"), _state_vector(system)),
         stability=_stability(model, linear),
     )
 
