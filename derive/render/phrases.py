@@ -84,7 +84,9 @@ class Speech:
                 return self.formula.format(written)
 
     def when(self, conditions: Iterable[Condition]) -> str:
-        """Conditions that all hold: `elbow up, theta2 > 0`."""
+        """Conditions that all hold: `elbow up, theta2 > 0`. Raises TypeError for a text, which is no list."""
+        if isinstance(conditions, str):
+            raise TypeError(conditions)
         return ", ".join(map(self.say, conditions))
 
     def results(self, results: Mapping[str, Result]) -> dict[str, Result]:

@@ -76,18 +76,21 @@ class Still:
         eigenvalues = np.linalg.eigvals(A)
         return float(eigenvalues.real.max() / max(abs(eigenvalues).max(), NEARLY))
 
-    def comes_back(self, at: Point, neutral: Collection[str]) -> bool:
-        """Whether a potential drives it back along all other coordinates and no force feeds a motion: then it
-        certainly is stable (Lagrange and Dirichlet)."""
+    def is_decided(self, at: Point, neutral: Collection[str]) -> bool:
+        """Whether a potential alone decides, no force feeding a motion: it drives the system back along all
+        other coordinates (Lagrange and Dirichlet), or away along one where nothing turns with the rates."""
         import numpy as np
 
         kept = [k for k, q in enumerate(self.system.coordinates) if q not in neutral]
         K, C = (self.slopes(at, names) for names in (self.system.coordinates, self.system.rates))
         K = K[np.ix_(kept, kept)]
-        size = max(np.abs(K).max(initial=0.0), NEARLY)
-        even = np.abs(K - K.T).max(initial=0.0) < STEADY * size
-        least = [np.linalg.eigvalsh(each + each.T).min(initial=np.inf) for each in (K, C)]
-        return bool(even and least[0] > STEADY * size and least[1] > -STEADY * max(np.abs(C).max(), NEARLY))
+        size, lost = (max(np.abs(each).max(initial=0.0), NEARLY) for each in (K, C))
+        even, braked = (
+            np.abs(each - each.T).max(initial=0.0) < STEADY * scale for each, scale in ((K, size), (C, lost))
+        )
+        least, least_lost = (np.linalg.eigvalsh(each + each.T).min(initial=np.inf) for each in (K, C))
+        away = braked and least < -STEADY * size
+        return bool(even and least_lost > -STEADY * lost and (least > STEADY * size or away))
 
 
 def held(
@@ -147,7 +150,7 @@ def _is_so(still: Still, branch: Branch, said: Said, at: Point) -> bool | None:
         return _verdict(said, at, still.growth(at))
     if any(isinstance(node, Approximate) for tree in branch.values.values() for node in walk(tree)):
         return None
-    return not still.comes_back(at, plain)
+    return not still.is_decided(at, plain)
 
 
 def _undecided(said: Said) -> set[str] | None:

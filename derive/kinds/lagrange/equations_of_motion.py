@@ -77,7 +77,8 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
     work = Work(problem, _definitions(steps), steps=steps).claim(*_laws(model, solution))
     equations = [problem.final(difference(*sides)) for sides in zip(lefts, rights, strict=True)]
     results, facts = _results(model, lefts, equations, solution), _facts(model, lefts, rights)
-    work = work.claim(*as_told(model, work, results, facts.forces, facts.cyclic))
+    forces = facts.forces if system.forces else ()  # Q_q = 0 is of any coordinate
+    work = work.claim(*as_told(model, work, results, forces, facts.cyclic))
     work = work.law("said", _said(system, work, facts))
     return work.answer("equations-of-motion", results, facts)
 
@@ -87,7 +88,9 @@ def _said(system: LagrangianSystem, work: Work, facts: Facts) -> Iterator[bool]:
     rules = [step.rule for step in work.steps]
     yield facts.several == (rules.count("position") > 1) and facts.turning == ("spin" in rules)
     yield tuple(name.name for name in facts.coordinates) == system.coordinates
-    yield dict(facts.forces) == {Symbol(f"Q_{q}"): value for q, value in system.forces}
+    given = dict(system.forces)
+    told = {Symbol(f"Q_{q}"): given.get(q, ZERO) for q in system.coordinates}
+    yield dict(facts.forces) == (told if given else {Symbol("Q_q"): ZERO})
     yield facts.constraints == tuple((each.left, each.right) for each in system.constraints)
     rates = {*system.rates}
     holding = [free_symbols(side) & rates for pair in facts.constraints for side in pair]
@@ -212,7 +215,7 @@ def _facts(model: Model, lefts: list[Expr], rights: list[Expr]) -> Facts:
         turning=any(body.inertia is not None for body in system.bodies),
         gravity=column(system.gravity) if any(map(model.scalar, system.gravity)) else None,
         dissipation=lost,
-        forces=tuple((Symbol(f"Q_{q}"), value) for q, value in system.forces),
+        forces=tuple(_forces(system)),
         constraints=tuple((c.left, c.right) for c in system.constraints),
         velocity=any(condition.sort == "velocity" for condition in model.conditions),
         slopes=slopes_of(model), multipliers=model.multipliers,
@@ -220,6 +223,16 @@ def _facts(model: Model, lefts: list[Expr], rights: list[Expr]) -> Facts:
         across=tuple(f"constraint_{k}" for k in range(1, len(model.conditions) + 1)),
         cyclic=tuple(_cyclic(model)),
     )  # fmt: skip
+
+
+def _forces(system: LagrangianSystem) -> Iterator[tuple[Symbol, Expr]]:
+    """The force along each coordinate; Q_q = 0 for all of them where none is given."""
+    if not system.forces:
+        yield Symbol("Q_q"), ZERO
+        return
+    given = dict(system.forces)
+    for q in system.coordinates:
+        yield Symbol(f"Q_{q}"), given.get(q, ZERO)
 
 
 def _cyclic(model: Model) -> Iterator[tuple[Symbol, Expr]]:

@@ -16,7 +16,8 @@ def arm_told(region: Region, pair: tuple[int, ...]) -> Phrase:
         if len(region.lengths) == 1:
             return Phrase("single-link-sliding" if region.slides else "single-link", about)
         return Phrase("parallel-axes-sliding" if region.slides else "parallel-axes", about)
-    about |= {"pair": pair, "offset": region.offset, "side": region.side}
+    inner, outer = pair
+    about |= {"pair": (inner, outer), "offset": region.offset, "side": region.side}
     if region.kind == "swung":
         return Phrase("swung" if region.side == ZERO else "swung-aside", about)
     return Phrase("torus" if region.side == ZERO else "torus-aside", about)
