@@ -185,22 +185,38 @@ class Stroke:
 
 
 @dataclass(frozen=True, slots=True)
+class Words:
+    """Words as they stand, with mathematics in LaTeX between dollars."""
+
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
 class Caption:
-    """What is written beside a place, on the side `towards`, or upon it where that is (0, 0)."""
+    """What is written beside a place, on the side `towards`, or upon it where that is (0, 0): a tree, a name,
+    several names, or words. `others` are places, each with its side, beside which it may stand as well;
+    `clear` is how far from its place it begins, in the measure of the drawing."""
 
     at: Place
-    text: Expr | str
+    text: Expr | str | tuple[str, ...] | Phrase | Words
     towards: Place = (0.0, 0.0)
     role: str = ""
+    others: tuple[tuple[Place, Place], ...] = ()
+    clear: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
 class Drawing:
-    """A picture of a subject: strokes from back to front, and captions. Data only, no drawing."""
+    """A picture of a subject: strokes from back to front, and captions. Data only, no drawing. `caption` is
+    what stands under it, `alt` what it shows, for those who do not see it; `highest` is how high it may be
+    (points) where it needs less than there is room for."""
 
     name: str
     strokes: tuple[Stroke, ...]
     captions: tuple[Caption, ...] = ()
+    caption: Phrase | Words | None = None
+    alt: Phrase | Words | None = None
+    highest: float = 0.0
 
 
 Figure: TypeAlias = Plot | Panels | Drawing

@@ -9,6 +9,7 @@ from shutil import copyfile
 from derive.errors import Place, SheetError, SheetErrors
 from derive.placing import aside, put
 from derive.render.document import Document
+from derive.render.drawing.paper import Kind
 from derive.render.failures import NoGlyphs, PageFailed
 from derive.sheet.model import Sheet
 
@@ -94,14 +95,15 @@ def _failed(error: PageFailed, page: str, sheet: Sheet) -> list[SheetError]:
     return found or [SheetError(f"{page} could not be made: {error}", None, hint)]
 
 
-def _picture_kinds(formats: Sequence[str], pdf_engine: str) -> tuple[str, ...]:
+def _picture_kinds(formats: Sequence[str], pdf_engine: str) -> tuple[Kind, ...]:
     """What plots are drawn as for these pages; a docx draws its own."""
     latex = "tex" in formats or ("pdf" in formats and pdf_engine == "latex")
     web = {"md", "html"} & {*formats} or ("pdf" in formats and pdf_engine != "latex")
-    return (*(["svg"] if web else []), *(["pdf"] if latex else []))
+    wanted: tuple[tuple[Kind, bool], ...] = (("svg", bool(web)), ("pdf", latex))
+    return tuple(kind for kind, asked in wanted if asked)
 
 
-def _place(sheet: Sheet, document: Document, folder: Path, kinds: tuple[str, ...]) -> None:
+def _place(sheet: Sheet, document: Document, folder: Path, kinds: tuple[Kind, ...]) -> None:
     """Everything a page refers to, beside it."""
     for path, text in document.files().items():
         (folder / path).parent.mkdir(exist_ok=True)
@@ -116,7 +118,7 @@ def _place(sheet: Sheet, document: Document, folder: Path, kinds: tuple[str, ...
             draw(plot, folder / path, kinds)
 
 
-def _copy(picture: Path, target: Path, kinds: tuple[str, ...]) -> None:
+def _copy(picture: Path, target: Path, kinds: tuple[Kind, ...]) -> None:
     """The picture of an author, for LaTeX as a PDF where it is an SVG."""
     target.parent.mkdir(exist_ok=True)
     copyfile(picture, target)

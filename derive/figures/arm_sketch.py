@@ -134,8 +134,7 @@ def _names(view: View, joints: Sequence[Joint], size: float) -> Iterator[Caption
         if not view.flat and not joint.slides:
             x, y = dot(view.right, joint.axis), dot(view.up, joint.axis)
             side = (-abs(y), x if y > 0 else -x) if length((x, y)) > 0.3 else (-1.0, 0.3)
-            clear = 0.62 * size / (length(side) or 1.0)
-            yield Caption(view.place(joint.at), joint.name, (side[0] * clear, side[1] * clear), "joint")
+            yield Caption(view.place(joint.at), joint.name, side, "joint", clear=0.62 * size)
 
 
 def _angles(view: View, posed: Posed, size: float) -> Iterator[tuple[list[Stroke], Caption]]:
@@ -143,7 +142,7 @@ def _angles(view: View, posed: Posed, size: float) -> Iterator[tuple[list[Stroke
     for joint in posed.joints:
         after = next((p for p in posed.parts if length_between(p.start, joint.at) < 1e-6), None)
         if after is None and not joint.slides:
-            yield [], Caption(view.place(joint.at), joint.name, (-0.5 * size, 0.5 * size), "joint")
+            yield [], Caption(view.place(joint.at), joint.name, (-1.0, 1.0), "joint", clear=0.5 * size)
         if joint.slides or after is None:
             continue
         center = view.place(joint.at)

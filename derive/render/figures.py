@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from derive.derivation import Drawing, Panels, Plot
 from derive.derivation import Figure as Picture
-from derive.render.drawings import draw_drawing
+from derive.render.drawing.paper import Kind
+from derive.render.drawing.subjects import on_paper
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -33,8 +34,10 @@ NO_DATES: dict[str, dict[str, None]] = {
 }
 
 
-def draw(plot: Picture, target: Path, kinds: tuple[str, ...] = ("svg", "pdf")) -> tuple[Path, ...]:
+def draw(plot: Picture, target: Path, kinds: tuple[Kind, ...] = ("svg", "pdf")) -> tuple[Path, ...]:
     """Draws a plot to files of these kinds; `target` is their path without suffix. Says what it wrote."""
+    if isinstance(plot, Drawing):
+        return on_paper(plot).write(target, kinds)
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
     from matplotlib.style import context
@@ -50,7 +53,7 @@ def draw(plot: Picture, target: Path, kinds: tuple[str, ...] = ("svg", "pdf")) -
     return written
 
 
-def _compose(figure: Figure, picture: Picture) -> None:
+def _compose(figure: Figure, picture: Plot | Panels) -> None:
     """Everything of a picture, on the figure made large enough for it."""
     match picture:
         case Plot():
@@ -58,8 +61,6 @@ def _compose(figure: Figure, picture: Picture) -> None:
             _fill(figure.add_subplot(), picture)
         case Panels(_, plots):
             _stack(figure, plots)
-        case Drawing():
-            draw_drawing(figure, picture)
 
 
 def _stack(figure: Figure, plots: tuple[Plot, ...]) -> None:

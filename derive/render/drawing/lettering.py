@@ -1,0 +1,143 @@
+"""What is written in a picture: captions as Typst content, and the room that their ink takes."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+
+from derive.derivation import Caption, Phrase, Words
+from derive.expression import Expr, Number
+from derive.render.drawing.paper import FONTS
+from derive.render.drawing.style import LETTERS
+from derive.render.latex import Printer
+from derive.render.names import name_latex
+from derive.render.notation import Notation
+
+TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\s+|\d+(?:\.\d+)?|.", re.DOTALL)
+COMMANDS = {
+    r"\cdot": "dot.op", r"\circ": "compose", r"\ast": "*", r"\left": "", r"\right": "", r"\approx": "approx",
+    r"\leq": "lt.eq", r"\geq": "gt.eq", r"\neq": "eq.not", r"\infty": "infinity", r"\ldots": "dots.h",
+    r"\,": "thin", r"\ ": "space", r"\%": "%", r"\quad": "quad", r"\varphi": "phi", r"\phi": "phi.alt",
+    r"\epsilon": "epsilon.alt", r"\varepsilon": "epsilon", r"\vartheta": "theta.alt", r"\times": "times",
+}  # fmt: skip
+FENCES = {r"\{": "{", r"\}": "}", "/": r"\/", '"': r"\"", "#": r"\#", "$": r"\$", "&": r"\&", "*": r"\*"}
+_measured: dict[tuple[str, float], tuple[float, float]] = {}  # what was measured before, of any picture
+
+
+@dataclass(frozen=True, slots=True)
+class Written:
+    """Typst content of a size, and how wide and high its ink is, in points."""
+
+    content: str
+    size: float
+    wide: float
+    high: float
+
+
+def written(captions: Iterable[tuple[Caption, float]]) -> list[Written]:
+    """Captions with their sizes, measured by Typst: one question for all."""
+    asked = [(content(caption), size) for caption, size in captions]
+    _measure(one for one in dict.fromkeys(asked) if one not in _measured)
+    return [Written(*one, *_measured[one]) for one in asked]
+
+
+def content(caption: Caption) -> str:
+    """A caption as Typst content: mathematics, or words with mathematics in them."""
+    match caption.text:
+        case Words(text):
+            return f"[{_prose(text)}]"
+        case str():
+            return f"${typst(name_latex(caption.text))}$"
+        case Phrase():
+            raise TypeError(f"'{caption.text.key}' is still to be said in words")
+        case tuple():
+            return "$" + ", ".join(typst(name_latex(name)) for name in caption.text) + "$"
+        case _:
+            return f"${_tree(caption.text, caption.role == 'block')}$"
+
+
+def _tree(tree: Expr, displayed: bool) -> str:
+    whole = typst(Printer(Notation()).write(tree))
+    unit = f' thin upright("{tree.unit}")' if isinstance(tree, Number) and tree.unit else ""
+    return f"display({whole}{unit})" if displayed else whole + unit
+
+
+def _prose(text: str) -> str:
+    """Plain words, with mathematics between dollars."""
+    pieces = text.split("$")
+    return "".join(
+        f"${typst(p)}$" if k % 2 else re.sub(r"([#$*_@<>`\[\]\\])", r"\\\1", p) for k, p in enumerate(pieces)
+    )
+
+
+def typst(latex: str) -> str:
+    """Our own LaTeX of names and formulas as Typst mathematics."""
+    return " ".join(_pieces(iter(TOKEN.findall(latex)), ""))
+
+
+def _pieces(tokens: Iterator[str], end: str) -> Iterator[str]:
+    for token in tokens:
+        if token == end:
+            return
+        if token.isspace():
+            continue
+        yield _piece(token, tokens)
+
+
+def _piece(token: str, tokens: Iterator[str]) -> str:
+    match token:
+        case r"\frac" | r"\dfrac" | r"\tfrac":
+            return f"frac({_argument(tokens)}, {_argument(tokens)})"
+        case r"\mathrm" | r"\text":
+            return f'upright("{_raw(tokens)}")'
+        case r"\mathcal":
+            return f"cal({_argument(tokens)})"
+        case r"\sqrt" | r"\dot" | r"\hat":
+            return f"{token[1:]}({_argument(tokens)})"
+        case r"\ddot":
+            return f"dot.double({_argument(tokens)})"
+        case "_" | "^":
+            return f"{token}({_argument(tokens)})"
+        case "{":
+            return " ".join(_pieces(tokens, "}"))
+    if token in COMMANDS:
+        return COMMANDS[token]
+    return FENCES.get(token) or token.removeprefix("\\")
+
+
+def _argument(tokens: Iterator[str]) -> str:
+    token = next(tokens)
+    return " ".join(_pieces(tokens, "}")) if token == "{" else _piece(token, tokens)
+
+
+def _raw(tokens: Iterator[str]) -> str:
+    next(tokens)
+    found = []
+    for token in tokens:
+        if token == "}":
+            break
+        found.append(" " if token == r"\ " else token)
+    return "".join(found).replace('"', "")
+
+
+def _measure(asked: Iterable[tuple[str, float]]) -> None:
+    """Asks Typst how large contents are, and keeps it."""
+    new = list(asked)
+    if not new:
+        return
+    from typst import Compiler
+
+    items = "".join(f"text(size: {size}pt, {what}), " for what, size in new)
+    sizes = "items.map(it => { let m = measure(it); (m.width.pt(), m.height.pt()) })"
+    source = f"{FONTS}#let items = ({items})\n#context [#metadata({sizes}) <sizes>]\n"
+    compiler = Compiler(source.encode(), ignore_system_fonts=True)
+    found = json.loads(compiler.query("<sizes>", field="value", one=True))
+    for one, (wide, high) in zip(new, found, strict=True):
+        _measured[one] = (wide, high)
+
+
+def size_of(caption: Caption) -> float:
+    """The size of its letters (points)."""
+    return LETTERS - 1 if caption.role in ("note", "tick") else LETTERS
