@@ -33,12 +33,12 @@ from derive.kinds.robot._inverse.subproblem import (
     branches_of,
     defined,
     shares,
+    sum_name,
     weighted,
 )
 from derive.mechanics.inverse.known import determined
 
 LARGEST = 1200  # names, numbers and operations in a value; above that it stays in terms of earlier joints
-DIGITS = "0123456789"
 READABLE = 130  # likewise in a value that is printed with everything put in
 
 
@@ -212,25 +212,16 @@ class Solutions:
             if isinstance(item, Definition):
                 found[item.name.name] = value
                 continue
-            name = item.unknown if isinstance(item.unknown, str) else self._name(item.unknown)
+            if isinstance(item.unknown, str):
+                name = item.unknown
+            else:
+                name = sum_name(item.unknown, self.turning, self.free_name)
             found[name] = value
             if isinstance(item.unknown, Form):
                 forms.append(item.unknown)
                 sums.append(Symbol(name))
                 found |= {joint: self._final(result) for joint, result in self._fresh(found, forms, sums)}
         return _used(found, self.joints)
-
-    def _name(self, form: Form) -> str:
-        """A joint angle by its own name; a sum by the stem and the numbers, theta234, or else phi_23."""
-        names = sorted((atom for atom, _ in form.parts), key=self.turning.index)
-        if len(names) == 1:
-            return names[0]
-        stem = names[0].rstrip(DIGITS)
-        numbers = "".join(name[len(stem) :] for name in names)
-        alike = all(name.rstrip(DIGITS) == stem for name in names) and all(n == 1 for _, n in form.parts)
-        if alike and numbers.isdigit():
-            return self.free_name(f"{stem}{numbers}")
-        return self.free_name(f"phi_{numbers if numbers.isdigit() else '_'.join(names)}")
 
     def _final(self, value: Expr) -> Expr:
         """With the names of `where` replaced; inside functions nothing is expanded that they do not hold."""

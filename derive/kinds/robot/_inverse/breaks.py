@@ -9,7 +9,7 @@ from collections.abc import Iterator
 
 from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.compiled import Compiled, compiled
-from derive.expression import ONE, Expr, free_symbols, replace
+from derive.expression import ONE, Expr, Relation, free_symbols, replace
 from derive.kinds.checks import close
 from derive.kinds.robot._inverse.subproblem import Solved
 from derive.kinds.robot._inverse.target import Values
@@ -24,7 +24,7 @@ def determined(solved: Solved, known: Values, rates: Values) -> Iterator[bool]:
     """Whether what must not vanish, for the unknown to be determined, stands before it in its equations at a
     solution; `rates` are those of the joints as the unknown moves."""
     method = solved.facts.method
-    told = [abs(arrays(tree, known)) for tree in method.unless]
+    told = [abs(arrays(each.left, known)) for each in method.unless if not isinstance(each.left, Relation)]
     swings = list(_swings(solved, known, rates))
     if method.factor is not None and method.name != "zero":
         told.append(abs(arrays(method.factor, known)))
@@ -39,6 +39,14 @@ def determined(solved: Solved, known: Values, rates: Values) -> Iterator[bool]:
             yield all(close(each, abs(a * d - b * c), SAME) for each in told)
         case _:
             yield all(close(math.hypot(*told), size, SAME) for size in sizes)
+
+
+def turned(solved: Solved, known: Values) -> Iterator[bool]:
+    """Whether the vector that is said to be turned by the unknown comes to the known sides."""
+    if vector := solved.facts.method.vector:
+        (x, y), q = (arrays(each, known) for each in vector), arrays(solved.head, known)
+        there = [x * math.cos(q) - y * math.sin(q), y * math.cos(q) + x * math.sin(q)]
+        yield close([arrays(left, known) for left, _ in solved.equations], there, SAME)
 
 
 def signed(solved: Solved, known: Values, choice: int) -> Iterator[bool]:
@@ -82,15 +90,12 @@ def _conditions(solved: Solved) -> Iterator[Expr]:
     """What has to be positive."""
     method = solved.facts.method
     if method.exists is not None and not method.by_length:
-        if method.name == "reach":
-            yield method.exists
-        else:
-            own = {key: value for key, value in solved.trig.get(1, {}).items() if key == method.exists}
-            bounded = replace(method.exists, own)
-            yield ONE - bounded
-            yield ONE + bounded
-    if method.least is not None and method.c is not None:
-        yield method.least - method.c
+        own = {key: value for key, value in solved.trig.get(1, {}).items() if key == method.exists}
+        bounded = replace(method.exists, own)
+        yield ONE - bounded
+        yield ONE + bounded
+    if method.bound is not None and not isinstance(method.bound.left, Relation):
+        yield method.bound.left - method.bound.right
 
 
 def _swings(solved: Solved, known: Values, rates: Values) -> Iterator[Swing]:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from derive.derivation import Condition, PageFacts, Phrase, Record, Step, Table
 from derive.expression import ZERO, Expr, Relation, Symbol
+
+
+def zero(*trees: Expr) -> tuple[Relation, ...]:
+    """That each of these is zero."""
+    return tuple(Relation(tree, "=", ZERO) for tree in trees)
 
 
 class Compared(Record):
@@ -24,19 +27,19 @@ class Compared(Record):
 class Method(Record):
     """How a sub-problem is solved, by `name`, and on what conditions.
 
-    `unless` must not vanish (of a difference and of two opposite directions: all of them together); `factor`
-    has a sign that was chosen before; `exists` has to lie between -1 and 1, or under a root not to be
-    negative; `least` has to be no less than `c`; `form` is the equation that is solved, where no step has it.
-    `by_name` says that the angle is a given one, `by_length` that other elements give the size of the other
-    function, `positive` that only one of two lengths counts.
+    `unless` must not hold (of a difference and of two opposite directions: not all of them together);
+    `vector` is what the unknown turns into the known sides; `factor` has a sign that was chosen before;
+    `exists` has to lie between -1 and 1; `bound` has to hold for a real solution; `form` is the equation that
+    is solved, where no step has it. `by_name` says that the angle is a given one, `by_length` that other
+    elements give the size of the other function, `positive` that only one of two lengths counts.
     """
 
     name: str
-    unless: Sequence[Expr] = ()
+    unless: tuple[Relation, ...] = ()
+    vector: tuple[Expr, ...] = ()
     factor: Expr | None = None
     exists: Expr | None = None
-    least: Expr | None = None
-    c: Expr | None = None
+    bound: Relation | None = None
     form: tuple[Expr, Expr] | None = None
     by_name: bool = False
     by_length: bool = False
@@ -49,12 +52,15 @@ class Method(Record):
 
 
 class SolvedFacts(Record):
-    """Of one sub-problem: where its equations were read, its steps by their rules, and whether an orientation
-    is what is out of reach where it has no solution."""
+    """Of one sub-problem: where its equations were read, or that they are those of one before, its steps by
+    their rules, and whether an orientation
+    is what is out of reach where it has no solution. The unknown, if it is a sum, is `called` by a name."""
 
     method: Method
     unknown: Expr
+    called: Expr
     compared: tuple[Compared, ...]
+    again: Phrase | None
     orientation: bool
     names: tuple[Step, ...]
     equations: tuple[Step, ...]

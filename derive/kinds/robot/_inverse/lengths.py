@@ -17,6 +17,7 @@ from derive.expression import (
     Number,
     Power,
     Product,
+    Relation,
     Symbol,
     add,
     cos,
@@ -84,7 +85,7 @@ def reach(solving: Solving, found: Reach) -> None:
         progress.sums.append((middle, len(progress.solved)))
     choices = [Choice(v, sign, of_sign(signed_part, sign)) for v, sign in zip(values, SIGNS, strict=True)]
     positive = not found.linear and solving.problem.assumptions.get(d.name) in ("positive", "nonnegative")
-    method = Method(name="reach", positive=positive, exists=_doubtful(rest))
+    method = Method(name="reach", positive=positive, bound=_doubtful(rest))
     solving.solved(d, choices[:1] if positive else choices, method)
 
 
@@ -114,10 +115,10 @@ def _known_sides(solving: Solving, coordinates: Iterable[Coordinate]) -> list[Ex
     return known
 
 
-def _doubtful(rest: Expr) -> Expr | None:
-    """What has to be positive; nothing to say of a sum of squares."""
+def _doubtful(rest: Expr) -> Relation | None:
+    """That what stands under a root is not negative; nothing to say of a sum of squares."""
     squares = all(isinstance(term, Power) and term.exponent == number(2) for term in terms_of(rest))
-    return None if squares else rest
+    return None if squares else Relation(rest, ">=", ZERO)
 
 
 def _reduced(row: TrigEquation) -> tuple[TrigEquation, Scalar]:

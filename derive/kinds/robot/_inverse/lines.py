@@ -61,6 +61,7 @@ class Lines:
             rates = course(solved, self.worked.solved[:k], turning)
             for taken, known in tried:
                 yield from breaks.determined(solved, known, rates)
+                yield from breaks.turned(solved, known)
                 yield from breaks.signed(solved, known, solved.choices.index(taken[solved.number]))
 
     def hold(self, known: Values, taken: Taken) -> Iterator[bool]:
@@ -84,11 +85,10 @@ class Lines:
         """Whether what is said of a singular wrist holds at a configuration: its sum or difference of angles
         is determined so, and the outer joints can turn against each other without moving anything else."""
         tool, (first, _, last) = self.target.oracle.tool, self.target.joints[-3:]
-        rows = {link.variable: i for i, link in enumerate(self.target.oracle.robot.links, 1)}
         for k, case in enumerate(self.worked.singular):
             middle = case.said.about["middle"]
             yield case.said.key == ("outer-axes-too" if k else "outer-axes")
-            yield (case.said.about["a"], case.said.about["b"]) == (rows[first], rows[last])
+            yield (case.said.about["a"], case.said.about["b"]) == (Symbol(first), Symbol(last))
             assert isinstance(middle, Relation) and isinstance(middle.left, Symbol)
             at = {**point, middle.left.name: arrays(middle.right, {})}
             at |= self.target.goal.numbers(tool(at))
@@ -99,10 +99,10 @@ class Lines:
             yield close(tool({**at, **moved}), tool(at), SAME)
 
     def _poses(self, at: Values) -> dict[str, Array]:
-        """What the names of poses stand for, by the oracle: T and R of the end-effector in the base,
+        """What the names of poses stand for, by the oracle: T_6^0 and R_6^0 of the end-effector in the base,
         R_3^0, R_6^3, and the centre of the wrist (3 by 1)."""
-        T = self.target.oracle.tool(at)
-        found: dict[str, Array] = {"T": T, "R": T[:3, :3]}
+        T, last = self.target.oracle.tool(at), self.worked.last
+        found: dict[str, Array] = {f"T_{last}^0": T, f"R_{last}^0": T[:3, :3]}
         if turn := self.worked.orientation:
             R = self.target.oracle.poses(at)[self._before][:3, :3]
             found |= {"p_w": self._centre(at), turn.before.name: R, turn.name.name: R.T @ T[:3, :3]}

@@ -25,7 +25,7 @@ from derive.expression import (
     sqrt,
     subtract,
 )  # fmt: skip
-from derive.kinds.robot._inverse.facts import Method
+from derive.kinds.robot._inverse.facts import Method, zero
 from derive.kinds.robot._inverse.progress import Progress
 from derive.kinds.robot._inverse.signs import opposite, over, signed, square, times, total, unsigned
 from derive.kinds.robot._inverse.solving import Solving
@@ -103,11 +103,11 @@ def _both(solving: Solving, angle: Form, trees: Trees, row: TrigEquation) -> Non
     x, y = (opposite(b), a) if c == ZERO or by_sines else (a, b)
     if c == ZERO:
         values = (direction(y, x), direction(opposite(y), opposite(x)))
-        method = Method(name="zero", unless=(unsigned(b), unsigned(a)))
+        method = Method(name="zero", unless=zero(*dict.fromkeys((unsigned(b), unsigned(a)))))
     else:
         values = _general(x, y, c, by_sines)
         form = (times(a, cos(q)) + times(b, sin(q)), c) if isinstance(solving.found, Elbow) else None
-        method = Method(name="general", least=_squares(x, y), c=square(c), form=form)
+        method = Method(name="general", bound=Relation(_squares(x, y), ">=", square(c)), form=form)
     choices = [Choice(v, sign, _side(progress, q, row, sign)) for v, sign in zip(values, SIGNS, strict=True)]
     solving.solved(q, choices, method)
 

@@ -9,10 +9,11 @@ from derive.algebra.infix import text
 from derive.algebra.normal import normal, trig_of
 from derive.algebra.scalar import Scalar
 from derive.derivation import Step
-from derive.expression import Call, Expr, Symbol, add, free_symbols, is_negative
+from derive.expression import Call, Expr, Relation, Symbol, add, free_symbols, is_negative, terms_of, walk
 from derive.kinds.problem import Problem
+from derive.kinds.robot._inverse.facts import zero
 from derive.kinds.robot._inverse.signs import leaves, opposite, ordered, signed, unsigned
-from derive.kinds.robot._inverse.subproblem import Definition, Item, Solved, shares
+from derive.kinds.robot._inverse.subproblem import Definition, Item, Solved, shares, sum_name
 from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.known import determined
 
@@ -32,6 +33,7 @@ class Progress:
         self.signs: dict[str, int] = {}  # generator -> the sub-problem whose sign it has
         self.sums: list[tuple[Scalar, int]] = []  # likewise of sums
         self.forms: list[Form] = []
+        self.values: list[Expr] = []  # of the forms: what a sum is called, or is
         self.steps = 0
 
     # -- names ------------------------------------------------------------------------------------
@@ -74,11 +76,12 @@ class Progress:
         signs = [each.count("-") + each.startswith("-") for each in written]
         return sum(2 ** (len(signs) - place) * count for place, count in enumerate(signs))
 
-    def may_vanish(self, *trees: Expr) -> list[Expr]:
-        """Those of these that rest on the pose, each once and without its sign: a length does not vanish."""
+    def may_vanish(self, *trees: Expr) -> tuple[Relation, ...]:
+        """That those of these are zero that rest on the pose, each once and without its sign: a length does
+        not vanish."""
         lengths = self.problem.symbols - set(self.problem.subject.variables)
         found = dict.fromkeys(unsigned(tree) for tree in trees if not free_symbols(tree) <= lengths)
-        return list(found)
+        return zero(*found)
 
     def angle(self, form: Form) -> Expr:
         """theta2 + theta3 as it is printed in its cosine."""
@@ -117,17 +120,30 @@ class Progress:
             return 0, ()
         return (1 if coefficient > 0 else -1), tuple(self.signs[name] for name in open_ones)
 
-    def left_of(self, form: Form) -> tuple[Step, ...]:
-        """The joints that a sum determines together with those known before it, once it is known."""
+    def name_of(self, form: Form, values: Sequence[Expr]) -> Symbol | None:
+        """What the page calls a sum of joint angles; None of one angle, and of a sum that is short itself."""
+        if len(form.parts) == 1 or (len(values) == 1 and _is_short(values[0])):
+            return None
+        return Symbol(sum_name(form, self.turning, self.free_name))
+
+    def left_of(self, form: Form, value: Expr) -> tuple[Step, ...]:
+        """The joints that a sum determines together with those known before it, once it is known by a name or
+        by its value."""
         before = self.determined()
         self.forms.append(form)
+        self.values.append(value)
         fresh = [joint for joint in self.determined() if joint not in before]
         return tuple(self._left(joint) for joint in fresh if Form.of({joint: 1}) not in self.forms)
 
     def _left(self, joint: str) -> Step:
         """A joint angle as what is left of a sum."""
         weights = shares(joint, tuple(self.forms), self.turning) or ()
-        parts = [(form, n) for form, n in zip(self.forms, weights, strict=True) if n]
+        parts = [each for each in zip(self.forms, self.values, weights, strict=True) if each[-1]]
         parts.sort(key=lambda part: (-len(part[0].parts), self.turning.index(part[0].parts[0][0])))
-        terms = [signed(n, self.angle(form)) for form, n in parts]
+        terms = [term for _, value, n in parts for term in terms_of(signed(n, value))]
         return Step(f"{joint}_left", (Symbol(joint), add(*sorted(terms, key=is_negative))), "difference")
+
+
+def _is_short(value: Expr) -> bool:
+    """Whether it can stand in a sum for itself."""
+    return leaves(value) <= LONG and not any(isinstance(node, Call) for node in walk(value))

@@ -6,10 +6,10 @@ from collections.abc import Mapping, Sequence
 
 from derive.algebra.angles import Form
 from derive.algebra.scalar import Scalar
-from derive.derivation import Step
+from derive.derivation import Phrase, Step
 from derive.expression import Expr, Symbol
 from derive.kinds.robot._inverse.compared import Poses
-from derive.kinds.robot._inverse.facts import Method, SolvedFacts
+from derive.kinds.robot._inverse.facts import Compared, Method, SolvedFacts
 from derive.kinds.robot._inverse.progress import Progress
 from derive.kinds.robot._inverse.signs import begins_negative
 from derive.kinds.robot._inverse.subproblem import Choice, Definition, Solved
@@ -62,15 +62,23 @@ class Solving:
         """The unknown has these values; `shown` are they as the page writes them, where that differs. Joints
         and signs that are decided so are known from now on."""
         progress, unknown = self.progress, self.found.unknown
-        for choice in shown or choices:
-            self.add("choice", head, choice.value)
-        left = progress.left_of(unknown) if isinstance(unknown, Form) else ()
+        told = [choice.value for choice in shown or choices]
+        named = progress.name_of(unknown, told) if isinstance(unknown, Form) else None
+        for k, value in enumerate(told):
+            self.add("choice", *((named,) if named else ()), *((head,) if not (named and k) else ()), value)
+        left: tuple[Step, ...] = ()
+        if isinstance(unknown, Form):
+            sum_is = named or (told[0] if len(unknown.parts) > 1 else head)
+            left = progress.left_of(unknown, sum_is)
         compared = self.poses.compared(equations_of(self.found))
         read = self._by("equation") or (self._by("solved") and not self._by("squares"))
+        again = self._again(compared) if read else None
         facts = SolvedFacts(
             method=method,
             unknown=head,
-            compared=compared if read else (),
+            called=named or head,
+            compared=compared if read and not again else (),
+            again=again,
             orientation=progress.goal.R is not None and None in progress.goal.p,
             names=self._by("name"),
             equations=self._by("equation"),
@@ -84,13 +92,20 @@ class Solving:
         steps = (*(step for rule in ORDER for step in self._by(rule)), *left)
         solved = Solved(
             number, unknown, head, tuple(choices), steps, facts, self.poses.stage, trig or {},
-            tuple(self.equations), compared,
+            tuple(self.equations), compared, named,
         )  # fmt: skip
         if solved.two_valued and trig:
             progress.signs[f"{'sin' if method.name == 'cosine' else 'cos'}({unknown})"] = number
         elif solved.two_valued and isinstance(self.found, Reach) and not self.found.linear:
             progress.signs[self.found.unknown] = number
         progress.items.append(solved)
+
+    def _again(self, compared: tuple[Compared, ...]) -> Phrase | None:
+        """That the same equations were read before, where something has become known since."""
+        before = self.progress.solved
+        if not any(each.compared == compared for each in before):
+            return None
+        return Phrase("same-equations", {"known": before[-1].facts.called})
 
     def _by(self, rule: str) -> tuple[Step, ...]:
         return tuple(step for step in self.steps if step.rule == rule)

@@ -55,6 +55,7 @@ class Stages:
             self._pose(),
             centre,
             orientation,
+            self._last,
         )
 
     def _pose(self) -> tuple[Step, ...]:
@@ -63,30 +64,36 @@ class Stages:
         if R is None:
             return ()
         if not self.goal.whole_position:
-            return (Step("R", (Symbol("R"), self.problem.readable_matrix(R)), "given"),)
+            return (Step("R", (self._end("R"), self.problem.readable_matrix(R)), "given"),)
         T = homogeneous(R, [part for part in self.goal.p if part is not None])
-        return (Step("T", (Symbol("T"), self.problem.readable_matrix(T)), "given"),)
+        return (Step("T", (self._end("T"), self.problem.readable_matrix(T)), "given"),)
+
+    def _end(self, letter: str, base: int = 0) -> Symbol:
+        """The pose or orientation of the end-effector."""
+        return Symbol(f"{letter}_{self._last}^{base}")
+
+    @property
+    def _last(self) -> str:
+        return TOOL if self.problem.subject.ends_in_tool else str(len(self.chain.joints))
 
     def _poses(self, hand: bool) -> Poses:
         """How the poses of a stage are called."""
         decoupling, goal = self.plan.decoupling, self.goal
-        last = TOOL if self.problem.subject.ends_in_tool else str(len(self.chain.joints))
         if hand and decoupling:
             base = decoupling.wrist.rows[0] - 1
-            wanted = Symbol(f"R_{last}^{base}") if decoupling.turn else Symbol("R")
-            return Poses("R", base, last, wanted, "hand")
+            return Poses("R", base, self._last, self._end("R", base if decoupling.turn else 0), "hand")
         if decoupling:
-            return Poses("T", 0, last, Symbol("p_w"), "arm")
+            return Poses("T", 0, self._last, Symbol("p_w"), "arm")
         if goal.R is None:
-            return Poses("T", 0, last, Symbol("p"))
+            return Poses("T", 0, self._last, Symbol("p"))
         letter = "T" if goal.whole_position else "R"
-        return Poses(letter, 0, last, Symbol(letter))
+        return Poses(letter, 0, self._last, self._end(letter))
 
     def _centre(self, progress: Progress, decoupling: Decoupling) -> Step:
         """p_w = p + R (centre in the end-effector's frame)."""
         names = [progress.define(name, value) for name, value in decoupling.centre.items()]
         p = column(self.problem.readable(part or Scalar.of(0)) for part in self.goal.p)
-        whole = p + multiply(Symbol("R"), self.problem.readable_matrix(decoupling.wrist.centre))
+        whole = p + multiply(self._end("R"), self.problem.readable_matrix(decoupling.wrist.centre))
         values = column(map(progress.value_of, names))
         return Step("p_w", (Symbol("p_w"), column(names), whole, values), "centre")
 
@@ -99,7 +106,7 @@ class Stages:
         rows = names or tuple(Symbol(f"r{i}{j}") for i, j in product((1, 2, 3), repeat=2))
         entries = Matrix(tuple(rows[k : k + 3] for k in (0, 3, 6)))
         name, before = self._poses(hand=True).wanted, Symbol(f"R_{base}^0")
-        wanted = Step("turn", (name, transpose(before) * Symbol("R"), entries), "turn")
+        wanted = Step("turn", (name, transpose(before) * self._end("R"), entries), "turn")
         return Orientation(
             name, entries, (wanted,) if names else (), Step("turn_made", (name, made), "turn"), made, before
         )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
@@ -53,11 +53,12 @@ class Definition(Formula):
     name: Symbol
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Solved:
     """`number` counts the sub-problems from 0; `unknown` is a sum of angles or the name of a displacement,
     `head` how it is written, `stage` that of its equations ("whole", "arm" or "hand"); `trig` are the sine
-    and cosine of that sum where they are known without it, by sign; it was solved by its `equations`."""
+    and cosine of that sum where they are known without it, by sign; it was solved by its `equations`. A sum
+    that the page goes on with by a name is `named`."""
 
     number: int
     unknown: Form | str
@@ -69,6 +70,12 @@ class Solved:
     trig: Mapping[int, Mapping[Expr, Expr]] = field(default_factory=dict)
     equations: tuple[tuple[Expr, Expr], ...] = ()
     compared: tuple[Compared, ...] = ()  # where they were read
+    named: Symbol | None = None
+
+    @cached_property
+    def sum_at(self) -> Compiled:
+        """What the unknown is in numbers, as it is written. Raises as `compiled` does."""
+        return compiled(self.head)
 
     @property
     def two_valued(self) -> bool:
@@ -84,10 +91,27 @@ def defined(items: Iterable[Item], at: Point) -> dict[str, float]:
     """The point with the names that are defined on the way, where those have values."""
     known = dict(at)
     for item in items:
-        if isinstance(item, Definition):
+        name = item.name if isinstance(item, Definition) else item.named
+        if name is not None:
             with suppress(KeyError, ValueError, ZeroDivisionError):
-                known[item.name.name] = item.at(known)
+                known[name.name] = item.at(known) if isinstance(item, Definition) else item.sum_at(known)
     return known
+
+
+DIGITS = "0123456789"
+
+
+def sum_name(form: Form, joints: Sequence[str], free_name: Callable[[str], str]) -> str:
+    """A joint angle by its own name; a sum by the stem and the numbers, theta234, or else phi_23."""
+    names = sorted((atom for atom, _ in form.parts), key=joints.index)
+    if len(names) == 1:
+        return names[0]
+    stem = names[0].rstrip(DIGITS)
+    numbers = "".join(name[len(stem) :] for name in names)
+    alike = all(name.rstrip(DIGITS) == stem for name in names) and all(n == 1 for _, n in form.parts)
+    if alike and numbers.isdigit():
+        return free_name(f"{stem}{numbers}")
+    return free_name(f"phi_{numbers if numbers.isdigit() else '_'.join(names)}")
 
 
 def branches_of(items: Sequence[Item]) -> Iterator[Taken]:

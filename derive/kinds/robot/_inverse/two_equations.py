@@ -9,7 +9,7 @@ from fractions import Fraction
 from derive.algebra.normal import trig_of
 from derive.algebra.scalar import Scalar
 from derive.expression import ZERO, Degrees, Expr, Number, Symbol, atan2, cos, multiply, number, sin
-from derive.kinds.robot._inverse.facts import Method
+from derive.kinds.robot._inverse.facts import Method, zero
 from derive.kinds.robot._inverse.progress import Progress
 from derive.kinds.robot._inverse.signs import opposite, over, times, unsigned
 from derive.kinds.robot._inverse.solving import Solving
@@ -70,7 +70,7 @@ def _direction(solving: Solving, found: TwoEquations, first: Sides, second: Side
     choices = _turned(sine if ratio > 0 else opposite(sine), c1, sign, earlier)
     if not earlier:  # a factor of known sign does not vanish
         return choices, Method(name="direction")
-    return choices, Method(name="direction", unless=(unsigned(a),), factor=unsigned(a))
+    return choices, Method(name="direction", unless=zero(unsigned(a)), factor=unsigned(a))
 
 
 def _turned(y: Expr, x: Expr, sign: int, earlier: tuple[int, ...]) -> list[Choice]:
@@ -109,8 +109,9 @@ def _difference(solving: Solving, found: TwoEquations, first: Sides, second: Sid
     """c1 = k1 cos - k2 sin, c2 = k2 cos + k1 sin."""
     (k1, _, c1), (k2, _, c2) = first, second
     value = atan2(c2, c1) - atan2(k2, k1)
-    fixed = isinstance(k1, Number) or isinstance(k2, Number)
-    return [Choice(value)], Method(name="difference", unless=() if fixed else (unsigned(k1), unsigned(k2)))
+    unless = solving.progress.may_vanish(k1, k2)
+    both = len(unless) == len({unsigned(k1), unsigned(k2)})
+    return [Choice(value)], Method(name="difference", unless=unless if both else (), vector=(k1, k2))
 
 
 def _cramer(solving: Solving, found: TwoEquations, first: Sides, second: Sides) -> Answer:

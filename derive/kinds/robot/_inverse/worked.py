@@ -37,7 +37,7 @@ class Orientation:
 class Worked:
     """`all_items` are the definitions and solved sub-problems; `pose` and `centre` the steps about what is
     given and where the centre of the wrist is, before the arm is solved; `orientation` comes before the
-    wrist."""
+    wrist. `last` is the index of the end-effector's frame."""
 
     problem: Problem
     chain: Chain
@@ -47,6 +47,7 @@ class Worked:
     pose: tuple[Step, ...]
     centre: tuple[Step, ...]
     orientation: Orientation | None
+    last: str
 
     @cached_property
     def items(self) -> tuple[Item, ...]:
@@ -88,8 +89,8 @@ class Worked:
             return ()
         if self.plan.decoupling is None:
             return ()
-        found, rows, even = self.orientation, self.plan.decoupling.wrist.rows, method == "cosine"
-        return tuple(singular(found.rotation, found.entries, joints, (rows[0], rows[2]), even))
+        found = self.orientation
+        return tuple(singular(found.rotation, found.entries, joints, method == "cosine"))
 
     @cached_property
     def steps(self) -> tuple[Step, ...]:
@@ -136,7 +137,8 @@ class Worked:
             first, second, place = self.goal.plane
             cosine, sine = (self.problem.readable(T[k, place]) for k in (first, second))
             found[Symbol(self.goal.angle)] = atan2(sine, cosine)
-        return found | {item.name: item.value for item in self.items if isinstance(item, Definition)}
+        found |= {item.name: item.value for item in self.items if isinstance(item, Definition)}
+        return found | {each.named: each.head for each in self.solved if each.named}
 
     @property
     def conditional(self) -> list[str]:
@@ -183,11 +185,12 @@ class Worked:
     def _wrist(self) -> Wrist | None:
         if self.plan.decoupling is None or self.orientation is None:
             return None
-        wrist = self.plan.decoupling.wrist
         key = "axes-meet-at-the-end" if self.at_end else "axes-meet"
         before = Phrase("rest-to-make", {"before": self.orientation.before})
         return Wrist(
-            meeting=Phrase(key, {"joints": wrist.rows}) if self.arm else None,
+            meeting=Phrase(key, {"joints": tuple(map(Symbol, self.chain.variables[-3:]))})
+            if self.arm
+            else None,
             centre=self.centre,
             before=(before if self.orientation.wanted else Phrase("not-turned")) if self.arm else None,
             wanted=self.orientation.wanted,

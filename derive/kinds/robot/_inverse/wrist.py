@@ -14,11 +14,9 @@ from derive.kinds.robot._inverse.facts import SingularWrist
 from derive.kinds.robot._inverse.signs import signed
 
 
-def singular(
-    made: Matrix, known: Matrix, joints: tuple[str, ...], outer: tuple[int, int], even: bool
-) -> Iterator[SingularWrist]:
+def singular(made: Matrix, known: Matrix, joints: tuple[str, ...], even: bool) -> Iterator[SingularWrist]:
     """`made` is the wrist's rotation in the angles of its three `joints`, `known` its entries by name; `even`
-    where the middle angle is known by its cosine. `outer` are the rows of the first and the last joint."""
+    where the middle angle is known by its cosine."""
     first, between, last = map(Symbol, joints)
     count = 0
     for degrees in (0, 180) if even else (90, -90):
@@ -27,7 +25,7 @@ def singular(
         if found:
             count += 1
             chain = (first + signed(found[0], last), found[1])
-            about: dict[str, Said] = {"middle": Relation(between, "=", middle), "a": outer[0], "b": outer[1]}
+            about: dict[str, Said] = {"middle": Relation(between, "=", middle), "a": first, "b": last}
             said = Phrase("outer-axes-too" if count > 1 else "outer-axes", about)
             step = Step(f"singular_{count}", chain, "singular")
             yield SingularWrist(said=said, step=step)
