@@ -14,7 +14,9 @@ from derive.evaluate import strange_names, with_numbers
 from derive.kinds.problem import Problem as Working
 from derive.kinds.problem import parts
 from derive.kinds.registry import words_folder
+from derive.lettered import letters_of, unused_letters
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked, figure_path
+from derive.render.lettering import STYLES, Style
 from derive.render.notation import Notation
 from derive.render.printed import Printed
 from derive.render.trig import meant_indices
@@ -104,6 +106,9 @@ def assemble(sheet: Sheet, solutions: bool = True, warn: Warn = lambda _: None) 
     """The sheet with its answers, ready to be printed. Raises SheetErrors where there is no answer."""
     folder = _folder_name(_name(sheet, solutions))
     pages = each(sheet.problems, lambda problem: _page(sheet, problem, folder, solutions, warn))
+    answers = [page.derivation for each_page in pages for page in each_page.questions if page.derivation]
+    for needless in unused_letters(sheet.notation, answers):
+        warn(needless)
     return Document(
         title=sheet.title,
         problems=tuple(pages),
@@ -136,7 +141,7 @@ def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool, warn: Wa
         answers = in_decimals(answers, problem.place)
     asked = [answer for answer in answers if solutions]
     printed: list[Derivation] = []
-    notation = _notation(sheet, working)
+    notation = _notation(sheet, working, answers)
     questions: list[QuestionPage] = []
     for question, answer in zip(problem.questions, answers, strict=True):
         order = tuple(_order(answer, asked, printed, working.name)) if solutions else ()
@@ -194,10 +199,14 @@ def _asked_by_default(
     return replace(page, text=text, printed=tuple(printed))
 
 
-def _notation(sheet: Sheet, working: Working) -> Notation:
-    """That of the sheet, where c_1 is no cosine if the author means something else by it."""
+def _notation(sheet: Sheet, working: Working, answers: Sequence[Derivation]) -> Notation:
+    """That of the sheet, where c_1 is no cosine if the author means something else by it.
+    Raises SheetErrors."""
     given = sheet.notation
-    return Notation(given.atan2, given.trig, given.digits, meant=meant_indices(working.taken))
+    return Notation(
+        given.atan2, given.trig, given.digits, meant=meant_indices(working.taken),
+        letters=letters_of(given, working, answers), columns=STYLES.get(given.style or "", Style()).columns,
+    )  # fmt: skip
 
 
 def _order(

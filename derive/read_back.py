@@ -106,7 +106,7 @@ def _require_law(lines: Sequence[str]) -> None:
 def _require_part(formula: Printed, page: Iterable[Printed]) -> None:
     """Raises Misprinted for a typed name with an index, or an expression, that no formula beside it has."""
     for line in () if formula.chains else formula.lines:
-        own = _signs(line)
+        own = _signs(formula.notation.letters.latex(line))
         if len(own) < 2 or SIGNS.keys() & {*own} or is_law(line):
             continue
         known = (other for each in page for other in map(_signs, each.lines) if _is_whole(each, other))
@@ -151,6 +151,7 @@ def _doubts(found: Sequence[tuple[str, Tokens]], chain: Chain, notation: Notatio
 @lru_cache(REMEMBERED)
 def _says(part: tuple[tuple[Kind, str], ...], tree: Expr, notation: Notation) -> bool:
     """Whether tokens say what a tree does, to the digits that are printed. Raises FormulaError."""
+    tree = notation.letters.tree(tree)
     tokens = tuple(Token(kind, text, place, place) for place, (kind, text) in enumerate(part))
     read = read_part(tokens, tree, notation.atan2 == "xy")
     return fingerprint(read, notation.digits) == fingerprint(tree, notation.digits)

@@ -74,7 +74,8 @@ class Printer:
         """The LaTeX of a tree and how tightly it holds together."""
         match expr:
             case Symbol(name):
-                return name_latex(name), POWER if name_parts(name).upper else ATOM
+                parts = self.notation.letters.parts(name)
+                return str(parts), POWER if parts.upper else ATOM
             case Number(value, decimal):
                 return _number(value, decimal)
             case Call(function, arguments):
@@ -99,8 +100,8 @@ class Printer:
                 return written, SUM if value < 0 else PRODUCT if "cdot" in written else ATOM
             case Degrees(value):
                 return rf"{_whole(fraction_latex(value, decimal=True))}^\circ", SUM if value < 0 else POWER
-            case Indexed(base, lower, upper):
-                return self.indexed(base, lower, upper), POWER if upper else ATOM
+            case Indexed():
+                return self.indexed(self.notation.letters.indexed(expr))
             case Derivative(of, by):
                 return self.derivative(of, by), PRODUCT
             case _:
@@ -234,11 +235,13 @@ class Printer:
         tall = isinstance(top, Sum) or (isinstance(top, Product) and len(top.factors) > LONG_NUMERATOR)
         return written.replace(r"\frac", r"\dfrac", 1) if tall else written
 
-    def indexed(self, base: str, lower: tuple[Expr, ...], upper: tuple[Expr, ...]) -> str:
-        parts = name_parts(base)
-        below = ",".join(filter(None, (parts.lower, *map(self.write, lower))))
-        above = ",".join(filter(None, (parts.upper, *map(self.write, upper))))
-        return str(Name(parts.stem, below, above))
+    def indexed(self, name: Indexed) -> tuple[str, int]:
+        parts = name_parts(name.base)
+        below = ",".join(filter(None, (parts.lower, *map(self.write, name.lower))))
+        above = ",".join(filter(None, (parts.upper, *map(self.write, name.upper))))
+        whole = Name(parts.stem, below, above)
+        led = self.notation.letters.frames == "before" and bool(name.upper)
+        return (str(whole.led()), ATOM) if led else (str(whole), POWER if name.upper else ATOM)
 
     def derivative(self, of: Expr, by: Symbol) -> str:
         d = "d" if by.name == "t" else r"\partial"

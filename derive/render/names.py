@@ -22,15 +22,25 @@ ACCENTS = {"dot": r"\dot", "ddot": r"\ddot"}
 
 @dataclass(frozen=True, slots=True)
 class Name:
-    """A name in its parts, each LaTeX already; `index` is the plain subscript ("12" of theta12)."""
+    """A name in its parts, each LaTeX already; `index` is the plain subscript ("12" of theta12), `before` the
+    superscript and the subscript that stand before the stem."""
 
     stem: str
     lower: str = ""
     upper: str = ""
     index: str = ""
+    before: tuple[str, str] = ("", "")
 
     def __str__(self) -> str:
-        return self.stem + script("_", self.lower) + script("^", self.upper)
+        upper, lower = self.before
+        led = f"{{}}{script('^', upper)}{script('_', lower)} " if upper else ""
+        return led + self.stem + script("_", self.lower) + script("^", self.upper)
+
+    def led(self) -> Name:
+        """The name of a pose or a vector with its frames before it: {}^0_1 T, {}^0 o_1 (Craig, chapter 2)."""
+        if self.stem.isupper():
+            return Name(self.stem, index=self.index, before=(self.upper, self.lower))
+        return Name(self.stem, self.lower, index=self.index, before=(self.upper, ""))
 
 
 def script(mark: str, inner: str) -> str:
@@ -56,6 +66,13 @@ def name_parts(name: str) -> Name:
     top = _subscript(upper) + (r"\ast" if name.endswith("*") else "")
     written = f"{accent}{{{_stem(stem)}}}" if accent else _stem(stem)
     return Name(written, _lower(stem, index), top, index)
+
+
+def stem_of(name: str) -> str:
+    """The letter or word that a plain name begins with, as it was typed."""
+    plain, _ = _accented(name.removesuffix("*"))
+    stem, _ = _split(plain.partition("^")[0])
+    return stem if name.startswith(stem) else plain[0]
 
 
 def _accented(name: str) -> tuple[str, str]:

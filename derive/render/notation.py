@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from derive.render.lettering import HOUSE, Lettering
+
 
 @dataclass(frozen=True, slots=True)
 class Notation:
@@ -14,6 +16,7 @@ class Notation:
     c_1 and s_{12} for joint angles. `digits`: significant digits of evaluated numbers.
     `short_names`: further angles that short notation abbreviates by their whole name, c_\\phi.
     `meant`: indices with which a c or an s is a name of the sheet, which short notation may not use.
+    `letters`: what the answers' own names are printed as. `columns`: the order of a table of link parameters.
     """
 
     atan2: Literal["yx", "xy"] = "yx"
@@ -21,3 +24,5 @@ class Notation:
     digits: int = 3
     short_names: frozenset[str] = frozenset()
     meant: frozenset[str] = frozenset()
+    letters: Lettering = HOUSE
+    columns: tuple[str, ...] = ()

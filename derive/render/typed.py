@@ -10,6 +10,7 @@ import re
 from collections.abc import Collection, Iterator
 from functools import cache
 
+from derive.render.lettering import Lettering
 from derive.render.notation import Notation
 from derive.render.printed import Printed
 from derive.render.skin import templates
@@ -32,6 +33,18 @@ def typed_in(written: str, printed: Collection[Printed], notation: Notation) -> 
     for lines in (*map(_lines, DISPLAY.finditer(written)), *inline):
         if lines not in ours:
             yield Printed(lines, (), notation)
+
+
+def relettered(written: str, printed: Collection[Printed], letters: Lettering) -> str:
+    """The text with the letters of the sheet in the formulas that were typed; the others have them."""
+    if not letters.stems:
+        return written
+    ours = {line for formula in printed if formula.chains for line in map(_aligned, formula.lines)}
+
+    def changed(formula: re.Match[str]) -> str:
+        return formula[0] if formula[1] in ours else f"${letters.latex(formula[1])}$"
+
+    return INLINE.sub(changed, written)
 
 
 def _lines(display: re.Match[str]) -> tuple[str, ...]:

@@ -18,6 +18,7 @@ from jinja2 import Template
 
 from derive.derivation import Cell, Condition, Derivation, Phrase, Step, Table
 from derive.expression import Expr, Indexed, Number, Relation, Symbol, free_symbols, number, walk
+from derive.render.columns import in_order
 from derive.render.entries import NAMED_BEYOND, Names, with_named_entries
 from derive.render.facts import Sayable, parts, sayable
 from derive.render.latex import Printer, is_approximate
@@ -27,7 +28,7 @@ from derive.render.phrases import PHRASES, Speech, on_page
 from derive.render.printed import Naming, Printed
 from derive.render.room import abridged, has_room, kept
 from derive.render.skin import Skin, environment, words_file
-from derive.render.typed import typed_in
+from derive.render.typed import relettered, typed_in
 from derive.render.untold import EarlyStep, ForgottenFact, ForgottenStep, UnknownFamily, early, forgotten
 
 QUESTION = "question"  # the block of a words template that asks for its derivation
@@ -63,6 +64,7 @@ def words(
     written = "".join(template.root_render_func(context))
     if "." not in folder:  # the words of another package have laws of their own
         seen.extend(typed_in(written, seen, notation))
+        written = relettered(written, seen, notation.letters)
     if left := forgotten(derivation, telling.told):
         raise ForgottenStep(derivation.kind, left)
     if asked and (unsaid := telling.unsaid()):
@@ -194,6 +196,7 @@ class Telling:
         """A table; its mathematics is set inline, a number with the unit its author gave it. Of more than
         `most` rows the middle is left out."""
         self.said.extend(parts(table))
+        table = in_order(table, self.notation.columns)
         rows = [[self._cell(entry) for entry in row] for row in abridged(table.rows, most)]
         return self.skin.table([self._cell(heading) for heading in table.headings], rows)
 
@@ -249,7 +252,10 @@ class Telling:
         return has_room(table, self._printer(None))
 
     def _printer(self, trig: Trig) -> Printer:
-        return Printer(replace(self.notation, trig=trig) if trig else self.notation)
+        """That of the sheet; a display may ask for another way to write angles, where the sheet does not."""
+        if not trig or self.notation.trig == "long":
+            return Printer(self.notation)
+        return Printer(replace(self.notation, trig=trig))
 
     def _trees(self, value: Mathematics) -> tuple[Expr, ...]:
         """The chain of what is written in a line of text."""

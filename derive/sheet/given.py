@@ -11,6 +11,8 @@ from derive.sheet.tex import Text
 
 Assumption: TypeAlias = Literal["positive", "nonnegative", "nonzero", "integer", "real"]
 Line: TypeAlias = Annotated[Text, Field(max_length=300)]
+Style: TypeAlias = Literal["spong", "siciliano", "craig", "lynch"]
+Letter: TypeAlias = Annotated[Name, Field(pattern=r"^[A-Za-z]+$", max_length=20)]
 
 
 class _Model(BaseModel):
@@ -18,11 +20,14 @@ class _Model(BaseModel):
 
 
 class GivenNotation(_Model):
-    """How mathematics is printed."""
+    """How mathematics is printed. `names` are letters of the answers, each with the author's own for it."""
 
     atan2: Literal["yx", "xy"] = "yx"
     trig: Literal["short", "long"] = "short"
     digits: Annotated[int, Field(ge=1, le=15)] = 3
+    style: Style | None = None
+    angles: Literal["deg", "rad"] | None = None
+    names: Annotated[dict[Letter, Letter], Field(max_length=50)] = {}
 
 
 class GivenSheet(_Model):

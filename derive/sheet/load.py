@@ -46,7 +46,7 @@ def sheet_of(at: At) -> Sheet:
     faults += unfilled(at.source, faults)
     if faults or given is None:
         raise SheetErrors(_distinct(faults))
-    notation = Notation(given.notation.atan2, given.notation.trig, given.notation.digits)
+    notation = Notation(**dict(given.notation), at=at / "notation")
     return Sheet(
         at.source.path,
         given.title,

@@ -15,11 +15,16 @@ from derive.sheet.source import At
 
 @dataclass(frozen=True, slots=True)
 class Notation:
-    """How the author wants mathematics printed."""
+    """How the author wants mathematics printed. `names` are letters of the answers with what stands for them,
+    `at` is where this is said."""
 
     atan2: Literal["yx", "xy"] = "yx"
     trig: Literal["short", "long"] = "short"
     digits: int = 3
+    style: str | None = None  # None: the house's own
+    angles: Literal["deg", "rad"] | None = None  # None: as they were typed
+    names: Mapping[str, str] = field(default_factory=dict)
+    at: At | None = None
 
 
 @dataclass(frozen=True, slots=True)

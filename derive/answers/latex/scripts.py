@@ -64,8 +64,8 @@ def skip_group(cursor: Cursor) -> None:
 
 
 def subscripts_first(found: Sequence[Token]) -> Tokens:
-    """The same with T^0_1 as T_1^0."""
-    at, done = 0, list(found)
+    """The same with T^0_1, and {}^0_1 T, as T_1^0."""
+    at, done = 0, _behind(found)
     while at < len(done):
         if done[at].text == "^" and done[at + 1].kind != "end":
             _, middle = group(done, at + 1)
@@ -74,6 +74,39 @@ def subscripts_first(found: Sequence[Token]) -> Tokens:
                 done[at:end] = [*done[middle:end], *done[at:middle]]
         at += 1
     return tuple(done)
+
+
+def _behind(found: Sequence[Token]) -> list[Token]:
+    """The same with the scripts that stand before a letter behind it, as in {}^0_1 T or {}^0 o_1."""
+    at, done = 0, list(found)
+    while at < len(done) - 2:
+        if (done[at].text, done[at + 1].text) == ("{", "}") and done[at + 2].text in ("^", "_"):
+            middle = _after_scripts(done, at + 2)
+            end = _after_letter(done, middle)
+            lower = _after_scripts(done, end, "_")
+            name = [*done[middle:lower], *done[at + 2 : middle]]
+            raised = done[lower].text == "^"
+            done[at:lower] = [_sign("(", done[at]), *name, _sign(")", done[lower])] if raised else name
+        at += 1
+    return done
+
+
+def _sign(text: str, at: Token) -> Token:
+    return Token("sign", text, at.offset, at.offset)
+
+
+def _after_scripts(found: Sequence[Token], at: int, marks: str = "^_") -> int:
+    """The place after the scripts that begin here, if any do."""
+    while found[at].kind != "end" and found[at].text in marks:
+        at = group(found, at + 1)[1]
+    return at
+
+
+def _after_letter(found: Sequence[Token], at: int) -> int:
+    """The place after a letter, with the font or the accent that it has."""
+    if found[at].kind == "command" and found[at].text in (*ACCENTS, *FONTS):
+        return group(found, at + 1)[1]
+    return min(at + 1, len(found) - 1)
 
 
 def scripted(found: Sequence[Token], at: int, tex: bool = False) -> Scripted:
