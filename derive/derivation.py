@@ -87,7 +87,7 @@ class Phrase:
 
 
 Condition: TypeAlias = Relation | Phrase
-Label: TypeAlias = Phrase | str
+Label: TypeAlias = "Phrase | Expr | Relation | str"
 Cell: TypeAlias = Expr | Condition | tuple[Condition, ...] | str
 Said: TypeAlias = "Phrase | Relation | Expr | str | int | tuple[Said, ...]"  # texts as they stand
 
@@ -148,32 +148,58 @@ class Table:
     rows: tuple[tuple[Cell, ...], ...]
 
 
+Place: TypeAlias = tuple[float, float]  # to the right and up
 Curve: TypeAlias = tuple[tuple[float, ...], tuple[float, ...]]  # to the right, and up
 
 
 @dataclass(frozen=True, slots=True)
+class Span:
+    """A named length between two places of a plot: along the horizontal axis (a rise time), or along the
+    vertical one where both are at the same time (an overshoot)."""
+
+    label: Label
+    start: Place
+    end: Place
+
+
+@dataclass(frozen=True, slots=True)
 class Plot:
-    """Curves to draw: labels of the axes and named series of points. Data only, no drawing. `regions` are
-    outlines to be filled, `equal` says that both axes have the same scale."""
+    """Curves to draw: labels of the axes and named series of points. Data only, no drawing.
+
+    `marks` are horizontal lines, `moments` vertical ones, named on the horizontal axis; `band` is between two
+    heights. `regions` are outlines to be filled, `arms` links from joint to joint, `arrows` vectors from one
+    place to another, `points` places, `spans` lengths that are read off. `counted` are values at whole
+    numbers, `log` says that heights are on a logarithmic scale, `equal` that both axes have the same scale.
+    """
 
     name: str
     x_label: Label
     y_label: Label
     series: Mapping[Label, Curve]
-    marks: Mapping[Label, float] = field(default_factory=dict)  # horizontal lines
+    marks: Mapping[Label, float] = field(default_factory=dict)
+    moments: Mapping[Label, float] = field(default_factory=dict)
+    band: tuple[float, float] | None = None
     regions: Mapping[Label, Curve] = field(default_factory=dict)
+    arms: Mapping[Label, Curve] = field(default_factory=dict)
+    arrows: Mapping[Label, tuple[Place, Place]] = field(default_factory=dict)
+    points: tuple[Place, ...] = ()
+    spans: tuple[Span, ...] = ()
+    counted: bool = False
+    log: bool = False
     equal: bool = False
+    caption: Phrase | None = None
+    alt: Phrase | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Panels:
-    """Plots one above the other over the same horizontal axis."""
+    """Plots one above the other over the same horizontal axis, or `beside` each other."""
 
     name: str
     plots: tuple[Plot, ...]
-
-
-Place: TypeAlias = tuple[float, float]  # to the right and up
+    beside: bool = False
+    caption: Phrase | None = None
+    alt: Phrase | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from math import degrees
+from collections.abc import Mapping, Sequence
+from math import degrees, isclose
 
-from derive.derivation import Label, Panels, Phrase, Plot
-from derive.mechanics.course import Course, Points, sampled
+from derive.derivation import Label, Panels, Phrase, Place, Plot
+from derive.expression import Expr, Relation, Symbol
+from derive.figures.axes import IN_TIME, axis, short
+from derive.mechanics.course import Course, Points, extremes, sampled
 from derive.mechanics.profile import Sort
 
-ORDERS = ("position", "velocity", "acceleration")
-LIMIT = Phrase("limit")
-UNITS = {"length": ("m", "m/s", r"m/s$^2$"), "angle": ("rad", "rad/s", r"rad/s$^2$")}
-IN_DEGREES = ("deg", "deg/s", r"deg/s$^2$")
+NAMES = tuple(map(Symbol, ("q", "q_dot", "q_ddot")))
+LIMIT, OTHER_LIMIT = Phrase("limit"), Phrase("limit-back")
+UNITS = {"length": ("m", "m/s", "m/s²"), "angle": ("rad", "rad/s", "rad/s²")}
+IN_DEGREES = ("°", "°/s", "°/s²")
+SAME = 1e-9  # of times that are one
+PAST = 0.2  # of a limit: how far back a motion goes for the limit to be drawn there too
 
 
 def panels(
@@ -20,25 +24,68 @@ def panels(
     courses: Mapping[Label, Course],
     sort: Sort,
     in_degrees: bool,
+    moments: Mapping[Expr, float],
     limits: tuple[float | None, float | None] = (None, None),
+    through: Sequence[Place] = (),
 ) -> Panels:
-    """Three plots, one above the other; `courses` are named as in the legend, `limits` are those of velocity
-    and acceleration."""
+    """Three plots, one above the other; `courses` are named as in the legend, `moments` on the axis of time,
+    `limits` are those of velocity and acceleration. A course goes `through` places at times."""
     turned = sort == "angle" and in_degrees
     units = IN_DEGREES if turned else UNITS.get(sort, ("", "", ""))
     plots = []
-    for order, (what, unit) in enumerate(zip(ORDERS, units, strict=True)):
+    for order, (symbol, unit) in enumerate(zip(NAMES, units, strict=True)):
         curves = {name: _scaled(sampled(course, order), turned) for name, course in courses.items()}
         most = (None, *limits)[order]
-        marks: dict[Label, float] = {} if most is None else {LIMIT: degrees(most) if turned else most}
-        if marks and min(min(values) for _, values in curves.values()) < -0.2 * marks[LIMIT]:
-            marks[" "] = -marks[LIMIT]
-        label = Phrase(what)
-        y_label = Phrase("quantity", {"name": label, "unit": unit}) if unit else label
-        plots.append(Plot(what, Phrase("time"), y_label, curves, marks))
-    return Panels(name, tuple(plots))
+        marks = {} if most is None else _limits(degrees(most) if turned else most, curves)
+        points = tuple((t, degrees(q) if turned else q) for t, q in through) if not order else ()
+        label = axis(symbol, unit)
+        plots.append(Plot(symbol.name, IN_TIME, label, curves, marks, merged(moments), points=points))
+    words = Phrase("drawn-motion", dict(zip(("q", "v", "a"), NAMES, strict=True)))
+    return Panels(name, tuple(plots), caption=words, alt=_alternative(courses, units, turned))
+
+
+def merged(moments: Mapping[Expr, float]) -> dict[Label, float]:
+    """Those at the same time under one name: t_1 = t_2."""
+    found: dict[Label, float] = {}
+    for name, time in moments.items():
+        same = next((label for label, other in found.items() if isclose(time, other, rel_tol=SAME)), None)
+        if isinstance(same, Relation | Expr):
+            del found[same]
+            found[Relation(same, "=", name)] = time
+        else:
+            found[name] = time
+    return found
+
+
+def _limits(most: float, curves: Mapping[Label, Points]) -> dict[Label, float]:
+    back = min(min(values) for _, values in curves.values()) < -PAST * most
+    return {LIMIT: most, OTHER_LIMIT: -most} if back else {LIMIT: most}
 
 
 def _scaled(points: Points, turned: bool) -> Points:
     times, values = points
     return (times, tuple(map(degrees, values))) if turned else points
+
+
+def _alternative(courses: Mapping[Label, Course], units: tuple[str, ...], turned: bool) -> Phrase:
+    """What each does, to three digits."""
+    said = [_told(course, units, turned) for course in courses.values()]
+    if len(said) == 1:
+        return said[0]
+    pairs = zip(courses, said, strict=True)
+    return Phrase("seen-axes", {"axes": tuple(Phrase("seen-axis", {"axis": k, "told": m}) for k, m in pairs)})
+
+
+def _told(course: Course, units: tuple[str, ...], turned: bool) -> Phrase:
+    def sized(value: float, order: int) -> str:
+        return f"{short(degrees(value) if turned else value)} {units[order]}".replace(" °", "°").rstrip()
+
+    fast, strong = (max(map(abs, extremes(course, order))) for order in (1, 2))
+    last = course[-1]
+    return Phrase(
+        "seen-motion",
+        {
+            "start": sized(course[0].at(course[0].start), 0), "end": sized(last.at(last.end), 0),
+            "time": f"{short(last.end)} s", "fast": sized(fast, 1), "strong": sized(strong, 2),
+        },
+    )  # fmt: skip

@@ -1,38 +1,102 @@
-"""The velocity and the force ellipse of an arm that moves in a plane, drawn at its tip."""
+"""The velocity and the force ellipse of an arm that moves in a plane, drawn at its tip, and the circle of
+joint rates of which the first is the image."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 
-from derive.derivation import Curve, Label, Phrase, Plot
+from derive.derivation import Curve, Label, Panels, Phrase, Place, Plot
+from derive.expression import Expr, number
+from derive.figures.axes import axis, short
+from derive.figures.view import around
 
-Points = Sequence[tuple[float, float]]
 CORNERS = 181  # of an ellipse
-SHARE = 0.35  # of the arm's reach: how large an ellipse is drawn
+SHARE = 0.4  # of the arm's reach: how large an ellipse is drawn at most
+STEPS = (5.0, 2.0, 1.0)  # scales are these times a power of ten
+Points = Sequence[Place]
 
 
-def at_the_tip(
-    arm: Points, ellipses: Mapping[Label, Sequence[float]], directions: Points, labels: Sequence[str]
-) -> Plot:
-    """An arm by its places in the plane, from the base to the tip, and ellipses by their semi-axes along two
-    unit vectors, each drawn to a scale of its own."""
-    reach = sum(math.dist(a, b) for a, b in pairwise(arm)) or 1.0
-    series: dict[Label, Curve] = {Phrase("arm"): _coordinates(arm)}
-    for name, axes in ellipses.items():
-        scale = SHARE * reach / max(axes)
-        series[name] = _coordinates(_ellipse(arm[-1], [scale * axis for axis in axes], directions))
-    return Plot("ellipsoids", labels[0], labels[1], series, equal=True)
+@dataclass(frozen=True, slots=True)
+class Tip:
+    """An arm by its places in the plane, from the base to the tip, with what the axes are called and the unit
+    of lengths; `sizes` are the semi-axes of the velocity ellipse along two unit vectors."""
+
+    arm: Points
+    axes: tuple[Expr, Expr]
+    unit: str
+    sizes: tuple[float, float]
+    directions: Points
+
+    def velocities(self) -> tuple[Label, Curve]:
+        """The ellipse as it is drawn, and what it is with its scale."""
+        return self._ellipse("velocity-ellipse", self.sizes, f"{self.unit}/s" if self.unit else "")
+
+    def forces(self) -> tuple[Label, Curve]:
+        """Likewise."""
+        strong = 1 / self.sizes[0], 1 / self.sizes[1]
+        return self._ellipse("force-ellipse", strong, "N" if self.unit else "")
+
+    def scale(self, sizes: tuple[float, float]) -> float:
+        """How long a velocity or a force of 1 is drawn: a round number, the largest that has room."""
+        reach = sum(math.dist(a, b) for a, b in pairwise(self.arm)) or 1.0
+        room = SHARE * reach / max(sizes)
+        power = 10.0 ** math.floor(math.log10(room))
+        return next(step * power for step in STEPS if step * power <= room * (1 + 1e-9))
+
+    def half_axes(self) -> dict[Label, tuple[Place, Place]]:
+        """Of the ellipse of velocities, numbered as the directions are."""
+        (x, y), scale = self.arm[-1], self.scale(self.sizes)
+        return {
+            number(k): ((x, y), (x + scale * size * u, y + scale * size * w))
+            for k, (size, (u, w)) in enumerate(zip(self.sizes, self.directions, strict=True), 1)
+        }
+
+    def _ellipse(self, key: str, sizes: tuple[float, float], unit: str) -> tuple[Label, Curve]:
+        (a, b), (u, w), (x, y), scale = sizes, self.directions, self.arm[-1], self.scale(sizes)
+        along = (around((0.0, 0.0), scale, 2 * math.pi * k / (CORNERS - 1)) for k in range(CORNERS))
+        points = [(x + a * p * u[0] + b * q * w[0], y + a * p * u[1] + b * q * w[1]) for p, q in along]
+        about = {"one": f"1 {unit}".rstrip(), "drawn": f"{short(scale)} {self.unit}".rstrip()}
+        return Phrase(key, about), _coordinates(points)
 
 
-def _ellipse(center: tuple[float, float], axes: Sequence[float], directions: Points) -> Points:
-    turns = [2 * math.pi * k / (CORNERS - 1) for k in range(CORNERS)]
-    (a, b), (u, w), (x, y) = axes, directions, center
-    along = [(a * math.cos(t), b * math.sin(t)) for t in turns]
-    return [(x + p * u[0] + q * w[0], y + p * u[1] + q * w[1]) for p, q in along]
+@dataclass(frozen=True, slots=True)
+class Rates:
+    """Two joint rates by their names, and those of size one that become the half axes of the ellipse."""
+
+    names: tuple[Label, Label]
+    directions: Points
 
 
-def _coordinates(points: Points) -> tuple[tuple[float, ...], tuple[float, ...]]:
+def at_the_tip(tip: Tip, rates: Rates | None) -> Panels:
+    """The arm with both ellipses; beside it the circle of joint rates of size one, where there are two."""
+    (velocity, faster), (force, stronger) = tip.velocities(), tip.forces()
+    right = Plot(
+        "ellipsoids", axis(tip.axes[0], tip.unit), axis(tip.axes[1], tip.unit),
+        {velocity: faster, force: stronger}, arms={Phrase("arm"): _coordinates(tip.arm)},
+        arrows=tip.half_axes(), equal=True,
+    )  # fmt: skip
+    sizes = {"long": short(max(tip.sizes)), "short": short(min(tip.sizes))}
+    if rates is None:
+        return Panels(
+            "ellipsoids", (right,), True, Phrase("drawn-at-the-tip"), Phrase("seen-at-the-tip", sizes)
+        )
+    plots = (_circle(rates), right)
+    return Panels("ellipsoids", plots, True, Phrase("drawn-mapped"), Phrase("seen-mapped", sizes))
+
+
+def _circle(rates: Rates) -> Plot:
+    turns = (around((0.0, 0.0), 1.0, 2 * math.pi * k / (CORNERS - 1)) for k in range(CORNERS))
+    arrows: dict[Label, tuple[Place, Place]] = {
+        number(k): ((0.0, 0.0), place) for k, place in enumerate(rates.directions, 1)
+    }
+    return Plot(
+        "rates", *rates.names, {Phrase("unit-circle"): _coordinates([*turns])}, arrows=arrows, equal=True
+    )
+
+
+def _coordinates(points: Points) -> Curve:
     xs, ys = zip(*points, strict=True)
     return xs, ys

@@ -92,7 +92,7 @@ class Robot:
     @property
     def coupled(self) -> bool:
         """Whether a joint variable stands in more than one place of the rows, the base and the tool."""
-        nodes = (node for tree in self._motions() for node in walk(tree) if isinstance(node, Symbol))
+        nodes = (node for tree in self.motions() for node in walk(tree) if isinstance(node, Symbol))
         return sum(node.name in self.variables for node in nodes) > len(self.variables)
 
     @property
@@ -102,7 +102,7 @@ class Robot:
         trees = (tree for body in bodies for tree in (*extent(body.inertia), *coordinates(body)))
         return any(not free_symbols(tree).isdisjoint(self.variables) for tree in trees)
 
-    def _motions(self) -> Iterator[Expr]:
+    def motions(self) -> Iterator[Expr]:
         """What the rows, the base and the tool turn and slide by."""
         for link in self.links:
             match link.row:

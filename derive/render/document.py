@@ -125,7 +125,7 @@ class Document:
 
     def plots(self) -> dict[str, Figure]:
         """Every plot of the page by the path of its picture, relative to the page and without suffix."""
-        from derive.render.phrases import spoken
+        from derive.render.phrases import in_figure
 
         subjects = {
             problem.figure.removesuffix(".svg"): problem.drawing
@@ -137,7 +137,7 @@ class Document:
             for problem, question in self.questions()
             for worked in question.order
             if worked.derivation.plots
-            for speech in [spoken(worked.folder, worked.derivation.kind)]
+            for speech in [in_figure(worked.folder, worked.derivation.kind, problem.notation)]
             for plot in worked.derivation.plots
         }
 

@@ -13,6 +13,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from string import Formatter
+from typing import TypeVar
 
 from jinja2 import TemplateNotFound
 
@@ -20,15 +21,17 @@ from derive.algebra.infix import SYMPY_NAMES, text
 from derive.algebra.normal import normal
 from derive.algebra.readable.form import readable
 from derive.algebra.readable.terms import Style
-from derive.derivation import Claim, Condition, Figure, Panels, Phrase, Plot, Result, Said
+from derive.derivation import Claim, Condition, Figure, Label, Panels, Phrase, Plot, Result, Said
 from derive.expression import PI, Degrees, Expr, Quotient, Relation, walk
 from derive.render.latex import Printer
 from derive.render.layout import Chain, Link
+from derive.render.notation import Notation
 from derive.render.printed import Printed, links_of
 from derive.render.skin import environment, joined, words_file
 
 PHRASES = "phrases"  # the block of a words template that holds them
 STRONG, EM = ("**", "\x1e"), ("*", "\x1f")  # what is typed, and what stands for it until a phrase is written
+T = TypeVar("T")
 LATEX_SIGNS = {"<=": r"\leq", ">=": r"\geq", "!=": r"\neq"}
 
 
@@ -110,10 +113,17 @@ class Speech:
             plot,
             x_label=self.say(plot.x_label),
             y_label=self.say(plot.y_label),
-            series={self.say(name): curve for name, curve in plot.series.items()},
-            marks={self.say(name): height for name, height in plot.marks.items()},
-            regions={self.say(name): curve for name, curve in plot.regions.items()},
+            series=self._named(plot.series),
+            marks=self._named(plot.marks),
+            moments=self._named(plot.moments),
+            regions=self._named(plot.regions),
+            arms=self._named(plot.arms),
+            arrows=self._named(plot.arrows),
+            spans=tuple(replace(span, label=self.say(span.label)) for span in plot.spans),
         )
+
+    def _named(self, things: Mapping[Label, T]) -> dict[Label, T]:
+        return {self.say(name): thing for name, thing in things.items()}
 
     def claim(self, claim: Claim) -> str:
         """What was verified."""
@@ -173,6 +183,12 @@ def on_page(
         printed.append(Printed.inline(written, chain, printer.notation))
 
     return Speech(lines_of(folder, kind), tree, "${}$", plain, strong, em, LATEX_SIGNS, styled, seen)
+
+
+def in_figure(folder: str, kind: str, notation: Notation) -> Speech:
+    """How they speak in a figure: words, and mathematics in LaTeX between dollars."""
+    printer = Printer(notation)
+    return Speech(lines_of(folder, kind), lambda tree, _: printer.write(tree), "${}$", signs=LATEX_SIGNS)
 
 
 def lines_of(folder: str, kind: str) -> dict[str, str]:

@@ -202,6 +202,9 @@ class Telling:
 
     def plot(self, name: str, caption: str = "") -> str:
         """The picture of a plot of this derivation."""
+        figure = next((each for each in self.d.plots if each.name == name), None)
+        if figure and isinstance(figure.caption, Phrase):
+            caption = self.speech.say(figure.caption)
         return self.skin.figure(self.plots[name] + ".svg", caption)
 
     def listing(self, name: str) -> str:

@@ -380,5 +380,5 @@ def test_angles_in_radians(tmp_path: Path) -> None:
     panels = found.plots[0]
     assert isinstance(panels, Panels)
     said = spoken("profile", "trapezoidal-profile").say
-    assert said(panels.plots[0].y_label) == "position [rad]"
+    assert said(panels.plots[0].y_label) == "q [rad]"
     assert numpy.isclose(value(found.results["t_3"]), 3.0)

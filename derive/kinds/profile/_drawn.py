@@ -25,6 +25,7 @@ from derive.mechanics.profile import Profile
 
 SLACK = 1e-9
 NONE: Mapping[str, Expr] = MappingProxyType({})
+NO_MOMENTS: Mapping[Expr, Expr] = MappingProxyType({})
 
 
 class LimitTold(Record):
@@ -58,15 +59,23 @@ class Drawn:
         found = {name: value_of(tree, point) for name, tree in results.items()}
         return {**found, "q": at(self.course, point["t"])} if "t" in point else found
 
-    def plots(self, name: str) -> tuple[Figure, ...]:
-        """Position, velocity and acceleration over time, pieces that last no time left out."""
+    def plots(self, name: str, moments: Mapping[Expr, Expr], through: bool = False) -> tuple[Figure, ...]:
+        """Position, velocity and acceleration over time, pieces that last no time left out; `moments` are
+        named on the axis. With `through` the places are marked where two pieces meet, and the ends."""
         if self.course is None:
             return ()
         kept = tuple(piece for piece in self.course if piece.end > piece.start)
-        turned = self.problem.style.degrees
-        return (
-            panels(name, {"": kept}, self.profile.sort, turned, limits_drawn(self.profile, self.problem)),
-        )
+        knots = [(piece.start, piece.at(piece.start)) for piece in kept] + [
+            (kept[-1].end, at(kept, kept[-1].end))
+        ]
+        turned, limits = self.problem.style.degrees, limits_drawn(self.profile, self.problem)
+        times = self.marked(moments)
+        return (panels(name, {"": kept}, self.profile.sort, turned, times, limits, knots if through else ()),)
+
+    def marked(self, moments: Mapping[Expr, Expr]) -> dict[Expr, float]:
+        """The moments in seconds."""
+        point = place({**self.problem.where, **{n: v for n, v in self.evaluate or () if n != "t"}})
+        return {name: value_of(tree, point) for name, tree in moments.items()}
 
     def claims(
         self,
@@ -74,12 +83,15 @@ class Drawn:
         told: Sequence[LimitTold],
         drawn: bool,
         results: Mapping[str, Expr] = NONE,
+        moments: Mapping[Expr, Expr] = NO_MOMENTS,
     ) -> Iterator[Claim]:
         """What is told of the limits, and of q at a time, against the trajectory as it is written, maybe in
-        names of `results`."""
+        names of `results`; what is marked on the picture, against the ends of its pieces."""
         yield law("drawn", drawn == (self.course is not None))
         if self.course is None:
             return
+        ends = [piece.end for piece in self.course]
+        yield law("marked", (any(close(t, end) for end in ends) for t in self.marked(moments).values()))
         names = {**results, **self.problem.where}
         there = dict(self.evaluate or ())
         point = place({**names, **{name: value for name, value in there.items() if name != "t"}})

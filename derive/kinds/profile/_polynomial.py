@@ -81,9 +81,10 @@ def polynomial(
     told_rates = [rate == (None if name == ends.T else rates[name]) for name, _, rate in facts.given]
     work = work.law("said", (*told_rates, *_said(facts, len(names))))
     work = as_told(work, means.names, told_too, "both-ends", symbols=problem.symbols | {t.name})
-    work = work.claim(*drawn.claims(((results["q"], None),), facts.limits, facts.drawn))
+    moments: dict[Expr, Expr] = {ends.T: profile.time or ONE}
+    work = work.claim(*drawn.claims(((results["q"], None),), facts.limits, facts.drawn, moments=moments))
     evaluated = drawn.evaluated({name: tree for name, tree in results.items() if name != "q"})
-    return work.answer(kind, results, facts, evaluated=evaluated, plots=drawn.plots("trajectory"))
+    return work.answer(kind, results, facts, evaluated=evaluated, plots=drawn.plots("trajectory", moments))
 
 
 def _greatest(order: int) -> Phrase:

@@ -79,13 +79,15 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     work = work.claim(*checked.claims([each for each in chains if each[0] != q], pieces, told))
     work = work.claim(*checked.said(facts.how, facts.smaller, facts.possible, facts.given))
     timed = [(piece.values["q"], times_of(piece)) for piece in pieces]
-    work = work.claim(*drawn.claims(timed, facts.limits, facts.drawn, results))
+    t_b, t_f = results["t_b"], results["t_f"]
+    moments = {T_B: t_b, found.T - T_B: t_f - t_b, found.T: t_f}
+    work = work.claim(*drawn.claims(timed, facts.limits, facts.drawn, results, moments))
     return work.answer(
         "lspb-trajectory",
         {**results, "q": pieces},
         facts,
         evaluated=drawn.evaluated(results),
-        plots=drawn.plots("lspb"),
+        plots=drawn.plots("lspb", moments),
     )
 
 

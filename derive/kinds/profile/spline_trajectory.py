@@ -117,13 +117,14 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     given = asked(journey, profile.time, options.ends == "natural")
     work = work.claim(*claims(given, chains, pieces, facts.pieces, problem))
     timed = [(piece.values["q"], times_of(piece)) for piece in pieces]
-    work = work.claim(*drawn.claims(timed, facts.limits, facts.drawn))
+    moments: dict[Expr, Expr] = {Symbol(f"t_{k}"): t for k, t in enumerate(knots.times) if k}
+    work = work.claim(*drawn.claims(timed, facts.limits, facts.drawn, moments=moments))
     return work.answer(
         "spline-trajectory",
         {**results, "q": pieces},
         facts,
         evaluated=drawn.evaluated(results),
-        plots=drawn.plots("spline"),
+        plots=drawn.plots("spline", moments, through=True),
     )
 
 

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from math import inf
+from math import inf, isclose
 from typing import Any
 
+from derive.algebra.infix import text
 from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Branch, Claim, Derivation, Figure, Label, PageFacts, Phrase, Result
 from derive.errors import NotDerivable
-from derive.expression import Expr, is_negative
+from derive.expression import Expr, Symbol, is_negative
 from derive.figures.courses import panels
-from derive.kinds.checks import law, route
+from derive.kinds.checks import close, law, route
 from derive.kinds.fields import TREES, Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.profile._axis import AxisTold, Solved, solved, steps_of, told
@@ -28,6 +29,7 @@ from derive.mechanics.profile import Axis, Profile, Units
 CLAIMED = dict.fromkeys(("a", "solutions", "t_1", "t_2", "t_3", "t_min", "v"), "as-told|on-axis|too-short")
 
 NEEDS = ("limits",)
+NEARLY = 1e-6  # of times that are searched for
 Found = tuple[trapezoid.Switching, ...]
 
 
@@ -72,7 +74,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
         "trapezoidal-profile",
         steps,
         results,
-        (*claims, *_drawn_again(profile, facts, options, problem)),
+        (*claims, *_drawn_again(profile, facts, options, problem, found)),
         each.outcomes[0].working.definitions,
         _evaluated(found, options),
         plots=_plots(profile, found, problem),
@@ -90,7 +92,7 @@ def _several(profile: Profile, options: Options, problem: Problem) -> Derivation
         all_axes.results(),
         (
             *all_axes.claims(facts.together or all_axes.told()),
-            *_drawn_again(profile, facts, options, problem),
+            *_drawn_again(profile, facts, options, problem, found),
         ),
         evaluated=_evaluated(found, options),
         plots=_plots(profile, found, problem),
@@ -148,8 +150,11 @@ def _evaluated(found: Found | None, options: Options) -> dict[str, Any]:
     return {name: [getattr(each, name) for each in found] for name in names} | {"t_3": found[0].t_3}
 
 
-def _drawn_again(profile: Profile, facts: Facts, options: Options, problem: Problem) -> Iterator[Claim]:
-    """Whether there is a picture, and the case at the point asked for, by search; where numbers say it."""
+def _drawn_again(
+    profile: Profile, facts: Facts, options: Options, problem: Problem, drawn: Found | None
+) -> Iterator[Claim]:
+    """Whether there is a picture, what is marked on it, and the case at the point asked for, by search; where
+    numbers say it."""
     point = place({**problem.where, **dict(options.evaluate or ())})
     try:
         time = None if profile.time is None else value_of(profile.time, point)
@@ -163,6 +168,16 @@ def _drawn_again(profile: Profile, facts: Facts, options: Options, problem: Prob
     said = case.key if isinstance(case, Phrase) else ""
     border = found[0].t_2 - found[0].t_1 <= trapezoid.FLAT * found[0].t_3 and said != "infeasible"
     yield route("drawn", (facts.drawn == feasible, said == at_point or border))
+    if feasible and drawn:
+        whole = max(each.t_3 for each in found) if time is None else time
+        together = found if len(found) == 1 else [_searched(axis, whole, point) for axis in profile.axes]
+        yield route("marked", _switch_there(together, _moments(drawn)))
+
+
+def _switch_there(searched: Sequence[trapezoid.Switching], marked: Mapping[Expr, float]) -> Iterator[bool]:
+    """Whether every axis switches at the times that are marked."""
+    for name, time in marked.items():
+        yield from (close(getattr(each, text(name)), time, NEARLY) for each in searched)
 
 
 def _searched(axis: Axis, time: float | None, point: Mapping[str, float]) -> trapezoid.Switching:
@@ -184,7 +199,18 @@ def _plots(profile: Profile, found: Found | None, problem: Problem) -> tuple[Fig
     courses: dict[Label, Course] = {}
     for k, (axis, each) in enumerate(zip(profile.axes, found, strict=True), 1):
         courses[Phrase("axis-number", {"k": k})] = trapezoid.course(each, 0.0, _direction(axis, problem))
-    return (panels("profile", courses, profile.sort, problem.style.degrees),)
+    return (panels("profile", courses, profile.sort, problem.style.degrees, _moments(found)),)
+
+
+def _moments(found: Found) -> dict[Expr, float]:
+    """Of several axes those that they share."""
+    first, *others = found
+    shared = (
+        name
+        for name in ("t_1", "t_2", "t_3")
+        if all(isclose(getattr(each, name), getattr(first, name)) for each in others)
+    )
+    return {Symbol(name): getattr(first, name) for name in shared}
 
 
 def _direction(axis: Axis, problem: Problem) -> float:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated, Any, ClassVar, Literal
@@ -14,6 +13,7 @@ from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Derivation, PageFacts, Phrase, Plot, Result, Said, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Matrix, Symbol, add, column, number, symbols
+from derive.figures.axes import short
 from derive.kinds.fields import OptionsModel, Place, Quantity, read_point
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
@@ -28,7 +28,6 @@ from derive.mechanics.task import ROWS, moving_rows
 
 CLAIMED = {"iterations": "as-listed", "solution": "last-row"}
 CLAIMS = ("rows-in-numbers", "place", "begun", "numbered", "errors", "ended", "as-listed", "last-row")
-NOTHING = 1e-16  # an error too small for a logarithm
 J, R, F, H, ALPHA = symbols("J r_d f H alpha")
 
 
@@ -100,7 +99,11 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     if _explained(problem, options):
         work = replace(work, steps=work.steps[:1])
     return work.answer(
-        "numerical-inverse-kinematics", results, facts, evaluated=evaluated, plots=(_plot(run),)
+        "numerical-inverse-kinematics",
+        results,
+        facts,
+        evaluated=evaluated,
+        plots=(_plot(run, options.method == "newton"),) if facts.drawn else (),
     )
 
 
@@ -215,7 +218,7 @@ def _facts(arm: Arm, options: Options, run: Iteration, rows: tuple[tuple[Expr, .
         ended=Phrase(_end(run.verdict, newton), about),
         solution=_solution(arm, run) if found else (),
         outlook=Phrase(_outlook(run.verdict, newton, fixed is not None)) if found else None,
-        drawn=last > 1,
+        drawn=sum(row.error >= CLOSE for row in run.rows) > 1,
         numbers=(),
     )
 
@@ -262,8 +265,14 @@ def _explained(problem: Problem, options: Options) -> frozenset[str]:
     return frozenset(each.method for each in before if len(each.target) == len(options.target))
 
 
-def _plot(run: Iteration) -> Plot:
-    """By powers of ten: Newton's method falls ever more steeply, the gradient method along a line."""
-    counts = tuple(float(k) for k in range(len(run.rows)))
-    powers = tuple(math.log10(max(row.error, NOTHING)) for row in run.rows)
-    return Plot("error", Phrase("iteration"), Phrase("power-of-ten"), {Phrase("error"): (counts, powers)})
+def _plot(run: Iteration, newton: bool) -> Plot:
+    """The errors that are more than what rounding leaves, on a logarithmic scale: Newton's method falls ever
+    more steeply, the gradient method along a line."""
+    kept = [(float(k), row.error) for k, row in enumerate(run.rows) if row.error >= CLOSE]
+    counts, errors = zip(*kept, strict=True)
+    about = {"steps": str(len(run.rows) - 1), "first": short(errors[0]), "last": short(run.rows[-1].error)}
+    return Plot(
+        "error", Phrase("iteration", {"k": Symbol("k")}), Phrase("error"), {"": (counts, errors)},
+        counted=True, log=True, alt=Phrase("seen-errors", about),
+        caption=Phrase("drawn-newton" if newton else "drawn-gradient", {"k": Symbol("k")}),
+    )  # fmt: skip

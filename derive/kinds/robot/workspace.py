@@ -10,6 +10,7 @@ from derive.kinds.chains import closing
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
+from derive.kinds.robot._lengths import unit_of_lengths
 from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.kinds.robot._reach.checks import Reached
 from derive.kinds.robot._reach.regions import Region, Secondary, final_distance, region_of, secondary
@@ -62,9 +63,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         closing(Step("r_min", (R_MIN, *region.smallest), "folded"), r_min),
     )
     work = Work(problem, uses=(problem.ask("forward-kinematics"),), steps=steps).linked(but=("r_min",))
-    plots = _pictures(problem, region, options)
     planar = region.kind == "planar" and len(region.lengths) > 2
     inner = secondary(problem, region) if planar else None
+    plots = _pictures(problem, region, options, inner)
     facts = _facts(problem, region, point, inner, plots)
     reached = Reached(problem, found, point, region, {1: r_max, -1: r_min})
     work = work.claim(*reached.claims(steps, region.smallest[-1] == ZERO, inner))
@@ -97,13 +98,20 @@ def _between(low: Expr, middle: Expr, high: Expr) -> Relation:
     return Relation(Relation(low, "<=", middle), "<=", high)
 
 
-def _pictures(problem: Problem, region: Region, options: Options) -> tuple[Plot, ...]:
+def _pictures(
+    problem: Problem, region: Region, options: Options, inner: Secondary | None
+) -> tuple[Plot, ...]:
     """Where all lengths are numbers."""
-    point = point_of(dict(options.evaluate or ()), problem.where)
+    given = dict(options.evaluate or ())
+    unit = unit_of_lengths(problem, given.values())
     try:
-        known = oracle_of(problem).at(point)
+        known = oracle_of(problem).at(point_of(given, problem.where))
         lengths = [numeric.number(length, known) for length in region.lengths]
+        if region.kind == "planar":
+            sizes = (inner.far, inner.gap) if inner else ()
+            far, gap = (numeric.number(each, known) for each in sizes) if inner else (0.0, 0.0)
+            return (from_above(lengths, (far, gap) if inner else None, unit),)
         offset, side = numeric.number(region.offset, known), numeric.number(region.side, known)
     except KeyError:
         return ()
-    return (from_above(lengths),) if region.kind == "planar" else (cross_section(lengths, offset, side),)
+    return (cross_section(lengths, offset, side, unit),)

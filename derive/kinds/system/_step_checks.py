@@ -9,9 +9,9 @@ from typing import Any
 from derive.algebra.numbers.floats import number
 from derive.control.oracle import poles
 from derive.control.oracle.equations import is_close, quotient, value, value_over
-from derive.control.oracle.figures import Figures, Seen, agree
+from derive.control.oracle.figures import BAND, Figures, Seen, agree
 from derive.control.response import StepResponse
-from derive.derivation import Claim, Phrase, Result
+from derive.derivation import Claim, Phrase, Plot, Result
 from derive.expression import ZERO, Expr, Relation, Symbol
 from derive.kinds.checks import route
 from derive.kinds.fields import TREES
@@ -55,6 +55,36 @@ def proofs(
         yield route("figures", (False,) if figures is None else agree(seen, figures))
     else:
         yield route("no-figures", (results[name] == NONE for name in FIGURES if name != "steady_state"))
+
+
+def as_marked(plot: Plot, results: Mapping[str, Result], response: StepResponse) -> Claim:
+    """What is marked on the picture is what the page says, and its ends are on the curve."""
+    return route("as-marked", _marked(plot, results, response))
+
+
+def _marked(plot: Plot, results: Mapping[str, Result], response: StepResponse) -> Iterator[bool]:
+    told = {name: number(tree, {}) for name, tree in results.items() if isinstance(tree, TREES)}
+    final = told.get("steady_state", 0.0)
+    (curve,) = plot.series.values()
+    yield curve == (response.times, response.values)
+    yield [*plot.marks.values()] == ([final] if final else [])
+    if plot.band:
+        yield all(math.isclose(abs(edge / final - 1), BAND, rel_tol=CLOSE) for edge in plot.band)
+    for span in plot.spans:
+        x, (end, high) = span.start[0], span.end
+        key, said = (
+            (span.label.key, span.label.about["value"]) if isinstance(span.label, Phrase) else ("", "")
+        )
+        size = {
+            "rise-span": (end - x, "rise_time"),
+            "settling-span": (end - x, "settling_time"),
+            "overshoot-span": (100 * (high / final - 1), "overshoot"),
+        }.get(key)
+        yield size is not None and math.isclose(size[0], told[size[1]], rel_tol=CLOSE)
+        yield size is not None and said == results[size[1]]
+        yield math.isclose(response.at(end), high, rel_tol=CLOSE)
+    drawn = {name for name in FIGURES[:-1] if told.get(name, 0.0) > 0}
+    yield len(plot.spans) <= len(drawn)
 
 
 def _far_out(

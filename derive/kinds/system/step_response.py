@@ -10,15 +10,16 @@ from derive.control.rational import Rational
 from derive.control.response import StepResponse, step_response
 from derive.control.roots import roots
 from derive.control.system import System
-from derive.derivation import Curve, Derivation, Label, Phrase, Plot, Result, Step
+from derive.derivation import Derivation, Phrase, Plot, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Number, Relation, Symbol, number
+from derive.figures.responses import stepped
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._options import ControllerField
 from derive.kinds.system._oracle import Held
 from derive.kinds.system._plant import Plant, point_chains, root_tree, rounded, verdict
-from derive.kinds.system._step_checks import proofs
+from derive.kinds.system._step_checks import as_marked, proofs
 from derive.kinds.system._step_facts import FIGURES, NONE
 from derive.kinds.system._step_facts import Facts as Facts
 from derive.kinds.system.closed_loop import plant_or_loop
@@ -27,10 +28,10 @@ from derive.kinds.work import Work
 SUBJECTS = ("system", "motor")
 CLAIMS = (
     "proper", "in-complex-numbers", "as-large-as-poles", "modes", "inverse-transform", "verdict",
-    "poles-as-printed", "as-said", "figures|no-figures",
+    "poles-as-printed", "as-said", "figures|no-figures", "as-marked",
 )  # fmt: skip
 CLAIMED = dict.fromkeys(("overshoot", "rise_time", "settling_time"), "figures")
-LABELS = ("angle", "speed")
+UNITS = {"angle": "rad", "speed": "rad/s"}  # of what a motor turns
 S = Symbol("s")
 
 
@@ -74,9 +75,9 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     polynomials = num, den, complete.numbers()[1]
     work = work.law("proper", numeric.proper)
     work = work.claim(*proofs(held, work.steps[0].result, polynomials, response, results, evaluated, told))
-    return work.answer(
-        "step-response", results, told, evaluated=evaluated, plots=(_plot(solved.system, response),)
-    )
+    plot = _plot(answer, options)
+    work = work.claim(as_marked(plot, results, response))
+    return work.answer("step-response", results, told, evaluated=evaluated, plots=(plot,))
 
 
 def _steady(solved: Plant, numeric: Rational, response: StepResponse) -> Expr | None:
@@ -133,13 +134,11 @@ def _results(response: StepResponse, final: Expr | None) -> dict[str, Result]:
     return {**measured, "steady_state": NONE if final is None else final}
 
 
-def _plot(system: System, response: StepResponse) -> Plot:
-    label = next((Phrase(word) for word in system.motor if word in LABELS), f"{system.output.name}(t)")
-    marks: dict[Label, float] = (
-        {Phrase("steady-state"): response.steady_state} if response.steady_state else {}
-    )
-    curves: dict[Label, Curve] = {Phrase("response"): (response.times, response.values)}
-    return Plot("step", Phrase("time"), label, curves, marks)
+def _plot(answer: Answer, options: Options) -> Plot:
+    output, source = answer.plant.system.output, answer.plant.system.input
+    unit = next((UNITS[word] for word in answer.plant.system.motor if word in UNITS), "")
+    caption = Phrase("drawn-loop" if options.controller else "drawn", {"output": output, "input": source})
+    return stepped(answer.response, output, unit, caption)
 
 
 def _facts(answer: Answer, options: Options) -> Facts:

@@ -9,13 +9,15 @@ from typing import Any, get_args
 
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.numbers.arrays import arrays
-from derive.derivation import Claim, Label, Phrase, Plot, Record, Result, Step, Table
+from derive.derivation import Claim, Label, Panels, Phrase, Record, Result, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Matrix, Symbol, column
-from derive.figures.ellipses import at_the_tip
+from derive.figures.axes import axis
+from derive.figures.ellipses import Rates, Tip, at_the_tip
 from derive.kinds.checks import close, route
 from derive.kinds.fields import Place
 from derive.kinds.robot._chain import oracle_of
+from derive.kinds.robot._lengths import unit_of_lengths
 from derive.kinds.robot._velocity.task import Task
 from derive.kinds.sure import place as surely
 from derive.kinds.values_at import point_of
@@ -44,7 +46,7 @@ class Ellipsoids:
     results: dict[str, Result]
     evaluated: dict[str, Any]
     claims: tuple[Claim, ...]
-    plots: tuple[Plot, ...]
+    plots: tuple[Panels, ...]
     told: PointTold
 
 
@@ -62,7 +64,8 @@ def at_point(task: Task, place: Place) -> Ellipsoids:
     forces: list[Any] = [1 / sizes[k] if sizes[k] else INFINITE for k in order]
     pushes = tuple(Approximate(force) if force != INFINITE else force for force in forces)
     turned = [directions[k] for k in order]
-    plots = _pictures(task, here, sizes, directions)
+    unit = unit_of_lengths(task.problem, (value for _, value in place))
+    plots = _pictures(task, here, J, sizes, directions, unit)
     told = PointTold(
         point=tuple((Symbol(name), value) for name, value in place),
         table=_table(task, sizes, directions),
@@ -80,6 +83,8 @@ def at_point(task: Task, place: Place) -> Ellipsoids:
     step = Step("J_here", (Symbol("J"), Matrix(_rounded(J))), "numbers")
     there = here | surely({**task.problem.where, **dict(place)})
     claims = tuple(_claims(task, there, step, results, evaluated, told))
+    if plots:
+        claims += (route("drawn", as_drawn(plots[0], task.numbers(there))),)
     return Ellipsoids(here, step, results, evaluated, claims, plots, told)
 
 
@@ -212,18 +217,62 @@ def _said(told: PointTold, sizes: Sequence[float], J: Any) -> Iterator[bool]:
 
 
 def _pictures(
-    task: Task, here: Mapping[str, float], values: list[float], directions: list[list[float]]
-) -> tuple[Plot, ...]:
+    task: Task,
+    here: Mapping[str, float],
+    J: Any,
+    values: list[float],
+    directions: list[list[float]],
+    unit: str,
+) -> tuple[Panels, ...]:
     """The arm with both ellipses at its tip, where two components in a plane are asked for."""
     if tuple(sorted(task.rows)) not in PLANE or not values[-1]:
         return ()
-    labels = [row[1] for row in task.rows]
-    sizes: dict[Label, list[float]] = {
-        Phrase("velocity-ellipse"): values,
-        Phrase("force-ellipse"): [1 / value for value in values],
-    }
-    vectors = [(along[0], along[1]) for along in directions]
-    return (at_the_tip(_arm(task, here, ["xyz".index(each) for each in labels]), sizes, vectors, labels),)
+    letters = [row[1] for row in task.rows]
+    tip = Tip(
+        arm=_arm(task, here, ["xyz".index(each) for each in letters]),
+        axes=(Symbol(letters[0]), Symbol(letters[1])),
+        unit=unit,
+        sizes=(values[0], values[1]),
+        directions=[(along[0], along[1]) for along in directions],
+    )
+    return (at_the_tip(tip, _rates(task, J, values, directions)),)
+
+
+def _rates(task: Task, J: Any, values: list[float], directions: list[list[float]]) -> Rates | None:
+    """Those of size one that J turns into the half axes, where there are two joints."""
+    if len(task.rates) != 2:
+        return None
+    turning = [joint.type == "revolute" for _, joint in task.found.moving]
+    first, second = (
+        axis(q, "rad/s" if turns else "m/s") for q, turns in zip(task.rates, turning, strict=True)
+    )
+    images = [J.T @ along / size for along, size in zip(directions, values, strict=True)]
+    return Rates((first, second), [(float(q[0]), float(q[1])) for q in images])
+
+
+def as_drawn(panels: Panels, J: Any) -> Iterator[bool]:
+    """Every point of the ellipses is the image of joint rates, and of torques, of size one; their half axes
+    those of the rates that are drawn."""
+    import numpy as np
+
+    *_, plot = panels.plots
+    gram, tip = J @ J.T, np.array([[x[-1], y[-1]] for x, y in plot.arms.values()])
+    for (label, curve), form in zip(plot.series.items(), (np.linalg.inv(gram), gram), strict=True):
+        away = (np.array(curve).T - tip) / _scale(label)
+        yield close(np.einsum("ki,ij,kj->k", away, form, away), np.ones(len(away)), DIFFERENCES)
+    scale = _scale(next(iter(plot.series)))
+    half_axes = [np.array(end) - np.array(start) for start, end in plot.arrows.values()]
+    yield close(*(float(half_axes[0] @ half_axes[1]), 0.0), DIFFERENCES)
+    for circle in panels.plots[:-1]:
+        for (_, rates), half in zip(circle.arrows.values(), half_axes, strict=True):
+            yield close(scale * J @ np.array(rates), half, DIFFERENCES)
+            yield close(float(np.linalg.norm(rates)), 1.0, DIFFERENCES)
+
+
+def _scale(label: Label) -> float:
+    """How long 1 is said to be drawn."""
+    drawn = label.about["drawn"] if isinstance(label, Phrase) else ""
+    return float(str(drawn).split()[0])
 
 
 def _arm(task: Task, here: Mapping[str, float], plane: list[int]) -> list[tuple[float, float]]:

@@ -1,0 +1,156 @@
+"""Plots put on paper: axes with their ticks around what `curves` draws, a legend above, panels in a row."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from derive.derivation import Panels, Plot
+from derive.render.drawing.axes import Axis, span
+from derive.render.drawing.curves import STRIP, Frame, contents, strip_rows, swatches
+from derive.render.drawing.paper import Paper
+from derive.render.drawing.placing import Box
+from derive.render.drawing.sketch import Sketch, said
+from derive.render.drawing.style import FAINT, INK, LETTERS, PALE, WIDEST, Pen
+
+MARGIN = 2.0  # points round everything
+WIDE, HIGH, PANEL, SQUARE = WIDEST - 46, 150.0, 68.0, 150.0  # of what is inside the axes
+BETWEEN, APART = 9.0, 26.0  # panels above each other, and beside each other
+TICK, AIR = 3.0, 3.0
+ROOM_X, ROOM_Y = 42.0, 24.0  # points that ticks are apart at least
+AXIS, GRID, MOMENT = Pen(INK, 0.8), Pen(PALE, 0.5), Pen(FAINT, 0.6, (1, 1.6))
+SWATCH = 20.0
+
+
+def on_paper(picture: Plot | Panels) -> Paper:
+    """A picture whose labels are said already."""
+    return sketched(picture).paper(MARGIN)
+
+
+def sketched(picture: Plot | Panels) -> Sketch:
+    """Everything of it, in points."""
+    match picture:
+        case Plot():
+            frame = framed(picture, SQUARE if picture.equal else HIGH)
+            return _with_legend(_drawn(picture, frame), [picture], frame)
+        case Panels(plots=plots, beside=True):
+            return _row([sketched(plot) for plot in plots])
+        case Panels(plots=plots):
+            return _stack(plots)
+
+
+def framed(plot: Plot, high: float) -> Frame:
+    """Both axes, with room for all that is drawn."""
+    xs, ys = _reached(plot)
+    low, top = span(ys, 0.06 if not plot.log else 0.0, plot.log)
+    strip = STRIP * strip_rows(plot)
+    if not plot.equal:
+        left, right = span(xs, 0.02 if plot.counted else 0.0)
+        return Frame(Axis(left, right, 0.0, WIDE), Axis(low, top, strip, high, plot.log))
+    left, right = span(xs, 0.06)
+    scale = min((WIDE - 40) / (right - left), high / (top - low))
+    return Frame(Axis(left, right, 0.0, scale * (right - left)), Axis(low, top, 0.0, scale * (top - low)))
+
+
+def _reached(plot: Plot) -> tuple[list[float], list[float]]:
+    """Every number to the right and up that is drawn."""
+    curves = [*plot.series.values(), *plot.regions.values(), *plot.arms.values()]
+    places = [*plot.points, *(place for arrow in plot.arrows.values() for place in arrow)]
+    places += [place for each in plot.spans for place in (each.start, each.end)]
+    xs = [x for curve in curves for x in curve[0]] + [x for x, _ in places] + [*plot.moments.values()]
+    ys = [y for curve in curves for y in curve[1]] + [y for _, y in places] + [*plot.marks.values()]
+    return xs, [*ys, *(plot.band or ())]
+
+
+def _drawn(plot: Plot, frame: Frame, bottom: bool = True) -> Sketch:
+    """The axes and what is inside; at the `bottom` of several the horizontal axis is named."""
+    sketch, x, y = Sketch(), frame.x, frame.y
+    across, up = x.ticks(ROOM_X, plot.counted), y.ticks(ROOM_Y)
+    for tick in across:
+        sketch.line(((x.at(tick), 0.0), (x.at(tick), y.end)), GRID)
+    for tick in up:
+        sketch.line(((0.0, y.at(tick)), (x.end, y.at(tick))), GRID)
+    for time in plot.moments.values():
+        sketch.line(((x.at(time), 0.0), (x.at(time), y.end)), MOMENT)
+    sketch.add(contents(plot, frame), 0.0, 0.0)
+    sketch.line(((0.0, y.end), (0.0, 0.0), (x.end, 0.0)), AXIS)
+    for tick, text in zip(up, said([y.written(tick) for tick in up]), strict=True):
+        sketch.line(((-TICK, y.at(tick)), (0.0, y.at(tick))), AXIS)
+        sketch.text(text, -TICK - AIR - text.wide, y.at(tick) - text.high / 2)
+    for tick, text in zip(across, said([x.written(tick) for tick in across]), strict=True):
+        sketch.line(((x.at(tick), -TICK), (x.at(tick), 0.0)), AXIS)
+        if bottom:
+            sketch.text(text, x.at(tick) - text.wide / 2, -TICK - AIR - text.high)
+    (name,) = said([str(plot.y_label)], LETTERS)
+    left = min([0.0, *(text.box.left for text in sketch.texts)])
+    sketch.text(name, left - 6 - name.high, (y.start + y.end) / 2 - name.wide / 2, turned=True)
+    if bottom:
+        _below(sketch, plot, frame)
+    return sketch
+
+
+def _below(sketch: Sketch, plot: Plot, frame: Frame) -> None:
+    """Moments under the ticks, in as many rows as they need, and the name of the axis."""
+    low = -TICK - AIR - 7.0
+    ends: list[float] = []  # of each row
+    names = said([f"{name} $= {time:.3g}$".replace("$ $", " ") for name, time in plot.moments.items()])
+    for time, text in sorted(zip(plot.moments.values(), names, strict=True), key=lambda each: each[0]):
+        left = frame.x.at(time) - text.wide / 2
+        row = next((k for k, end in enumerate(ends) if left > end + 2 * AIR), len(ends))
+        ends[row : row + 1] = [left + text.wide]
+        sketch.text(text, left, low - 12.0 * (row + 1))
+    (name,) = said([str(plot.x_label)], LETTERS)
+    at = (frame.x.start + frame.x.end) / 2 - name.wide / 2
+    sketch.text(name, at, low - 12.0 * len(ends) - 5.0 - name.high)
+
+
+def _with_legend(sketch: Sketch, plots: Sequence[Plot], frame: Frame) -> Sketch:
+    """Above it, in rows as wide as the picture: what lines and fillings are, where there are several."""
+    entries = swatches(plots)
+    if len(entries) < 2:
+        return sketch
+    whole, legend = sketch.whole, Sketch()
+    left, low = 0.0, 0.0
+    for entry, text in zip(entries, said([entry.name for entry in entries]), strict=True):
+        wide = SWATCH + 5.0 + text.wide
+        if left and left + wide > WIDEST - 30:
+            left, low = 0.0, low - 13.0
+        entry.draw(legend, Box(left, low - 3.0, left + SWATCH, low + 3.0))
+        legend.text(text, left + SWATCH + 5.0, low - min(text.high, 6.5) / 2)
+        left += wide + 14.0
+    sketch.add(legend, 0.0, whole.high + 8.0 - legend.whole.low)
+    return sketch
+
+
+def _stack(plots: Sequence[Plot]) -> Sketch:
+    """One above the other; the horizontal axis is named below the last."""
+    sketch, frames = Sketch(), [framed(plot, PANEL) for plot in plots]
+    low, high = min(f.x.low for f in frames), max(f.x.high for f in frames)
+    step = PANEL + BETWEEN
+    for k, (plot, frame) in enumerate(zip(plots, frames, strict=True)):
+        last = k == len(plots) - 1
+        same = replace(frame, x=replace(frame.x, low=low, high=high), panel=True)
+        sketch.add(_drawn(plot, same, last), 0.0, (len(plots) - 1 - k) * step)
+    _aligned(sketch)
+    return _with_legend(sketch, plots[:1], frames[0])
+
+
+def _aligned(sketch: Sketch) -> None:
+    """The names of the vertical axes in one column."""
+    names = [text for text in sketch.texts if text.turned]
+    left = min(text.box.left for text in names)
+    for k, text in enumerate(sketch.texts):
+        if text.turned:
+            b = text.box
+            moved = Box(left, b.low, left + b.right - b.left, b.high)
+            sketch.texts[k] = replace(text, box=moved)
+
+
+def _row(sketches: Sequence[Sketch]) -> Sketch:
+    """Beside each other, their horizontal axes at one height."""
+    whole, at = Sketch(), 0.0
+    for sketch in sketches:
+        box = sketch.whole
+        whole.add(sketch, at - box.left, 0.0)
+        at += box.right - box.left + APART
+    return whole
