@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from tests.render.test_markdown_math import CODE, as_read, as_written
 from tests.sheets import NAMES, OUTPUT, SHEETS, pages
 
 every_sheet = pytest.mark.parametrize("sheet", SHEETS, ids=NAMES)
@@ -121,3 +122,11 @@ def test_the_problem_sheet_tells_no_solution(sheet: Path, tmp_path: Path) -> Non
     (made,) = (Path(p) for p in build([sheet], ["md"], tmp_path, problems=True) if str(p).endswith(".md"))
     assert made.stem == f"{sheet.stem}-problems"
     assert "Solution" not in made.read_text(encoding="utf-8")
+
+
+@every_sheet
+def test_commonmark_leaves_every_formula(built: dict[Path, list[Path]], sheet: Path) -> None:
+    text = page(built, sheet, ".md").read_text(encoding="utf-8")
+    assert as_read(text) == as_written(text)
+    glued = r"(?<![\\$])\$[^$\n]+\$(?=[A-Za-z0-9])|(?<=[A-Za-z0-9/])\$[^$\n]+\$"
+    assert not re.search(glued, re.sub(r"\$[^$]+\$(?![A-Za-z0-9])", "", CODE.sub("", text)))

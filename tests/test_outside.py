@@ -112,10 +112,11 @@ def _built(expect: dict[str, Any], sheet: str) -> None:
 
 
 def _stands(expect: dict[str, Any], key: str, text: str) -> None:
+    plain = " ".join(text.split())
     for part in _list(expect.get(key, [])):
-        assert str(part) in text, f"{part} is missing in\n{text}"
+        assert " ".join(str(part).split()) in plain, f"{part} is missing in\n{text}"
     for part in _list(expect.get(f"not_{key}", [])):
-        assert str(part) not in text, f"{part} stands in\n{text}"
+        assert " ".join(str(part).split()) not in plain, f"{part} stands in\n{text}"
 
 
 def _at(value: Any, path: str) -> Any:

@@ -1,7 +1,8 @@
 """The author's own text: Markdown with `$...$`, brought into a format with nothing else let through.
 
-Raw HTML and TeX outside formulas come out as the characters they are. What stands between dollars is
-passed on as it is: the sheet's reader admits only mathematics there.
+A formula of several rows has no room in a line of text and is displayed. Raw HTML and TeX outside formulas
+come out as the characters they are. What stands between dollars is passed on as it is: the sheet's reader
+admits only mathematics there.
 """
 
 from __future__ import annotations
@@ -12,18 +13,25 @@ from collections.abc import Callable
 from derive.render.author_writers import LatexWriter, MarkdownWriter, Writer
 from derive.render.plain_text import latex_text, markdown_formula, markdown_text
 
+IN_ROWS = re.compile(r" *(?<![\\$])\$([^$]+\\\\[^$]+)\$(?!\$)([.,;:]?) *")  # and the sign after it
 FORMULA = re.compile(r"(?<!\\)\$([^$\n]+(?:\n[^$\n]+)*)\$")
 MARKUP = re.compile(r"[\\`*_\[\]<>#$&~|]|^\s*(?:[-+=>]|\d+[.)])|^(?: {4}|\t)| {2}$", re.MULTILINE)
 
 
 def markdown_prose(text: str) -> str:
     """An author's text as Markdown that means the same to every reader of Markdown."""
+    text = _with_rows_displayed(text)
     return _plain(text, markdown_text, markdown_formula) or _blocks(text, MarkdownWriter())
 
 
 def latex_prose(text: str) -> str:
     """An author's text as LaTeX."""
+    text = _with_rows_displayed(text)
     return _plain(text, latex_text, str.strip) or _blocks(text, LatexWriter())
+
+
+def _with_rows_displayed(text: str) -> str:
+    return IN_ROWS.sub(r"$$\1\2$$", text)
 
 
 def _plain(text: str, escape: Callable[[str], str], formula: Callable[[str], str]) -> str:

@@ -124,10 +124,14 @@ class _Telling:
         self.printed.append(replace(shown, evaluated=self._tells(chain, value)))
         return f"${one_line(chain)}$"
 
+    def in_line(self) -> _Telling:
+        """The same for a line of text."""
+        return replace(self, printer=replace(self.printer, in_line=True))
+
     def given(self, name: str, value: Expr) -> str:
         """A value of the point, with the unit its author gave it."""
         unit = f" {value.unit}" if isinstance(value, Number) and value.unit else ""
-        return self.inline(chain_links((Symbol(name), value), self.printer), value) + unit
+        return self.inline(chain_links((Symbol(name), value), self.in_line().printer), value) + unit
 
     def chain(self, called: Expr, value: Any, name: str) -> Chain:
         """`called = value`; nothing for what is no number."""
@@ -143,7 +147,8 @@ class _Telling:
     def branch(self, branch: Mapping[str, Any], working: Collection[str]) -> dict[str, Any]:
         """One solution: its equations as inline mathematics, and when it is the one."""
         names = [name for name in branch if name not in ABOUT and name not in working]
-        chains = [(name, self.chain(Symbol(name), branch[name], name)) for name in names]
+        in_line = self.in_line()
+        chains = [(name, in_line.chain(Symbol(name), branch[name], name)) for name in names]
         equations = [self.inline(chain, branch[name]) for name, chain in chains if chain]
         when = self.speech.when(branch.get("when", ()))
         return {"when": when, "real": branch.get("real", True), "equations": equations}

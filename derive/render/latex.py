@@ -58,9 +58,10 @@ def is_approximate(expr: Expr) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Printer:
-    """Prints trees in one notation."""
+    """Prints trees in one notation; `in_line` for a line of text, where a column stands as `(x, y)^T`."""
 
     notation: Notation
+    in_line: bool = False
 
     def write(self, expr: Expr) -> str:
         return self.measured(expr)[0]
@@ -87,7 +88,7 @@ class Printer:
             case Power(base, exponent):
                 return self.power(base, exponent)
             case Matrix(rows):
-                return self.matrix(rows), ATOM
+                return self.column(rows) or (self.matrix(rows), ATOM)
             case _:
                 return self.rarer(expr)
 
@@ -222,6 +223,12 @@ class Printer:
     def _atan2(self, y: Expr, x: Expr) -> str:
         name, order = ("Atan2", (x, y)) if self.notation.atan2 == "xy" else ("atan2", (y, x))
         return rf"\mathrm{{{name}}}" + parenthesised(", ".join(map(self.write, order)))
+
+    def column(self, rows: tuple[tuple[Expr, ...], ...]) -> tuple[str, int] | None:
+        """A column in a line of text, which has no room for rows."""
+        if not self.in_line or len(rows) < 2 or len(rows[0]) > 1:
+            return None
+        return parenthesised(", ".join(self.write(entry) for (entry,) in rows)) + "^T", POWER
 
     def matrix(self, rows: tuple[tuple[Expr, ...], ...]) -> str:
         lines = [" & ".join(map(self._entry, row)) for row in rows]

@@ -8,6 +8,7 @@ from derive.render.author_text import latex_prose, markdown_prose
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked, file_path, plot_path
 from derive.render.evaluated import evaluated_words
 from derive.render.foot import Proved
+from derive.render.markdown_math import left_alone, rows_apart
 from derive.render.plain_text import latex_text, markdown_text
 from derive.render.printed import Printed, Reader, Said, unread
 from derive.render.skin import HELD_LINE, Skin, environment
@@ -18,19 +19,22 @@ LATEX = Skin("latex", latex_prose, latex_text)
 BLANK_LINES = re.compile(r"\n[ \t]*\n\s*\n")
 BEFORE_DISPLAY = re.compile(r"\n\n+(?=\\\[|\\begin\{align\*\})")
 
+MATRIX = re.compile(r"\\begin\{bmatrix\} .*? \\end\{bmatrix\}")
+
 
 def render_markdown(document: Document, front: bool = True, read: Reader = unread) -> str:
     """The sheet as Markdown for GitHub and pandoc. Without `front` the title block is left to a template.
 
     Its mathematics is given to `read`. Raises ForgottenStep, and what `read` raises.
     """
-    return _tidy(_page(document, MARKDOWN, front, read))
+    return _tidy(left_alone(_page(document, MARKDOWN, front, read)))
 
 
 def render_latex(document: Document, read: Reader = unread) -> str:
     """The sheet as a LaTeX document that pdflatex compiles; its mathematics is given to `read`. Raises
     ForgottenStep, and what `read` raises."""
-    return _tidy(BEFORE_DISPLAY.sub("\n", BLANK_LINES.sub("\n\n", _page(document, LATEX, True, read))))
+    page = MATRIX.sub(lambda found: rows_apart(found[0]), _page(document, LATEX, True, read))
+    return _tidy(BEFORE_DISPLAY.sub("\n", BLANK_LINES.sub("\n\n", page)))
 
 
 def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:

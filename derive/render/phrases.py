@@ -173,8 +173,10 @@ def on_page(
     """How they speak on a page; decimals and fixed angles are written in the author's `style`, and what is
     printed from trees is added to `printed`."""
 
+    in_line = replace(printer, in_line=True)
+
     def tree(expr: Expr, _: str) -> str:
-        return printer.write(expr)
+        return in_line.write(expr)
 
     def styled(expr: Expr) -> Expr:
         return _in_style(expr, style or Style())

@@ -165,7 +165,7 @@ class Telling:
 
     def math(self, value: Mathematics, trig: Trig = None) -> str:
         """Inline mathematics of an expression, a name, or a chain (a tuple) joined by equal signs."""
-        printer = self._printer(trig)
+        printer = replace(self._printer(trig), in_line=True)
         links = chain_links(self._trees(value), printer)
         self.printed.append(Printed.inline(one_line(links), links, printer.notation))
         return f"${one_line(links)}$"

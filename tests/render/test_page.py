@@ -28,7 +28,7 @@ def test_markdown_keeps_the_rules_of_github_and_pandoc() -> None:
     assert all(formula == formula.strip() for formula in re.findall(r"\$([^$]*)\$", prose))
     for display in re.findall(r"\$\$(.*?)\$\$", page, flags=re.DOTALL):
         assert display.startswith("\n") and display.endswith("\n")
-        assert not re.search(r"^\s*([-+=]|$)", display.strip("\n"), flags=re.MULTILINE)
+        assert not re.search(r"^\s*([-+=]\s|$)", display.strip("\n"), flags=re.MULTILINE)
     assert not re.search(r"\\!|\\tag|\\left\.|\\hline", page)
 
 
