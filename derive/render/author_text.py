@@ -10,8 +10,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from derive.render.author_writers import LatexWriter, MarkdownWriter, Writer
-from derive.render.plain_text import latex_text, markdown_formula, markdown_text
+from derive.render.author_writers import LatexWriter, MarkdownWriter, TypstWriter, Writer
+from derive.render.plain_text import latex_text, markdown_formula, markdown_text, typst_text
 
 IN_ROWS = re.compile(r" *(?<![\\$])\$([^$]+\\\\[^$]+)\$(?!\$)([.,;:]?) *")  # and the sign after it
 FORMULA = re.compile(r"(?<!\\)\$([^$\n]+(?:\n[^$\n]+)*)\$")
@@ -28,6 +28,12 @@ def latex_prose(text: str) -> str:
     """An author's text as LaTeX."""
     text = _with_rows_displayed(text)
     return _plain(text, latex_text, str.strip) or _blocks(text, LatexWriter())
+
+
+def typst_prose(text: str) -> str:
+    """An author's text as Typst, its formulas still in TeX."""
+    text = _with_rows_displayed(text)
+    return _plain(text, typst_text, TypstWriter().formula) or _blocks(text, TypstWriter())
 
 
 def _with_rows_displayed(text: str) -> str:

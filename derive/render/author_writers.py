@@ -6,7 +6,7 @@ import re
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from derive.render.plain_text import latex_text, markdown_formula, markdown_text
+from derive.render.plain_text import latex_text, markdown_formula, markdown_text, typst_string, typst_text
 
 if TYPE_CHECKING:
     from markdown_it.tree import SyntaxTreeNode
@@ -149,3 +149,27 @@ class LatexWriter(Writer):
         name = "enumerate" if ordered else "itemize"
         lines = "\n".join(rf"\item {item}" for item in items)
         return f"\\begin{{{name}}}\\tight\n{lines}\n\\end{{{name}}}"
+
+
+class TypstWriter(Writer):
+    """What ends in a semicolon is a call of Typst's, which takes in nothing of what follows."""
+
+    em, strong = ("#emph[", "];"), ("#strong[", "];")
+
+    def text(self, text: str) -> str:
+        return typst_text(text)
+
+    def code(self, code: str) -> str:
+        return f"#raw({typst_string(code)});"
+
+    def link(self, text: str, address: str) -> str:
+        return f"#link({typst_string(address)})[{text}];"
+
+    def formula(self, tex: str) -> str:
+        return " ".join(tex.split())
+
+    def display(self, formula: str) -> str:
+        return f"\n\n$${self.formula(formula)}$$\n\n"
+
+    def listed(self, items: list[str], ordered: bool) -> str:
+        return f"#{'enum' if ordered else 'list'}(" + ", ".join(f"[{item}]" for item in items) + ")"

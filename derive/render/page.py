@@ -8,10 +8,12 @@ from derive.render.author_text import latex_prose, markdown_prose
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked, file_path, plot_path
 from derive.render.evaluated import evaluated_words
 from derive.render.foot import Proved
+from derive.render.formulas import spelt
 from derive.render.markdown_math import left_alone, rows_apart
 from derive.render.plain_text import latex_text, markdown_text
 from derive.render.printed import Printed, Reader, Said, unread
 from derive.render.skin import HELD_LINE, Skin, environment
+from derive.render.typst_skin import TYPST, laid_out
 from derive.render.words import words
 
 MARKDOWN = Skin("markdown", markdown_prose, markdown_text)
@@ -35,6 +37,12 @@ def render_latex(document: Document, read: Reader = unread) -> str:
     ForgottenStep, and what `read` raises."""
     page = MATRIX.sub(lambda found: rows_apart(found[0]), _page(document, LATEX, True, read))
     return _tidy(BEFORE_DISPLAY.sub("\n", BLANK_LINES.sub("\n\n", page)))
+
+
+def render_typst(document: Document, read: Reader = unread) -> str:
+    """The sheet as a Typst document, which reads its title and the like from `sys.inputs`; its mathematics is
+    given to `read`. Raises ForgottenStep, and what `read` raises."""
+    return laid_out(_tidy(_page(document, TYPST, True, read)))
 
 
 def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
@@ -64,7 +72,7 @@ def _answer(
                 question.derivation, question.folder, question.at, skin, problem.notation, printed
             )
         )
-    return "\n\n".join(filter(None, told))
+    return spelt("\n\n".join(filter(None, told)), skin.formulas, printed)
 
 
 def _above(problem: ProblemPage, question: QuestionPage, skin: Skin) -> str:

@@ -1,19 +1,22 @@
-"""The sheet as PDF: by pandoc and Typst from plain pip, or by a TeX installation where there is one."""
+"""The sheet as PDF: by Typst from plain pip, or by a TeX installation where there is one."""
 
 from __future__ import annotations
 
 import re
 import subprocess
+from functools import cache
 from pathlib import Path
 from shutil import which
 from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
 
 from derive.render.document import Document
 from derive.render.failures import NoGlyphs, PdfFailed
-from derive.render.page import render_markdown
-from derive.render.pandoc import pandoc
+from derive.render.page import render_typst
 from derive.render.printed import Reader, unread
-from derive.render.skin import templates
+
+if TYPE_CHECKING:
+    from typst import Compiler
 
 TIMESTAMP = 0  # the same sheet makes the same bytes
 LATEX_MODES = ["-interaction=nonstopmode", "-halt-on-error", "-file-line-error"]
@@ -27,55 +30,44 @@ LATEX_ENGINES = {
 
 NO_GLYPH = re.compile(r'the text `"(.+?)"` could not be displayed')
 
-# A sign that continues a sum after an indent: something before it makes Typst space it as binary.
-CONTINUED = re.compile(r"(&\s*quad)\s+([+\-])")
-
-# A fraction that is all of a denominator: pandoc writes a / b / c for it, which Typst reads from the left.
-FRACTION_BELOW = re.compile(r"\}\{(?=\\d?frac\{)")
-
-# The paragraph that leads to a display stays on its page; the template says how.
-LEAD_IN = re.compile(r"(?<=\n\n)(?![#=+\-\s]|\$\s)((?:(?!`{3}).+\n)+)(?=\n\$ )")
-
 
 def metadata(document: Document) -> dict[str, str]:
     """What a page template prints outside the body."""
     byline = " · ".join(filter(None, (document.course, document.author, document.date)))
     return {
         "title": document.title, "author": document.author, "byline": byline, "lang": document.language,
+        "course": document.course,
     }  # fmt: skip
 
 
 def write_pdf(document: Document, target: Path, read: Reader = unread) -> None:
     """Writes the PDF. Pictures are found relative to the folder of `target`.
 
-    Raises PdfFailed, PandocFailed, and what `read` raises.
+    Raises PdfFailed, and what `read` raises.
     """
-    from typst import Compiler, TypstError
+    from typst import TypstError
 
+    source = render_typst(document, read).encode()
     try:
-        # Plain texts go in as values, so that nothing in them is read as Typst.
-        source = render_typst(document, read).encode()
-        compiler = Compiler(source, target.parent, ignore_system_fonts=True, sys_inputs=metadata(document))
-        compiler.compile(output=str(target), format="pdf", pdf_standards=["a-2b"], timestamp=TIMESTAMP)
+        # Plain texts go in as values, so that nothing in them is read as Typst. Held to PDF/UA, it refuses a
+        # formula or a figure that is not told in words; held to PDF/A, letters that no font has.
+        page = compiler().compile(
+            input=source, format="pdf", root=target.parent, sys_inputs=metadata(document),
+            pdf_standards=["ua-1", "a-2a"], timestamp=TIMESTAMP,
+        )  # fmt: skip
     except TypstError as error:
         if missing := NO_GLYPH.findall(error.diagnostic):
             raise NoGlyphs("".join(dict.fromkeys("".join(missing)))) from error
         raise PdfFailed("\n".join((error.message, *error.hints))) from error
+    target.write_bytes(page if isinstance(page, bytes) else b"".join(page or ()))
 
 
-def render_typst(document: Document, read: Reader = unread) -> str:
-    """The page as Typst source."""
-    template = templates() / "typst" / "sheet.typ"
-    # Headings move up one level: the title of the sheet is no heading of the body.
-    arguments = [f"--template={template}", "--shift-heading-level-by=-1"]
-    markdown = with_fractions_below(render_markdown(document, False, read))
-    page = pandoc(markdown, "typst", arguments, metadata(document)).decode()
-    return LEAD_IN.sub(r"#lead-in[\1]\n", CONTINUED.sub(r'\1 "" \2', page))
+@cache
+def compiler() -> Compiler:
+    """Typst with its fonts read, one for all the pages of a process."""
+    from typst import Compiler
 
-
-def with_fractions_below(markdown: str) -> str:
-    """The same Markdown, with something beside each fraction that is all of a denominator."""
-    return FRACTION_BELOW.sub(r"}{{}", markdown)
+    return Compiler(ignore_system_fonts=True)
 
 
 def write_pdf_with_latex(source: Path, target: Path) -> None:

@@ -32,6 +32,29 @@ TAG_OR_LINK = re.compile(r"<(?=[A-Za-z/!?])|\](?=\()")
 MARKDOWN_LINE_START = re.compile(r"^(\s*)(?:([#+\-=])|(\d+)([.)]))", re.MULTILINE)
 
 
+TYPST_MARKUP = re.compile(r"[!-/:-@\[-`{-~]")  # every sign of ASCII
+TYPST_AS_IT_IS = frozenset(",()!;?%&|'")
+UNPRINTED = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
+
+
+def typst_text(text: str) -> str:
+    """Text for a Typst paragraph. A dollar and a backslash stand in no form that begins anything."""
+    return TYPST_MARKUP.sub(_typst_sign, UNPRINTED.sub("", text))
+
+
+def _typst_sign(found: re.Match[str]) -> str:
+    sign = found[0]
+    if sign in TYPST_AS_IT_IS:
+        return sign
+    return rf"\u{{{ord(sign):x}}}" if sign in "$\\" else f"\\{sign}"
+
+
+def typst_string(text: str) -> str:
+    """A string of Typst's code."""
+    escaped = re.sub(r'[\\"$\n]', lambda found: rf"\u{{{ord(found[0]):x}}}", UNPRINTED.sub("", text))
+    return f'"{escaped}"'
+
+
 def latex_text(text: str) -> str:
     """Text for a LaTeX paragraph; Greek letters and signs pdflatex has no text glyph for become math."""
     return text.translate(LATEX)

@@ -13,7 +13,9 @@ from typing import Any
 from jinja2 import ChoiceLoader, Environment, FileSystemLoader, FunctionLoader, StrictUndefined, pass_context
 from jinja2.runtime import Context
 
+from derive.render.formulas import Formulas
 from derive.render.layout import Display
+from derive.render.plain_text import typst_string
 
 PACKAGE = Path(__file__).resolve().parent.parent
 
@@ -35,6 +37,7 @@ def environment() -> Environment:
     made.filters["listed"] = _listed
     made.filters["joined"] = joined
     made.filters["said"] = _said
+    made.filters["string_of_typst"] = _typst_string
     return made
 
 
@@ -66,6 +69,11 @@ def _each(context: Context, letter: str) -> str:
     """`{{ "F" | each }}`: F_i, of the things that the derivation being told calls F_1, F_2, ..."""
     written: str = context["each"](letter)
     return written
+
+
+def _typst_string(text: str) -> str:
+    """`{{ text | string_of_typst }}`: a string in Typst's code, with the lines of a listing."""
+    return typst_string(text.replace(HELD_LINE, "\n"))
 
 
 @pass_context
@@ -103,14 +111,18 @@ def _fence(text: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class Skin:
-    """The look of one format. `prose` turns an author's Markdown into the format, `plain` a plain text."""
+    """The look of one format. `prose` turns an author's Markdown into the format, `plain` a plain text;
+    `formulas` spells mathematics where the format does not take it in TeX."""
 
     name: str
     prose: Callable[[str], str]
     plain: Callable[[str], str]
+    formulas: Formulas | None = None
 
     def display(self, display: Display) -> str:
         """A displayed equation."""
+        if self.formulas:
+            return self._macro("display", self.formulas.display(display))
         return self._macro("display", list(display.lines), display.wide)
 
     def em(self, text: str) -> str:

@@ -10,12 +10,12 @@ import re
 from collections.abc import Collection, Iterator
 from functools import cache
 
+from derive.render.formulas import INLINE
 from derive.render.lettering import Lettering
 from derive.render.notation import Notation
 from derive.render.printed import Printed
 from derive.render.skin import templates
 
-INLINE = re.compile(r"(?<![\\$])\$([^$\n]+)\$(?!\$)")
 DISPLAY = re.compile(
     r"\$\$\n(?P<md>.*?)\n\$\$|\\\[\n(?P<tex>.*?)\n\\\]|\\begin\{align\*\}\n(?P<lined>.*?)\n\\end\{align\*\}",
     re.DOTALL,

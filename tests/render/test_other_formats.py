@@ -10,10 +10,12 @@ from derive.algebra.fingerprint import fingerprint
 from derive.answers.latex.printed import parts_of, read_part
 from derive.errors import FormulaError, Unfit
 from derive.expression import Expr
+from derive.render.formula.tex import boxes
+from derive.render.formula.typst import in_text
+from derive.render.formula.typst import typst as spelt
 from derive.render.latex import latex
 from derive.render.notation import Notation
 from derive.render.pandoc import pandoc
-from derive.render.pdf import with_fractions_below
 from derive.render.web import mended
 from tests.render import mathml, typst
 from tests.render.shapes import nested
@@ -53,15 +55,18 @@ def test_mathml_says_what_the_trees_do() -> None:
     assert wrong(read) == []
 
 
+@cache
+def in_typst() -> tuple[str, ...]:
+    """All of them as Typst understands what we write."""
+    return tuple(typst.read([spelt(boxes(latex(tree, Notation()))) for _, tree in trees()]))
+
+
 def test_typst_says_what_the_trees_do() -> None:
-    made = pandoc(with_fractions_below(page()), "typst", [], {}).decode()
-    read = [typst.latex_of(line[1:-1]) for line in made.splitlines() if line.startswith("$")]
-    assert wrong(read) == []
+    assert wrong([*in_typst()]) == []
+    assert in_typst() == tuple(typst.read([in_text(boxes(latex(tree, Notation()))) for _, tree in trees()]))
 
 
 def test_a_mistake_of_either_is_seen() -> None:
-    typst_page = pandoc(with_fractions_below(page()), "typst", [], {}).decode()
-    read = [typst.latex_of(line[1:-1]) for line in typst_page.splitlines() if line.startswith("$")]
     for right, mistaken in (
         (" - ", " + "),
         ("cos", "sin"),
@@ -69,15 +74,4 @@ def test_a_mistake_of_either_is_seen() -> None:
         ("^{2}", "^{3}"),
         (" & ", r" \\ "),
     ):
-        assert wrong([written.replace(right, mistaken) for written in read])
-
-
-def test_typst_reads_fractions_from_the_left() -> None:
-    """Why a fraction below a line is written with something beside it."""
-    from typst import compile as compiled
-
-    pictures = [
-        compiled(f"#set page(width: 2cm, height: 2cm)\n$ {formula} $".encode(), format="svg")
-        for formula in ("a / b / c", "frac(frac(a, b), c)", "frac(a, frac(b, c))")
-    ]
-    assert pictures[0] == pictures[1] != pictures[2]
+        assert wrong([written.replace(right, mistaken) for written in in_typst()])

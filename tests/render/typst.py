@@ -1,128 +1,76 @@
-"""Typst's mathematics as it is set, written as LaTeX so that it can be read back."""
+"""Typst's mathematics as Typst itself reads it, written as LaTeX so that it can be read back."""
 
 from __future__ import annotations
 
-import re
-from dataclasses import dataclass
+import json
+from collections.abc import Iterator, Sequence
+from typing import Any
 
-TOKEN = re.compile(r'\s+|\\.|"[^"]*"|[A-Za-z]{2,}(?:\.[a-z]+)*|[A-Za-z]|\d+(?:\.\d+)?|.')
-NAMES = {
-    "dot.op": r"\cdot", "times": r"\times", "compose": r"\circ", "partial": r"\partial", "thin": "",
-    "quad": "",
-    "phi.alt": r"\phi", "phi": r"\varphi", "ast.op": r"\ast", "ast": r"\ast", "gradient": r"\nabla",
-    "epsilon": r"\varepsilon", "epsilon.alt": r"\epsilon", "theta.alt": r"\vartheta",
+from typst import Compiler
+
+from tests.render.greek import GREEK
+
+SIGNS = {
+    "−": "-", "⋅": r"\cdot", "×": r"\times", "∘": r"\circ", "∂": r"\partial", "∇": r"\nabla", "∗": r"\ast",
+    "°": r"^\circ", "≈": r"\approx", "≤": r"\leq", "≥": r"\geq", "≠": r"\neq", "∞": r"\infty",
 }  # fmt: skip
-ACCENTS = {"dot": r"\dot", "dot.double": r"\ddot"}
-CALLS = ("frac", "sqrt", "upright", "mat", *ACCENTS)
+ACCENTS = {"\N{COMBINING DOT ABOVE}": r"\dot", "\N{COMBINING DIAERESIS}": r"\ddot"}
+FUNCTIONS = ("sin", "cos", "tan", "arcsin", "arccos", "arctan", "ln", "det")
+BARS = {"opening": r"\lvert", "closing": r"\rvert"}
 
 
-@dataclass
-class Group:
-    """What stands in parentheses, which are not set where it is a part of a fraction or a script."""
-
-    inner: str
-
-
-Piece = str | Group
+def read(formulas: Sequence[str]) -> Iterator[str]:
+    """Formulas in Typst as LaTeX, by what Typst takes them for."""
+    page = "\n\n".join(f"${formula}$" for formula in formulas)
+    compiler = Compiler(page.encode(), ignore_system_fonts=True)
+    for equation in json.loads(compiler.query("math.equation")):
+        yield latex_of(equation["body"])
 
 
-class Typst:
-    """One formula being read."""
+def latex_of(node: dict[str, Any]) -> str:
+    """What a piece of content shows."""
+    match node["func"]:
+        case "space" | "h" | "align-point" | "linebreak":
+            return ""
+        case "sequence":
+            return " ".join(filter(None, map(latex_of, node["children"])))
+        case "symbol" | "text":
+            return letters(node["text"])
+        case "styled":
+            return latex_of(node["child"])
+        case "class":
+            return BARS[node["class"]] if node["body"]["text"] == "|" else latex_of(node["body"])
+        case "op":
+            return letters(node["text"]["text"])
+        case "frac":
+            return fraction(latex_of(node["num"]), latex_of(node["denom"]))
+        case "root":
+            return rf"\sqrt{{{latex_of(node['radicand'])}}}"
+        case "attach":
+            return latex_of(node["base"]) + "".join(
+                f"{mark}{{{latex_of(node[side])}}}" for mark, side in (("_", "b"), ("^", "t")) if side in node
+            )
+        case "accent":
+            return f"{ACCENTS[node['accent']]}{{{latex_of(node['base'])}}}"
+        case "lr":
+            return latex_of(node["body"])
+        case "mat":
+            assert node["delim"] == ["[", "]"]
+            rows = (" & ".join(map(latex_of, row)) for row in node["rows"])
+            return r"\begin{bmatrix} " + r" \\ ".join(rows) + r" \end{bmatrix}"
+        case other:
+            raise ValueError(other)
 
-    def __init__(self, text: str) -> None:
-        self.tokens = TOKEN.findall(text)
-        self.at = 0
 
-    @property
-    def next(self) -> str:
-        return self.tokens[self.at] if self.at < len(self.tokens) else ""
-
-    def take(self) -> str:
-        self.at += 1
-        return str(self.tokens[self.at - 1])
-
-    def blank(self) -> None:
-        while self.next.isspace():
-            self.take()
-
-    def sequence(self, *ends: str) -> str:
-        """Fractions and what stands between them, up to a sign that ends it."""
-        written: list[str] = []
-        self.blank()
-        while self.next and self.next not in ends:
-            piece = self.attached()
-            self.blank()
-            while self.next == "/":
-                self.take()
-                self.blank()
-                piece = fraction(bare(piece), bare(self.attached()))
-                self.blank()
-            written.append(shown(piece))
-        return " ".join(filter(None, written))
-
-    def attached(self) -> Piece:
-        """An atom with its scripts."""
-        piece = self.atom()
-        while self.next in ("_", "^"):
-            mark = self.take()
-            piece = f"{shown(piece)}{mark}{{{bare(self.atom())}}}"
-        return piece
-
-    def atom(self) -> Piece:
-        token = self.take()
-        if token == "(":
-            inner = self.sequence(")")
-            self.take()
-            return Group(inner)
-        if token in CALLS and self.next == "(":
-            return self.call(token)
-        if token.startswith("\\"):
-            return token[1:]
-        if len(token) > 1 and token[0].isalpha():
-            return NAMES.get(token, f"\\{token}")
-        return token
-
-    def call(self, name: str) -> str:
-        self.take()
-        if name == "mat":
-            return self.matrix()
-        arguments = [self.sequence(",", ")")]
-        while self.take() == ",":
-            arguments.append(self.sequence(",", ")"))
-        if name == "frac":
-            return fraction(*arguments)
-        if name == "upright":
-            return rf"\mathrm{{{arguments[0].replace(' ', '')}}}"
-        return f"{ACCENTS.get(name, chr(92) + name)}{{{arguments[0]}}}"
-
-    def matrix(self) -> str:
-        """`mat(delim: "[", a, b; c, d)`."""
-        head = "".join(self.take() for _ in range(5))
-        if head != 'delim: "[",':
-            raise ValueError(head)
-        rows, end = [[self.sequence(",", ";", ")")]], self.take()
-        while end != ")":
-            if end == ";":
-                rows.append([])
-            rows[-1].append(self.sequence(",", ";", ")"))
-            end = self.take()
-        return r"\begin{bmatrix} " + r" \\ ".join(" & ".join(row) for row in rows) + r" \end{bmatrix}"
+def letters(text: str) -> str:
+    if text in FUNCTIONS:
+        return f"\\{text}"
+    if len(text) > 1 and not text[0].isdigit():
+        return rf"\mathrm{{{text}}}"
+    return SIGNS.get(text) or GREEK.get(text, text)
 
 
 def fraction(top: str, bottom: str) -> str:
     """Of a differential the d stands close to what follows."""
-    top, bottom = (re.sub(r"^d (?=.)", "d", part) for part in (top, bottom))
+    top, bottom = (part[0] + part[2:] if part.startswith("d ") else part for part in (top, bottom))
     return rf"\frac{{{top}}}{{{bottom}}}"
-
-
-def shown(piece: Piece) -> str:
-    return f"({piece.inner})" if isinstance(piece, Group) else piece
-
-
-def bare(piece: Piece) -> str:
-    return piece.inner if isinstance(piece, Group) else piece
-
-
-def latex_of(text: str) -> str:
-    """What a formula shows; a bar is of the kind that opens where none is open."""
-    return Typst(text).sequence()

@@ -1,0 +1,165 @@
+"""Writes boxes as Typst mathematics: letters one by one, everything else a call, nothing left to be guessed.
+
+Typst reads `a / b / c` from the left, makes fences grow by itself and takes letters side by side for a name;
+so a fraction is `frac(a, b)`, a sign of ASCII is escaped, and every piece stands apart from the next.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from functools import lru_cache
+
+from derive.render.formula.boxes import (
+    Accent,
+    Box,
+    Digits,
+    Fenced,
+    Fraction,
+    Gap,
+    Grid,
+    Letter,
+    Root,
+    Row,
+    Scripts,
+    Sign,
+    Stacked,
+    Styled,
+    Word,
+)
+from derive.render.formula.vocabulary import OPERATORS
+
+ACCENTS = {
+    "widehat": "hat", "bar": "macron", "vec": "arrow", "ddot": "dot.double", "dddot": "dot.triple",
+    "widetilde": "tilde", "check": "caron", "overrightarrow": "arrow",
+}  # fmt: skip
+STYLES = {"bold": "bold(upright({}))", "bolditalic": "bold({})"}
+GAPS = {3 / 18: "thin", 4 / 18: "med", 5 / 18: "thick", 1.0: "quad", 2.0: "wide"}
+CLASSES = {"ordinary": "normal"}
+OWN_CLASS = frozenset("|‖/:")  # what Typst would space as something else
+UNIT = re.compile(r'\w|\\?[^\w\s"]|"[^"]*"|\d+(?:\.\d+)?')  # what is one piece without parentheses around
+ROOM = {"relation": "thick", "binary": "med"}
+DEGREE, PRIME = Sign("∘", "binary"), Sign("′")
+ROW_GAP = "row-gap: #0.95em, "
+
+
+@lru_cache(4096)
+def typst(box: Box) -> str:
+    """A box as Typst writes it within dollars."""
+    match box:
+        case Letter(char) | Digits(char):
+            return char
+        case Word(text, operator):
+            return text if operator and text in OPERATORS else _word(text, operator)
+        case Sign(char, kind):
+            return _sign(char, kind)
+        case Gap(em):
+            return GAPS.get(em) or f"#h({em:.4f}em)"
+        case Row(boxes):
+            return " ".join(_row(boxes))
+        case Scripts(base, below, above):
+            return _scripts(base, below, above)
+        case Grid(rows, _, _, True):
+            return " \\\n".join(" & ".join(map(typst, row)) for row in rows)
+        case _:
+            return _around(box)
+
+
+def in_text(box: Box) -> str:
+    """A box in a line of text, which breaks between terms only: at no equal sign, in no parentheses."""
+    return " ".join(_held_together(box.boxes)) if isinstance(box, Row) else typst(box)
+
+
+def _held_together(boxes: Iterable[Box]) -> Iterator[str]:
+    """The pieces of a row, with the signs that a line may not end with as plain ones between gaps."""
+    depth = 0
+    for box, written in zip(boxes, _row(boxes), strict=True):
+        if isinstance(box, Sign) and box.kind in ("opening", "closing"):
+            depth += 1 if box.kind == "opening" else -1
+        if isinstance(box, Sign) and (box.kind == "relation" or (box.kind == "binary" and depth)):
+            yield f'{ROOM[box.kind]} class("normal", {_character(box.char)}) {ROOM[box.kind]}'
+        else:
+            yield written
+
+
+def _around(box: Box) -> str:
+    match box:
+        case Fraction(above, below, size):
+            written = f"frac({typst(above)}, {typst(below)})"
+            return f"{'inline' if size == 'text' else size}({written})" if size else written
+        case Root(inside, degree):
+            return f"root({typst(degree)}, {typst(inside)})" if degree else f"sqrt({typst(inside)})"
+        case Fenced(_, Fraction(above, below, _, False), _):
+            return f"binom({typst(above)}, {typst(below)})"
+        case Fenced(opening, inside, closing):
+            fences = [_character(fence) if fence else "" for fence in (opening, closing)]
+            return f"lr({fences[0]} {typst(inside)} {fences[1]})"
+        case Accent(mark, over):
+            return f"{ACCENTS.get(mark, mark)}({typst(over)})"
+        case Stacked(base, over, under):
+            return _attached(f"limits({typst(base)})", under, over)
+        case Styled(style, inside):
+            return STYLES.get(style, f"{style}({{}})").format(typst(inside))
+        case Grid():
+            return _grid(box)
+        case _:
+            raise TypeError(f"not a box: {box!r}")
+
+
+def _row(boxes: Iterable[Box]) -> Iterator[str]:
+    before: Box = Gap(0)
+    for box in boxes:
+        starts = isinstance(before, Gap) and isinstance(box, Sign) and box.kind == "binary"
+        yield f'"" {typst(box)}' if starts else typst(box)  # so that it is a sign between terms for Typst too
+        before = box
+
+
+def _word(text: str, operator: bool) -> str:
+    quoted = '"' + text.replace("\\", r"\\").replace('"', r"\"") + '"'
+    if operator:
+        return f"op({quoted})"
+    return f"upright({quoted})" if " " not in text else quoted  # a bare string keeps the blanks around it
+
+
+def _sign(char: str, kind: str) -> str:
+    written = _character(char)
+    return f'class("{CLASSES.get(kind, kind)}", {written})' if char in OWN_CLASS else written
+
+
+def _character(char: str) -> str:
+    return char if char in "+=" or not char.isascii() else f"\\{char}"
+
+
+def _scripts(base: Box, below: Box | None, above: Box | None) -> str:
+    written = typst(base) or '""'
+    if above == DEGREE:
+        above, written = None, f"{written} °"
+    raised = above.boxes if isinstance(above, Row) else () if above is None else (above,)
+    while raised and raised[0] == PRIME:
+        written, raised = f"{written}'", raised[1:]
+    rest = None if not raised else raised[0] if len(raised) == 1 else Row(tuple(raised))
+    if isinstance(base, Row | Fraction | Fenced) and written != '""':
+        return f"attach({', '.join((written, *_named(below, rest)))})"
+    return _attached(written, below, rest)
+
+
+def _named(below: Box | None, above: Box | None) -> Iterator[str]:
+    for side, script in (("b", below), ("t", above)):
+        if script is not None:
+            yield f"{side}: {typst(script)}"
+
+
+def _attached(base: str, below: Box | None, above: Box | None) -> str:
+    for mark, script in (("_", below), ("^", above)):
+        if script is not None:
+            written = typst(script)
+            base += mark + (written if UNIT.fullmatch(written) else f"({written})")
+    return base
+
+
+def _grid(grid: Grid) -> str:
+    if (grid.opening, grid.closing) == ("{", ""):
+        return f"cases({', '.join(' & '.join(map(typst, row)) for row in grid.rows)})"
+    fences = ", ".join(f'"{fence}"' if fence else "none" for fence in (grid.opening, grid.closing))
+    rows = "; ".join(", ".join(map(typst, row)) for row in grid.rows)
+    return f"mat(delim: #({fences}), {ROW_GAP if grid.loose else ''}{rows})"

@@ -1,0 +1,52 @@
+"""How pages look in Typst: formulas spelt as its mathematics, each with what a listener is told."""
+
+from __future__ import annotations
+
+import re
+
+from derive.render.author_text import typst_prose
+from derive.render.formula.tex import boxes, boxes_of_lines
+from derive.render.formula.typst import in_text, typst
+from derive.render.formulas import spelt
+from derive.render.layout import Display
+from derive.render.plain_text import typst_string, typst_text
+from derive.render.skin import Skin
+from derive.render.width import width
+
+DOLLAR = "\x1d"  # around what is Typst's mathematics already, until the page is laid out
+BLOCK = "\x1c"  # before what a paragraph leads to, until the page is laid out
+LEAD_IN = re.compile(rf"(?<=\n\n)(?![#{BLOCK}])((?:.+\n)+)\n(?={BLOCK})")
+HELD = 14.0  # em, up to which a formula does not break in a line of text
+TALL = 9  # lines of a display that may break between pages
+
+
+class TypstFormulas:
+    """Formulas as calls of the page's own functions: `eq`, `tall` and `fit` for a display, `m` in a line."""
+
+    def inline(self, formula: Display) -> str:
+        (latex,) = formula.lines
+        name, written = ("m", typst) if width(latex) <= HELD else ("long", in_text)
+        return f"#{name}({typst_string(latex)}, {DOLLAR}{written(boxes(latex))}{DOLLAR});"
+
+    def display(self, formula: Display) -> str:
+        spoken = typst_string(" ".join(formula.lines))
+        name = "fit" if formula.wide else "tall" if len(formula.lines) > TALL else "eq"
+        return f"{BLOCK}#{name}({spoken}, {DOLLAR} {typst(boxes_of_lines(formula.lines))} {DOLLAR})"
+
+
+def laid_out(page: str) -> str:
+    """The page with its dollars, each paragraph that leads to a block held to it. Raises ValueError for
+    mathematics that is still in TeX."""
+    if "$" in page:
+        raise ValueError(f"a formula is still in TeX: {page[page.index('$') :][:80]}")
+    return LEAD_IN.sub(r"#lead[\1]\n\n", page).replace(BLOCK, "").replace(DOLLAR, "$")
+
+
+FORMULAS = TypstFormulas()
+
+
+def _prose(text: str) -> str:
+    return spelt(typst_prose(text), FORMULAS, ())
+
+
+TYPST = Skin("typst", _prose, typst_text, FORMULAS)
