@@ -22,6 +22,14 @@ def fraction_latex(value: Fraction, decimal: bool = False) -> str:
     return rf"{sign}\frac{{{abs(value.numerator)}}}{{{value.denominator}}}"
 
 
+def unit_latex(unit: str) -> str:
+    """A unit behind a number, `\\ \\mathrm{N\\ m}`; behind degrees what they are divided by, `/\\mathrm{s^2}`."""
+    if unit.startswith("/"):
+        return rf"/\mathrm{{{unit[1:]}}}"
+    words = (r"\Omega" if word == "ohm" else word for word in unit.split())
+    return r"\ \mathrm{" + r"\ ".join(words) + "}"
+
+
 def _terminating(value: Fraction) -> str:
     """The decimal fraction equal to a rational, with every digit it has; "" where it never ends."""
     places = decimal_places(value)
