@@ -167,8 +167,8 @@ class Derivative(Tree):
 
 @dataclass(frozen=True, slots=True)
 class Measured(Tree):
-    """A quantity as it is said on a page: a number, an angle in degrees or a vector, and behind it its SI unit,
-    "N m", or what degrees are divided by, "/s". Only whole expressions have one; its value is that of `value`."""
+    """A quantity as it is said on a page: a number, an angle in degrees or a vector, with its SI unit, "N m",
+    or what degrees are divided by, "/s". Only whole expressions are one; the value is that of `value`."""
 
     value: Expr
     unit: str

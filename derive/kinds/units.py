@@ -1,4 +1,4 @@
-"""What the names of an answer measure: as its kind says it, and by the dimensions of the formulas of its lines.
+"""What the names of an answer measure: as its kind says it, and by the dimensions of its formulas.
 
 A line is held to it: the formula of a velocity has the dimension of a velocity, or the answer is refused.
 """
@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from derive.algebra.dimensions import Unlike, comparable, dimension_of_formula
+from derive.algebra.formulas.dimensions import Unlike, comparable, dimension_of_formula
 from derive.algebra.formulas.units import Dimension, dimension_of, unit_of
 from derive.derivation import Derivation, Step
 from derive.errors import NotDerivable

@@ -23,7 +23,7 @@ def fraction_latex(value: Fraction, decimal: bool = False) -> str:
 
 
 def unit_latex(unit: str) -> str:
-    """A unit behind a number, `\\ \\mathrm{N\\ m}`; behind degrees what they are divided by, `/\\mathrm{s^2}`."""
+    """A unit behind a number, `\\ \\mathrm{N\\ m}`; what degrees are divided by, `/\\mathrm{s^2}`."""
     if unit.startswith("/"):
         return rf"/\mathrm{{{unit[1:]}}}"
     words = (r"\Omega" if word == "ohm" else word for word in unit.split())

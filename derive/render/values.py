@@ -1,5 +1,4 @@
-"""Values as a page says them: with their unit, as decimals where decimals or units were typed, and none longer
-than a reader wants to see.
+"""Values as a page says them: with their unit, as decimals where decimals or units were typed, and short.
 
 What a derivation holds is exact. A number that is too long for the page is rounded there, and then stands
 behind a sign that says so.
@@ -13,7 +12,7 @@ from fractions import Fraction
 from math import degrees, inf
 from typing import TypeAlias
 
-from derive.algebra.dimensions import dimension_of_formula
+from derive.algebra.formulas.dimensions import dimension_of_formula
 from derive.algebra.formulas.quantities import rational
 from derive.algebra.formulas.units import dimension_of, unit_of
 from derive.algebra.numbers.floats import number
@@ -104,7 +103,9 @@ class Values:
         nodes = [*walk(tree)]
         if any(map(self._is_rounded, nodes)):
             return self._mended(tree, max(self.digits, self.style.longest))
-        ugly = any(map(_is_bare, nodes)) or any(self._is_clumsy(n.value) for n in nodes if isinstance(n, Number))
+        ugly = any(map(_is_bare, nodes)) or any(
+            self._is_clumsy(n.value) for n in nodes if isinstance(n, Number)
+        )
         return self._mended(tree, self._most) if ugly else tree
 
     def _mended(self, tree: Expr, most: int) -> Expr:
@@ -194,7 +195,9 @@ class Values:
             return self.units[chain[0]]
         if isinstance(chain[0], Matrix):
             return _common(self.units.get(entry) for row in chain[0].rows for entry in row)
-        known = {name.name: dimension_of(unit) for name, unit in self.units.items() if isinstance(name, Symbol)}
+        known = {
+            name.name: dimension_of(unit) for name, unit in self.units.items() if isinstance(name, Symbol)
+        }
         for part in chain[:-1]:
             if free_symbols(part) and not isinstance(part, Matrix):
                 try:

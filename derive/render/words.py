@@ -168,8 +168,8 @@ class Telling:
         return ""
 
     def math(self, value: Mathematics, trig: Trig = None, unit: str = "", flat: bool = False) -> str:
-        """Inline mathematics of an expression, a name, or a chain (a tuple) joined by equal signs; what it ends
-        in has a unit. In a cell of a table fractions are `flat`."""
+        """Inline mathematics of an expression, a name, or a chain (a tuple) joined by equal signs, which may
+        end in a `unit`. In a cell of a table fractions are `flat`."""
         printer = replace(self._printer(trig), in_line=True, flat=flat)
         *before, last = self._trees(value)
         links = chain_links((*before, in_unit(last, unit)), printer)
@@ -199,8 +199,8 @@ class Telling:
         return self.speech.when(said if isinstance(said, tuple) else (said,))
 
     def table(self, table: Table, most: int = 1000) -> str:
-        """A table; its mathematics is set inline, the unit of a column in its heading. Of more than `most` rows
-        the middle is left out."""
+        """A table; its mathematics is set inline, the unit of a column in its heading. Of more than `most`
+        rows the middle is left out."""
         self.said.extend(parts(table))
         shown, units = columns_of(in_order(table, self.notation.columns), self.values)
         rows = [[self._cell(entry) for entry in row] for row in abridged(shown.rows, most)]

@@ -1,4 +1,7 @@
-r"""Units on our own pages, read back: `8.67\ \mathrm{N\ m}` is 8.67 and "N m", `45^\circ/\mathrm{s}` 45° and "/s"."""
+r"""Units on our own pages, read back.
+
+`8.67\ \mathrm{N\ m}` is 8.67 and "N m", `45^\circ/\mathrm{s}` is 45° and "/s".
+"""
 
 from __future__ import annotations
 
