@@ -235,7 +235,8 @@ class Caption:
 class Drawing:
     """A picture of a subject: strokes from back to front, and captions. Data only, no drawing. `caption` is
     what stands under it, `alt` what it shows, for those who do not see it; `highest` is how high it may be
-    (points) where it needs less than there is room for."""
+    (points) where it needs less than there is room for, `unit` how large one of its measures is on paper
+    where that is not for the paper to choose."""
 
     name: str
     strokes: tuple[Stroke, ...]
@@ -243,6 +244,7 @@ class Drawing:
     caption: Phrase | Words | None = None
     alt: Phrase | Words | None = None
     highest: float = 0.0
+    unit: float = 0.0
 
 
 Figure: TypeAlias = Plot | Panels | Drawing
@@ -267,8 +269,7 @@ class Derivation:
     derivations this one rests on, printed before it unless an earlier question printed them.
     `files` are texts written beside the page, by file name: scripts to run. `matrices` names the results
     that are matrices even where they have one column only (J of one joint), and no vectors. `alone` are
-    those that could be compared with no line. `units` are the SI units of names on the page, "N m"; their
-    numbers are printed with them.
+    those that could be compared with no line.
     """
 
     kind: str
@@ -283,7 +284,6 @@ class Derivation:
     files: Mapping[str, str] = field(default_factory=dict)
     matrices: frozenset[str] = frozenset()
     alone: tuple[str, ...] = ()
-    units: Mapping[Expr, str] = field(default_factory=dict)
 
     def told(self, shape: type[F]) -> F:
         """The facts, of the shape that the kind of this derivation declares. Raises TypeError for another."""

@@ -60,6 +60,10 @@ class Diagram:
         found = sorted((line.port, line.source) for line in self.lines if line.target == block.name)
         return tuple(source for _, source in found)
 
+    def targets(self, name: str) -> tuple[str, ...]:
+        """What a block feeds."""
+        return tuple(line.target for line in self.lines if line.source == name)
+
     @property
     def disturbances(self) -> tuple[str, ...]:
         """The names of the sources that do not step."""

@@ -2,61 +2,74 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
-from math import pi
 
-from derive.algebra.readable.terms import Style
 from derive.control.diagram import Block, Diagram
-from derive.control.rational import Rational
-from derive.control.system import System
-from derive.derivation import Caption, Drawing, Place, Stroke
-from derive.expression import ONE, Expr, Quotient, Symbol, add, multiply
-from derive.figures.block_diagram import drawn
-from derive.figures.view import around
+from derive.derivation import Caption, Drawing, Phrase, Place, Stroke, Words
+from derive.expression import ONE, Expr, Symbol, add, multiply
+from derive.figures.block_wires import Wires
+from derive.figures.extent import extent
 
 S = Symbol("s")
-GAP, ROW = 1.0, 1.6  # between blocks, and between rows
-HIGH = 1.05  # a block
-SUM = 0.2  # the radius of a sum
-LETTER = 0.23  # the width of a letter
-CIRCLE = 28
-
-
-def drawn_blocks(system: System, whole: Rational, style: Style) -> Drawing:
-    """The diagram of a system as a teacher draws it. Raises NotDerivable where none can be built."""
-    diagram, _ = drawn(system, whole, None, style)
-    return Layout(diagram, system.names).drawing()
+GAP, ROOM = 20.0, 13.0  # points between blocks, at least, and beside the name of a signal there
+PADDING = 6.0  # round a label
+LEAST = 24.0  # a block is not smaller
+SUM = 9.5  # the radius of a sum
+BETWEEN = 20.0  # rows
 
 
 @dataclass(slots=True)
 class Layout:
-    """Where everything stands; columns from left to right, rows from 0 (the forward path) down and up."""
+    """Where everything stands, in points: columns from left to right, rows from 0 (the forward path) down
+    and up. `signals` have names of their own; `labels` stand for transfer functions, by block."""
 
     diagram: Diagram
-    signals: frozenset[str]  # with a name of their own in the equations
+    signals: frozenset[str]
+    labels: Mapping[str, str] = field(default_factory=dict)
     at: dict[str, Place] = field(default_factory=dict)
-    size: dict[str, float] = field(default_factory=dict)  # half the width of each block
+    half: dict[str, float] = field(default_factory=dict)  # of the width of each block
+    high: float = LEAST  # of every block
 
-    def drawing(self) -> Drawing:
+    def drawing(
+        self, name: str, caption: Phrase | None, seen: Phrase | None, framed: Framed | None = None
+    ) -> Drawing:
         """The diagram drawn, blocks upon wires."""
         for block in self.diagram.blocks:
-            self.size[block.name] = _half(block)
+            wide, high = self._label_size(block)
+            self.half[block.name] = SUM if block.shape == "sum" else max(LEAST, wide + 2 * PADDING) / 2
+            self.high = max(self.high, high + 2 * PADDING if block.shape not in ("sum", "source") else 0.0)
+            if block.shape == "source":
+                self.half[block.name] = 0.0
         self._place_path()
         self._place_others()
-        strokes, captions = [], []
-        for part in (*self._wires(), *self._blocks()):
-            strokes += part[0]
-            captions += part[1]
-        return Drawing("figure", tuple(strokes), tuple(captions))
+        strokes, captions = Wires(self).drawn()
+        if framed:
+            frame, title = framed.drawn(self)
+            strokes, captions = [frame, *strokes], [*captions, title]
+        return Drawing(name, tuple(strokes), tuple(captions), caption, seen, unit=1.0)
+
+    def label(self, block: Block) -> Caption:
+        """What stands in a block."""
+        said = self.labels.get(block.name)
+        return Caption(
+            self.at[block.name], Words(f"${said}$") if said else transfer_label(block), role="block"
+        )
+
+    def is_signal(self, name: str) -> bool:
+        """Whether it has a name, or is the derivative of what has one."""
+        return name in self.signals or name.removesuffix("_dot").removesuffix("_ddot") in self.signals
+
+    def _label_size(self, block: Block) -> tuple[float, float]:
+        if block.name in self.labels:
+            return 5.6 * len(self.labels[block.name]), 11.0
+        return extent(transfer_label(block))
 
     # -- places -----------------------------------------------------------------------------------
 
     def path(self) -> list[str]:
-        """The longest way from the input to the output without going round."""
-        follows: dict[str, list[str]] = {}
-        for line in self.diagram.lines:
-            follows.setdefault(line.source, []).append(line.target)
+        """The longest way from the input to the output without going round; through what adds up, the first
+        of several ways."""
         best: list[str] = []
         stack = [[self.diagram.input]]
         while stack:
@@ -64,132 +77,89 @@ class Layout:
             if way[-1] == self.diagram.output:
                 best = max(best, way, key=len)
                 continue
-            stack += [[*way, name] for name in follows.get(way[-1], ()) if name not in way]
+            stack += [[*way, name] for name in reversed(self.diagram.targets(way[-1])) if name not in way]
         return best
 
     def _place_path(self) -> None:
         x = 0.0
         for name in self.path():
-            x += self.size[name]
+            slot = max(self.half[beside] for beside in self._beside(name))
+            x += slot
             self.at[name] = (x, 0.0)
-            x += self.size[name] + GAP
+            named = extent(Symbol(name))[0] + ROOM if self.is_signal(name) else 0.0
+            taps = 8.0 if len(self.diagram.targets(name)) > 1 else 0.0
+            x += slot + max(GAP, named) + taps
+
+    def _beside(self, name: str) -> list[str]:
+        """The blocks between the same two, which stand above and below each other."""
+        block = self.diagram.block(name)
+        ends = self.diagram.into(block), self.diagram.targets(name)
+        return [
+            b.name
+            for b in self.diagram.blocks
+            if (self.diagram.into(b), self.diagram.targets(b.name)) == ends
+        ]
 
     def _place_others(self) -> None:
-        """Beside what they feed: sources above it, all others below, between where they start and end."""
+        """Beside what they feed: sources above it, what feeds back below, between where they start and end;
+        what goes forward beside the path below and above it in turn."""
         waiting = [block for block in self.diagram.blocks if block.name not in self.at]
         rows: dict[int, list[tuple[float, float, int]]] = {1: [], -1: []}
         while waiting:
-            ready = [b for b in waiting if any(t in self.at for t in self._targets(b.name))] or waiting[:1]
+            ready = [
+                b for b in waiting if any(t in self.at for t in self.diagram.targets(b.name))
+            ] or waiting[:1]
             for block in ready:
                 waiting.remove(block)
                 self._place(block, rows)
 
     def _place(self, block: Block, rows: dict[int, list[tuple[float, float, int]]]) -> None:
-        ends = [
-            self.at[n][0] for n in (*self._targets(block.name), *self.diagram.into(block)) if n in self.at
-        ]
+        placed = [n for n in (*self.diagram.targets(block.name), *self.diagram.into(block)) if n in self.at]
+        ends = [self.at[name][0] for name in placed]
         x = sum(ends) / len(ends) if ends else 0.0
-        below = any(self.at[n][1] < 0 for n in self._targets(block.name) if n in self.at)
-        driven = all(self.diagram.block(name).shape == "source" for name in self.diagram.into(block))
-        side = 1 if driven and not below else -1
         spread = (max(ends) - min(ends)) / 2 if ends else 0.0  # its wires need room too
-        half = max(self.size[block.name], spread) + GAP / 2
+        half = max(self.half[block.name], spread) + GAP / 2
+        side = self._side(block, x, half, rows)
         level = 1
         while any(row == level and abs(x - other) < half + width for other, width, row in rows[side]):
             level += 1
         rows[side].append((x, half, level))
-        self.at[block.name] = (x, side * level * ROW)
+        self.at[block.name] = (x, side * level * (self.high + BETWEEN))
 
-    def _targets(self, name: str) -> list[str]:
-        return [line.target for line in self.diagram.lines if line.source == name]
-
-    # -- what is drawn ----------------------------------------------------------------------------
-
-    def _blocks(self) -> Iterator[tuple[list[Stroke], list[Caption]]]:
-        for block in self.diagram.blocks:
-            x, y = self.at[block.name]
-            if block.shape == "source":
-                continue
-            if block.shape == "sum":
-                turns = (2 * pi * k / CIRCLE for k in range(CIRCLE))
-                yield [Stroke(tuple(around((x, y), SUM, turn) for turn in turns), "box")], []
-                continue
-            half = self.size[block.name]
-            corners = (
-                (x - half, y - HIGH / 2),
-                (x + half, y - HIGH / 2),
-                (x + half, y + HIGH / 2),
-                (x - half, y + HIGH / 2),
-            )
-            yield [Stroke(corners, "box")], [Caption((x, y), _label(block), role="block")]
-
-    def _wires(self) -> Iterator[tuple[list[Stroke], list[Caption]]]:
-        named: set[str] = set()
-        for line in self.diagram.lines:
-            source, target = self.diagram.block(line.source), self.diagram.block(line.target)
-            sign = target.signs[line.port - 1] if target.shape == "sum" else 1
-            way = self._way(source, target)
-            captions = [] if sign > 0 else [Caption(_before(way), "-", self._aside(way), "sign")]
-            if source.name not in (*named, self.diagram.output) and self._is_signal(source.name):
-                named.add(source.name)
-                captions.append(self._name(source, way))
-            yield [Stroke(way, "arrow")], captions
-        x, y = self.at[self.diagram.output]
-        half = self.size[self.diagram.output]
-        end = (x + half + 0.9, y)
-        name = Caption((x + half + 0.75, y), self.diagram.output, (0.0, 1.0))
-        yield [Stroke(((x + half, y), end), "arrow")], [name]
-
-    def _is_signal(self, name: str) -> bool:
-        """Whether it is one of the author's, or a derivative of one."""
-        return name in self.signals or name.removesuffix("_dot").removesuffix("_ddot") in self.signals
-
-    def _name(self, block: Block, way: tuple[Place, ...]) -> Caption:
-        """The signal that leaves a block, once."""
-        (ax, ay), (bx, by) = way[0], way[1]
-        if block.shape == "source" and ay != by:
-            return Caption((ax, ay), block.name, (0.0, 1.0 if ay > by else -1.0))
-        middle = ((ax + bx) / 2, (ay + by) / 2) if block.shape != "source" else (ax + 0.1, ay)
-        return Caption(middle, block.name, (1.0, 0.0) if ay != by else (0.0, 1.0 if ay >= 0 else -1.0))
-
-    def _way(self, source: Block, target: Block) -> tuple[Place, ...]:
-        """From the right of a block to the left of another in its row; to and from other rows by corners."""
-        (ax, ay), (bx, by) = self.at[source.name], self.at[target.name]
-        right, left = ax + self.size[source.name], bx - self.size[target.name]
-        if ay == by and ax < bx:
-            return (right, ay), (left, by)
-        if source.shape == "source":
-            reach = SUM if target.shape == "sum" else HIGH / 2
-            return (ax, ay), (bx, by + (reach if ay > by else -reach))
-        tap = right + GAP / 2
-        if ay == 0:  # branches off the forward path into a block of another row, entered from the right
-            return (tap, 0.0), (tap, by), (bx + self.size[target.name], by)
-        reach = SUM if target.shape == "sum" else HIGH / 2
-        return (ax - self.size[source.name], ay), (bx, ay), (bx, by - reach if ay < by else by + reach)
-
-    def _aside(self, way: tuple[Place, ...]) -> Place:
-        (ax, _), (bx, _) = way[-2], way[-1]
-        return (-1.0, 0.2) if ax == bx else (-0.2, -1.0)
+    def _side(
+        self, block: Block, x: float, half: float, rows: Mapping[int, Iterable[tuple[float, float, int]]]
+    ) -> int:
+        below = any(self.at[n][1] < 0 for n in self.diagram.targets(block.name) if n in self.at)
+        driven = all(self.diagram.block(name).shape == "source" for name in self.diagram.into(block))
+        if driven:
+            return -1 if below else 1
+        forward = any(self.at[n][0] < x for n in self.diagram.into(block) if n in self.at)
+        taken = any(abs(x - other) < half + width for other, width, _ in rows[-1])
+        return 1 if forward and taken and not below else -1
 
 
-def _half(block: Block) -> float:
-    if block.shape == "source":
-        return 0.0
-    if block.shape == "sum":
-        return SUM
-    return max(0.5, LETTER * _letters(_label(block)))
+@dataclass(frozen=True, slots=True)
+class Framed:
+    """Blocks drawn as one system, with its name."""
+
+    names: frozenset[str]
+    label: str
+
+    def drawn(self, layout: Layout) -> tuple[Stroke, Caption]:
+        """The frame round them, and its name inside it."""
+        blocks = [b for b in layout.diagram.blocks if b.name in self.names and b.shape != "source"]
+        left = min(layout.at[b.name][0] - layout.half[b.name] for b in blocks) - 9.0
+        right = max(layout.at[b.name][0] + layout.half[b.name] for b in blocks) + 17.0
+        low = min(layout.at[b.name][1] for b in blocks) - layout.high / 2 - 8.0
+        high = max(layout.at[b.name][1] for b in blocks) + layout.high / 2 + 16.0
+        corners = ((left, low), (right, low), (right, high), (left, high), (left, low))
+        size = 5.6 * len(self.label)
+        return Stroke(corners, "hidden"), Caption(
+            (left + 6.0 + size / 2, high - 8.0), Words(f"${self.label}$")
+        )
 
 
-def _letters(label: Expr) -> float:
-    from derive.algebra.infix import text
-
-    if isinstance(label, Quotient):
-        return max(_letters(label.numerator), _letters(label.denominator))
-    plain = text(label).replace("*", "").replace("**", "").replace("_", "")
-    return 0.5 + 0.5 * len(plain)
-
-
-def _label(block: Block) -> Expr:
+def transfer_label(block: Block) -> Expr:
     """The transfer function of a block."""
     top, bottom = _polynomial(block.num), _polynomial(block.den)
     return ONE if top == bottom else top if bottom == ONE else top / bottom
@@ -198,10 +168,3 @@ def _label(block: Block) -> Expr:
 def _polynomial(coefficients: tuple[Expr, ...]) -> Expr:
     powers = (ONE, S, *(S**k for k in range(2, len(coefficients))))
     return add(*(multiply(c, powers[k]) for k, c in reversed(list(enumerate(reversed(coefficients))))))
-
-
-def _before(way: tuple[Place, ...]) -> Place:
-    """Just before the end of a line."""
-    (ax, ay), (bx, by) = way[-2], way[-1]
-    size = max(abs(bx - ax), abs(by - ay)) or 1.0
-    return bx + (ax - bx) * 0.28 / size, by + (ay - by) * 0.28 / size

@@ -27,7 +27,7 @@ def figure_of(problem: Problem) -> Drawing:
                 return triads.of_motion(problem.subject, problem.where)
             return triads.of_frames(problem.subject, problem.where)
         case System():
-            from derive.figures.block_layout import drawn_blocks
+            from derive.figures.loops import drawn_blocks
             from derive.kinds.system._plant import plant
 
             solved = plant(problem, None, None)

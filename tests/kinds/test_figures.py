@@ -99,8 +99,8 @@ def test_a_motion_has_a_start_and_an_end(tmp_path: Path) -> None:
 
 def test_a_motor_is_a_block_diagram(tmp_path: Path) -> None:
     found = drawn(tmp_path, MOTOR)
-    assert {"V_a", "I_a", "T_m", "T_d", "theta", "theta_dot", "V_b"} <= set(written(found, ""))
-    assert written(found, "sign") == ["-", "-"]
+    assert {"V_a", "I_a", "T_m", "T_d", "theta", "theta_dot", "V_b"} <= set(written(found, "signal"))
+    assert written(found, "sign") == ["+", "+", "-", "-"]
     assert len([stroke for stroke in found.strokes if stroke.role == "box"]) == 7
     assert len(written(found, "block")) == 5
 

@@ -22,3 +22,4 @@ class Facts(PageFacts):
     tracks: Phrase | None  # a constant reference without error
     cancelled: Phrase | None
     at: LoopAtPoint | None
+    drawn: bool

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 from derive.algebra.formulas.grammar import parse
 from derive.algebra.numbers.floats import completed
 from derive.control.controllers import Controller
+from derive.control.diagram import Diagram
 from derive.control.oracle import motor, poles
 from derive.control.oracle.equations import Numeric, is_close, pid, quotient, value
 from derive.control.signals import signals
@@ -98,6 +99,19 @@ def as_printed(key: str, held: Held, tree: Expr, **about: str) -> Claim:
     return route(
         key, held.compared(lambda at: [_same(value(tree, at), held.gain(reals(at), at["s"]))]), **about
     )
+
+
+def as_drawn(held: Held, diagram: Diagram) -> Claim:
+    """The blocks and lines of a diagram, in which C(s) and G(s) may stand for the controller and the whole
+    system, against the equations."""
+    alone = replace(held, controller=None)
+
+    def of(at: Point) -> Iterator[bool]:
+        s, point = at["s"], reals(at)
+        known = {**at, "C(s)": held.strength(point, s), "G(s)": alone.gain(point, s)}
+        yield _same(diagram.gain(s, known), held.gain(point, s))
+
+    return route("as-drawn", held.compared(of))
 
 
 def controller_as_printed(key: str, held: Held, tree: Expr) -> Claim:

@@ -22,3 +22,4 @@ class Facts(PageFacts):
     cancelled: Phrase | None
     nature: Phrase | None  # improper, or integrating
     at: AtPoint | None
+    drawn: bool

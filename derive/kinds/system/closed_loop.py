@@ -15,6 +15,7 @@ from derive.control.system import System
 from derive.derivation import Claim, Derivation, Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import ONE, ZERO, Expr, Relation, Symbol, free_symbols, walk
+from derive.figures.loops import looped
 from derive.kinds.chains import distinct
 from derive.kinds.checks import law, route
 from derive.kinds.fields import Evaluation, OptionsModel, Place
@@ -23,7 +24,7 @@ from derive.kinds.system._loop_checks import loop_point_claims, said
 from derive.kinds.system._loop_facts import Facts as Facts
 from derive.kinds.system._loop_facts import LoopAtPoint
 from derive.kinds.system._options import ControllerField
-from derive.kinds.system._oracle import Held, as_printed, controller_as_printed
+from derive.kinds.system._oracle import Held, as_drawn, as_printed, controller_as_printed
 from derive.kinds.system._plant import (
     Plant,
     asked,
@@ -105,14 +106,21 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     results = {"C": _final(found, found.loop.controller), "T": _final(found, found.reduced)}
     evaluated, numbers = _evaluated(found, options)
     work = Work(problem, definitions, uses=(base,), steps=tuple(_steps(found))).claim(*_claims(found))
-    told, held = _facts(found, numbers), Held(problem, system.input, options.controller)
+    told, held = (
+        _facts(found, numbers, _first(options, problem)),
+        Held(problem, system.input, options.controller),
+    )
     work = work.claim(
         controller_as_printed("controller", held, results["C"]),
         as_printed("in-complex-numbers", held, results["T"]),
         route("as-said", said(held, told, work.steps, results)),
         *loop_point_claims(replace(held, given=dict(options.evaluate or ())), _whole(found), evaluated, told),
     )
-    return work.answer("closed-loop", results, told, evaluated=evaluated)
+    if not told.drawn:
+        return work.answer("closed-loop", results, told, evaluated=evaluated)
+    loop = looped(solved.system, solved.rational, solved.style)
+    work = work.claim(as_drawn(held, loop.diagram))
+    return work.answer("closed-loop", results, told, evaluated=evaluated, plots=(loop.drawing(),))
 
 
 def _steps(found: Closed) -> Iterator[Step]:
@@ -142,7 +150,13 @@ def _final(found: Closed, rational: Rational) -> Expr:
     return found.plant.final(rational)
 
 
-def _facts(found: Closed, at: LoopAtPoint | None) -> Facts:
+def _first(options: Options, problem: Problem) -> bool:
+    """Whether it is the first loop that is asked for: the others look like it."""
+    asked = [each for kind, each in problem.questions if kind == "closed-loop"]
+    return bool(asked) and asked[0] == options
+
+
+def _facts(found: Closed, at: LoopAtPoint | None, drawn: bool) -> Facts:
     solved = found.plant
     return Facts(
         family=Phrase(found.controller.family),
@@ -155,6 +169,7 @@ def _facts(found: Closed, at: LoopAtPoint | None) -> Facts:
         tracks=Phrase("tracks", {"origin": Relation(Symbol("s"), "=", ZERO)}) if _tracks(found) else None,
         cancelled=_cancelled(found),
         at=at,
+        drawn=drawn,
         numbers=(),
     )
 

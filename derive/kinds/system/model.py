@@ -16,6 +16,7 @@ from derive.derivation import Claim, Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import ONE, Expr, Symbol, add, factors_of, free_symbols, is_negative, multiply
 from derive.figures.block_diagram import Wired
+from derive.figures.loops import pictured
 from derive.kinds.checks import random_points, route
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
@@ -59,7 +60,8 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     results, told = {"matlab": files["model.m"], "python": files["model.py"]}, _facts(answer, options)
     held = Held(problem, system.input, options.controller, dict(options.evaluate or ()))
     work = work.claim(*proofs(held, Files(files, takes, numeric.numbers()[1]), told))
-    return work.answer("model", results, told, files=files)
+    plots = (pictured(system, answer.diagram, "diagram").drawing(),)
+    return work.answer("model", results, told, plots=plots, files=files)
 
 
 # -- the scripts --------------------------------------------------------------------------------------

@@ -13,12 +13,15 @@ from derive.control.elimination import Elimination, without
 from derive.control.roots import roots
 from derive.control.system import System
 from derive.derivation import Claim, Derivation, Phrase, Step
+from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Relation, Symbol, free_symbols, walk
+from derive.figures.block_diagram import drawn
+from derive.figures.loops import pictured
 from derive.kinds.checks import law
 from derive.kinds.fields import Evaluation, Name, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._delay_checks import fraction_claims
-from derive.kinds.system._oracle import Held, as_printed, given_claims, motor_claims
+from derive.kinds.system._oracle import Held, as_drawn, as_printed, given_claims, motor_claims
 from derive.kinds.system._plant import (
     AtPoint,
     Plant,
@@ -62,7 +65,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     solved = plant(problem, options.source, options.evaluate)
     definitions = {**solved.solution.values, solved.named("G"): solved.solution.ratio.expr(solved.decimals)}
     evaluated, numbers = _evaluated(solved, options)
-    G, told = _result(solved), _facts(solved, numbers)
+    G, told = _result(solved), _facts(solved, numbers, _is_drawn(solved, options, problem))
     work = Work(problem, definitions, steps=tuple(_steps(solved))).claim(*_claims(solved))
     held = Held(problem, solved.solution.source)
     work = work.claim(
@@ -74,7 +77,23 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
         said(held, told, work.steps, G),
         *point_claims(replace(held, given=dict(options.evaluate or ())), evaluated, "G", told.at),
     )
-    return work.answer("transfer-function", {"G": G}, told, evaluated=evaluated)
+    if not told.drawn:
+        return work.answer("transfer-function", {"G": G}, told, evaluated=evaluated)
+    diagram, _ = drawn(solved.system, solved.rational, None, solved.style)
+    work = work.claim(as_drawn(held, diagram))
+    picture = pictured(solved.system, diagram, "diagram").drawing()
+    return work.answer("transfer-function", {"G": G}, told, evaluated=evaluated, plots=(picture,))
+
+
+def _is_drawn(solved: Plant, options: Options, problem: Problem) -> bool:
+    """Whether it is the first function of the input that is asked for, and its diagram has several blocks."""
+    asked = [each for kind, each in problem.questions if kind == "transfer-function"]
+    if not asked or asked[0] != options or options.source is not None:
+        return False
+    try:
+        return len(drawn(solved.system, solved.rational, None, solved.style)[1]) > 1
+    except NotDerivable:
+        return False
 
 
 def _steps(solved: Plant) -> Iterator[Step]:
@@ -161,7 +180,7 @@ def _result(solved: Plant) -> Expr:
     return unexpanded if operations(unexpanded) <= operations(collected) else collected
 
 
-def _facts(solved: Plant, at: AtPoint | None) -> Facts:
+def _facts(solved: Plant, at: AtPoint | None, drawn: bool) -> Facts:
     system, rational = solved.system, solved.rational
     ends = {"input": solved.solution.source, "output": system.output}
     return Facts(
@@ -173,6 +192,7 @@ def _facts(solved: Plant, at: AtPoint | None) -> Facts:
         cancelled=_cancelled(solved),
         nature=_nature(solved),
         at=at,
+        drawn=drawn,
         numbers=(),
     )
 

@@ -140,4 +140,4 @@ def _measure(asked: Iterable[tuple[str, float]]) -> None:
 
 def size_of(caption: Caption) -> float:
     """The size of its letters (points)."""
-    return LETTERS - 1 if caption.role in ("note", "tick") else LETTERS
+    return LETTERS - 1 if caption.role in ("note", "tick", "sign") else LETTERS

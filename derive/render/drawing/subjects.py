@@ -59,6 +59,8 @@ def laid_out(drawing: Drawing) -> Laid:
     bounds = _bounds(drawing)
     wide, high = WIDEST, drawing.highest or HIGHEST
     texts = tuple(written((caption, size_of(caption)) for caption in drawing.captions))
+    if drawing.unit:
+        return _laid(drawing, texts, drawing.unit, bounds)
     room_x, room_y = wide - 40, high - 24
     for _ in range(TRIES):
         scale = min(

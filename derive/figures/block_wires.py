@@ -1,0 +1,128 @@
+"""The wires of a block diagram: from block to block by corners, with the names of signals and the signs of
+sums; every wire that branches has a dot there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from math import pi
+from typing import TYPE_CHECKING
+
+from derive.control.diagram import Block, Line
+from derive.derivation import Caption, Place, Stroke
+from derive.figures.view import around
+
+if TYPE_CHECKING:
+    from derive.figures.block_layout import Layout
+
+CIRCLE = 28
+TAP, OUTER, DOT = 11.0, 25.0, 1.7  # points behind a block where wires branch, and the radius of the dot there
+SOURCE, OUT = 26.0, 36.0  # points that a wire leads in from outside, and out
+BELOW = 14.0  # points under everything that the wire of an outer loop runs
+INSIDE = 0.5  # of the radius of a sum: how far from its middle a sign stands
+
+
+@dataclass(slots=True)
+class Wires:
+    """What is drawn of a layout."""
+
+    layout: Layout
+    strokes: list[Stroke] = field(default_factory=list)
+    captions: list[Caption] = field(default_factory=list)
+    signs: list[Caption] = field(default_factory=list)
+
+    def drawn(self) -> tuple[list[Stroke], list[Caption]]:
+        """Wires first, then what they end at."""
+        named: set[str] = set()
+        for line in sorted(self.layout.diagram.lines, key=self._bends):
+            self._wire(line, named)
+        self._out()
+        for block in self.layout.diagram.blocks:
+            self._block(block)
+        return self.strokes, [*self.captions, *self.signs]
+
+    def _bends(self, line: Line) -> bool:
+        """Straight wires are named rather than those with corners."""
+        (ax, ay), (bx, by) = self.layout.at[line.source], self.layout.at[line.target]
+        return ay != by or ax > bx
+
+    def _wire(self, line: Line, named: set[str]) -> None:
+        diagram = self.layout.diagram
+        source, target = diagram.block(line.source), diagram.block(line.target)
+        way = self._way(source, target)
+        self.strokes.append(Stroke(way, "arrow"))
+        if target.shape == "sum":
+            self.signs.append(_sign(way, self.layout.at[target.name], target.signs[line.port - 1]))
+        if way[0][0] > self.layout.at[source.name][0] + self.layout.half[source.name]:
+            self.strokes.append(Stroke(tuple(_dot(way[0])), "pin"))
+        if source.name not in (*named, diagram.output) and self.layout.is_signal(source.name):
+            named.add(source.name)
+            self.captions.append(self._name(source, way))
+
+    def _out(self) -> None:
+        output = self.layout.diagram.output
+        x, y = self.layout.at[output]
+        start = x + self.layout.half[output]
+        looped = any(self._back(line) for line in self.layout.diagram.lines)
+        end = start + OUT + (OUTER - TAP if looped else 0.0)
+        self.strokes.append(Stroke(((start, y), (end, y)), "arrow"))
+        self.captions.append(Caption((end - 8.0, y), output, (0.0, 1.0), "signal"))
+
+    def _back(self, line: Line) -> bool:
+        """Whether it leads back along the forward path."""
+        (ax, ay), (bx, by) = self.layout.at[line.source], self.layout.at[line.target]
+        return ay == by and ax > bx
+
+    def _block(self, block: Block) -> None:
+        (x, y), half, high = self.layout.at[block.name], self.layout.half[block.name], self.layout.high / 2
+        if block.shape == "sum":
+            turns = (2 * pi * k / CIRCLE for k in range(CIRCLE))
+            self.strokes.append(Stroke(tuple(around((x, y), half, turn) for turn in turns), "box"))
+        elif block.shape != "source":
+            corners = ((x - half, y - high), (x + half, y - high), (x + half, y + high), (x - half, y + high))
+            self.strokes.append(Stroke(corners, "box"))
+            self.captions.append(self.layout.label(block))
+
+    def _name(self, block: Block, way: tuple[Place, ...]) -> Caption:
+        """The signal that leaves a block, once."""
+        (ax, ay), (bx, by) = way[0], way[1]
+        if block.shape == "source" and ay != by:
+            return Caption((ax, ay), block.name, (0.0, 1.0 if ay > by else -1.0), "signal")
+        if ay == by:
+            x = ax + 6.0 if block.shape == "source" else (ax + bx) / 2
+            return Caption((x, ay), block.name, (0.0, 1.0 if ay >= 0 else -1.0), "signal")
+        return Caption((ax, (ay + by) / 2), block.name, (1.0, 0.0), "signal")
+
+    # -- ways -------------------------------------------------------------------------------------
+
+    def _way(self, source: Block, target: Block) -> tuple[Place, ...]:
+        """From the right of a block to the left of another in its row; to and from other rows by corners."""
+        layout = self.layout
+        (ax, ay), (bx, by) = layout.at[source.name], layout.at[target.name]
+        right, left = ax + layout.half[source.name], bx - layout.half[target.name]
+        reach = layout.half[target.name] if target.shape == "sum" else layout.high / 2
+        if source.shape == "source":
+            if ay == by:
+                return (min(ax, left - SOURCE), ay), (left, by)
+            side = 1 if ay > by else -1
+            return (bx, by + side * (reach + SOURCE)), (bx, by + side * reach)
+        if ay == by and ax < bx:
+            return (right, ay), (left, by)
+        if ay == by:
+            under = min(y for _, y in layout.at.values()) - layout.high / 2 - BELOW
+            return (right + OUTER, ay), (right + OUTER, under), (bx, under), (bx, by - reach)
+        if ay == 0:  # branches off the forward path into a block of another row
+            into = left if bx > right + TAP else bx + layout.half[target.name]
+            return (right + TAP, 0.0), (right + TAP, by), (into, by)
+        out = right if bx > ax else ax - layout.half[source.name]
+        return (out, ay), (bx, ay), (bx, by - reach if ay < by else by + reach)
+
+
+def _sign(way: tuple[Place, ...], middle: Place, sign: int) -> Caption:
+    """Inside the sum, where the wire ends: beside the wire it would be read with the name of a signal."""
+    (x, y), (ex, ey) = middle, way[-1]
+    return Caption((x + INSIDE * (ex - x), y + INSIDE * (ey - y)), "+" if sign > 0 else "-", role="sign")
+
+
+def _dot(center: Place) -> Iterator[Place]:
+    return (around(center, DOT, 2 * pi * k / CIRCLE) for k in range(CIRCLE))
