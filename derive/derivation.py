@@ -269,7 +269,8 @@ class Derivation:
     derivations this one rests on, printed before it unless an earlier question printed them.
     `files` are texts written beside the page, by file name: scripts to run. `matrices` names the results
     that are matrices even where they have one column only (J of one joint), and no vectors. `alone` are
-    those that could be compared with no line.
+    those that could be compared with no line. `units` are the SI units of names on the page, "N m"; their
+    numbers are printed with them.
     """
 
     kind: str
@@ -284,6 +285,7 @@ class Derivation:
     files: Mapping[str, str] = field(default_factory=dict)
     matrices: frozenset[str] = frozenset()
     alone: tuple[str, ...] = ()
+    units: Mapping[Expr, str] = field(default_factory=dict)
 
     def told(self, shape: type[F]) -> F:
         """The facts, of the shape that the kind of this derivation declares. Raises TypeError for another."""

@@ -78,10 +78,12 @@ class Approximate(Tree):
 
 @dataclass(frozen=True, slots=True)
 class Degrees(Tree):
-    """An angle given in degrees, `value * pi / 180`; `places` are the digits after its point as typed."""
+    """An angle given in degrees, `value * pi / 180`; `places` are the digits after its point as typed, `unit`
+    what its author had it divided by, "/s"."""
 
     value: Fraction
     places: int = field(default=0, compare=False)
+    unit: str = field(default="", compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -163,6 +165,15 @@ class Derivative(Tree):
     by: Symbol
 
 
+@dataclass(frozen=True, slots=True)
+class Measured(Tree):
+    """A quantity as it is said on a page: a number, an angle in degrees or a vector, with its SI unit, "N m",
+    or what degrees are divided by, "/s". Only whole expressions are one; the value is that of `value`."""
+
+    value: Expr
+    unit: str
+
+
 Expr: TypeAlias = (
     Number
     | Approximate
@@ -176,6 +187,7 @@ Expr: TypeAlias = (
     | Call
     | Matrix
     | Derivative
+    | Measured
 )
 Operand: TypeAlias = Tree | int
 
@@ -326,6 +338,8 @@ def children(expr: Expr) -> tuple[Expr, ...]:
             return tuple(entry for row in rows for entry in row)
         case Derivative(of, by):
             return of, by
+        case Measured(value):
+            return (value,)
         case _:
             return ()
 
@@ -356,6 +370,8 @@ def rebuild(expr: Expr, change: Callable[[Expr], Expr]) -> Expr:
             return Matrix(tuple(tuple(map(change, row)) for row in rows))
         case Derivative(of, by):
             return Derivative(change(of), by)
+        case Measured(value, unit):
+            return Measured(change(value), unit)
         case _:
             return expr
 

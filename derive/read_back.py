@@ -13,8 +13,9 @@ from derive.algebra.fingerprint import fingerprint
 from derive.algebra.formulas.tokens import Kind, Token
 from derive.answers.latex.printed import SIGNS, parts_of, read_part, require_tex
 from derive.answers.latex.scripts import Tokens
+from derive.answers.latex.units import without_unit
 from derive.errors import FormulaError, SheetError, SheetErrors, Unfit
-from derive.expression import Approximate, Expr, Indexed, Matrix, Symbol, walk
+from derive.expression import Approximate, Expr, Indexed, Matrix, Measured, Symbol, walk
 from derive.expression import replace as written_out
 from derive.render.document import Document
 from derive.render.layout import Chain
@@ -134,7 +135,7 @@ def _doubts(found: Sequence[tuple[str, Tokens]], chain: Chain, notation: Notatio
     for (sign, part), link in zip(found, chain, strict=True):
         assert link.tree is not None  # what is laid out from trees knows them
         before, rounded = rounded, _is_rounded(link.tree)
-        wanted = link.relation if link.relation not in EQUALS else EQUALS[rounded and not before]
+        wanted = link.relation if link.relation not in EQUALS else EQUALS[rounded or before]
         if link is not chain[0] and sign != wanted:
             raise Misprinted(f"{sign} stands for {wanted}")
         try:
@@ -153,6 +154,11 @@ def _says(part: tuple[tuple[Kind, str], ...], tree: Expr, notation: Notation) ->
     """Whether tokens say what a tree does, to the digits that are printed. Raises FormulaError."""
     tree = notation.letters.tree(tree)
     tokens = tuple(Token(kind, text, place, place) for place, (kind, text) in enumerate(part))
+    if isinstance(tree, Measured):
+        tokens, unit = without_unit(tokens)
+        if unit != tree.unit:
+            raise FormulaError(f"the unit {unit} stands for {tree.unit}", 0)
+        tree = tree.value
     read = read_part(tokens, tree, notation.atan2 == "xy")
     return fingerprint(read, notation.digits) == fingerprint(tree, notation.digits)
 

@@ -25,6 +25,7 @@ from derive.expression import (
     Expr,
     Indexed,
     Matrix,
+    Measured,
     Number,
     Power,
     Product,
@@ -67,7 +68,7 @@ class _Walk:
             return _multiplied(self.value(expr.numerator), _inverse(self.value(expr.denominator)))
         return self._rarer(expr)
 
-    def _rarer(self, expr: Degrees | Approximate | Matrix | Derivative | Indexed) -> Element:
+    def _rarer(self, expr: Degrees | Approximate | Matrix | Derivative | Indexed | Measured) -> Element:
         match expr:
             case Degrees(value):
                 return _multiplied(_number(value / 180), self.value(PI))
@@ -76,6 +77,8 @@ class _Walk:
             case Matrix(rows):
                 entries = (self.value(entry) for row in rows for entry in row)
                 return _function(f"matrix of {len(rows)} rows", entries)
+            case Measured(inner, unit):
+                return _function(f"in {unit}", [self.value(inner)])
             case Derivative(of, by):
                 return _function("derivative", map(self.value, (of, by)))
             case Indexed("e", (), (exponent,)):

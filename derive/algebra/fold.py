@@ -21,6 +21,7 @@ from derive.expression import (
     Degrees,
     Expr,
     Matrix,
+    Measured,
     Number,
     Power,
     Product,
@@ -120,4 +121,6 @@ def fold(expr: Expr, domain: Domain[T]) -> T:
         return domain.approximate(expr.value)
     if isinstance(expr, Matrix):
         return domain.matrix([[fold(entry, domain) for entry in row] for row in expr.rows])
+    if isinstance(expr, Measured):
+        return fold(expr.value, domain)
     return domain.refuse(type(expr).__name__)

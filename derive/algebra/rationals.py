@@ -50,3 +50,10 @@ def decimal_places(value: Rational) -> int | None:
         while rest % prime == 0:
             rest, needed[k] = rest // prime, needed[k] + 1
     return max(needed) if rest == 1 else None
+
+
+def significant_digits(value: Rational) -> int | None:
+    """How many digits a decimal fraction has for this number, zeros at its ends apart; None where it never
+    ends."""
+    places = decimal_places(value)
+    return None if places is None else len(str(abs(int(value * 10**places))).strip("0"))

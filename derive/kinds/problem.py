@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Hashable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, fields, is_dataclass
+from dataclasses import dataclass, field, fields, is_dataclass, replace
 from functools import cached_property
 from typing import Any, get_args
 
 from derive.algebra.bounds import count, one_answer
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, normal, normal_matrix
+from derive.algebra.rationals import significant_digits
 from derive.algebra.readable.form import as_written, readable, readable_matrix
 from derive.algebra.readable.terms import Style
 from derive.algebra.readable.writing import opposite
@@ -20,6 +21,7 @@ from derive.expression import Degrees, Expr, Indexed, Matrix, Number, Symbol, fr
 from derive.kinds.declared import with_all_claims
 from derive.kinds.registry import load
 from derive.kinds.told import with_results_told
+from derive.kinds.units import with_units
 from derive.names import require_free
 
 TREES = get_args(Expr)
@@ -67,7 +69,9 @@ class Problem:
                 derivation = module.derive(self.subject, options, self)
             self.require_own(derivation.definitions)
             complete = with_all_claims(derivation, module, self.subject, options)
-            self.memo.answers[key] = with_results_told(complete, module, self.names)
+            told = with_results_told(with_units(complete), module, self.names)
+            facts = replace(told.facts, style=self.style)
+            self.memo.answers[key] = replace(told, facts=facts)
         return self.memo.answers[key]
 
     def require_own(self, names: Iterable[Expr]) -> None:
@@ -106,9 +110,12 @@ class Problem:
         """Decimals and degrees where the author typed them; joint variables in their order."""
         trees = [node for tree in expressions(self.subject) for node in walk(tree)]
         trees += [node for tree in self.where.values() for node in walk(tree)]
+        typed = [node for node in trees if isinstance(node, Number)]
         return Style(
-            decimals=any(isinstance(node, Number) and node.decimal for node in trees),
+            decimals=any(node.decimal for node in typed),
             degrees=any(isinstance(node, Degrees) for node in trees),
+            units=any(node.unit for node in typed),
+            longest=max((significant_digits(node.value) or 0 for node in typed if node.decimal), default=0),
             order=getattr(self.subject, "variables", ()),
         )
 

@@ -18,6 +18,7 @@ from derive.expression import (
     Expr,
     Indexed,
     Matrix,
+    Measured,
     Number,
     Power,
     Product,
@@ -25,11 +26,12 @@ from derive.expression import (
     Sum,
     Symbol,
     children,
+    is_negative,
 )
 from derive.render.juxtaposition import is_letter, meet_as_numbers, sign_of
 from derive.render.names import Name, name_latex, name_parts, script
 from derive.render.notation import Notation
-from derive.render.numbers import fraction_latex, rounded_latex
+from derive.render.numbers import fraction_latex, rounded_latex, unit_latex
 from derive.render.trig import SHORT, followed_by_function, is_short_argument, is_written_out, short_index
 
 OPERATORS = {
@@ -58,10 +60,12 @@ def is_approximate(expr: Expr) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Printer:
-    """Prints trees in one notation; `in_line` for a line of text, where a column stands as `(x, y)^T`."""
+    """Prints trees in one notation; `in_line` for a line of text, where a column stands as `(x, y)^T`; `flat`
+    for a cell of a table, where a fraction of numbers is 3/4."""
 
     notation: Notation
     in_line: bool = False
+    flat: bool = False
 
     def write(self, expr: Expr) -> str:
         return self.measured(expr)[0]
@@ -78,7 +82,7 @@ class Printer:
                 parts = self.notation.letters.parts(name)
                 return str(parts), POWER if parts.upper else ATOM
             case Number(value, decimal):
-                return _number(value, decimal)
+                return _number(value, decimal, self.flat)
             case Call(function, arguments):
                 return self.call(function, arguments)
             case Sum(terms):
@@ -105,6 +109,9 @@ class Printer:
                 return self.indexed(self.notation.letters.indexed(expr))
             case Derivative(of, by):
                 return self.derivative(of, by), PRODUCT
+            case Measured(value, unit):
+                number = self.write(value) if is_negative(value) else self.held(value, PRODUCT)
+                return number + unit_latex(unit), PRODUCT
             case _:
                 raise TypeError(f"not an expression: {expr!r}")
 
@@ -118,6 +125,9 @@ class Printer:
         return parenthesised(written) if isinstance(term, Sum) else written
 
     def product(self, factors: tuple[Expr, ...]) -> tuple[str, int]:
+        match factors:
+            case (Approximate() as size, Degrees(Fraction(numerator=1, denominator=1))):
+                return _whole(self.write(size)) + r"^\circ", SUM if size.value < 0 else POWER
         sign, rest = sign_of(factors)
         pieces = self._over_number(rest)
         if not pieces:
@@ -140,7 +150,8 @@ class Printer:
         top = (Number(Fraction(first.value.numerator)), *factors[1 : count + 1])
         shown = top[1:] if first.value.numerator == 1 else top
         rest = factors[count + 1 :]
-        fraction = rf"\frac{{{self.write(Product(shown))}}}{{{first.value.denominator}}}"
+        above, below = self.write(Product(shown)), first.value.denominator
+        fraction = f"{above}/{below}" if self.flat else rf"\frac{{{above}}}{{{below}}}"
         return [fraction, *(self._factor(rest, place, True) for place in range(len(rest)))]
 
     def _factor(self, factors: tuple[Expr, ...], place: int, inside: bool) -> str:
@@ -269,7 +280,7 @@ class Printer:
 
 def _whole(number: str) -> str:
     """A fraction in parentheses, so that what is raised stands beside all of it."""
-    return parenthesised(number) if "frac" in number else number
+    return parenthesised(number) if "frac" in number or "^" in number else number
 
 
 def _numerator(entry: Expr) -> Expr | None:
@@ -280,9 +291,10 @@ def _numerator(entry: Expr) -> Expr | None:
     return None
 
 
-def _number(value: Fraction, decimal: bool) -> tuple[str, int]:
+def _number(value: Fraction, decimal: bool, flat: bool = False) -> tuple[str, int]:
     written = fraction_latex(value, decimal)
-    loose = "frac" in written or "cdot" in written
+    written = str(value) if flat and "frac" in written else written
+    loose = any(mark in written for mark in ("frac", "cdot", "/"))
     return written, SUM if value < 0 else PRODUCT if loose else POWER if "^" in written else ATOM
 
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
+from itertools import zip_longest
 from math import isfinite
 
 from derive.algebra.rationals import decimal_places
 
 SMALLEST_PLAIN, LARGEST_PLAIN = -3, 5  # powers of ten printed without an exponent
+OHM = r"\Omega"
 MOST_ZEROS = 6  # at the end of a decimal number without an exponent, or behind its point
 ZERO_BELOW = 1e-12  # what rounding leaves of a zero
 
@@ -20,6 +23,23 @@ def fraction_latex(value: Fraction, decimal: bool = False) -> str:
     if value.denominator == 1:
         return str(value.numerator)
     return rf"{sign}\frac{{{abs(value.numerator)}}}{{{value.denominator}}}"
+
+
+def unit_latex(unit: str) -> str:
+    """A unit behind a number, `\\ \\mathrm{m/s}^2`; what degrees are divided by, `/\\mathrm{s}^2`."""
+    if unit.startswith("/"):
+        return "/" + _upright(unit[1:])
+    return r"\ " + _upright(unit)
+
+
+def _upright(unit: str) -> str:
+    """Powers stand behind what is upright: not every reader of TeX knows a script inside it."""
+    parts = re.split(r"\^(\d+)", unit)
+    words = [r"\ ".join(OHM if word == "ohm" else word for word in part.split(" ")) for part in parts[::2]]
+    written = [rf"\mathrm{{{word}}}" for word in words if word]
+    return "".join(
+        f"{word}^{power}" for word, power in zip_longest(written, parts[1::2], fillvalue="")
+    ).rstrip("^")
 
 
 def _terminating(value: Fraction) -> str:

@@ -15,6 +15,7 @@ from derive.render.latex import Printer
 from derive.render.phrases import block_of, lines_in
 from derive.render.printed import Printed, says
 from derive.render.skin import words_file
+from derive.render.values import in_unit
 from derive.render.words import QUESTION, words_of
 
 
@@ -28,8 +29,8 @@ def question_text(
     if block is None:
         return ""
 
-    def mathematics(value: Any, _: Any = None) -> str:
-        tree = Symbol(value) if isinstance(value, str) else value
+    def mathematics(value: Any, _: Any = None, unit: str = "") -> str:
+        tree = in_unit(Symbol(value) if isinstance(value, str) else value, unit)
         written = printer.write(tree)
         printed.append(Printed.inline(written, says(tree, written), printer.notation))
         return f"${written}$"

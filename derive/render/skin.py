@@ -33,6 +33,7 @@ def environment() -> Environment:
         keep_trailing_newline=True,
     )
     made.filters["m"] = _mathematics
+    made.filters["measured"] = _measured
     made.filters["each"] = _each
     made.filters["listed"] = _listed
     made.filters["joined"] = joined
@@ -61,6 +62,13 @@ def _beside_the_module(name: str) -> str | None:
 def _mathematics(context: Context, value: Any, trig: str | None = None) -> str:
     """`{{ expr | m }}`: inline mathematics by the derivation being told."""
     written: str = context["math"](value, trig)
+    return written
+
+
+@pass_context
+def _measured(context: Context, value: Any, unit: str) -> str:
+    """`{{ expr | measured("m/s^2") }}`: the same with its unit; behind degrees "/s^2"."""
+    written: str = context["math"](value, None, unit)
     return written
 
 

@@ -28,8 +28,10 @@ from derive.render.phrases import PHRASES, Speech, on_page
 from derive.render.printed import Naming, Printed
 from derive.render.room import abridged, has_room, kept
 from derive.render.skin import Skin, environment, words_file
+from derive.render.tables import columns_of, headed, unit_text
 from derive.render.typed import relettered, typed_in
 from derive.render.untold import EarlyStep, ForgottenFact, ForgottenStep, UnknownFamily, early, forgotten
+from derive.render.values import Values, in_unit
 
 QUESTION = "question"  # the block of a words template that asks for its derivation
 APART = (QUESTION, PHRASES, "results", "example")  # said elsewhere: see render/questions.py and phrases.py
@@ -54,7 +56,8 @@ def words(
     seen = [] if printed is None else printed
     printer = Printer(notation)
     speech = on_page(folder, derivation.kind, printer, skin.plain, seen, strong=skin.strong, em=skin.em)
-    telling = Telling(derivation, speech, skin, notation, plots or {}, files or {}, seen)
+    values = Values(derivation.units, derivation.facts.style, notation.digits)
+    telling = Telling(derivation, speech, skin, notation, plots or {}, files or {}, seen, values)
     for claim in derivation.claims:  # said in the JSON only, but their words must not be missing unnoticed
         telling.speech.claim(claim)
     template = words_of(folder, derivation.kind)
@@ -85,7 +88,7 @@ def chain_links(chain: tuple[Expr, ...], printer: Printer) -> Chain:
     rounded = False
     for expr in chain:
         now = is_approximate(expr)
-        links.append(Link(r"\approx" if now and not rounded else "=", printer.write(expr), expr))
+        links.append(Link(r"\approx" if now or rounded else "=", printer.write(expr), expr))
         rounded = now
     return tuple(links)
 
@@ -101,6 +104,7 @@ class Telling:
     plots: Mapping[str, str]
     files: Mapping[str, str]
     printed: list[Printed]
+    values: Values
     told: dict[str, int] = field(default_factory=dict)  # steps, and when each was told first
     said: list[Sayable] = field(default_factory=list)
 
@@ -163,10 +167,12 @@ class Telling:
             self._note(self._step(name))
         return ""
 
-    def math(self, value: Mathematics, trig: Trig = None) -> str:
-        """Inline mathematics of an expression, a name, or a chain (a tuple) joined by equal signs."""
-        printer = replace(self._printer(trig), in_line=True)
-        links = chain_links(self._trees(value), printer)
+    def math(self, value: Mathematics, trig: Trig = None, unit: str = "", flat: bool = False) -> str:
+        """Inline mathematics of an expression, a name, or a chain (a tuple) joined by equal signs, which may
+        end in a `unit`. In a cell of a table fractions are `flat`."""
+        printer = replace(self._printer(trig), in_line=True, flat=flat)
+        *before, last = self._trees(value)
+        links = chain_links((*before, in_unit(last, unit)), printer)
         self.printed.append(Printed.inline(one_line(links), links, printer.notation))
         return f"${one_line(links)}$"
 
@@ -193,12 +199,14 @@ class Telling:
         return self.speech.when(said if isinstance(said, tuple) else (said,))
 
     def table(self, table: Table, most: int = 1000) -> str:
-        """A table; its mathematics is set inline, a number with the unit its author gave it. Of more than
-        `most` rows the middle is left out."""
+        """A table; its mathematics is set inline, the unit of a column in its heading. Of more than `most`
+        rows the middle is left out."""
         self.said.extend(parts(table))
-        table = in_order(table, self.notation.columns)
-        rows = [[self._cell(entry) for entry in row] for row in abridged(table.rows, most)]
-        return self.skin.table([self._cell(heading) for heading in table.headings], rows)
+        shown, units = columns_of(in_order(table, self.notation.columns), self.values)
+        rows = [[self._cell(entry) for entry in row] for row in abridged(shown.rows, most)]
+        headings = [self._cell(heading) for heading in shown.headings]
+        texts = [self.skin.plain(unit_text(unit)) for unit in units]
+        return self.skin.table([*headed(headings, texts)], rows)
 
     def plot(self, name: str, caption: str = "") -> str:
         """The picture of a plot of this derivation."""
@@ -233,11 +241,11 @@ class Telling:
         """The chain of a step, without the spare links that are too long for a page."""
         if isinstance(name, tuple):
             self.said.extend(name)
-            return name
+            return self.values.shown(name)
         step = self._step(name)
         self._note(step)
         self.said.extend(step.chain)
-        return kept(step, printer, lines) if step.spare else step.chain
+        return self.values.shown(kept(step, printer, lines) if step.spare else step.chain)
 
     def cut(self, name: str | Step) -> bool:
         """Whether a link of this step is too long for a page and left out."""
@@ -270,16 +278,15 @@ class Telling:
                 return (number(value),)
             case Step():
                 self._note(value)
-                return value.chain
+                return self.values.shown(value.chain)
             case tuple():
-                return value
+                return self.values.shown(value)
             case _:
-                return (value,)
+                return self.values.shown((value,))
 
     def _cell(self, entry: Cell) -> str:
         if isinstance(entry, str):
             return entry
         if isinstance(entry, Phrase | Relation | tuple):
             return self.say(entry)
-        unit = entry.unit if isinstance(entry, Number) and entry.value else ""
-        return f"{self.math(entry)} {unit}".rstrip()
+        return self.math(entry, flat=True)

@@ -12,7 +12,7 @@ from math import comb, log10
 from derive.algebra.fold import Domain, fold
 from derive.algebra.formulas.functions import INVERSE, TRIGONOMETRIC
 from derive.algebra.formulas.undefined import always_zero, negative, undefined
-from derive.algebra.formulas.units import ANGLE, LENGTH, PLAIN, Dimension, Unit, agree, power, spoken, times
+from derive.algebra.formulas.units import ANGLE, PLAIN, Dimension, Unit, agree, power, spoken, times
 from derive.algebra.rationals import decimal_places
 from derive.errors import NotDerivable, Unfit
 from derive.expression import (
@@ -131,7 +131,7 @@ def measured(quantity: Quantity, unit: Unit, at: int) -> Quantity:
         factors = (*before, last, *_scale(unit))
     elif unit.degrees == 1:
         places = last.places if isinstance(last, Number) and unit.size == 1 else 0
-        factors = (*before, Degrees(value * unit.size, places))
+        factors = (*before, Degrees(value * unit.size, places, unit=unit.name))
     else:
         factors = (
             *before,
@@ -139,8 +139,8 @@ def measured(quantity: Quantity, unit: Unit, at: int) -> Quantity:
             *_turns(unit.degrees),
         )
     expr = factors[0] if len(factors) == 1 else Product(factors)
-    if isinstance(expr, Number) and unit.dimension == LENGTH:
-        expr = replace(expr, unit="m")
+    if isinstance(expr, Number) and unit.dimension != ANGLE:
+        expr = replace(expr, unit=unit.name)
     dimension = _combined(quantity.dimension, unit.dimension, 1)
     return _joined(expr, dimension, quantity, quantity, quantity.terms, at)
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
 from typing import Literal, TypeAlias
 
 # Exponents of metre, kilogram, second, ampere, radian. The radian counts in what is said to the
@@ -47,6 +48,7 @@ class Unit:
     dimension: Dimension
     size: Fraction = Fraction(1)
     degrees: int = 0
+    name: str = ""  # what stands behind a number in SI units: "N m", "m/s^2"; "/s" behind degrees
 
 
 UNITS: dict[str, Unit] = {
@@ -85,6 +87,20 @@ INSTEAD = {
     **dict.fromkeys(("newton", "newtons"), "N"),
     "Nm": "N m",
 }
+# Units that are printed and not read: W and J are usual names of other things.
+_PRINTED: dict[str, Dimension] = {"W": (2, 1, -3, 0, 0), "J": (2, 1, -2, 0, 0)}
+# The SI units that have a name of their own, or are usual.
+COHERENT: dict[Dimension, str] = {
+    PLAIN: "",
+    FORCE: "N",
+    TORQUE: "N m",
+    INERTIA: "kg m^2",
+    (2, 1, -3, 0, 0): "W",
+    (2, 1, -3, -1, 0): "V",
+    (2, 1, -3, -2, 0): "ohm",
+    (2, 1, -2, -2, 0): "H",
+    (2, 1, -2, -1, 0): "V s",
+}
 ANGLE_UNITS = frozenset({"deg", "rad"})
 # Units that are also the usual names of quantities: mass m, gravity g, Laplace s, current A.
 LETTERS = frozenset(name for name in UNITS if len(name) == 1)
@@ -92,13 +108,42 @@ LETTERS = frozenset(name for name in UNITS if len(name) == 1)
 
 def compound(parts: Iterable[tuple[str, int]]) -> Unit:
     """The unit made of named units raised to powers, as `[("m", 1), ("s", -2)]`. Raises KeyError."""
-    dimension, size, degrees = PLAIN, Fraction(1), 0
-    for name, exponent in parts:
+    named, dimension, size, degrees = list(parts), PLAIN, Fraction(1), 0
+    for name, exponent in named:
         unit = UNITS[name]
         dimension = times(dimension, power(unit.dimension, exponent))
         size *= unit.size**exponent
         degrees += unit.degrees * exponent
-    return Unit(dimension, size, degrees)
+    left = [(name, exponent) for name, exponent in named if name != "deg"]
+    coherent = all(UNITS[name].size == 1 for name, _ in left) and degrees in (0, 1)
+    return Unit(dimension, size, degrees, _written(left, bool(degrees)) if coherent else unit_of(dimension))
+
+
+def unit_of(dimension: Dimension) -> str:
+    """The SI unit of a quantity, "N m"; "" of a plain number. A radian is named where it is all there is but
+    seconds: an arc is in metres."""
+    if dimension in COHERENT:
+        return COHERENT[dimension]
+    m, kg, s, a, rad = dimension
+    turns = rad == 1 and not (m or kg or a)
+    return COHERENT.get((m, kg, s, a, 0)) or _unit_text((m, kg, s, a, int(turns)))
+
+
+@cache
+def dimension_of(unit: str) -> Dimension:
+    """The dimension of a unit as `unit_of` writes it. Raises KeyError for one that is not known."""
+    if unit in _PRINTED:
+        return _PRINTED[unit]
+    above, *below = unit.split("/")
+    parts = [*_parts(above, 1), *(part for each in below for part in _parts(each, -1))]
+    return compound(parts).dimension
+
+
+def _parts(text: str, sign: int) -> Iterator[tuple[str, int]]:
+    for each in text.split():
+        name, _, exponent = each.partition("^")
+        if name != "1":
+            yield name, sign * int(exponent or 1)
 
 
 def times(left: Dimension, right: Dimension) -> Dimension:
@@ -127,10 +172,14 @@ def spoken(dimension: Dimension) -> str:
 
 
 def _unit_text(dimension: Dimension) -> str:
-    named = list(zip(BASE_UNITS, dimension, strict=True))
-    above = " ".join(_raised(unit, n) for unit, n in named if n > 0) or "1"
-    below = "".join("/" + _raised(unit, -n) for unit, n in named if n < 0)
-    return above + below
+    return _written(list(zip(BASE_UNITS, dimension, strict=True)))
+
+
+def _written(parts: Sequence[tuple[str, int]], bare: bool = False) -> str:
+    """`kg m^2/s`; what is only under a line begins with 1, unless it is `bare`, as behind an angle."""
+    above = " ".join(_raised(unit, n) for unit, n in parts if n > 0)
+    below = "".join("/" + _raised(unit, -n) for unit, n in parts if n < 0)
+    return (above or "1" if below and not bare else above) + below
 
 
 def _raised(unit: str, exponent: int) -> str:

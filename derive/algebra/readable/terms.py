@@ -39,11 +39,14 @@ class Atom:
 @dataclass(frozen=True, slots=True)
 class Style:
     """How readable forms are written: numbers as decimals where the author typed decimals, fixed
-    angles in degrees where the author did, names in the author's order."""
+    angles in degrees where the author did, names in the author's order. What a page adds: units where the
+    author typed any, and decimals with as many significant digits as the `longest` that was typed."""
 
     decimals: bool = False
     degrees: bool = False
     order: tuple[str, ...] = ()
+    units: bool = False
+    longest: int = 0
 
 
 @dataclass(slots=True)

@@ -162,6 +162,11 @@ def _rate(given: Given, name: Expr) -> int | None:
     return {given.d: 0, given.fastest: 1, given.strongest: 2}.get(name) if isinstance(name, Symbol) else None
 
 
+def rates_of(*axes: Solved) -> dict[Expr, int | None]:
+    """How often each given quantity is differentiated; None for a time."""
+    return {name: _rate(each.given, name) for each in axes for name, _ in each.given.working.typed}
+
+
 def _name(each: Solved, outcome: Outcome, step: Step, prefix: str) -> str:
     case = f"{outcome.case}_" if len(each.outcomes) > 1 else ""
     return f"{prefix}{case}{step.name}"

@@ -16,6 +16,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.profile._drawn import Drawn, LimitTold
 from derive.kinds.profile._ends import Ends, ends_of, laws, system, t, term, upper
 from derive.kinds.profile._polynomial_checks import BothEnds
+from derive.kinds.profile._units import units_of
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
 from derive.mechanics.course import Course, Piece
@@ -83,8 +84,11 @@ def polynomial(
     work = as_told(work, means.names, told_too, "both-ends", symbols=problem.symbols | {t.name})
     moments: dict[Expr, Expr] = {ends.T: profile.time or ONE}
     work = work.claim(*drawn.claims(((results["q"], None),), facts.limits, facts.drawn, moments=moments))
+    orders: dict[Expr, int | None] = {Symbol(name): k for k, name in enumerate(names)}
+    units = units_of(profile, {**ends.rates, **orders})
     evaluated = drawn.evaluated({name: tree for name, tree in results.items() if name != "q"})
-    return work.answer(kind, results, facts, evaluated=evaluated, plots=drawn.plots("trajectory", moments))
+    plots = drawn.plots("trajectory", moments)
+    return work.answer(kind, results, facts, evaluated=evaluated, plots=plots, units=units)
 
 
 def _greatest(order: int) -> Phrase:

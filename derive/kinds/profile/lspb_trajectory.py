@@ -15,6 +15,7 @@ from derive.kinds.profile._blends import POSSIBLE, T_B, Blended, V, blended, fil
 from derive.kinds.profile._blends_checks import Blends
 from derive.kinds.profile._drawn import Drawn, LimitTold
 from derive.kinds.profile._pieces import Span, branch, joined, times_of
+from derive.kinds.profile._units import units_of
 from derive.kinds.work import Work
 from derive.mechanics.profile import Profile, Units
 
@@ -88,6 +89,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
         facts,
         evaluated=drawn.evaluated(results),
         plots=drawn.plots("lspb", moments),
+        units=units_of(profile, found.rates),
     )
 
 

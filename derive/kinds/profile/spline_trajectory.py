@@ -32,6 +32,7 @@ from derive.kinds.profile._drawn import Drawn, LimitTold
 from derive.kinds.profile._pieces import Span, branch, joined, times_of
 from derive.kinds.profile._spline_checks import asked, claims
 from derive.kinds.profile._spline_laws import laws
+from derive.kinds.profile._units import units_of
 from derive.kinds.work import Work
 from derive.mechanics.profile import Journey, Profile, Units
 
@@ -125,6 +126,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
         facts,
         evaluated=drawn.evaluated(results),
         plots=drawn.plots("spline", moments, through=True),
+        units=units_of(profile, {**dict.fromkeys(names, 1), **_coefficients()}),
     )
 
 
@@ -221,6 +223,11 @@ def _facts(knots: Knots, spans: Sequence[Span], profile: Profile, drawn: Drawn, 
         drawn=drawn.course is not None,
         limits=drawn.limits(),
     )
+
+
+def _coefficients() -> dict[Expr, int | None]:
+    """Those of a piece, each with the time that it is divided by."""
+    return {Symbol(f"c_{k}"): k for k in range(4)}
 
 
 # -- what it is held to -------------------------------------------------------------------------------

@@ -16,10 +16,11 @@ from derive.figures.courses import panels
 from derive.kinds.checks import close, law, route
 from derive.kinds.fields import TREES, Evaluation, OptionsModel
 from derive.kinds.problem import Problem
-from derive.kinds.profile._axis import AxisTold, Solved, solved, steps_of, told
+from derive.kinds.profile._axis import AxisTold, Solved, rates_of, solved, steps_of, told
 from derive.kinds.profile._axis_checks import claims_about
 from derive.kinds.profile._together import TogetherTold, together
 from derive.kinds.profile._trapezoid import NAMES, Outcome
+from derive.kinds.profile._units import units_of
 from derive.kinds.sure import place
 from derive.kinds.values_at import point_of
 from derive.mechanics import trapezoid
@@ -79,6 +80,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
         _evaluated(found, options),
         plots=_plots(profile, found, problem),
         facts=facts,
+        units=units_of(profile, rates_of(each)),
     )
 
 
@@ -97,6 +99,7 @@ def _several(profile: Profile, options: Options, problem: Problem) -> Derivation
         evaluated=_evaluated(found, options),
         plots=_plots(profile, found, problem),
         facts=facts,
+        units=units_of(profile, rates_of(*all_axes.alone, *all_axes.axes)),
     )
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from derive.expression import ONE, PI, Expr, Power, Product, Symbol, free_symbols, number, symbols
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
@@ -9,6 +11,13 @@ from derive.mechanics.sensing import Absolute, Encoder, Incremental
 
 DELTA_M, DELTA, OMEGA = symbols("Delta_m Delta omega")
 TURN = 2 * PI
+# An angle is said in degrees, a speed in degrees per second.
+UNITS: Mapping[Expr, str] = {
+    **dict.fromkeys(symbols("N k N_l b G n"), ""),
+    **dict.fromkeys((DELTA_M, DELTA), "deg"),
+    Symbol("T"): "s",
+    OMEGA: "deg/s",
+}
 
 
 def counted(problem: Problem, encoder: Encoder) -> tuple[Work, Symbol | None]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from derive.derivation import Derivation, Step
 from derive.expression import ONE, ZERO, Expr, Symbol, symbols
 from derive.kinds.checks import route
@@ -16,6 +18,13 @@ NEEDS = ("voltage",)
 CLAIMED = {"duty": "sampled-mean", "mean": "sampled-mean"}
 CLAIMS = ("sampled-mean", "as-said")
 MEAN, DUTY, PERIOD = symbols("U_m D T")
+UNITS: Mapping[Expr, str] = {
+    **dict.fromkeys(symbols("U U_0 U_m"), "V"),
+    DUTY: "",
+    PERIOD: "s",
+    Symbol("f"): "Hz",
+    Symbol("t_on"): "s",
+}
 
 
 def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivation:
@@ -43,7 +52,7 @@ def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivatio
     )  # fmt: skip
     work = work.claim(route("sampled-mean", sampled(voltage, problem, results)))
     work = work.claim(route("as-said", said(voltage, work, facts)))
-    return work.answer("mean-voltage", results, facts)
+    return work.answer("mean-voltage", results, facts, units=UNITS)
 
 
 def _mean(high: Expr, low: Expr, duty: Expr, bipolar: bool) -> Expr:

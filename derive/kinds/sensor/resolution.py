@@ -7,7 +7,7 @@ from derive.expression import Expr, Number
 from derive.kinds.checks import route
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
-from derive.kinds.sensor._encoder import counted
+from derive.kinds.sensor._encoder import UNITS, counted
 from derive.kinds.sensor._facts import ResolutionFacts as Facts
 from derive.kinds.sensor._resolution_checks import as_given, edge_by_edge, whole_turn
 from derive.mechanics.sensing import Encoder, Incremental
@@ -36,4 +36,4 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
     edges = encoder.disc.edges if isinstance(encoder.disc, Incremental) else None
     facts = Facts(edges=edges, gear=work[gear] if gear else None)
     work = work.claim(route("as-given", as_given(encoder, work, facts)))
-    return work.answer("resolution", results, facts)
+    return work.answer("resolution", results, facts, units=UNITS)

@@ -12,7 +12,7 @@ from derive.expression import ONE, Call, Expr, Symbol
 from derive.kinds.checks import route
 from derive.kinds.fields import Formula, OptionsModel, Time
 from derive.kinds.problem import Problem
-from derive.kinds.sensor._encoder import DELTA, OMEGA, counted
+from derive.kinds.sensor._encoder import DELTA, OMEGA, UNITS, counted
 from derive.kinds.sensor._facts import SpeedFacts as Facts
 from derive.kinds.sensor._speed_checks import as_given, turning_claims
 from derive.mechanics.sensing import Encoder
@@ -72,4 +72,4 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
         n=n, T=T, gear=gear, numbers=("omega", "omega_motor", "quantum", "relative"),
     )  # fmt: skip
     work = work.claim(route("as-given", as_given(work, (options.counts, options.period), facts)))
-    return work.answer("speed", results, facts)
+    return work.answer("speed", results, facts, units=UNITS)

@@ -1,0 +1,100 @@
+"""What the names of an answer measure: as its kind says it, and by the dimensions of its formulas.
+
+A line is held to it: the formula of a velocity has the dimension of a velocity, or the answer is refused.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+
+from derive.algebra.formulas.dimensions import Unlike, comparable, dimension_of_formula
+from derive.algebra.formulas.units import Dimension, dimension_of, unit_of
+from derive.derivation import Derivation, Step
+from derive.errors import NotDerivable
+from derive.expression import Approximate, Degrees, Expr, Matrix, Number, Symbol, free_symbols, walk
+from derive.kinds.checks import law
+
+LARGEST_COUNT = 100  # of numbers that belong to a law, and are no data that were put in
+
+
+def with_units(derivation: Derivation) -> Derivation:
+    """The same derivation, its names with their units as far as the lines tell them; the claim that every
+    line agrees with them."""
+    known = {name: unit for used in derivation.uses for name, unit in used.units.items()}
+    known |= derivation.units
+    if not known:
+        return derivation
+    found = _Lines({_text(name): dimension_of(unit) for name, unit in known.items()}, _names(derivation))
+    for step in derivation.all_steps():
+        found.line(step)
+    turned = any(unit.startswith("deg") for unit in known.values())
+    units = {Symbol(name): in_degrees(unit_of(dim), turned) for name, dim in found.dimensions.items()} | known
+    claims = (law("units", found.held),) if found.held else ()
+    return replace(derivation, units=units, claims=(*derivation.claims, *claims))
+
+
+@dataclass(slots=True)
+class _Lines:
+    """Dimensions of names, of which those in `own` may be learned; `held` has a truth for each line."""
+
+    dimensions: dict[str, Dimension]
+    own: frozenset[str]
+    held: list[bool] = field(default_factory=list)
+
+    def line(self, step: Step) -> None:
+        """Learns what the name of a line measures, or compares; a law is about other names."""
+        if len(step.chain) < 2 or step.rule == "law" or not isinstance(step.chain[0], Symbol):
+            return
+        head = step.chain[0].name
+        for formula in filter(self._is_formula, step.chain[1:]):
+            try:
+                dimension = dimension_of_formula(formula, self.dimensions)
+            except Unlike:
+                self.held.append(False)
+                continue
+            except NotDerivable:
+                continue
+            if head in self.dimensions:
+                self.held.append(comparable(self.dimensions[head], dimension))
+            elif head in self.own:
+                self.dimensions[head] = dimension
+
+    def _is_formula(self, tree: Expr) -> bool:
+        """Whether it is written in names of the page alone, with no data put in."""
+        names = free_symbols(tree)
+        if isinstance(tree, Matrix) or not names & self.own or not names <= self.dimensions.keys():
+            return False
+        return not any(map(_is_data, walk(tree)))
+
+
+def in_degrees(unit: str, turned: bool = True) -> str:
+    """The unit in which an angle, or its rate, is said where the author typed degrees."""
+    return "deg" + unit.removeprefix("rad") if turned and unit.startswith("rad") else unit
+
+
+def _is_data(node: Expr) -> bool:
+    match node:
+        case Degrees() | Approximate():
+            return True
+        case Number(value, decimal):
+            return decimal or abs(value) > LARGEST_COUNT
+    return False
+
+
+def _names(derivation: Derivation) -> frozenset[str]:
+    """Those that the page defines."""
+    return frozenset(name.name for name in derivation.definitions if isinstance(name, Symbol))
+
+
+def _text(name: Expr) -> str:
+    return name.name if isinstance(name, Symbol) else repr(name)
+
+
+def typed_units(values: Mapping[str, Expr]) -> Iterator[tuple[str, str]]:
+    """The names with a value that has a unit, and this."""
+    for name, value in values.items():
+        if isinstance(value, Degrees):
+            yield name, "deg" + value.unit
+        elif isinstance(value, Number) and value.unit:
+            yield name, value.unit

@@ -1,0 +1,69 @@
+"""The columns of a table: a unit stands once, in the heading, and numbers below it are said in one way."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from typing import get_args
+
+from derive.derivation import Cell, Table
+from derive.expression import ZERO, Approximate, Degrees, Expr, Number
+from derive.render.values import Values
+
+TREES = get_args(Expr)
+SUPERSCRIPTS = {"^2": "²", "^3": "³"}
+
+
+def columns_of(table: Table, values: Values) -> tuple[Table, tuple[str, ...]]:
+    """The table with its numbers as they are printed, and the unit of each column, "" where it has none."""
+    columns = [
+        _column(heading, column, values)
+        for heading, column in zip(table.headings, zip(*table.rows, strict=True), strict=True)
+    ]
+    rows = tuple(zip(*(cells for cells, _ in columns), strict=True))
+    return Table(table.headings, rows), tuple(unit for _, unit in columns)
+
+
+def unit_text(unit: str) -> str:
+    """A unit in a line of text, "m/s²"; that of an angle in degrees "°/s"."""
+    written = "°" + unit[3:] if unit.startswith("deg") else unit
+    for plain, raised in SUPERSCRIPTS.items():
+        written = written.replace(plain, raised)
+    return written
+
+
+def _column(heading: Cell, cells: Sequence[Cell], values: Values) -> tuple[tuple[Cell, ...], str]:
+    unit = values.units.get(heading, "") if isinstance(heading, TREES) else ""
+    unit = unit or _typed(cells)
+    if unit.startswith("deg"):
+        return tuple(_without_degrees(cell, values) for cell in cells), unit
+    if any(isinstance(cell, Degrees) for cell in cells):
+        cells = [Degrees(Fraction(0)) if cell == ZERO else cell for cell in cells]
+    return tuple(_said(cell, values) for cell in cells), unit
+
+
+def _typed(cells: Sequence[Cell]) -> str:
+    """The unit that the author typed behind every number of a column but zero."""
+    typed = {cell.unit for cell in cells if isinstance(cell, Number) and cell.value}
+    return typed.pop() if len(typed) == 1 else ""
+
+
+def _said(cell: Cell, values: Values) -> Cell:
+    return values.cell(cell) if isinstance(cell, TREES) else cell
+
+
+def _without_degrees(cell: Cell, values: Values) -> Cell:
+    """An angle as its number of degrees."""
+    match cell:
+        case Degrees(value):
+            return values.cell(Number(value, True))
+        case Approximate():
+            return replace(cell, value=values.degrees(cell))
+    return _said(cell, values)
+
+
+def headed(headings: Sequence[str], units: Sequence[str]) -> Iterator[str]:
+    """The headings with their units."""
+    for heading, unit in zip(headings, units, strict=True):
+        yield f"{heading} [{unit}]" if unit else heading
