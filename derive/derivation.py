@@ -28,7 +28,8 @@ class PageFacts(Record):
 
     `numbers` are the results worth printing where they are evaluated (None: all), `page_names` says what they
     are called on the page; with `met` only the branches that are met are listed. `angle_results` are angles,
-    in degrees where the `style` is; `short_names` are angles whose sine is printed s_\\phi.
+    in degrees where the `style` is; `short_names` are angles whose sine is printed s_\\phi. With `labels`,
+    one for each solution at a point, these are a table; `remark` is what is said after the numbers.
     """
 
     numbers: tuple[str, ...] | None = None
@@ -37,6 +38,8 @@ class PageFacts(Record):
     angle_results: tuple[str, ...] = ()
     style: Style = Style()
     short_names: tuple[str, ...] = ()
+    labels: tuple[Cell, ...] = ()
+    remark: Phrase | None = None
 
 
 F = TypeVar("F", bound=PageFacts)

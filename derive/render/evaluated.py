@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, get_args
 
 from derive.algebra.readable.terms import Style
-from derive.derivation import Branch, Derivation
+from derive.derivation import Branch, Cell, Derivation
 from derive.expression import (
     PI,
     Approximate,
@@ -32,10 +32,11 @@ from derive.render.numbers import rounded_latex
 from derive.render.phrases import Speech, on_page
 from derive.render.printed import Printed
 from derive.render.same_numbers import same_numbers
-from derive.render.skin import Skin, environment
+from derive.render.skin import Skin, english, environment
 from derive.render.words import chain_links
 
 TREES = get_args(Expr)
+ALL_DIGITS = 15
 WHOLE_BELOW = 10**6
 ABOUT = ("when", "real", "free", "fixed", "true_at")  # a branch, beside its values
 WHOLE_WITHIN = 1e-7  # degrees
@@ -69,15 +70,18 @@ def evaluated_words(
         if (chain := telling.chain(_called(facts.page_names.get(name, name)), found[name], name))
     }
     working = _working(derivation)
+    tabled = bool(facts.labels) and any(each.get("real", True) for each in found["solutions"])
     context = {
         "point": [telling.given(name, value) for name, value in at.items()],
         "display": telling.display(chains) if chains else "",
         "branches": [
             telling.branch(branch, working)
-            for branch in (found["solutions"] if "solutions" in names else ())
+            for branch in (found["solutions"] if "solutions" in names and not tabled else ())
             if branch.get("real", True) or not facts.met
         ],
         "items": skin.items,
+        "table": telling.table(found["solutions"], facts.labels, working) if tabled else "",
+        "remark": speech.say(facts.remark) if facts.remark else "",
     }
     return environment().get_template("words/_evaluated.j2").render(context).strip()
 
@@ -153,6 +157,50 @@ class _Telling:
         when = self.speech.when(branch.get("when", ()))
         return {"when": when, "real": branch.get("real", True), "equations": equations}
 
+    def table(
+        self, branches: Sequence[Mapping[str, Any]], labels: Sequence[Cell], working: Collection[str]
+    ) -> str:
+        """The solutions one below the other, each by its label."""
+        real = next(branch for branch in branches if branch.get("real", True))
+        names = [name for name in real if name not in ABOUT and name not in working]
+        is_open = any("free" in branch for branch in branches)
+        headings = [english("among"), *map(self._name, names), *([english("open")] if is_open else [])]
+        rows = []
+        for branch, label in zip(branches, labels, strict=True):
+            rows.append([self._label(label)])
+            if branch.get("real", True):
+                rows[-1] += [self._cell(name, branch[name]) for name in names]
+            else:
+                rows[-1] += [english("not_real"), *[""] * (len(names) - 1)]
+            if is_open:
+                rows[-1].append(self.speech.when(branch["when"][-1:]) if "free" in branch else "")
+        return self.skin.table(headings, rows)
+
+    def _label(self, label: Cell) -> str:
+        return label if isinstance(label, str) else self.speech.say(label)
+
+    def _name(self, name: str) -> str:
+        return self.inline(chain_links((Symbol(name),), self.printer), Symbol(name))
+
+    def _cell(self, name: str, value: float) -> str:
+        """One value; an angle in degrees with as many decimals as the others."""
+        notation = self.printer.notation
+        if name in self.angles and self.style.degrees:
+            decimals = max(notation.digits - 2, 0)
+            link, shown = _fixed(math.degrees(value), decimals)
+            notation = replace(notation, digits=ALL_DIGITS)  # as many as are written
+            told = abs(shown - math.degrees(value)) <= 0.5000001 * 10**-decimals
+        else:
+            (link,) = chain_links((self._number(name, value),), self.printer)
+            told = link.tree is not None and same_numbers(link.tree, value)
+        self.printed.append(replace(Printed.inline(link.latex, (link,), notation), evaluated=told))
+        return f"${link.latex}$"
+
+    def _number(self, name: str, value: float) -> Expr:
+        found = _in_radians(value, self.printer).tree if name in self.angles else numeric(value)
+        assert found is not None  # both give floats a tree
+        return found
+
     def _tells(self, chain: Chain, value: Any) -> bool:
         """Whether an equation ends in the value, in degrees only where it is an angle."""
         tree = chain[-1].tree
@@ -171,6 +219,16 @@ def _in_degrees(angle: float, digits: int) -> Link:
     written = rounded_latex(value, digits)
     degrees = Approximate(value) * Degrees(Fraction(1))
     return Link(r"\approx", rf"{parenthesised(written) if '^' in written else written}^\circ", degrees)
+
+
+def _fixed(degrees: float, decimals: int) -> tuple[Link, float]:
+    """An angle in degrees with so many decimals, and what is shown of it; a whole one without."""
+    whole = round(degrees)
+    if abs(degrees - whole) < WHOLE_WITHIN:
+        return Link("=", rf"{whole}^\circ", Degrees(Fraction(whole))), whole
+    rounded = round(degrees, decimals) + 0.0  # no negative zero
+    tree = Approximate(rounded) * Degrees(Fraction(1))
+    return Link("=", rf"{rounded:.{decimals}f}^\circ", tree), rounded
 
 
 def _in_radians(angle: float, printer: Printer) -> Link:

@@ -222,21 +222,31 @@ def listed(
     has more coordinates than the arm joints (`spare`), `true_at` says whether a branch meets all of them.
     `real` says of each branch whether its formulas have values."""
     entries: list[dict[str, Any]] = []
-    for k, own in enumerate(conditions):
-        for each in (each for each in found if each.branches[0] == k):
-            shared = [c for c in own if all(c in conditions[other] for other in each.branches)]
-            entries.append({**each.values, "when": tuple(shared), **({"true_at": True} if spare else {})})
-            if motion := each.self_motion:
-                entries[-1]["when"] = (*shared, _free(motion))
-                fixed = {text(tree): value for tree, value in motion.fixed.items()}
-                entries[-1] |= {"free": list(motion.names), "fixed": fixed}
-        if not any(k in each.branches for each in found):
+    for each in in_order(found, len(conditions)):
+        k = each.branches[0]
+        own = conditions[k]
+        if not each.values:
             missed = {"true_at": False} if spare and real[k] else {}
             entries.append({"when": tuple(own), "real": False, **missed})
+            continue
+        shared = [c for c in own if all(c in conditions[other] for other in each.branches)]
+        entries.append({**each.values, "when": tuple(shared), **({"true_at": True} if spare else {})})
+        if motion := each.self_motion:
+            entries[-1]["when"] = (*shared, free(motion))
+            fixed = {text(tree): value for tree, value in motion.fixed.items()}
+            entries[-1] |= {"free": list(motion.names), "fixed": fixed}
     return entries
 
 
-def _free(motion: SelfMotion) -> Phrase:
+def in_order(found: Sequence[Solution], branches: int) -> Iterator[Solution]:
+    """By the first branch that each is of; a branch without a solution has one without values."""
+    for k in range(branches):
+        yield from (each for each in found if each.branches[0] == k)
+        if not any(k in each.branches for each in found):
+            yield Solution({}, (k,))
+
+
+def free(motion: SelfMotion) -> Phrase:
     """What is free, and what is determined nevertheless."""
     first, *others = names = tuple(map(Symbol, motion.names))
     if motion.fixed and len(others) == 1:

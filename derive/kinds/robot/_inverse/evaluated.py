@@ -10,14 +10,14 @@ from itertools import product
 from typing import Any
 
 from derive.algebra.numbers.floats import Point, number
-from derive.derivation import Branch, Condition
+from derive.derivation import Branch, Condition, Phrase
 from derive.errors import NotDerivable
-from derive.expression import Expr, Number, Symbol, free_symbols, rebuild
+from derive.expression import Approximate, Expr, Number, Symbol, free_symbols, rebuild
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.at_pose import AtPose, InNumbers
 from derive.kinds.robot._inverse.branches import Solutions, plain
-from derive.kinds.robot._inverse.distinct import Configurations, Distinct, listed
+from derive.kinds.robot._inverse.distinct import Configurations, Distinct, in_order, listed
 from derive.kinds.robot._inverse.facts import AtPlace
 from derive.kinds.robot._inverse.target import Target
 from derive.kinds.values_at import point_of
@@ -25,6 +25,7 @@ from derive.mechanics.inverse.plan import Plan
 
 REACHED = 1e-6  # in lengths of the arm
 ROUNDED = 5e-3  # how far R^T R of a rotation typed with three digits may be from one
+EXACT = 5e-9  # of what is given
 SMALL = 1e-7  # of a coefficient, which rounding may leave
 FEWEST_PLACES, MOST_PLACES = 3, 8  # of numbers that are taken as rounded
 NOWHERE = AtPlace()
@@ -50,11 +51,23 @@ class Numbers:
 @dataclass(frozen=True, slots=True)
 class Evaluated:
     """What the JSON says under `evaluated`, and what the words say of it; `numbers` where no
-    letter is left."""
+    letter is left, and then of each entry its `branches`, from 0, and how far they are `off` the place at
+    most."""
 
     values: Mapping[str, Any]
     place: AtPlace = NOWHERE
     numbers: Numbers | None = None
+    branches: tuple[tuple[int, ...], ...] = ()
+    off: float | None = None
+
+    @property
+    def remark(self) -> Phrase | None:
+        """How well the solutions reach the place."""
+        if self.off is None:
+            return None
+        if self.off < EXACT:
+            return Phrase("put-back-exactly")
+        return Phrase("put-back", {"off": Approximate(float(f"{self.off:.1g}"))})
 
 
 def evaluated(
@@ -91,7 +104,17 @@ def by_plan(
         found = at_point(here.configurations, solutions.conditions, target, point, off)
         if not found.place.out_of_reach or not typed:  # stretched, it may be out of reach by what was rounded
             break
-    return replace(found, numbers=found.numbers and replace(found.numbers, typed=asked))
+    if found.numbers is None:
+        return found
+    numbers = replace(found.numbers, typed=asked)
+    return replace(found, numbers=numbers, off=_off(target, asked, found.values["solutions"]))
+
+
+def _off(target: Target, point: Point, entries: Sequence[Mapping[str, Any]]) -> float | None:
+    """The most that a solution is off the place; None where there is none."""
+    real = [{name: each[name] for name in target.joints} for each in entries if each.get("real", True)]
+    there = target.completed(point)
+    return max((target.deviation(there, values) for values in real), default=None)
 
 
 def at_point(
@@ -104,8 +127,9 @@ def at_point(
     distinct = Distinct(target, configurations, target.completed(point), size, tolerance)
     found = distinct.solutions(len(conditions))
     real = [any(each.values for each in configurations(k, {}, 0.0, False)) for k in range(len(conditions))]
+    entries = listed(found, conditions, real, target.spare)
     return Evaluated(
-        {"solutions": listed(found, conditions, real, target.spare)},
+        {"solutions": entries},
         AtPlace(
             out_of_reach=not any(real),
             missed=any(real) and not found,
@@ -113,6 +137,8 @@ def at_point(
             rounded=rounding > REACHED,
         ),
         Numbers(point, point, size, tolerance),
+        tuple(each.branches for each in in_order(found, len(conditions))),
+        _off(target, point, entries),
     )
 
 

@@ -52,8 +52,8 @@ class Method(Record):
 
 
 class SolvedFacts(Record):
-    """Of one sub-problem: where its equations were read, or that they are those of one before, its steps by
-    their rules, and whether an orientation
+    """Of one sub-problem: where its equations were read, or that they are those of one before, `when` each of
+    two values is the one, its steps by their rules, and whether an orientation
     is what is out of reach where it has no solution. The unknown, if it is a sum, is `called` by a name."""
 
     method: Method
@@ -61,6 +61,7 @@ class SolvedFacts(Record):
     called: Expr
     compared: tuple[Compared, ...]
     again: Phrase | None
+    when: tuple[Relation, ...]
     orientation: bool
     names: tuple[Step, ...]
     equations: tuple[Step, ...]
@@ -136,8 +137,9 @@ class AtPlace(Record):
 
 class Facts(PageFacts):
     """Of the whole: the `pose` that is given, by its elements, and how it is `known`; `conditions` on it; the
-    sub-problems of the `arm`, then of its wrist; how many solutions there are, and the `tree` of choices
-    where there are several. `partial`: not every solution is one at every pose."""
+    sub-problems of the `arm`, then of its wrist; how many solutions there are, the `tree` of choices
+    where there are several, and the `meaning` of their names. `partial`: not every solution is one at every
+    pose."""
 
     triangle: Triangle | None = None
     pose: tuple[Step, ...] = ()
@@ -145,7 +147,8 @@ class Facts(PageFacts):
     conditions: tuple[tuple[Expr, ...], ...] = ()
     arm: tuple[SolvedFacts, ...] = ()
     wrist: Wrist | None = None
-    tree: Table | None = None
     count: Phrase | None = None
+    tree: Table | None = None
+    meaning: tuple[Phrase, ...] = ()
     partial: Phrase | None = None
     place: tuple[Phrase, ...] = ()

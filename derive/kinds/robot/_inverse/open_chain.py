@@ -13,14 +13,18 @@ from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.branches import Solutions
 from derive.kinds.robot._inverse.checks import Tried, as_printed
+from derive.kinds.robot._inverse.choices import Choices, signs_of
 from derive.kinds.robot._inverse.evaluated import by_plan, evaluated
 from derive.kinds.robot._inverse.given import Given, goal_of
 from derive.kinds.robot._inverse.lines import Lines
 from derive.kinds.robot._inverse.placed import Placed
+from derive.kinds.robot._inverse.postures import Postures
 from derive.kinds.robot._inverse.refused import no_closed_form, refuse_at_once, refuse_self_motion
 from derive.kinds.robot._inverse.sampled import sample_points
+from derive.kinds.robot._inverse.seen import Seen
 from derive.kinds.robot._inverse.stages import Stages
 from derive.kinds.robot._inverse.target import Target
+from derive.kinds.robot._inverse.told import Told
 from derive.kinds.robot._rows.by_rows import by_rows
 from derive.kinds.work import Work
 from derive.mechanics.budget import Budget
@@ -51,6 +55,9 @@ def derive(chain: Chain, given: Given, place: Place | None, problem: Problem) ->
     trial = _tried(solutions, target, points, partial(sample_points, chain, goal, problem))
     if trial.partial:
         solutions = replace(solutions, reached=trial.reached)
+    two = worked.two_valued
+    postures = Postures(worked, trial, signs_of(two, solutions.chosen)).found()
+    choices = Choices(two, solutions.chosen, postures)
     results: dict[str, Result] = {"solutions": solutions.branches}
     if solutions.order:
         results["order"] = solutions.order
@@ -63,7 +70,8 @@ def derive(chain: Chain, given: Given, place: Place | None, problem: Problem) ->
     work = work.claim(*Lines(trial, worked, solutions.chosen).claims())
     placed = Placed(target, solutions.branches, solutions.order, values, solutions.at_home)
     work = work.claim(*placed.claims(place, problem))
-    facts = worked.facts(solutions, trial.partial, values.place)
+    work = work.claim(*Seen(worked, trial, choices).claims())
+    facts = Told(worked, solutions, choices).facts(trial.partial, values)
     return work.answer("inverse-kinematics", results, facts, evaluated=values.values)
 
 

@@ -10,17 +10,18 @@ from typing import Any, get_args
 from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.floats import Point, completed
 from derive.derivation import Branch, Claim, Condition
-from derive.expression import Expr, Relation, free_symbols
+from derive.expression import Approximate, Expr, Relation, free_symbols
 from derive.kinds.checks import TRIES, close, random_points, route
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.checks import in_turn, side
-from derive.kinds.robot._inverse.evaluated import ROUNDED, Evaluated, Numbers
+from derive.kinds.robot._inverse.evaluated import EXACT, ROUNDED, Evaluated, Numbers
 from derive.kinds.robot._inverse.target import Target, Values, gap
 from derive.kinds.sure import place as surely
 
 TREES = get_args(Expr)
 NOT_REAL = (ValueError, ZeroDivisionError)
+TENTH = 1.5  # of one digit: what rounding to it can change
 PARTLY = 1e-9  # relative: of twelve digits in what was put in
 Entry = Mapping[str, Any]
 
@@ -59,6 +60,7 @@ class Placed:
         yield from (abs(at.point[name] - value) <= ROUNDED for name, value in at.typed.items())
         real = [each for each in self._entries if each.get("real", True)]
         place = self.found.place
+        yield from self._is_labelled(at)
         yield (place.out_of_reach or place.missed) == (not real)
         yield place.free == any("free" in each for each in real)
         for entry in real:
@@ -70,6 +72,20 @@ class Placed:
                 yield any(self._is_of(branch, each) and self._same(each, values, at) for each in real)
             else:  # a branch may be real by other equations where its formulas fail
                 yield any(self._is_of(branch, each) for each in self._entries)
+
+    def _is_labelled(self, at: Numbers) -> Iterator[bool]:
+        """Whether each entry is of the branches it is said to be of, and is off its place as it is said."""
+        yield len(self._entries) == len(self.found.branches)
+        for entry, branches in zip(self._entries, self.found.branches, strict=False):
+            yield all(self._is_of(self.branches[k], entry) for k in branches)
+        there = self.target.completed(at.typed)
+        real = [self._joints(each) for each in self._entries if each.get("real", True)]
+        off = [self.target.deviation(there, each) for each in real]
+        yield (self.found.off is None) == (not off)
+        if off and (remark := self.found.remark):
+            told = remark.about.get("off")
+            most = told.value if isinstance(told, Approximate) else EXACT
+            yield max(off) <= TENTH * most and (told is None or max(off) >= most / TENTH)
 
     def _is_told(self, at: Numbers, entry: Entry) -> Iterator[bool]:
         """Whether the conditions are some of a branch and hold, and no other branch has all of its own."""

@@ -60,6 +60,13 @@ class Target:
         pairs = zip(self.there({**point, **values}), self._plain(point), scale, strict=False)
         return max(abs(one - other) / unit for one, other, unit in pairs)
 
+    def deviation(self, point: Mapping[str, float], values: Mapping[str, float]) -> float:
+        """The most that a number which is given differs from what the joint values make of it."""
+        return max(
+            abs(one - other)
+            for one, other in zip(self.there({**point, **values}), self._plain(point), strict=True)
+        )
+
     def gaps(self, one: Mapping[str, float], other: Mapping[str, float]) -> Values:
         """The difference of each joint value, of angles up to whole turns."""
         return {name: gap(one[name], other[name], name in self.slides) for name in self.joints}

@@ -13,7 +13,7 @@ from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.compiled import compiled
 from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.scalar import Scalar
-from derive.derivation import Branch, Claim, Condition, Derivation, Phrase, Step
+from derive.derivation import Branch, Cell, Claim, Condition, Derivation, Phrase, Step
 from derive.expression import ONE, PI, Expr, Symbol, atan2, cos, multiply, number, sin, sqrt
 from derive.kinds.checks import close, route
 from derive.kinds.fields import Place
@@ -65,10 +65,20 @@ def derive(
     triangle = writing.triangle(conditions)
     work = work.claim(*Seen(tried, steps, writing.lengths, triangle).claims())
     facts = Facts(
-        triangle=triangle, place=values.place.said, angle_results=chain.variables, style=problem.style
+        triangle=triangle,
+        place=values.place.said,
+        labels=_labels(conditions, values),
+        remark=values.remark,
+        angle_results=chain.variables,
+        style=problem.style,
     )
     results = {"solutions": tuple(branches)}
     return work.answer("inverse-kinematics", results, facts, evaluated=values.values)
+
+
+def _labels(conditions: Sequence[tuple[Condition, ...]], values: Evaluated) -> tuple[Cell, ...]:
+    """What each solution at a point is called: by its elbow, where that is not stretched or folded."""
+    return tuple(conditions[k[0]][:1] if len(k) == 1 else Phrase("both") for k in values.branches)
 
 
 class _Writing:

@@ -1,22 +1,20 @@
-"""An inverse as it was worked: its steps in order, what its names stand for, and what the words read."""
+"""An inverse as it was worked: its steps in order, and what its names stand for."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
-from derive.derivation import Cell, Phrase, Said, Step, Table
+from derive.derivation import Step
 from derive.expression import Expr, Matrix, Symbol, atan2, free_symbols
 from derive.kinds.problem import Problem
-from derive.kinds.robot._inverse.branches import Solutions
-from derive.kinds.robot._inverse.facts import AtPlace, Facts, SingularWrist, SolvedFacts, Wrist
+from derive.kinds.robot._inverse.facts import SingularWrist
 from derive.kinds.robot._inverse.subproblem import Definition, Item, Solved
 from derive.kinds.robot._inverse.wrist import singular
 from derive.mechanics.chain import Chain
-from derive.mechanics.inverse.goal import AXES, Goal
+from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.plan import Plan
-
-FIRST_AND_SECOND = {1: Phrase("first"), -1: Phrase("second")}
+from derive.mechanics.poses import position_part
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,6 +103,17 @@ class Worked:
         turned = self.orientation
         return (*turned.wanted, *self.elements, turned.made) if turned else ()
 
+    @cached_property
+    def varying(self) -> tuple[int, ...]:
+        """The coordinates of the end-effector that change, from 0."""
+        p = position_part(self.chain.T_tool).entries
+        return tuple(k for k in range(3) if any(p[k].diff(name) for name in self.chain.variables))
+
+    @property
+    def two_valued(self) -> list[Solved]:
+        """The sub-problems at which there is a choice."""
+        return [each for each in self.solved if each.two_valued]
+
     @property
     def at_end(self) -> bool:
         """Whether the centre of a wrist is the origin of the end-effector's frame."""
@@ -145,82 +154,6 @@ class Worked:
         """The steps that hold in some configurations only, or are told beside the others; each of the rest
         holds with the forward kinematics put in for what is given."""
         return [step.name for step in self.steps if step.rule not in ("equation", "squares", "solved")]
-
-    # -- for the words ----------------------------------------------------------------------------
-
-    def facts(self, solutions: Solutions, partial: bool, place: AtPlace) -> Facts:
-        """What the words choose their sentences by."""
-        return Facts(
-            pose=self.pose,
-            known=self._known(),
-            conditions=self.conditions,
-            arm=tuple(each.facts for each in self.arm),
-            wrist=self._wrist(),
-            tree=self._tree(solutions),
-            count=self._counted(len(solutions.chosen)),
-            partial=Phrase("partial") if partial else None,
-            place=place.said,
-            angle_results=solutions.turning,
-            style=self.problem.style,
-        )
-
-    def _known(self) -> Phrase | None:
-        """What is given of the pose."""
-        goal = self.goal
-        if goal.angle:
-            about: dict[str, Said] = {
-                "name": Symbol(goal.angle),
-                "base": Symbol(AXES[goal.plane[0]]),
-                "axis": Symbol(AXES[goal.plane[2]]),
-            }
-            return Phrase("known-angle" if self.pose else "known-angle-alone", about)
-        turned = goal.R is not None and not goal.whole_position
-        return Phrase("known-orientation" if turned else "known-pose") if self.pose else None
-
-    def _counted(self, count: int) -> Phrase:
-        """How many solutions there are."""
-        chosen = tuple(each.head for each in self._two_valued())
-        return Phrase("together", {"count": count, "chosen": chosen}) if count > 1 else Phrase("unique")
-
-    def _wrist(self) -> Wrist | None:
-        if self.plan.decoupling is None or self.orientation is None:
-            return None
-        key = "axes-meet-at-the-end" if self.at_end else "axes-meet"
-        before = Phrase("rest-to-make", {"before": self.orientation.before})
-        return Wrist(
-            meeting=Phrase(key, {"joints": tuple(map(Symbol, self.chain.variables[-3:]))})
-            if self.arm
-            else None,
-            centre=self.centre,
-            before=(before if self.orientation.wanted else Phrase("not-turned")) if self.arm else None,
-            wanted=self.orientation.wanted,
-            elements=self.elements,
-            named=Phrase("in-angles-of-the-wrist" if self.arm else "in-joint-angles"),
-            made=self.orientation.made,
-            solved=tuple(map(self._in_wrist, self.hand)),
-            singular=self.singular,
-        )
-
-    def _in_wrist(self, solved: Solved) -> SolvedFacts:
-        """What happens where the outer axes coincide is said once."""
-        facts = solved.facts
-        if self.singular and facts.method.factor:
-            return replace(facts, method=replace(facts.method, unless=()))
-        return facts
-
-    def _two_valued(self) -> list[Solved]:
-        return [each for each in self.solved if each.two_valued]
-
-    def _tree(self, solutions: Solutions) -> Table | None:
-        """Which of the two values each solution takes, where there are several choices."""
-        two = self._two_valued()
-        if len(two) < 2:
-            return None
-        rows: tuple[tuple[Cell, ...], ...] = tuple(
-            (str(k), *(FIRST_AND_SECOND[taken[each.number].sign] for each in two))
-            for k, taken in enumerate(solutions.chosen, 1)
-        )
-        return Table((Phrase("solution"), *(each.head for each in two)), rows)
 
 
 def _names(solved: Solved) -> set[str]:

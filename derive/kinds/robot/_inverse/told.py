@@ -1,0 +1,84 @@
+"""What the words read of an inverse that was worked by sub-problems."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from derive.derivation import Phrase, Said
+from derive.expression import Symbol
+from derive.kinds.robot._inverse.branches import Solutions
+from derive.kinds.robot._inverse.choices import Choices
+from derive.kinds.robot._inverse.evaluated import Evaluated
+from derive.kinds.robot._inverse.facts import Facts, SolvedFacts, Wrist
+from derive.kinds.robot._inverse.postures import explained
+from derive.kinds.robot._inverse.subproblem import Solved
+from derive.kinds.robot._inverse.worked import Worked
+from derive.mechanics.inverse.goal import AXES
+
+
+@dataclass(frozen=True, slots=True)
+class Told:
+    """An inverse, and how its solutions are counted."""
+
+    worked: Worked
+    solutions: Solutions
+    choices: Choices
+
+    def facts(self, partial: bool, values: Evaluated) -> Facts:
+        """What the words choose their sentences by."""
+        worked = self.worked
+        return Facts(
+            pose=worked.pose,
+            known=self._known(),
+            conditions=worked.conditions,
+            arm=tuple(each.facts for each in worked.arm),
+            wrist=self._wrist(),
+            count=self.choices.count,
+            tree=self.choices.table,
+            meaning=tuple(explained(self.choices.postures, worked.chain)),
+            partial=Phrase("partial") if partial else None,
+            place=values.place.said,
+            labels=tuple(map(self.choices.called, values.branches)),
+            remark=values.remark,
+            angle_results=self.solutions.turning,
+            style=worked.problem.style,
+        )
+
+    def _known(self) -> Phrase | None:
+        """What is given of the pose."""
+        goal, pose = self.worked.goal, self.worked.pose
+        if goal.angle:
+            about: dict[str, Said] = {
+                "name": Symbol(goal.angle),
+                "base": Symbol(AXES[goal.plane[0]]),
+                "axis": Symbol(AXES[goal.plane[2]]),
+            }
+            return Phrase("known-angle" if pose else "known-angle-alone", about)
+        turned = goal.R is not None and not goal.whole_position
+        return Phrase("known-orientation" if turned else "known-pose") if pose else None
+
+    def _wrist(self) -> Wrist | None:
+        worked = self.worked
+        if worked.plan.decoupling is None or worked.orientation is None:
+            return None
+        key = "axes-meet-at-the-end" if worked.at_end else "axes-meet"
+        before = Phrase("rest-to-make", {"before": worked.orientation.before})
+        joints = tuple(map(Symbol, worked.chain.variables[-3:]))
+        return Wrist(
+            meeting=Phrase(key, {"joints": joints}) if worked.arm else None,
+            centre=worked.centre,
+            before=(before if worked.orientation.wanted else Phrase("not-turned")) if worked.arm else None,
+            wanted=worked.orientation.wanted,
+            elements=worked.elements,
+            named=Phrase("in-angles-of-the-wrist" if worked.arm else "in-joint-angles"),
+            made=worked.orientation.made,
+            solved=tuple(map(self._in_wrist, worked.hand)),
+            singular=worked.singular,
+        )
+
+    def _in_wrist(self, solved: Solved) -> SolvedFacts:
+        """What happens where the outer axes coincide is said once."""
+        facts = solved.facts
+        if self.worked.singular and facts.method.factor:
+            return replace(facts, method=replace(facts.method, unless=()))
+        return facts
