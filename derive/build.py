@@ -11,6 +11,7 @@ from typing import Any
 from derive.derivation import Claim, Derivation, Figure
 from derive.errors import NotDerivable, SheetError, SheetErrors
 from derive.evaluate import strange_names, with_numbers
+from derive.giving import with_given
 from derive.kinds.problem import Problem as Working
 from derive.kinds.problem import parts
 from derive.kinds.registry import words_folder
@@ -19,6 +20,7 @@ from derive.render.document import Document, ProblemPage, QuestionPage, Worked, 
 from derive.render.lettering import STYLES, Style
 from derive.render.notation import Notation
 from derive.render.printed import Printed
+from derive.render.titles import without_solutions
 from derive.render.trig import meant_indices
 from derive.sheet.load import load_sheet
 from derive.sheet.model import Problem, Question, Sheet
@@ -40,11 +42,12 @@ def build(
     progress: Progress = lambda _: None,
     warn: Warn = lambda _: None,
     audit: Audit = lambda sheets, documents: None,
+    space: bool = False,
 ) -> tuple[Path | str, ...]:
     """Builds every sheet and says what was written; without `output` it gives the pages as texts.
 
     `warn` is told what is strange about a sheet, though it can be built; `audit` sees the documents before
-    anything is written, and may raise. Raises SheetErrors, before
+    anything is written, and may raise; `space` leaves room for answers. Raises SheetErrors, before
     anything is written, with the faults of all the sheets; PagesFailed where some pages were written.
     """
     if faults := _namesakes(paths):
@@ -52,7 +55,8 @@ def build(
     sheets = load_all(paths, progress)
     for warning in (found for sheet in sheets for found in sheet.warnings):
         warn(warning)
-    documents = derive_all(sheets, not problems, progress, warn)
+    derived = derive_all(sheets, not problems, progress, warn)
+    documents = [replace(document, space=space) for document in derived]
     audit(sheets, documents)
     if output is None:
         return tuple(render(document, kind) for document in documents for kind in formats)
@@ -110,7 +114,7 @@ def assemble(sheet: Sheet, solutions: bool = True, warn: Warn = lambda _: None) 
     for needless in unused_letters(sheet.notation, answers):
         warn(needless)
     return Document(
-        title=sheet.title,
+        title=sheet.title if solutions else sheet.problems_title or without_solutions(sheet.title),
         problems=tuple(pages),
         course=sheet.course,
         author=sheet.author,
@@ -150,9 +154,11 @@ def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool, warn: Wa
             page = _asked_by_default(page, problem, question, answer, notation)
         questions.append(replace(page, rounded=0 if questions else places))
     figure, drawing = _figure(problem, working, folder)
-    return ProblemPage(
-        problem.number, tuple(questions), problem.title, problem.text, figure, drawing, notation
-    )
+    whole = ProblemPage(
+        problem.number, tuple(questions), problem.title, problem.text, figure, drawing, notation,
+        problem.subject_name, place=problem.place,
+    )  # fmt: skip
+    return with_given(whole, problem, working)
 
 
 def _figure(problem: Problem, working: Working, folder: str) -> tuple[str | None, Figure | None]:
@@ -188,10 +194,11 @@ def _asked_by_default(
     page: QuestionPage, problem: Problem, question: Question, answer: Derivation, notation: Notation
 ) -> QuestionPage:
     """The page of a question that has no text with ours, unless the text of its problem asks it."""
+    from derive.render.asking import asks
     from derive.render.latex import Printer
     from derive.render.questions import question_text
 
-    if problem.text and len(problem.questions) == 1:
+    if len(problem.questions) == 1 and asks(problem.text):
         return page
     name, folder = problem.subject_name, words_folder(problem.subject_name, answer.kind)
     printer, printed = Printer(notation), list[Printed]()

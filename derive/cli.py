@@ -91,6 +91,7 @@ def _build_options(command: Callable[..., Any]) -> Callable[..., Any]:
         ),
         click.option("--output", default="output", show_default=True, help=where),
         click.option("--problems", is_flag=True, help="Leave the solutions out: SHEET-problems.md, ..."),
+        click.option("--space", is_flag=True, help="Leave room for answers on problem sheets."),
         click.option(
             "--audit", is_flag=True, help="Have SymPy derive every answer again, from the sheet alone."
         ),
@@ -112,6 +113,7 @@ def build(
     formats: tuple[str, ...],
     output: str,
     problems: bool,
+    space: bool,
     audit: bool,
     explain: bool,
     pdf_engine: str,
@@ -123,7 +125,7 @@ def build(
     if target is None and len(sheets) > 1:
         raise click.UsageError("--output - prints one sheet")
     with guarded():
-        _build(sheets, formats, target, problems, audit, explain, pdf_engine)
+        _build(sheets, formats, target, problems, space, audit, explain, pdf_engine)
 
 
 def _build(
@@ -131,10 +133,13 @@ def _build(
     formats: tuple[str, ...],
     target: Path | None,
     problems: bool,
+    space: bool,
     audit: bool,
     explain: bool,
     pdf_engine: str,
 ) -> None:
+    if space and not problems:
+        raise click.UsageError("--space leaves room on problem sheets: add --problems")
     if audit and problems:
         raise click.UsageError("--problems leaves out the answers that --audit is about")
     if explain and problems:
@@ -149,7 +154,7 @@ def _build(
         with progress() as step:
             seen: list[Document] = []
             made = build_sheets(
-                sheets, formats, target, problems, pdf_engine, step, warn, _looked(audit, seen, step)
+                sheets, formats, target, problems, pdf_engine, step, warn, _looked(audit, seen, step), space
             )
     except PagesFailed as failed:
         _say_pages(failed.files, target)
@@ -253,6 +258,7 @@ def watch(
     formats: tuple[str, ...],
     output: str,
     problems: bool,
+    space: bool,
     audit: bool,
     explain: bool,
     pdf_engine: str,
@@ -266,7 +272,7 @@ def watch(
     def again() -> None:
         try:
             with guarded():
-                _build((sheet,), formats, Path(output), problems, audit, explain, pdf_engine)
+                _build((sheet,), formats, Path(output), problems, space, audit, explain, pdf_engine)
         except SystemExit:  # the faults are printed already
             pass
         say(f"watching {sheet}; Ctrl-C ends it")

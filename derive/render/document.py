@@ -9,8 +9,11 @@ from pathlib import PurePosixPath
 from derive.derivation import Claim, Derivation, Figure
 from derive.errors import Place
 from derive.expression import Expr
+from derive.given.datum import Datum
 from derive.render.notation import Notation
 from derive.render.printed import Printed
+
+LINES, FEWEST_LINES, LINES_A_MARK, MOST_LINES = 10, 4, 3, 30  # of room for an answer
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +38,8 @@ class QuestionPage:
     places of rotations that were given rounded, where that is to be said here. `printed` is the mathematics
     of a text that is ours, `place` where the question stands in its sheet. `claims` are those about
     what was done with the answer after it was derived: its numbers at the point; `once` are the results of
-    which some numbers could not be found again.
+    which some numbers could not be found again. `given` is what its options and its point give and its text
+    does not say.
     """
 
     number: int
@@ -52,6 +56,12 @@ class QuestionPage:
     place: Place | None = None
     claims: tuple[Claim, ...] = ()
     once: tuple[str, ...] = ()
+    given: tuple[Datum, ...] = ()
+
+    @property
+    def lines(self) -> int:
+        """How many lines of room an answer is given: more for more marks."""
+        return LINES if self.marks is None else min(MOST_LINES, FEWEST_LINES + LINES_A_MARK * self.marks)
 
     def verified(self) -> Iterator[Claim]:
         """What was verified of the answer and of what it rests on and is printed with it."""
@@ -69,7 +79,8 @@ class QuestionPage:
 @dataclass(frozen=True, slots=True)
 class ProblemPage:
     """A problem. `figure` is the path of a picture relative to the page, `/` between its parts; `drawing` is
-    what is drawn there, None where the author gave the picture. `notation` is that of its mathematics."""
+    what is drawn there, None where the author gave the picture. `notation` is that of its mathematics,
+    `subject` the name of its subject; `given` is what the problem gives and its text does not say."""
 
     number: int
     questions: tuple[QuestionPage, ...]
@@ -78,12 +89,15 @@ class ProblemPage:
     figure: str | None = None
     drawing: Figure | None = None
     notation: Notation = field(default_factory=Notation)
+    subject: str = ""
+    given: tuple[Datum, ...] = ()
+    place: Place | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Document:
     """A sheet, with or without its solutions. `name` is that of its pages, without suffix; `figures` the
-    folder of its pictures, seen from the page."""
+    folder of its pictures, seen from the page. With `space` there is room after each question."""
 
     title: str
     problems: tuple[ProblemPage, ...]
@@ -94,6 +108,13 @@ class Document:
     name: str = ""
     figures: str = ""
     solutions: bool = True
+    space: bool = False
+
+    @property
+    def marks(self) -> int | None:
+        """The sum of all marks, None where none are printed."""
+        each = [question.marks for _, question in self.questions() if question.marks is not None]
+        return sum(each) if each else None
 
     def questions(self) -> Iterator[tuple[ProblemPage, QuestionPage]]:
         for problem in self.problems:

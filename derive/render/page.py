@@ -9,6 +9,7 @@ from derive.render.document import Document, ProblemPage, QuestionPage, Worked, 
 from derive.render.evaluated import evaluated_words
 from derive.render.foot import Proved
 from derive.render.formulas import spelt
+from derive.render.given import given_words
 from derive.render.markdown_math import left_alone, rows_apart
 from derive.render.plain_text import latex_text, markdown_text
 from derive.render.printed import Printed, Reader, Said, unread
@@ -47,15 +48,24 @@ def render_typst(document: Document, read: Reader = unread) -> str:
 
 def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
     answers: dict[tuple[int, int], str] = {}
+    given: dict[tuple[int, int], str] = {}
     said: list[Said] = []
+    for problem in document.problems:
+        told: list[Printed] = []
+        given[problem.number, 0] = given_words(problem.given, problem.subject, skin, problem.notation, told)
+        said.append(Said(f"{problem.number}", problem.place, tuple(told)))
     for problem, question in document.questions():
         printed = [*question.printed]
+        asked = given_words(question.given, problem.subject, skin, problem.notation, printed)
+        given[problem.number, question.number] = asked
         answers[problem.number, question.number] = _answer(document, problem, question, skin, printed)
         said.append(Said(f"{problem.number}.{question.number}", question.place, tuple(printed)))
     template = environment().get_template(f"{skin.name}/page.j2")
     alone = sum(1 for _ in document.alone())
     verified = Proved.of(document.verified(), read(said), alone).said() if document.solutions else ""
-    return template.render(document=document, answers=answers, skin=skin, front=front, verified=verified)
+    return template.render(
+        document=document, answers=answers, given=given, skin=skin, front=front, verified=verified
+    )
 
 
 def _answer(

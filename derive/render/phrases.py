@@ -130,8 +130,9 @@ class Speech:
         return self.say(Phrase(claim.key, claim.about))
 
     def _phrase(self, phrase: Phrase) -> Iterable[str]:
-        for words, name, notation, _ in Formatter().parse(self._line(phrase.key)):
-            yield self.plain(words.replace(*STRONG).replace(*EM))
+        for place, (words, name, notation, _) in enumerate(Formatter().parse(self._line(phrase.key))):
+            stressed = words.replace(*STRONG).replace(*EM)
+            yield self.plain(f"x{stressed}")[1:] if place else self.plain(stressed)  # what continues a line
             if name is None:
                 continue
             if name not in phrase.about:
@@ -172,6 +173,14 @@ def on_page(
 ) -> Speech:  # fmt: skip
     """How they speak on a page; decimals and fixed angles are written in the author's `style`, and what is
     printed from trees is added to `printed`."""
+    return written(lines_of(folder, kind), printer, plain, printed, style, strong, em)
+
+
+def written(
+    lines: Mapping[str, str], printer: Printer, plain: Callable[[str], str], printed: list[Printed],
+    style: Style | None = None, strong: Callable[[str], str] = str, em: Callable[[str], str] = str,
+) -> Speech:  # fmt: skip
+    """The same with phrases that are given."""
 
     in_line = replace(printer, in_line=True)
 
@@ -181,10 +190,10 @@ def on_page(
     def styled(expr: Expr) -> Expr:
         return _in_style(expr, style or Style())
 
-    def seen(chain: Chain, written: str) -> None:
-        printed.append(Printed.inline(written, chain, printer.notation))
+    def seen(chain: Chain, formula: str) -> None:
+        printed.append(Printed.inline(formula, chain, printer.notation))
 
-    return Speech(lines_of(folder, kind), tree, "${}$", plain, strong, em, LATEX_SIGNS, styled, seen)
+    return Speech(lines, tree, "${}$", plain, strong, em, LATEX_SIGNS, styled, seen)
 
 
 def in_figure(folder: str, kind: str, notation: Notation) -> Speech:

@@ -155,6 +155,14 @@ class Skin:
         lines = text.rstrip("\n").replace("\r\n", "\n").replace("\t", "    ").split("\n")
         return self._macro("listing", HELD_LINE.join(lines), language, _fence(text))
 
+    def blanks(self, name: str, identity: str, marks: str, total: int | None) -> str:
+        """The line for a name, an identity and, where there are any, the marks of so many."""
+        return self._macro("blanks", name, identity, marks, total)
+
+    def room(self, lines: int) -> str:
+        """So many blank lines."""
+        return self._macro("room", lines)
+
     def above(self, number: int) -> str:
         """The sentence of an answer that an earlier question needed already."""
         return f"{english('above')} {number}."

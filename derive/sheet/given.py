@@ -31,7 +31,8 @@ class GivenNotation(_Model):
 
 
 class GivenSheet(_Model):
-    """The top of a sheet. Its problems are read one by one."""
+    """The top of a sheet. Its problems are read one by one. `problems_title` is what the sheet is called
+    without its solutions."""
 
     title: Line
     problems: Annotated[list[Any], Field(min_length=1, max_length=1000)]
@@ -40,17 +41,20 @@ class GivenSheet(_Model):
     date: Line = ""
     language: Literal["en"] = "en"
     marks: bool = True
+    problems_title: Line = ""
     notation: GivenNotation = GivenNotation()
     symbols: Annotated[dict[Name, Assumption], Field(max_length=500)] = {}
     where: Annotated[dict[Name, Quantity], Field(max_length=500)] = {}
 
 
 class GivenProblem(_Model):
-    """A problem, apart from its subject and its questions."""
+    """A problem, apart from its subject and its questions. `given: true` prints all that its subject gives,
+    `false` nothing; left out, what the text does not say."""
 
     title: Line = ""
     text: Text = ""
     figure: str = "false"
+    given: bool | None = None
     symbols: Annotated[dict[Name, Assumption], Field(max_length=500)] = {}
     where: Annotated[dict[Name, Quantity], Field(max_length=500)] = {}
 

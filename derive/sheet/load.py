@@ -16,7 +16,7 @@ from derive.sheet.faults import MOST, did_you_mean, untold
 from derive.sheet.given import PROBLEM_KEYS, GivenProblem, GivenSheet
 from derive.sheet.honoured import ignored
 from derive.sheet.model import Notation, Problem, Question, Sheet
-from derive.sheet.questions import inline_question, questions
+from derive.sheet.questions import has_option, inline_question, questions
 from derive.sheet.reader import read
 from derive.sheet.source import At, Faults
 from derive.sheet.subject import read_subject, subject_name, subject_place
@@ -58,6 +58,7 @@ def sheet_of(at: At) -> Sheet:
         given.marks,
         notation,
         _warnings(at, problems),
+        given.problems_title,
     )
 
 
@@ -84,7 +85,7 @@ def _problem(at: At, data: Any, number: int, outer: Known) -> Problem:
     given, known = None, outer
     names = outer.names | _declared(data)
     with faults.gathered():
-        given = checked(GivenProblem, at, {key: data[key] for key in data if key in PROBLEM_KEYS}, names)
+        given = checked(GivenProblem, at, {key: data[key] for key in data if key in _own(data)}, names)
         known = _known(at, given, outer)
     subject: Any = None
     asked: tuple[Question, ...] = ()
@@ -110,12 +111,21 @@ def _problem(at: At, data: Any, number: int, outer: Known) -> Problem:
     where = at.place()
     return Problem(
         number, name, subject, asked, where, given.title, given.text, figure, known.where,
-        known.assumptions, strange, at.place(("figure",)),
+        known.assumptions, strange, at.place(("figure",)), given.given,
     )  # fmt: skip
 
 
+def _own(data: dict[str, Any]) -> frozenset[str]:
+    """The keys of the problem itself; beside `find`, a `given` that is not true or false may be an option."""
+    typed = data.get("given", "true")
+    if typed in ("true", "false") or not any(has_option(key, data.get("find"), "given") for key in data):
+        return PROBLEM_KEYS
+    return PROBLEM_KEYS - {"given"}
+
+
 def _asked(at: At, data: dict[str, Any], name: str, known: Known) -> tuple[Question, ...]:
-    rest = {key: value for key, value in data.items() if key not in PROBLEM_KEYS and key != name}
+    own = _own(data)
+    rest = {key: value for key, value in data.items() if key not in own and key != name}
     if "questions" not in rest:
         if "find" not in rest:
             raise SheetErrors([_nothing_asked(at, rest)])

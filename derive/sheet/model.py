@@ -53,7 +53,8 @@ class Problem:
     """A subject and the questions about it. `subject` is a frozen value of mechanics or control.
 
     `figure` is True to draw the subject, or the path of a picture; it stands at `figure_at`. `where` and
-    `assumptions` include those of the sheet; `warnings` are what is strange about the subject.
+    `assumptions` include those of the sheet; `warnings` are what is strange about the subject. `given` says
+    whether what the subject gives is printed, None where the text is to decide.
     """
 
     number: int
@@ -68,11 +69,13 @@ class Problem:
     assumptions: Mapping[str, str] = field(default_factory=dict)
     warnings: tuple[SheetError, ...] = ()
     figure_at: Place | None = None
+    given: bool | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Sheet:
-    """A whole sheet; `marks` says whether marks are printed. `warnings` are all that is strange about it."""
+    """A whole sheet; `marks` says whether marks are printed, `problems_title` what it is called without its
+    solutions, "" where that is for us to say. `warnings` are all that is strange about it."""
 
     path: Path
     title: str
@@ -84,3 +87,4 @@ class Sheet:
     marks: bool = True
     notation: Notation = Notation()
     warnings: tuple[SheetError, ...] = ()
+    problems_title: str = ""

@@ -41,6 +41,16 @@ def inline_question(at: At, data: dict[str, Any], subject: str, known: Known) ->
     return _read(at, data, 1, subject, known, ASKED_KEYS, GivenAsked)
 
 
+def has_option(subject: str, find: Any, name: str) -> bool:
+    """Whether a kind of a subject has an option of this name."""
+    if not isinstance(find, str):
+        return False
+    try:
+        return name in registry.load(subject, find).Options.model_fields
+    except KeyError:
+        return False
+
+
 def _question(at: At, data: Any, number: int, subject: str, known: Known) -> Question:
     if not isinstance(data, dict):
         raise at.error("a question is written as keys and values", (), "write - find: ...")

@@ -44,7 +44,9 @@ def _asked(
     for kind in kinds.kinds_of(subject):
         options = _schema(kinds.load(subject, kind).Options, definitions)
         common = _schema(model, definitions)["properties"]
-        properties = {**shared, **common, **options.get("properties", {}), "find": {"const": kind}}
+        own = options.get("properties", {})
+        both = {key: {"anyOf": [shared[key], own[key]]} for key in shared.keys() & own.keys()}
+        properties = {**shared, **common, **own, **both, "find": {"const": kind}}
         required = ["find", *([subject] if shared else ()), *options.get("required", ())]
         found.append(_closed(properties, required))
     return found

@@ -1,0 +1,129 @@
+"""What a question gives beside `find`: its options, and the point at which numbers are wanted."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from derive.control.controllers import Controller
+from derive.derivation import Phrase
+from derive.expression import Expr, Symbol, number
+from derive.given.datum import Datum, measured, names, valued, vector
+from derive.kinds.robot._point import PointOn
+
+ORDINALS = {1: "first", 2: "second", 3: "third", 4: "fourth", 5: "fifth", 6: "sixth", 7: "seventh"}
+Said = Callable[[Any, Any], Datum | None]  # of the value of an option, and of all options
+
+
+def data(options: Any, at: Mapping[str, Expr]) -> Iterator[Datum]:
+    """Each option that was given, and the point."""
+    for key in type(options).model_fields:
+        value = getattr(options, key)
+        if (
+            key in options.model_fields_set & SAID.keys()
+            and value is not None
+            and (datum := SAID[key](value, options))
+        ):
+            yield datum
+    if at:
+        yield _values("evaluate", tuple(at.items()))
+
+
+def _values(key: str, values: tuple[tuple[str, Expr], ...]) -> Datum:
+    return Datum(Phrase(key, {"values": tuple(valued(name, value) for name, value in values)}))
+
+
+def _point(point: PointOn, _: Any) -> Datum:
+    if point.link is None:
+        return Datum(Phrase("at-origin", {"frame": number(point.frame or 0)}), words=("frame",))
+    return Datum(Phrase("on-link", {"frame": number(point.link), "point": vector(point.at)}))
+
+
+def _rows(rows: tuple[str, ...], _: Any) -> Datum:
+    return Datum(Phrase("rows", {"rows": names(rows)}))
+
+
+def _controller(controller: Controller, _: Any) -> Datum:
+    gains = tuple(
+        valued(name, gain) for name, gain in zip(controller.names, controller.gains, strict=True)
+        if gain != Symbol(name)
+    )  # fmt: skip
+    if gains:
+        return Datum(Phrase("gains", {"values": gains}))
+    return Datum(Phrase("family", {"family": controller.family}), words=(controller.family,))
+
+
+def _known(given: Any, _: Any) -> Datum:
+    if isinstance(given, str):
+        return Datum(Phrase(f"known-{given}"), words=(given,))
+    return Datum(Phrase("known", {"names": names(given)}))
+
+
+def _convention(convention: str, options: Any) -> Datum | None:
+    words = {"ZYX": "ZYX|yaw|three rotations", "standard": "standard|distal", "modified": "modified|Craig"}
+    about: dict[str, Any] = {"convention": convention}
+    if getattr(options, "angles", None):
+        return Datum(
+            Phrase("angles", about | {"names": names(options.angles)}),
+            words=(words.get(convention, f"{convention}|three rotations"),),
+        )
+    if convention in ("standard", "modified"):
+        return Datum(Phrase(convention), words=(words[convention],))
+    return Datum(Phrase("convention", about), words=(words.get(convention, f"{convention}|three rotations"),))
+
+
+def _components(key: str) -> Said:
+    return lambda value, _: Datum(Phrase(key, {"vector": vector(value)}))
+
+
+def _worded(key: str, words: Mapping[Any, str]) -> Said:
+    """An option with a few values, each with words of its own; one that goes without saying has none."""
+    return lambda value, _: Datum(Phrase(f"{key}-{value}"), words=(words[value],)) if value in words else None
+
+
+def _counted(key: str) -> Said:
+    return lambda value, _: Datum(Phrase(key, {"value": measured(value)}))
+
+
+def _frames(source: int | str | None, options: Any) -> Datum:
+    if isinstance(source, str):
+        return Datum(Phrase("input", {"name": Symbol(source)}))
+    about = {"source": number(source or 0), "target": number(options.target)}
+    return Datum(Phrase("frames", about), words=(f"frame {source}|inverse|T_{source}",))
+
+
+def _frame(number: int, _: Any) -> Datum:
+    return Datum(
+        Phrase("frame", {"frame": str(number)}), words=(f"frame {number}|{ORDINALS.get(number, number)}",)
+    )
+
+
+SAID: dict[str, Said] = {
+    "rows": _rows,
+    "point": lambda value, _: (
+        _point(value, _) if isinstance(value, PointOn) else _components("point")(value, _)
+    ),
+    "controller": _controller,
+    "given": _known,
+    "convention": _convention,
+    "vector": _components("vector"),
+    "twist": _components("twist"),
+    "force": _components("force"),
+    "target": lambda value, _: _components("target")(value, _) if isinstance(value, tuple) else None,
+    "start": lambda value, _: _values("start", value),
+    "at": lambda value, _: _values("at", value) if value else None,
+    "inputs": lambda value, _: _values("inputs", value) if value and not isinstance(value[0], str) else None,
+    "method": _worded(
+        "method", {"newton": "newton", "gradient": "gradient", "rows": "row", "svd": "singular"}
+    ),
+    "iterations": lambda value, _: Datum(Phrase("iterations", {"count": value})),
+    "step": _counted("step"),
+    "counts": _counted("counts"),
+    "period": _counted("period"),
+    "source": _frames,
+    "to": _frame,
+    "kind": _worded("kind", {"analytic": "analytic|euler"}),
+    "frame": _worded("in", {"tool": "tool|own frame|end-effector", "body": "body"}),
+    "notation": _worded("notation", {"khatib": "khatib|B"}),
+    "ends": _worded("ends", {"natural": "natural|accelerations?"}),
+}

@@ -1,0 +1,86 @@
+"""One thing that is given, and what a text must hold to say it by itself."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeAlias, get_args
+
+from derive.derivation import Phrase, Said, Table
+from derive.expression import Expr, Number, Relation, Symbol, number
+
+TREES = get_args(Expr)
+RAISED = {ord("^"): None, ord("2"): "²", ord("3"): "³"}
+Chain: TypeAlias = tuple[Expr, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Datum:
+    """A sentence, or what leads to a `table`, to `equations` (chains of trees each equal to the next) or to
+    `items`.
+
+    A text says it where it has all its names and numbers and, of each entry of `words`, one of the
+    alternatives that stand between bars: "revolute|hinge". Names that are `ours` it need not have.
+    """
+
+    said: Phrase
+    table: Table | None = None
+    equations: tuple[Chain, ...] = ()
+    items: tuple[Phrase, ...] = ()
+    words: tuple[str, ...] = ()
+    ours: frozenset[str] = frozenset()
+
+    def trees(self) -> Iterator[Expr]:
+        """The mathematics in it, but for the headings of its table; a count is a number too."""
+        rows = self.table.rows if self.table else ()
+        yield from _trees((self.said, rows, self.equations, self.items))
+
+
+def _trees(part: Any) -> Iterator[Expr]:
+    match part:
+        case Phrase("axis"):
+            return
+        case Phrase(about=about):
+            yield from _trees(tuple(about.values()))
+        case Relation(left, _, right):
+            yield from _trees((left, right))
+        case tuple():
+            for each in part:
+                yield from _trees(each)
+        case int():
+            yield number(part)
+        case _ if isinstance(part, TREES):
+            yield part
+
+
+def vector(parts: Sequence[Expr], unit: str = "") -> Phrase:
+    """Coordinates in parentheses, with the unit that their author gave them."""
+    about: dict[str, Said] = dict(zip("abcdef", parts, strict=False))
+    typed = next(filter(None, map(unit_of, parts)), "")
+    return Phrase(f"vector-{len(parts)}", about | {"unit": unit or typed})
+
+
+def valued(name: str | Expr, value: Expr) -> Phrase:
+    """`name = value`, with the unit that its author gave it."""
+    left = Symbol(name) if isinstance(name, str) else name
+    return Phrase("value", {"equation": Relation(left, "=", value), "unit": unit_of(value)})
+
+
+def measured(value: Expr, unit: str = "") -> Phrase:
+    """A value with its unit."""
+    return Phrase("measured", {"value": value, "unit": spaced(unit) or unit_of(value)})
+
+
+def unit_of(value: Expr) -> str:
+    """What follows a number, with the space before it."""
+    return spaced(value.unit) if isinstance(value, Number) and value.value else ""
+
+
+def spaced(unit: str) -> str:
+    """A unit as it follows a number."""
+    return f"{'' if not unit or unit[0] == '/' else ' '}{unit.translate(RAISED)}"
+
+
+def names(given: Iterable[str]) -> tuple[Said, ...]:
+    """Names to be listed."""
+    return tuple(Symbol(name) for name in given)

@@ -1,0 +1,43 @@
+"""What is given of frames: their axes and origins as they are observed, their matrices, or their motions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from derive.derivation import Cell, Phrase, Table
+from derive.expression import Expr, Symbol, add, multiply, number
+from derive.given.datum import Datum, vector
+from derive.given.moves import moves_said
+from derive.kinds.problem import Problem
+from derive.mechanics.frames import ByMatrix, Frame, Frames, Observed
+from derive.mechanics.motion import Motion
+
+
+def data(frames: Frames, problem: Problem) -> Iterator[Datum]:
+    """A table of those that are observed, then each of the others."""
+    every = (*frames.frames, *frames.again)
+    observed = [(frame, frame.source) for frame in every if isinstance(frame.source, Observed)]
+    if observed:
+        axes = map(Symbol, ("x_i", "y_i", "z_i"))
+        headings: tuple[Cell, ...] = (Phrase("frame"), Phrase("seen-in"), *axes, Phrase("origin"))
+        yield Datum(Phrase("observed"), Table(headings, tuple(_line(*pair) for pair in observed)))
+    for frame in every:
+        about = {"frame": number(frame.number), "parent": number(frame.parent)}
+        match frame.source:
+            case ByMatrix(matrix):
+                key = "matrix" if matrix.shape == (4, 4) else "rotation"
+                yield Datum(Phrase(key, about), equations=((matrix,),))
+            case Motion(moves):
+                yield Datum(Phrase("moved", about), items=(*moves_said(moves),))
+
+
+def _line(frame: Frame, source: Observed) -> tuple[Cell, ...]:
+    axes = (_combined(axis, frame.parent) for axis in (source.x, source.y, source.z))
+    return number(frame.number), number(frame.parent), *axes, vector(source.origin)
+
+
+def _combined(factors: Sequence[Expr], parent: int) -> Expr:
+    """The sum of the axes of the parent with these factors."""
+    return add(
+        *(multiply(factor, Symbol(f"{axis}{parent}")) for factor, axis in zip(factors, "xyz", strict=True))
+    )

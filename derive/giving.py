@@ -1,0 +1,37 @@
+"""What a problem gives and its author's texts do not say, put on its page."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+
+from derive.given.collected import of_problem, of_question, says_in_questions
+from derive.given.datum import Datum
+from derive.kinds.problem import Problem as Working
+from derive.render.document import ProblemPage, QuestionPage
+from derive.render.mentioned import Mentioned
+from derive.sheet.model import Problem, Question
+
+
+def with_given(page: ProblemPage, problem: Problem, working: Working) -> ProblemPage:
+    """The page with what is given: of the subject as `given:` says, or where that is left out what no text
+    says; of each question always what no text says."""
+    asked: Sequence[Question | QuestionPage] = problem.questions
+    if says_in_questions(problem.subject_name):
+        asked = page.questions
+    texts = [page.title, page.text, *(each.text for each in asked)]
+    questions = tuple(map(_asked, page.questions, problem.questions, [page] * len(page.questions)))
+    if problem.given is False:
+        return replace(page, questions=questions)
+    data = of_problem(working)
+    return replace(page, questions=questions, given=tuple(data) if problem.given else _unsaid(data, texts))
+
+
+def _asked(page: QuestionPage, question: Question, whole: ProblemPage) -> QuestionPage:
+    texts = [whole.title, whole.text, page.text, page.hint]
+    return replace(page, given=_unsaid(of_question(question.options, question.evaluate or {}), texts))
+
+
+def _unsaid(data: Iterable[Datum], texts: Iterable[str]) -> tuple[Datum, ...]:
+    mentioned = Mentioned.of(texts)
+    return tuple(datum for datum in data if not mentioned.says(datum))

@@ -1,0 +1,104 @@
+r"""What a text of a problem says by itself: the names, numbers and words that stand in it.
+
+`\theta_1`, `\theta_{1}` and `{\theta}_1` are one name. Numbers count as digits and as words ("six"), and a
+number at an index is none.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+
+from derive.expression import Approximate, Degrees, Expr, Matrix, Number, free_symbols, walk
+from derive.given.datum import Datum
+from derive.render.latex import Printer
+from derive.render.names import name_latex
+from derive.render.notation import Notation
+
+WORDS = r"\\(?:mathrm|text|mathcal)\{[A-Za-z]+\}"
+LETTER = rf"(?:{WORDS}|(?:\\d?dot\s*)?\{{?(?:\\[A-Za-z]+|[A-Za-z])\}}?)"
+INDEX = r"\s*_\s*(?:\{(?:[^{}]|\{[^{}]*\})*\}|\\[A-Za-z]+|\w)"
+NAME = re.compile(rf"{LETTER}(?:{INDEX})?")
+EVERY = re.compile(r"\d+$")  # I_i says what each of I_1, I_2, ... is
+FRACTION = re.compile(r"\\[dt]?frac\s*\{?(\d+)\}?\s*\{?(\d+)\}?|(\d+)\s*/\s*(\d+)")
+NUMBER = re.compile(r"(\d+(?:\.\d+)?)\s*(%|\\%|cm\b|mm\b|ms\b)?")
+SIZES = {"%": 100, "\\%": 100, "cm": 100, "mm": 1000, "ms": 1000}
+NUMERALS = ["two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
+FORMULA = re.compile(r"\$([^$]+)\$")
+BLANKS = re.compile(r"[\s{}]|\\[,;:!]")
+UNITS = (1, -1)  # inside of a formula
+
+
+@dataclass(frozen=True, slots=True)
+class Mentioned:
+    """What stands in some texts."""
+
+    names: frozenset[str]
+    numbers: frozenset[Fraction]
+    formulas: str
+    plain: str
+
+    @classmethod
+    def of(cls, texts: Iterable[str]) -> Mentioned:
+        """Of texts in Markdown with `$...$`."""
+        text = "\n".join(texts)
+        formulas = FORMULA.findall(text)
+        found = {_bare(name) for formula in formulas for name in NAME.findall(formula)}
+        plain = FORMULA.sub(" ", text).lower()
+        numbers = {*_typed(re.sub(INDEX, " ", text))}
+        numbers |= {Fraction(k) for k, word in enumerate(NUMERALS, 2) if re.search(rf"\b{word}\b", plain)}
+        return cls(frozenset(found), frozenset(numbers), _bare(" ".join(formulas)), plain)
+
+    def says(self, datum: Datum) -> bool:
+        """Whether all of a datum stands here."""
+        trees = [*datum.trees()]
+        wanted = {name for tree in trees for name in free_symbols(tree) - datum.ours}
+        values = {value for tree in trees for value in _numbers(tree)}
+        return (
+            bool(wanted or values or datum.words or _matrices(trees))
+            and all(map(self._has_name, wanted))
+            and values <= self.numbers
+            and all(map(self._has_word, datum.words))
+            and all(map(self._has, _matrices(trees)))
+        )
+
+    def _has_name(self, name: str) -> bool:
+        written = _bare(name_latex(name.removesuffix("*")))
+        return written in self.names or EVERY.sub("i", written) in self.names - {written}
+
+    def _has_word(self, alternatives: str) -> bool:
+        return re.search(rf"\b(?:{alternatives})", self.plain, re.IGNORECASE) is not None
+
+    def _has(self, matrix: Matrix) -> bool:
+        return _bare(Printer(Notation()).write(matrix)) in self.formulas
+
+
+def _bare(latex: str) -> str:
+    """Without blanks and braces."""
+    return BLANKS.sub("", latex)
+
+
+def _numbers(tree: Expr) -> Iterator[Fraction]:
+    for node in walk(tree):
+        match node:
+            case Number(value) | Degrees(value) if value and (node is tree or value not in UNITS):
+                yield abs(value)
+            case Approximate(value):
+                yield abs(Fraction(value))
+
+
+def _typed(text: str) -> Iterator[Fraction]:
+    """The numbers that are typed in digits, in SI units, and fractions of them."""
+    for digits, unit in NUMBER.findall(text):
+        yield Fraction(digits)
+        if unit:
+            yield Fraction(digits) / SIZES[unit]
+    for above, below, top, bottom in FRACTION.findall(text):
+        if divisor := int(below or bottom):
+            yield Fraction(int(above or top), divisor)
+
+
+def _matrices(trees: Iterable[Expr]) -> list[Matrix]:
+    return [tree for tree in trees if isinstance(tree, Matrix)]
