@@ -8,10 +8,11 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from derive.derivation import Claim, Derivation, Figure
+from derive.derivation import Claim, Derivation, Drawing
 from derive.errors import NotDerivable, SheetError, SheetErrors
 from derive.evaluate import strange_names, with_numbers
 from derive.giving import with_given
+from derive.kinds.figures import explains, figure_of
 from derive.kinds.problem import Problem as Working
 from derive.kinds.problem import parts
 from derive.kinds.registry import words_folder
@@ -43,16 +44,20 @@ def build(
     warn: Warn = lambda _: None,
     audit: Audit = lambda sheets, documents: None,
     space: bool = False,
+    figures: bool = True,
 ) -> tuple[Path | str, ...]:
     """Builds every sheet and says what was written; without `output` it gives the pages as texts.
 
     `warn` is told what is strange about a sheet, though it can be built; `audit` sees the documents before
-    anything is written, and may raise; `space` leaves room for answers. Raises SheetErrors, before
+    anything is written, and may raise; `space` leaves room for answers. Without `figures` only those subjects
+    are drawn whose sheets ask for it. Raises SheetErrors, before
     anything is written, with the faults of all the sheets; PagesFailed where some pages were written.
     """
     if faults := _namesakes(paths):
         raise SheetErrors(faults)
     sheets = load_all(paths, progress)
+    if not figures:
+        sheets = [_undrawn(sheet) for sheet in sheets]
     for warning in (found for sheet in sheets for found in sheet.warnings):
         warn(warning)
     derived = derive_all(sheets, not problems, progress, warn)
@@ -115,7 +120,7 @@ def assemble(sheet: Sheet, solutions: bool = True, warn: Warn = lambda _: None) 
         warn(needless)
     return Document(
         title=sheet.title if solutions else sheet.problems_title or without_solutions(sheet.title),
-        problems=tuple(pages),
+        problems=tuple(_shown_once(pages)),
         course=sheet.course,
         author=sheet.author,
         date=sheet.date,
@@ -124,6 +129,25 @@ def assemble(sheet: Sheet, solutions: bool = True, warn: Warn = lambda _: None) 
         figures=folder,
         solutions=solutions,
     )
+
+
+def _undrawn(sheet: Sheet) -> Sheet:
+    """The sheet without figures that its author did not ask for."""
+    problems = (replace(problem, figure=problem.figure or False) for problem in sheet.problems)
+    return replace(sheet, problems=tuple(problems))
+
+
+def _shown_once(pages: Sequence[ProblemPage]) -> Iterator[ProblemPage]:
+    """The pages, each drawing on the first only that has it; the others say which that is."""
+    first: list[tuple[Drawing, int]] = []
+    for page in pages:
+        same = (number for drawn, number in first if page.drawing and drawn.same(page.drawing))
+        if (shown_in := next(same, None)) is not None:
+            yield replace(page, figure=None, shown_in=shown_in)
+            continue
+        if page.drawing:
+            first.append((page.drawing, page.number))
+        yield page
 
 
 def working_on(problem: Problem) -> Working:
@@ -153,25 +177,29 @@ def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool, warn: Wa
         if not page.text:
             page = _asked_by_default(page, problem, question, answer, notation)
         questions.append(replace(page, rounded=0 if questions else places))
-    figure, drawing = _figure(problem, working, folder)
+    figure, drawing = _figure(problem, working, folder, solutions)
     whole = ProblemPage(
-        problem.number, tuple(questions), problem.title, problem.text, figure, drawing, notation,
-        problem.subject_name, place=problem.place,
+        problem.number, tuple(questions), problem.title, problem.text, figure, drawing,
+        notation=notation, subject=problem.subject_name, place=problem.place,
     )  # fmt: skip
     return with_given(whole, problem, working)
 
 
-def _figure(problem: Problem, working: Working, folder: str) -> tuple[str | None, Figure | None]:
+def _figure(
+    problem: Problem, working: Working, folder: str, solutions: bool
+) -> tuple[str | None, Drawing | None]:
     """Where the picture of a problem stands, and what is drawn there if its author left that to us."""
     if isinstance(problem.figure, Path):
         return _picture(problem, problem.figure, folder), None
-    if not problem.figure:
+    if problem.figure is False:
         return None, None
-    from derive.kinds.figures import figure_of
-
+    if problem.figure is None and not explains(working, solutions):
+        return None, None
     try:
         return figure_path(folder, problem.number), figure_of(working)
     except NotDerivable as error:
+        if problem.figure is None:
+            return None, None
         hint = "give the path of a picture beside the sheet, or leave figure: out"
         raise SheetErrors([SheetError(f"no figure can be drawn: {error}", problem.place, hint)]) from error
 

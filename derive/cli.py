@@ -98,6 +98,9 @@ def _build_options(command: Callable[..., Any]) -> Callable[..., Any]:
         click.option(
             "--explain", is_flag=True, help="Say of every answer what was proved how, and what was not."
         ),
+        click.option(
+            "--no-figures", is_flag=True, help="Draw no subject whose sheet does not say figure: true."
+        ),
         click.option("--pdf-engine", type=engines, default="typst", show_default=True, help=engine),
     )
     for option in reversed(options):
@@ -116,6 +119,7 @@ def build(
     space: bool,
     audit: bool,
     explain: bool,
+    no_figures: bool,
     pdf_engine: str,
 ) -> None:
     """Build solution sheets (the default command). A directory stands for the sheets in it."""
@@ -125,7 +129,7 @@ def build(
     if target is None and len(sheets) > 1:
         raise click.UsageError("--output - prints one sheet")
     with guarded():
-        _build(sheets, formats, target, problems, space, audit, explain, pdf_engine)
+        _build(sheets, formats, target, problems, space, audit, explain, no_figures, pdf_engine)
 
 
 def _build(
@@ -136,6 +140,7 @@ def _build(
     space: bool,
     audit: bool,
     explain: bool,
+    no_figures: bool,
     pdf_engine: str,
 ) -> None:
     if space and not problems:
@@ -154,7 +159,16 @@ def _build(
         with progress() as step:
             seen: list[Document] = []
             made = build_sheets(
-                sheets, formats, target, problems, pdf_engine, step, warn, _looked(audit, seen, step), space
+                sheets,
+                formats,
+                target,
+                problems,
+                pdf_engine,
+                step,
+                warn,
+                _looked(audit, seen, step),
+                space,
+                figures=not no_figures,
             )
     except PagesFailed as failed:
         _say_pages(failed.files, target)
@@ -261,6 +275,7 @@ def watch(
     space: bool,
     audit: bool,
     explain: bool,
+    no_figures: bool,
     pdf_engine: str,
 ) -> None:
     """Rebuild a sheet whenever it, or a YAML file beside it, is saved. Ctrl-C ends it."""
@@ -272,7 +287,9 @@ def watch(
     def again() -> None:
         try:
             with guarded():
-                _build((sheet,), formats, Path(output), problems, space, audit, explain, pdf_engine)
+                _build(
+                    (sheet,), formats, Path(output), problems, space, audit, explain, no_figures, pdf_engine
+                )
         except SystemExit:  # the faults are printed already
             pass
         say(f"watching {sheet}; Ctrl-C ends it")

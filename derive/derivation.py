@@ -239,15 +239,27 @@ class Drawing:
     """A picture of a subject: strokes from back to front, and captions. Data only, no drawing. `caption` is
     what stands under it, `alt` what it shows, for those who do not see it; `highest` is how high it may be
     (points) where it needs less than there is room for, `unit` how large one of its measures is on paper
-    where that is not for the paper to choose."""
+    where that is not for the paper to choose. The lengths in a `schematic` one mean nothing."""
 
     name: str
     strokes: tuple[Stroke, ...]
     captions: tuple[Caption, ...] = ()
-    caption: Phrase | Words | None = None
-    alt: Phrase | Words | None = None
+    caption: Phrase | None = None
+    alt: Phrase | None = None
     highest: float = 0.0
     unit: float = 0.0
+    schematic: bool = False
+
+    def same(self, other: Drawing) -> bool:
+        """Whether both show the same; of schemes, with the same names."""
+        if self.schematic and other.schematic:
+            return self._scheme == other._scheme
+        return (self.strokes, self.captions) == (other.strokes, other.captions)
+
+    @property
+    def _scheme(self) -> tuple[object, ...]:
+        roles = tuple(stroke.role for stroke in self.strokes)
+        return roles, tuple((caption.role, caption.text) for caption in self.captions)
 
 
 Figure: TypeAlias = Plot | Panels | Drawing

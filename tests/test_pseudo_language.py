@@ -52,7 +52,10 @@ def plain(path: Path) -> list[str]:
     document = built(path)
     said = [NO_WORDS.sub(" ", render(document, "md")), *_said(json.loads(render(document, "json")))]
     results = {name for _, question in document.questions() for name in question.derivation.results}
-    own = set(WORD.findall(" ".join((path.read_text(encoding="utf-8"), *results)))) | MATHEMATICS
+    names = (
+        str(problem.subject.name) for problem in load_sheet(path).problems if problem.subject_name == "robot"
+    )
+    own = set(WORD.findall(" ".join((path.read_text(encoding="utf-8"), *results, *names)))) | MATHEMATICS
     return [word for text in said for word in WORD.findall(text) if word not in own]
 
 

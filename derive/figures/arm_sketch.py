@@ -8,24 +8,52 @@ from math import atan2, pi
 
 from derive.derivation import Caption, Drawing, Stroke
 from derive.expression import Expr, Symbol, is_negative
-from derive.figures import solids
-from derive.figures.arm import SMALL, Joint, Part, Posed, in_pose, joint_size, length_between, place_of
-from derive.figures.typical import typical
+from derive.figures import described, solids
+from derive.figures.arm import SMALL, Joint, Part, Posed, joint_size, length_between, place_of
+from derive.figures.arm_frames import frames_of
+from derive.figures.arm_values import values_of
+from derive.figures.poses import in_pose
 from derive.figures.view import Vector, View, along, around, between, dot, length, unit
-from derive.mechanics.dh import moves
-from derive.mechanics.robot import Robot, ScrewRow
+from derive.mechanics.robot import Robot
+
+SHORT = 2.6  # sizes of a joint: a shorter offset along its axis is part of its cylinder
 
 
 def drawn(robot: Robot, where: Mapping[str, Expr]) -> Drawing:
     """The arm in a pose that shows it; symbols have typical values."""
-    every = [move for link in robot.links for move in moves(link, robot)]
-    more = [part for link in robot.links if isinstance(link.row, ScrewRow) for part in link.row.through]
-    point, usual = typical([*robot.base, *every, *robot.tool], more, where, robot.variables)
+    point, usual = values_of(robot, where)
     view, found = in_pose(robot, point, usual, where)
-    return Drawing("figure", *_sketch(robot, view, found, joint_size(found)))
+    strokes, captions = sketch(robot, view, found, joint_size(found))
+    said = described.caption(robot, found, view), described.seen(robot, found, view)
+    return Drawing("figure", strokes, captions, *said, schematic=True)
 
 
-# -- what is drawn ------------------------------------------------------------------------------------
+def sketch(
+    robot: Robot, view: View, posed: Posed, size: float
+) -> tuple[tuple[Stroke, ...], tuple[Caption, ...]]:
+    """What is drawn of an arm whose joints are so large, from back to front, and its names."""
+    base = posed.parts[0].start if posed.parts else place_of(posed.poses[0])
+    if robot.by_screws:
+        base = place_of(posed.poses[0])
+    joints, stubs = _apart(posed, size, view)
+    foot = base if view.flat or robot.by_screws else _foot(posed, joints, base, size)
+    things = [solids.ground(view, foot, size), *_links(view, posed.parts, size), *_stubs(view, stubs, size)]
+    things += [_joint(view, joint, size) for joint in joints]
+    strokes = [stroke for thing in sorted(things, key=lambda each: each.depth) for stroke in thing.strokes]
+    captions: list[Caption] = []
+    last = posed.parts[-1] if posed.parts else None
+    if last is not None:
+        strokes += solids.tip(view, last.end, unit(between(last.start, last.end)), size)
+    for arcs, caption in _angles(view, posed, size) if view.flat else _turns(view, joints, size):
+        strokes += arcs
+        captions.append(caption)
+    for stroke, caption in frames_of(robot, view, posed, size):
+        strokes.append(stroke)
+        captions.append(caption)
+    return tuple(strokes), (*captions, *_lengths(view, posed, size))
+
+
+# -- where joints stand -------------------------------------------------------------------------------
 
 
 def _apart(posed: Posed, size: float, view: View) -> tuple[tuple[Joint, ...], tuple[Part, ...]]:
@@ -39,7 +67,7 @@ def _apart(posed: Posed, size: float, view: View) -> tuple[tuple[Joint, ...], tu
             joint = posed.joints[k]
             at = along(joint.at, (side * (_ahead(posed, joint, side) or 1) * 1.45 * size, joint.axis))
             moved[k] = replace(joint, at=at)
-            stubs.append(Part(at, joint.at, Symbol(""), False))
+            stubs.append(Part(at, joint.at, Symbol("")))
     return tuple(moved), tuple(stubs)
 
 
@@ -75,66 +103,70 @@ def _foot(posed: Posed, joints: Sequence[Joint], base: Vector, size: float) -> V
     return along(first.at, (-0.7 * size, (0.0, 0.0, 1.0))) if upright else first.at
 
 
-def _sketch(
-    robot: Robot, view: View, posed: Posed, size: float
-) -> tuple[tuple[Stroke, ...], tuple[Caption, ...]]:
-    base = posed.parts[0].start if posed.parts else place_of(posed.poses[0])
-    if robot.by_screws:
-        base = place_of(posed.poses[0])
-    joints, stubs = _apart(posed, size, view)
-    foot = base if view.flat or robot.by_screws else _foot(posed, joints, base, size)
-    things = [solids.ground(view, foot, size), *_links(view, posed.parts), *_links(view, stubs, size)]
-    things += [_joint(view, joint, size) for joint in joints]
-    strokes = [stroke for thing in sorted(things, key=lambda each: each.depth) for stroke in thing.strokes]
-    captions = [*_lengths(view, posed, size), *_names(view, joints, size)]
-    last = posed.parts[-1] if posed.parts else None
-    if last is not None:
-        strokes += solids.tip(view, last.end, unit(between(last.start, last.end)), size)
-    if view.flat:
-        for arc, caption in _angles(view, posed, size):
-            strokes += arc
-            captions.append(caption)
-    for stroke, caption in _frames(robot, view, posed, size):
-        strokes.append(stroke)
-        captions.append(caption)
-    return tuple(strokes), tuple(captions)
+# -- links and joints ---------------------------------------------------------------------------------
 
 
-def _links(view: View, parts: Sequence[Part], behind: float = 0.0) -> Iterator[solids.Solid]:
-    """Thick lines; `behind` puts them so far back."""
+def _links(view: View, parts: Sequence[Part], size: float) -> Iterator[solids.Solid]:
+    """Thick lines, but for the offsets that are part of a joint."""
     for part in parts:
-        middle = along(part.start, (0.5, between(part.start, part.end)))
-        role = "rod" if part.moving else "link"
+        if view.flat or not (part.along_joint and length_between(part.start, part.end) < SHORT * size):
+            middle = along(part.start, (0.5, between(part.start, part.end)))
+            role = "rod" if part.moving else "link"
+            line = (view.place(part.start), view.place(part.end))
+            yield solids.Solid(view.depth(middle), (Stroke(line, role),))
+
+
+def _stubs(view: View, parts: Sequence[Part], size: float) -> Iterator[solids.Solid]:
+    """What holds the joints of one point together, behind everything near."""
+    for part in parts:
         line = (view.place(part.start), view.place(part.end))
-        yield solids.Solid(view.depth(middle) - 2 * behind, (Stroke(line, role),))
+        yield solids.Solid(view.depth(part.start) - 2 * size, (Stroke(line, "link"),))
 
 
 def _joint(view: View, joint: Joint, size: float) -> solids.Solid:
     if joint.slides:
         return solids.box(view, joint.at, joint.axis, size)
-    return solids.cylinder(view, joint.at, joint.axis, size)
+    return solids.cylinder(view, joint.at, joint.axis, size, *_reach(joint, size))
+
+
+def _reach(joint: Joint, size: float) -> tuple[float, float]:
+    """From where to where along its axis a cylinder goes, in sizes: a short offset is part of it."""
+    if not 0 < abs(joint.offset) < SHORT * size:
+        return -0.7, 0.7
+    ends = sorted((0.0, joint.offset / size))
+    return ends[0] - 0.45, ends[1] + 0.45
+
+
+# -- names --------------------------------------------------------------------------------------------
 
 
 def _lengths(view: View, posed: Posed, size: float) -> Iterator[Caption]:
-    """The name of a length beside its piece of a link."""
+    """The name of a length beside its piece of a link, on either side."""
     for part in posed.parts:
         a, b = view.place(part.start), view.place(part.end)
         way = (b[0] - a[0], b[1] - a[1])
-        if length(way) < 0.6 * size or part.by == Symbol(""):
+        if length(way) < 0.05 * size or part.by == Symbol(""):
             continue
-        middle = ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
-        side = (way[1], -way[0]) if way[0] >= 0 else (-way[1], way[0])  # below the link
-        size_only = -part.by if is_negative(part.by) else part.by
-        yield Caption(middle, size_only, side, "length")
+        below = (way[1], -way[0]) if way[0] >= 0 else (-way[1], way[0])
+        above = (-below[0], -below[1])
+        name = -part.by if is_negative(part.by) else part.by
+        shares = [(a[0] + t * way[0], a[1] + t * way[1]) for t in (0.5, 0.35, 0.65, 0.2, 0.8)]
+        others = tuple((place, side) for place in shares for side in (below, above))
+        yield Caption(shares[0], name, below, "length", others[1:])
 
 
-def _names(view: View, joints: Sequence[Joint], size: float) -> Iterator[Caption]:
-    """The variable of each revolute joint in space, clear of its cylinder; in a plane its angle is drawn."""
+def _turns(view: View, joints: Sequence[Joint], size: float) -> Iterator[tuple[list[Stroke], Caption]]:
+    """An arrow round each revolute joint in space, the way in which it turns, and its variable."""
     for joint in joints:
-        if not view.flat and not joint.slides:
-            x, y = dot(view.right, joint.axis), dot(view.up, joint.axis)
-            side = (-abs(y), x if y > 0 else -x) if length((x, y)) > 0.3 else (-1.0, 0.3)
-            yield Caption(view.place(joint.at), joint.name, side, "joint", clear=0.62 * size)
+        if joint.slides:
+            continue
+        low, high = _reach(joint, size)
+        arc = solids.turn(view, along(joint.at, ((low + high) / 2 * size, joint.axis)), joint.axis, size)
+        places = [arc[len(arc) // 2], arc[-1], arc[0]]
+        center = view.place(joint.at)
+        sides = [(place, (place[0] - center[0], place[1] - center[1])) for place in places]
+        (at, towards), *others = sides
+        yield [Stroke(arc, "turn")], Caption(at, joint.name, towards, "joint", tuple(others))
 
 
 def _angles(view: View, posed: Posed, size: float) -> Iterator[tuple[list[Stroke], Caption]]:
@@ -152,19 +184,9 @@ def _angles(view: View, posed: Posed, size: float) -> Iterator[tuple[list[Stroke
         radius = 1.7 * size
         arc = [around(center, radius, start + sweep * k / 24) for k in range(25)]
         dashed = (center, around(center, 2.3 * size, start))
-        middle = around(center, radius, start + sweep / 2)
-        towards = (middle[0] - center[0], middle[1] - center[1])
+        spots = [around(center, radius, start + sweep * share) for share in (0.5, 0.7, 0.3)]
+        (at, towards), *others = [(spot, (spot[0] - center[0], spot[1] - center[1])) for spot in spots]
         yield (
             [Stroke(dashed, "hidden"), Stroke(tuple(arc), "arc")],
-            Caption(middle, joint.name, towards, "angle"),
+            Caption(at, joint.name, towards, "angle", tuple(others)),
         )
-
-
-def _frames(robot: Robot, view: View, posed: Posed, size: float) -> Iterator[tuple[Stroke, Caption]]:
-    """x and z of every frame (x and y in a plane, where z points at the reader)."""
-    axes = "xyz" if view.flat else "xz"
-    shown = list(enumerate(posed.poses)) if not robot.by_screws else [(0, posed.poses[0])]
-    for number_, pose in shown:
-        yield from solids.triad(view, pose, 1.6 * size, str(number_), axes)
-    if robot.ends_in_tool:
-        yield from solids.triad(view, posed.end, 1.6 * size, "_e", axes)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from math import cos, pi, sin
+from math import atan2, cos, pi, radians, sin
 
 from derive.derivation import Caption, Place, Stroke
 from derive.figures.view import Vector, View, across, along, dot, hull
@@ -20,10 +20,13 @@ class Solid:
     strokes: tuple[Stroke, ...]
 
 
-def cylinder(view: View, at: Vector, axis: Vector, size: float) -> Solid:
-    """A revolute joint: a short cylinder along its axis; a disc where it is looked at along that."""
+def cylinder(
+    view: View, at: Vector, axis: Vector, size: float, low: float = -0.7, high: float = 0.7
+) -> Solid:
+    """A revolute joint: a cylinder along its axis from `low` to `high` (in sizes); a disc where it is seen
+    along that."""
     a, b = across(axis)
-    ends = [along(at, (side * 0.7 * size, axis)) for side in (-1, 1)]
+    ends = [along(at, (side * size, axis)) for side in (low, high)]
     rims = [_circle(view, end, a, b, 0.5 * size) for end in ends]
     front = 1 if dot(view.front, axis) >= 0 else 0
     if view.flat and abs(dot(view.front, axis)) > 0.99:
@@ -31,7 +34,16 @@ def cylinder(view: View, at: Vector, axis: Vector, size: float) -> Solid:
         pin = _circle(view, at, a, b, 0.09 * size)
         return Solid(view.depth(at) + size, (Stroke(rim, "cap"), Stroke(pin, "pin")))
     body = hull((*rims[0], *rims[1]))
-    return Solid(view.depth(at), (Stroke(body, "body"), Stroke(rims[front], "cap")))
+    middle = along(at, ((low + high) / 2 * size, axis))
+    return Solid(view.depth(middle), (Stroke(body, "body"), Stroke(rims[front], "cap")))
+
+
+def turn(view: View, at: Vector, axis: Vector, size: float) -> tuple[Place, ...]:
+    """Part of a circle round a revolute joint, where it can be seen, the way in which it turns."""
+    a, b = across(axis)
+    nearest = atan2(dot(view.front, b), dot(view.front, a))
+    turns = (nearest + radians(75) * (k / 14 - 1) for k in range(29))
+    return tuple(view.place(along(at, (0.78 * size * cos(t), a), (0.78 * size * sin(t), b))) for t in turns)
 
 
 def box(view: View, at: Vector, axis: Vector, size: float) -> Solid:

@@ -23,7 +23,7 @@ def typical(
     usual = median(known) if known else 1.0
     found: dict[str, float] = {}
     for exprs, values, scale in ((by_angle, ANGLES, 1.0), (by_length, LENGTHS, usual)):
-        names = dict.fromkeys(name for expr in exprs for name in sorted(_names(expr, where)))
+        names = dict.fromkeys(name for expr in exprs for name in sorted(names_in(expr, where)))
         for k, name in enumerate(name for name in names if name not in found and name not in skip):
             found[name] = values[k % len(values)] * scale
     return found, usual
@@ -40,7 +40,7 @@ def completed(point: Point, where: Mapping[str, Expr]) -> dict[str, float]:
     return found
 
 
-def _names(expr: Expr, where: Mapping[str, Expr]) -> frozenset[str]:
+def names_in(expr: Expr, where: Mapping[str, Expr]) -> frozenset[str]:
     """The symbols an expression rests on, through `where`."""
     names = free_symbols(expr)
     while inner := names & where.keys():
@@ -49,4 +49,4 @@ def _names(expr: Expr, where: Mapping[str, Expr]) -> frozenset[str]:
 
 
 def _known(expr: Expr, where: Mapping[str, Expr]) -> float | None:
-    return None if _names(expr, where) else number(expr, completed({}, where))
+    return None if names_in(expr, where) else number(expr, completed({}, where))

@@ -10,7 +10,22 @@ from derive.mechanics.frames import Frames
 from derive.mechanics.motion import Motion
 from derive.mechanics.robot import Robot
 
+MOST_FRAMES = 8  # that one figure can show
 DRAWN = frozenset({"robot", "motion", "frames", "system", "motor"})  # the subjects that can be drawn
+
+
+def explains(problem: Problem, solutions: bool) -> bool:
+    """Whether a figure is drawn of a subject whose author said nothing of it. What a motion does is part of
+    the answer: it is drawn with the solutions."""
+    match problem.subject:
+        case Robot():
+            return True
+        case Frames(frames=frames):
+            return len(frames) <= MOST_FRAMES
+        case Motion():
+            return solutions
+        case _:
+            return False
 
 
 def figure_of(problem: Problem) -> Drawing:

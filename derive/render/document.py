@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath
 
-from derive.derivation import Claim, Derivation, Figure
+from derive.derivation import Claim, Derivation, Drawing, Figure
 from derive.errors import Place
 from derive.expression import Expr
 from derive.given.datum import Datum
@@ -14,6 +14,7 @@ from derive.render.notation import Notation
 from derive.render.printed import Printed
 
 LINES, FEWEST_LINES, LINES_A_MARK, MOST_LINES = 10, 4, 3, 30  # of room for an answer
+FIGURE = "_figure"  # the words about what is drawn of a subject, among those of its folder
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +80,8 @@ class QuestionPage:
 @dataclass(frozen=True, slots=True)
 class ProblemPage:
     """A problem. `figure` is the path of a picture relative to the page, `/` between its parts; `drawing` is
-    what is drawn there, None where the author gave the picture. `notation` is that of its mathematics,
+    what is drawn there, None where the author gave the picture. What an earlier problem shows already has a
+    drawing and no path; `shown_in` is the number of that problem. `notation` is that of its mathematics,
     `subject` the name of its subject; `given` is what the problem gives and its text does not say."""
 
     number: int
@@ -87,11 +89,17 @@ class ProblemPage:
     title: str = ""
     text: str = ""
     figure: str | None = None
-    drawing: Figure | None = None
+    drawing: Drawing | None = None
+    shown_in: int | None = None
     notation: Notation = field(default_factory=Notation)
     subject: str = ""
     given: tuple[Datum, ...] = ()
     place: Place | None = None
+
+    @property
+    def drawn_as(self) -> str:
+        """The folder of the words about its figure: a motor is drawn as the system that it is."""
+        return "system" if self.subject == "motor" else self.subject
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,12 +152,27 @@ class Document:
         """The pictures that authors gave, by their paths relative to the page."""
         return tuple(page.figure for page in self.problems if page.figure and not page.drawing)
 
+    def numbers(self) -> dict[str, int]:
+        """The number of every figure of the page by the path of its picture, without suffix."""
+        paths: list[str] = []
+        for problem in self.problems:
+            paths += [problem.figure.rpartition(".")[0]] if problem.figure else []
+            for question in problem.questions:
+                for worked in question.order:
+                    names = (plot.name for plot in worked.derivation.plots)
+                    paths += (
+                        plot_path(self.figures, problem.number, question.number, name) for name in names
+                    )
+        return {path: number for number, path in enumerate(paths, 1)}
+
     def plots(self) -> dict[str, Figure]:
         """Every plot of the page by the path of its picture, relative to the page and without suffix."""
         from derive.render.phrases import in_figure
 
         subjects = {
-            problem.figure.removesuffix(".svg"): problem.drawing
+            problem.figure.removesuffix(".svg"): in_figure(problem.drawn_as, FIGURE, problem.notation).figure(
+                problem.drawing
+            )
             for problem in self.problems
             if problem.figure and problem.drawing
         }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 from derive.render.author_text import latex_prose, markdown_prose
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked, file_path, plot_path
@@ -14,6 +15,7 @@ from derive.render.markdown_math import left_alone, rows_apart
 from derive.render.plain_text import latex_text, markdown_text
 from derive.render.printed import Printed, Reader, Said, unread
 from derive.render.skin import HELD_LINE, Skin, environment
+from derive.render.subject_figure import subject_figure
 from derive.render.typst_skin import TYPST, laid_out
 from derive.render.words import words
 
@@ -49,6 +51,8 @@ def render_typst(document: Document, read: Reader = unread) -> str:
 def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
     answers: dict[tuple[int, int], str] = {}
     given: dict[tuple[int, int], str] = {}
+    figures: dict[int, str] = {}
+    numbers = document.numbers()
     said: list[Said] = []
     for problem in document.problems:
         told: list[Printed] = []
@@ -58,20 +62,31 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
         printed = [*question.printed]
         asked = given_words(question.given, problem.subject, skin, problem.notation, printed)
         given[problem.number, question.number] = asked
-        answers[problem.number, question.number] = _answer(document, problem, question, skin, printed)
+        if problem.number not in figures:
+            figures[problem.number] = subject_figure(document, problem, skin, numbers, printed)
+        answers[problem.number, question.number] = _answer(
+            document, problem, question, skin, printed, numbers
+        )
         said.append(Said(f"{problem.number}.{question.number}", question.place, tuple(printed)))
     template = environment().get_template(f"{skin.name}/page.j2")
     alone = sum(1 for _ in document.alone())
     verified = Proved.of(document.verified(), read(said), alone).said() if document.solutions else ""
     return template.render(
-        document=document, answers=answers, given=given, skin=skin, front=front, verified=verified
+        document=document,
+        answers=answers,
+        figures=figures,
+        given=given,
+        skin=skin,
+        front=front,
+        verified=verified,
     )
 
 
 def _answer(
-    document: Document, problem: ProblemPage, question: QuestionPage, skin: Skin, printed: list[Printed]
-) -> str:
-    told = [_told(document, problem, question, worked, skin, printed) for worked in question.order]
+    document: Document, problem: ProblemPage, question: QuestionPage, skin: Skin, printed: list[Printed],
+    numbers: Mapping[str, int],
+) -> str:  # fmt: skip
+    told = [_told(document, problem, question, worked, skin, printed, numbers) for worked in question.order]
     if not told and document.solutions:
         told.append(_above(problem, question, skin))
     if question.rounded and document.solutions:
@@ -96,7 +111,7 @@ def _above(problem: ProblemPage, question: QuestionPage, skin: Skin) -> str:
 
 def _told(
     document: Document, problem: ProblemPage, question: QuestionPage, worked: Worked, skin: Skin,
-    printed: list[Printed],
+    printed: list[Printed], numbers: Mapping[str, int],
 ) -> str:  # fmt: skip
     plots = {
         plot.name: plot_path(document.figures, problem.number, question.number, plot.name)
@@ -107,7 +122,9 @@ def _told(
         for name in worked.derivation.files
     }
     notation = problem.notation
-    return words(worked.derivation, worked.folder, skin, notation, worked.asked, plots, files, printed)
+    return words(
+        worked.derivation, worked.folder, skin, notation, worked.asked, plots, files, printed, numbers
+    )
 
 
 def _tidy(page: str) -> str:

@@ -21,7 +21,20 @@ from derive.algebra.infix import SYMPY_NAMES, text
 from derive.algebra.normal import normal
 from derive.algebra.readable.form import readable
 from derive.algebra.readable.terms import Style
-from derive.derivation import Claim, Condition, Figure, Label, Panels, Phrase, Plot, Result, Said
+from derive.derivation import (
+    Caption,
+    Claim,
+    Condition,
+    Drawing,
+    Figure,
+    Label,
+    Panels,
+    Phrase,
+    Plot,
+    Result,
+    Said,
+    Words,
+)
 from derive.expression import PI, Degrees, Expr, Quotient, Relation, walk
 from derive.render.latex import Printer
 from derive.render.layout import Chain, Link
@@ -106,7 +119,13 @@ class Speech:
         """The figure with the words of its labels."""
         if isinstance(figure, Panels):
             return replace(figure, plots=tuple(map(self._plot, figure.plots)))
-        return self._plot(figure) if isinstance(figure, Plot) else figure
+        if isinstance(figure, Drawing):
+            return replace(figure, captions=tuple(map(self._caption, figure.captions)))
+        return self._plot(figure)
+
+    def _caption(self, caption: Caption) -> Caption:
+        said = caption.text
+        return replace(caption, text=Words(self.say(said))) if isinstance(said, Phrase) else caption
 
     def _plot(self, plot: Plot) -> Plot:
         return replace(

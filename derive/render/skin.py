@@ -146,9 +146,13 @@ class Skin:
     def table(self, headings: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
         return self._macro("table", headings, rows)
 
-    def figure(self, path: str, caption: str = "") -> str:
-        """A picture; `path` is relative to the page."""
-        return self._macro("figure", path, caption)
+    def figure(self, path: str, caption: str = "", alt: str = "") -> str:
+        """A picture, `path` relative to the page: what stands under it, and in plain text what is seen."""
+        return self._macro("figure", path, caption, alt, self.plain(alt))
+
+    def caption(self, number: int | None, said: str) -> str:
+        """`Figure 3: what is said`, or what there is of it."""
+        return ": ".join(filter(None, (f"{english('figure')} {number}" if number else "", said)))
 
     def listing(self, text: str, language: str) -> str:
         """A program as it stands."""

@@ -44,10 +44,11 @@ LANGUAGES = {".m": "matlab", ".py": "python"}
 def words(
     derivation: Derivation, folder: str, skin: Skin, notation: Notation, asked: bool = True,
     plots: Mapping[str, str] | None = None, files: Mapping[str, str] | None = None,
-    printed: list[Printed] | None = None,
+    printed: list[Printed] | None = None, numbers: Mapping[str, int] | None = None,
 ) -> str:  # fmt: skip
-    """The sentences and equations of a derivation. `plots` maps names of plots to paths without suffix,
-    `files` those of files to theirs; what is printed from trees is added to `printed`.
+    """The sentences and equations of a derivation. `plots` maps names of plots to paths without suffix, whose
+    `numbers` are those of the figures; `files` maps names of files to theirs; what is printed from trees is
+    added to `printed`.
 
     Raises ForgottenStep, ForgottenFact, EarlyStep; where the derivation was not asked for, its words may
     leave facts out.
@@ -57,7 +58,9 @@ def words(
     printer = Printer(notation)
     speech = on_page(folder, derivation.kind, printer, skin.plain, seen, strong=skin.strong, em=skin.em)
     values = Values(derivation.units, derivation.facts.style, notation.digits)
-    telling = Telling(derivation, speech, skin, notation, plots or {}, files or {}, seen, values)
+    telling = Telling(
+        derivation, speech, skin, notation, plots or {}, files or {}, seen, values, numbers or {}
+    )
     for claim in derivation.claims:  # said in the JSON only, but their words must not be missing unnoticed
         telling.speech.claim(claim)
     template = words_of(folder, derivation.kind)
@@ -105,6 +108,7 @@ class Telling:
     files: Mapping[str, str]
     printed: list[Printed]
     values: Values
+    numbers: Mapping[str, int] = field(default_factory=dict)
     told: dict[str, int] = field(default_factory=dict)  # steps, and when each was told first
     said: list[Sayable] = field(default_factory=list)
 
@@ -211,9 +215,12 @@ class Telling:
     def plot(self, name: str, caption: str = "") -> str:
         """The picture of a plot of this derivation."""
         figure = next((each for each in self.d.plots if each.name == name), None)
-        if figure and isinstance(figure.caption, Phrase):
+        alt = caption
+        if figure and figure.caption:
+            alt = Speech(self.speech.lines).say(figure.alt or figure.caption)
             caption = self.speech.say(figure.caption)
-        return self.skin.figure(self.plots[name] + ".svg", caption)
+        path = self.plots[name]
+        return self.skin.figure(path + ".svg", self.skin.caption(self.numbers.get(path), caption), alt)
 
     def listing(self, name: str) -> str:
         """A file of this derivation, printed as it stands."""

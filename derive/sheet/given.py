@@ -53,7 +53,7 @@ class GivenProblem(_Model):
 
     title: Line = ""
     text: Text = ""
-    figure: str = "false"
+    figure: str = ""
     given: bool | None = None
     symbols: Annotated[dict[Name, Assumption], Field(max_length=500)] = {}
     where: Annotated[dict[Name, Quantity], Field(max_length=500)] = {}

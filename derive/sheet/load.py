@@ -205,7 +205,9 @@ def _declared(data: Any) -> frozenset[str]:
     return frozenset(name for block in blocks if isinstance(block, dict) for name in block)
 
 
-def _figure(at: At, typed: str, subject: str) -> bool | Path:
+def _figure(at: At, typed: str, subject: str) -> bool | Path | None:
+    if not typed:
+        return None
     if typed == "true" and subject not in DRAWN:
         hint = f"{', '.join(sorted(DRAWN))} can be drawn; else give the path of a picture beside the sheet"
         raise at.error(f"there is no drawing of a {subject}", ("figure",), hint)

@@ -110,7 +110,7 @@ def test_the_picture_stands_on_the_page(tmp_path: Path) -> None:
     text = f"title: x\nproblems:\n- {PLANAR}\n  figure: true\n  find: dh-table\n"
     sheet.write_text(text, encoding="utf-8")
     build([sheet], ["md", "tex"], tmp_path / "out")
-    assert "![Figure 1](arm/problem-1-figure.svg)" in (tmp_path / "out" / "arm.md").read_text(
+    assert "](arm/problem-1-figure.svg)\n\n*Figure 1: The arm" in (tmp_path / "out" / "arm.md").read_text(
         encoding="utf-8"
     )
     assert "arm/problem-1-figure.pdf" in (tmp_path / "out" / "arm.tex").read_text(encoding="utf-8")

@@ -4,25 +4,19 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from derive.derivation import Caption, Phrase, Words
 from derive.expression import Expr, Number
 from derive.render.drawing.paper import FONTS
 from derive.render.drawing.style import LETTERS
+from derive.render.formula.tex import boxes
+from derive.render.formula.typst import typst
 from derive.render.latex import Printer
 from derive.render.names import name_latex
 from derive.render.notation import Notation
 
-TOKEN = re.compile(r"\\[A-Za-z]+|\\.|\s+|\d+(?:\.\d+)?|.", re.DOTALL)
-COMMANDS = {
-    r"\cdot": "dot.op", r"\circ": "compose", r"\ast": "*", r"\left": "", r"\right": "", r"\approx": "approx",
-    r"\leq": "lt.eq", r"\geq": "gt.eq", r"\neq": "eq.not", r"\infty": "infinity", r"\ldots": "dots.h",
-    r"\,": "thin", r"\ ": "space", r"\%": "%", r"\quad": "quad", r"\varphi": "phi", r"\phi": "phi.alt",
-    r"\epsilon": "epsilon.alt", r"\varepsilon": "epsilon", r"\vartheta": "theta.alt", r"\times": "times",
-}  # fmt: skip
-FENCES = {r"\{": "{", r"\}": "}", "/": r"\/", '"': r"\"", "#": r"\#", "$": r"\$", "&": r"\&", "*": r"\*"}
 _measured: dict[tuple[str, float], tuple[float, float]] = {}  # what was measured before, of any picture
 
 
@@ -49,17 +43,17 @@ def content(caption: Caption) -> str:
         case Words(text):
             return f"[{_prose(text)}]"
         case str():
-            return f"${typst(name_latex(caption.text))}$"
+            return f"${_formula(name_latex(caption.text))}$"
         case Phrase():
             raise TypeError(f"'{caption.text.key}' is still to be said in words")
         case tuple():
-            return "$" + ", ".join(typst(name_latex(name)) for name in caption.text) + "$"
+            return "$" + ", ".join(_formula(name_latex(name)) for name in caption.text) + "$"
         case _:
             return f"${_tree(caption.text, caption.role == 'block')}$"
 
 
 def _tree(tree: Expr, displayed: bool) -> str:
-    whole = typst(Printer(Notation()).write(tree))
+    whole = _formula(Printer(Notation()).write(tree))
     unit = f' thin upright("{tree.unit}")' if isinstance(tree, Number) and tree.unit else ""
     return f"display({whole}{unit})" if displayed else whole + unit
 
@@ -68,58 +62,14 @@ def _prose(text: str) -> str:
     """Plain words, with mathematics between dollars."""
     pieces = text.split("$")
     return "".join(
-        f"${typst(p)}$" if k % 2 else re.sub(r"([#$*_@<>`\[\]\\])", r"\\\1", p) for k, p in enumerate(pieces)
+        f"${_formula(p)}$" if k % 2 else re.sub(r"([#$*_@<>`\[\]\\])", r"\\\1", p)
+        for k, p in enumerate(pieces)
     )
 
 
-def typst(latex: str) -> str:
-    """Our own LaTeX of names and formulas as Typst mathematics."""
-    return " ".join(_pieces(iter(TOKEN.findall(latex)), ""))
-
-
-def _pieces(tokens: Iterator[str], end: str) -> Iterator[str]:
-    for token in tokens:
-        if token == end:
-            return
-        if token.isspace():
-            continue
-        yield _piece(token, tokens)
-
-
-def _piece(token: str, tokens: Iterator[str]) -> str:
-    match token:
-        case r"\frac" | r"\dfrac" | r"\tfrac":
-            return f"frac({_argument(tokens)}, {_argument(tokens)})"
-        case r"\mathrm" | r"\text":
-            return f'upright("{_raw(tokens)}")'
-        case r"\mathcal":
-            return f"cal({_argument(tokens)})"
-        case r"\sqrt" | r"\dot" | r"\hat":
-            return f"{token[1:]}({_argument(tokens)})"
-        case r"\ddot":
-            return f"dot.double({_argument(tokens)})"
-        case "_" | "^":
-            return f"{token}({_argument(tokens)})"
-        case "{":
-            return " ".join(_pieces(tokens, "}"))
-    if token in COMMANDS:
-        return COMMANDS[token]
-    return FENCES.get(token) or token.removeprefix("\\")
-
-
-def _argument(tokens: Iterator[str]) -> str:
-    token = next(tokens)
-    return " ".join(_pieces(tokens, "}")) if token == "{" else _piece(token, tokens)
-
-
-def _raw(tokens: Iterator[str]) -> str:
-    next(tokens)
-    found = []
-    for token in tokens:
-        if token == "}":
-            break
-        found.append(" " if token == r"\ " else token)
-    return "".join(found).replace('"', "")
+def _formula(latex: str) -> str:
+    """Our LaTeX of names and formulas as Typst mathematics."""
+    return typst(boxes(latex))
 
 
 def _measure(asked: Iterable[tuple[str, float]]) -> None:

@@ -1,0 +1,41 @@
+"""The figure of a problem on its page: the picture, its number, what stands under it, what is seen."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from derive.derivation import Phrase
+from derive.render.document import FIGURE, Document, ProblemPage
+from derive.render.latex import Printer
+from derive.render.phrases import on_page, spoken
+from derive.render.printed import Printed
+from derive.render.skin import Skin
+
+AGAIN = "again"  # what is said where an earlier figure shows the subject
+
+
+def subject_figure(
+    document: Document, problem: ProblemPage, skin: Skin, numbers: Mapping[str, int], printed: list[Printed]
+) -> str:
+    """The picture that stands with the text of a problem, which earlier figure shows the same, or nothing.
+    Its mathematics is added to `printed`."""
+    if problem.shown_in is not None:
+        number = numbers[_stem(document.problems[problem.shown_in - 1].figure or "")]
+        return skin.plain(spoken(problem.drawn_as, FIGURE).say(Phrase(AGAIN, {"number": number})))
+    if not problem.figure:
+        return ""
+    number = numbers[_stem(problem.figure)]
+    caption, alt = "", skin.caption(number, "")
+    if problem.drawing and problem.drawing.caption:
+        speech = on_page(
+            problem.drawn_as, FIGURE, Printer(problem.notation), skin.plain, printed,
+            strong=skin.strong, em=skin.em,
+        )  # fmt: skip
+        caption = speech.say(problem.drawing.caption)
+        alt = spoken(problem.drawn_as, FIGURE).say(problem.drawing.alt or problem.drawing.caption)
+    return skin.figure(problem.figure, skin.caption(number, caption), alt)
+
+
+def _stem(path: str) -> str:
+    """The path without its suffix."""
+    return path.rpartition(".")[0]
