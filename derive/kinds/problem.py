@@ -17,7 +17,7 @@ from derive.algebra.readable.terms import Style
 from derive.algebra.readable.writing import opposite
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation
-from derive.expression import Degrees, Expr, Indexed, Matrix, Number, Symbol, free_symbols, walk
+from derive.expression import PI, Degrees, Expr, Indexed, Matrix, Number, Symbol, free_symbols, walk
 from derive.kinds.declared import with_all_claims
 from derive.kinds.registry import load
 from derive.kinds.told import with_results_told
@@ -51,6 +51,7 @@ class Problem:
     assumptions: Mapping[str, str] = field(default_factory=dict)
     questions: tuple[tuple[str, Any], ...] = ()  # kind and options of all that is asked about the subject
     memo: Memo = field(default_factory=Memo)
+    order: tuple[str, ...] = ()  # of angles, where it is not that of the sheet
 
     def ask(self, kind: str, /, **options: Any) -> Derivation:
         """The derivation of a question about this subject, made once however often it is asked.
@@ -107,17 +108,24 @@ class Problem:
 
     @cached_property
     def style(self) -> Style:
-        """Decimals and degrees where the author typed them; joint variables in their order."""
+        """Decimals and degrees where the author typed them; joint variables and coordinates in their order,
+        then other names as they are met on the sheet."""
         trees = [node for tree in expressions(self.subject) for node in walk(tree)]
         trees += [node for tree in self.where.values() for node in walk(tree)]
         typed = [node for node in trees if isinstance(node, Number)]
+        met = (node.name for node in trees if isinstance(node, Symbol) and node != PI)
         return Style(
             decimals=any(node.decimal for node in typed),
             degrees=any(isinstance(node, Degrees) for node in trees),
             units=any(node.unit for node in typed),
             longest=max((significant_digits(node.value) or 0 for node in typed if node.decimal), default=0),
-            order=getattr(self.subject, "variables", ()),
+            order=self.order or tuple(dict.fromkeys((*getattr(self.subject, "variables", ()), *met))),
         )
+
+    def ordered(self, angles: tuple[str, ...]) -> Problem:
+        """The same with angles in the order of a product that makes its rotation."""
+        memo = replace(self.memo, written={}, values={})
+        return replace(self, order=angles, memo=memo)
 
     def readable(self, value: Scalar) -> Expr:
         """As a person would write it, names of `where` kept; the same value is read once."""

@@ -51,13 +51,13 @@ PRINTED = [
     ("m (a cos(x) + b cos(x + y))^2", "m*(a*cos(x) + b*cos(x + y))**2"),
     ("(x^2 + y^2)/2 - 1", "(x**2 + y**2)/2 - 1"),
     # squares of sums, whatever stands in front
-    ("m (d^2 + 2 d z + z^2)", "m*(d + z)**2"),
-    ("-m (d^2 + 2 d z + z^2) - I", "-m*(d + z)**2 - I"),
-    ("m (d + z)^2 sin(x)^2 + n (d - y)^2", "n*(d - y)**2 + m*(d + z)**2*sin(x)**2"),
-    ("m (d + z) (d + z + a cos(x))", "m*(d + z)*(d + z + a*cos(x))"),
+    ("m (d^2 + 2 d z + z^2)", "m*(z + d)**2"),
+    ("-m (d^2 + 2 d z + z^2) - I", "-m*(z + d)**2 - I"),
+    ("m (d + z)^2 sin(x)^2 + n (d - y)^2", "n*(d - y)**2 + m*(z + d)**2*sin(x)**2"),
+    ("m (d + z) (d + z + a cos(x))", "m*(z + d)*(z + d + a*cos(x))"),
     ("I - I cos(x)^2 + m", "m + I*sin(x)**2"),
     # one sign, in front
-    ("-m (d + z) sin(y) (a sin(x) + b)", "-m*(d + z)*sin(y)*(b + a*sin(x))"),
+    ("-m (d + z) sin(y) (a sin(x) + b)", "-m*(z + d)*(b + a*sin(x))*sin(y)"),
 ]  # fmt: skip
 
 

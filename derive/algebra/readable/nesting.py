@@ -16,7 +16,8 @@ from typing import TypeAlias
 
 from derive.algebra.rationals import Rational
 from derive.algebra.readable.factoring import common, content, divided_by, factors_of, is_irreducible
-from derive.algebra.readable.terms import Alphabet, Monomial, SortKey, Terms, frozen
+from derive.algebra.readable.order import SortKey
+from derive.algebra.readable.terms import Alphabet, Monomial, Terms, frozen
 
 MOST_FACTORED = 40  # terms; above this no factorisation is tried
 MOST_SEARCHED = 10  # terms; above this the most frequent atom is taken out and no other tried
@@ -164,7 +165,7 @@ class Nesting:
         key, is_trig = self.alphabet.key, self.alphabet.is_trig
         several = [atom for atom, n in counts.items() if n > 1]
         frequent = sorted(several, key=lambda atom: (-counts[atom], key(atom)))
-        turn = min((key(a)[1:] for a in frequent if is_trig(a)), default=())
+        turn = min((self.alphabet.angle_key(a) for a in frequent if is_trig(a)), default=())
         for atom in frequent[:6] if len(terms) > 8 else frequent:
             taken = {m: k for m, k in terms.items() if atom in atoms[m]}
             yield taken, self._parentheses(atom, turn)
@@ -203,6 +204,6 @@ class Nesting:
 
     def _parentheses(self, atom: int, turn: SortKey = ()) -> float:
         if self.alphabet.is_trig(atom):
-            late = bool(turn) and self.alphabet.key(atom)[1:] > turn
+            late = bool(turn) and self.alphabet.angle_key(atom) > turn
             return PARENTHESES["trig"] + (OUT_OF_TURN if late else 0.0)
         return PARENTHESES["mass" if self.alphabet.is_mass(atom) else "other"]

@@ -5,11 +5,9 @@ Unlike the normal form this is no unique representation; the readable forms are 
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import lru_cache
 from typing import TypeAlias
 
 from derive.algebra.angles import Form, is_fixed
@@ -17,15 +15,23 @@ from derive.algebra.bounds import A_TERM_READ, spend
 from derive.algebra.generators import ITSELF, PI, RADIAN, Opaque
 from derive.algebra.powers import MAX_DEGREE
 from derive.algebra.rationals import Rational, decimal_places, lowest, of_flint
+from derive.algebra.readable.order import (
+    FALLING,
+    JOINTS,
+    MASSES,
+    RATES,
+    Place,
+    SortKey,
+    in_sum,
+    natural,
+    place_of,
+)
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar, angle_of
 from derive.expression import Call, Degrees, Expr, Number, Power, Symbol, add, multiply, number
 
 Monomial: TypeAlias = tuple[tuple[int, int], ...]  # (atom, power), sorted by atom
 Terms: TypeAlias = dict[Monomial, Rational]
-SortKey: TypeAlias = tuple[object, ...]
-
-MASSES = re.compile(r"^([mM]|[IJ])($|_|\d|[xyz])")  # masses, then moments of inertia, stand first
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,30 +130,52 @@ class Alphabet:
         return int(inside) if inside.isdigit() else 1
 
     def key(self, atom: int) -> SortKey:
-        """Roots of numbers, masses, other symbols, cosines, sines, last those of fixed angles; each kind in
-        reading order."""
+        """Where it stands among the factors of a product: (place, angle or letter, ...)."""
         if atom not in self.keys:
             self.keys[atom] = self._key(self.atoms[atom])
         return self.keys[atom]
 
     def _key(self, atom: Atom) -> SortKey:
-        if isinstance(atom.what, Form) and atom.kind == "sum":
-            first = min(atom.what.parts, key=lambda part: self._rank(part[0]))[0]
-            return self._key(Atom("symbol", first))
-        if isinstance(atom.what, Form):
-            ranks = tuple(sorted(self._rank(name) for name, _ in atom.what.parts))
-            return ((3 if atom.kind == "cos" else 4) + 2 * (not atom.what.moving.parts), ranks)
+        what = atom.what
+        if atom.kind == "sum":
+            return self._lump_key(self._linear(self.numbers[atom]))
+        if isinstance(what, Form):
+            return (Place.FUNCTION, *self.angle_key(self.numbers[atom]), atom.kind != "sin")
         if atom.kind == "root":
-            return (0, atom.what)
-        weight = MASSES.match(atom.what)
-        rank = 1.0 if weight and weight[1] in "mM" else 1.5 if weight else 2.0
-        return (rank, _natural(atom.what))
+            return (Place.ROOT if what.startswith("sqrt(") else Place.NUMBER, what)
+        if isinstance(what, Opaque):
+            return (Place.ROOT, what)
+        return (place_of(what), natural(what))
+
+    def _lump_key(self, form: Form) -> SortKey:
+        names = [name for name, _ in form.parts]
+        if all(map(MASSES.match, names)):
+            place = Place.SUM_OF_MASSES
+        else:
+            place = Place.SUM_OF_RATES if any(map(RATES.search, names)) else Place.SUM
+        return (place, min(map(natural, names)))
+
+    def angle_key(self, atom: int) -> SortKey:
+        """The order of the angle of a sine or cosine; fixed angles last."""
+        form = self.form(atom)
+        return (not form.moving.parts, tuple(sorted((self._rank(name), n) for name, n in form.parts)))
+
+    def is_written_out(self, atom: int) -> bool:
+        """Whether it is a sine or cosine without parentheses and no single letter either: cos phi."""
+        if not self.is_trig(atom):
+            return False
+        (name, n), *others = self.form(atom).parts
+        return not others and (is_fixed(name) or (n == 1 and not JOINTS.match(name)))
+
+    def falls(self, atom: int) -> bool:
+        """Whether the terms of a sum go by its falling powers."""
+        return self.atoms[atom].what in FALLING
 
     def _rank(self, name: str) -> SortKey:
         """In the author's order; what is fixed in an angle comes last."""
         order = self.style.order
         place = order.index(name) if name in order else len(order) + is_fixed(name)
-        return (place, _natural(name))
+        return (place, natural(name))
 
     def expression(self, atom: int, power: int = 1) -> Expr:
         """The tree of a power of an atom; every time the same."""
@@ -158,7 +186,8 @@ class Alphabet:
 
     def _expression(self, found: Atom) -> Expr:
         if isinstance(found.what, Form) and found.kind == "sum":
-            return self.angle(found.what)
+            parts = sorted(found.what.parts, key=lambda part: (part[1] < 0, in_sum(part[0])))
+            return add(*(self._multiple(name, n) for name, n in parts))
         if isinstance(found.what, Form):
             return Call(found.kind, (self.angle(found.what),))
         return self.reader(found.what)
@@ -242,14 +271,6 @@ def terminates(value: Rational) -> bool:
 def frozen(terms: Mapping[Monomial, Rational]) -> frozenset[tuple[Monomial, Rational]]:
     """Terms as a key."""
     return frozenset(terms.items())
-
-
-@lru_cache(maxsize=4096)
-def _natural(name: str) -> SortKey:
-    """a2 before a10, L before L_c, without regard to case."""
-    parts = re.findall(r"\d+|[^\W\d_]+", name)
-    keys = ((1, int(p), "") if p.isdigit() else (0, 0, p.lower()) for p in parts)
-    return (*keys, (0, 0, name))
 
 
 def raised(base: Expr, power: int) -> Expr:

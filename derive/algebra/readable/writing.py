@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, reduce
+from itertools import product
 from math import prod
 
 from derive.algebra.rationals import Rational
 from derive.algebra.readable.nesting import Flat, Plan, Split, Taken
-from derive.algebra.readable.terms import Alphabet, Monomial, SortKey, terminates
+from derive.algebra.readable.order import Place, SortKey
+from derive.algebra.readable.terms import Alphabet, Monomial, terminates, times
 from derive.expression import (
     Call,
     Expr,
@@ -28,6 +31,7 @@ from derive.expression import (
 )
 
 FEW = 8  # terms
+SIMPLE = 50  # the greatest denominator that a root stands over
 
 
 @dataclass(frozen=True)
@@ -40,77 +44,129 @@ class Writing:
     def tree(self, plan: Plan) -> Expr:
         """The tree of a plan."""
         match plan:
-            case Flat(terms):
-                ordered = sorted(terms.items(), key=lambda item: self._term_key(item[0]))
-                return _sum(
-                    [term for monomial, k in ordered for term in terms_of(self._monomial(monomial, k))]
-                )
-            case Split(parts):
-                keyed = sorted(parts, key=lambda part: min(map(self._term_key, part[0])))
-                return _sum([term for _, inner in keyed for term in terms_of(self.tree(inner))])
+            case Flat() | Split():
+                keyed = sorted(self._summands(plan), key=lambda summand: summand[0])
+                return _sum([term for _, tree in keyed for term in terms_of(tree)])
             case Taken(coefficient, monomial, sums):
                 return self._product(coefficient, monomial, sums)
 
-    def _product(self, coefficient: Rational, monomial: Monomial, sums: tuple[tuple[Plan, int], ...]) -> Expr:
-        """Number and symbols, then sums; sines and cosines before sums that hold some themselves."""
-        factors: list[Expr] = []
+    def _summands(self, plan: Plan) -> Iterator[tuple[SortKey, Expr]]:
+        """The terms of a sum, however it was put together, each with the place of its first product."""
+        match plan:
+            case Flat(terms):
+                for monomial, k in terms.items():
+                    yield self._term_key(monomial), self._product(k, monomial)
+            case Split(parts):
+                for _, inner in parts:
+                    yield from self._summands(inner)
+            case Taken():
+                yield min(map(self._term_key, _products(plan))), self.tree(plan)
+
+    def _product(
+        self, coefficient: Rational, monomial: Monomial, sums: tuple[tuple[Plan, int], ...] = ()
+    ) -> Expr:
+        """Number and roots of numbers in front, then letters, sums and functions in their order."""
+        alphabet = self.alphabet
+        letters = [part for part in monomial if alphabet.radicand(part[0]) == 1]
+        factors = [(self._place_of_letter(atom), alphabet.expression(atom, power)) for atom, power in letters]
         for plan, power in sums:
             expr = self.tree(plan)
             if _all_negative(expr):
                 expr, coefficient = opposite(expr), coefficient * (-1) ** power
             if power == 1 and isinstance(expr, Product) and isinstance(expr.factors[0], Number):
                 coefficient, expr = coefficient * expr.factors[0].value, multiply(*expr.factors[1:])
-            factors.append(Power(expr, number(power)) if power > 1 else expr)
-        trig = tuple(part for part in monomial if self.alphabet.is_trig(part[0]))
-        if any(self._holds_function(plan) for plan, _ in sums):
-            trig = ()
-        front = tuple(part for part in monomial if part not in trig)
-        parts = (self._monomial(front, coefficient), *factors, self._monomial(trig, 1))
-        return multiply(*(factor for part in parts for factor in factors_of(part)))
-
-    def _holds_function(self, plan: Plan) -> bool:
-        """Whether there is a sine or a root somewhere inside."""
-        match plan:
-            case Flat(terms):
-                return any(self.alphabet.is_function(atom) for monomial in terms for atom, _ in monomial)
-            case Split(parts):
-                return any(self._holds_function(inner) for _, inner in parts)
-            case Taken(_, monomial, sums):
-                here = any(self.alphabet.is_function(atom) for atom, _ in monomial)
-                return here or any(self._holds_function(inner) for inner, _ in sums)
-
-    def _monomial(self, monomial: Monomial, coefficient: Rational) -> Expr:
-        alphabet = self.alphabet
+            factors.append((self._place_of_sum(plan), Power(expr, number(power)) if power > 1 else expr))
+        if any(alphabet.is_written_out(atom) for atom, _ in letters):
+            factors = [(_behind(place), tree) for place, tree in factors]
+        trees = [tree for _, tree in sorted(factors, key=lambda factor: factor[0])]
         radicand = prod(alphabet.radicand(atom) for atom, _ in monomial)
-        ordered = sorted(monomial, key=lambda part: alphabet.key(part[0]))
-        factors = [alphabet.expression(*part) for part in ordered if alphabet.radicand(part[0]) == 1]
-        decimal = alphabet.style.decimals and terminates(coefficient)
         roots = (sqrt(number(radicand)),) if radicand > 1 else ()  # sqrt(2) sqrt(3) is sqrt(6)
-        if coefficient == -1 and len(factors) == 1 and isinstance(factors[0], Sum) and not roots:
-            return opposite(factors[0])
-        return multiply(Number(Fraction(coefficient), decimal), *roots, *factors)
+        if coefficient == -1 and len(trees) == 1 and isinstance(trees[0], Sum) and not roots:
+            return opposite(trees[0])
+        shown = Number(Fraction(coefficient), self._is_decimal(coefficient, bool(roots)))
+        return multiply(shown, *roots, *(factor for tree in trees for factor in factors_of(tree)))
+
+    def _is_decimal(self, coefficient: Rational, with_root: bool) -> bool:
+        """Whether a number is written as a decimal; sqrt(3)/2 is no half-rounded 0.5 sqrt(3)."""
+        simple = with_root and coefficient.denominator <= SIMPLE
+        return self.alphabet.style.decimals and terminates(coefficient) and not simple
+
+    def _place_of_letter(self, atom: int) -> SortKey:
+        return (self.alphabet.key(atom)[0], 0, self.ranks[atom][0])
+
+    def _place_of_sum(self, plan: Plan) -> SortKey:
+        """Where a sum stands among factors: by what it holds, then by its first product."""
+        monomials = tuple(_products(plan))
+        places = {self._of_product(monomial) for monomial in monomials}
+        weighs = places == {Place.SUM_OF_MASSES}
+        place = Place.SUM_OF_MASSES if weighs else max(Place.SUM, *places)
+        return (place, 1, min(map(self._term_key, monomials)))
+
+    def _of_product(self, monomial: Monomial) -> Place:
+        """The place of a sum of such products."""
+        places = {self.alphabet.key(atom)[0] for atom, _ in monomial}
+        if places & {Place.FUNCTION, Place.SUM_WITH_FUNCTIONS}:
+            return Place.SUM_WITH_FUNCTIONS
+        if places & {Place.RATE, Place.SUM_OF_RATES}:
+            return Place.SUM_OF_RATES
+        weights = {Place.MASS, Place.INERTIA, Place.SUM_OF_MASSES}
+        return Place.SUM_OF_MASSES if places & weights else Place.SUM
 
     def _term_key(self, monomial: Monomial) -> SortKey:
-        """Terms without sines and cosines first, then in the order of their angles."""
+        """Where a product stands in a sum."""
         if monomial not in self.places:
             self.places[monomial] = self._place(monomial)
         return self.places[monomial]
 
     def _place(self, monomial: Monomial) -> SortKey:
-        ranks = self.ranks
-        trig = sorted([ranks[atom][1] for atom, _ in monomial if ranks[atom][0]])
-        others = sorted([(ranks[atom][1], -power) for atom, power in monomial if not ranks[atom][0]])
-        return (bool(trig), not monomial, trig, others)
+        alphabet = self.alphabet
+        angles: set[int] = set()
+        letters, kinds = [], []
+        for atom, power in monomial:
+            letter, angle = self.ranks[atom]
+            if angle:
+                angles.add(angle)
+                kinds.append((angle, alphabet.atoms[atom].kind, power))
+            else:
+                letters.append((letter, -power))
+        powers = dict(monomial) if self.falling else {}
+        falling = [-powers.get(atom, 0) for atom in self.falling]
+        ordered = (*sorted(angles), len(self.ranks) + 1)  # of two that begin alike the longer one is first
+        return (bool(angles), not monomial, ordered, falling, sorted(letters), sorted(kinds))
 
     @cached_property
-    def ranks(self) -> tuple[tuple[bool, int], ...]:
-        """Of each atom: whether it is a sine or cosine, and which it is in their order, by angles, or in that
-        of the others."""
-        key, is_trig = self.alphabet.key, self.alphabet.is_trig
+    def ranks(self) -> tuple[tuple[int, int], ...]:
+        """Of each atom: which it is in the order of all, and which its angle is, from 1 on, in the order of
+        angles; 0 where it has none."""
+        alphabet, atoms = self.alphabet, range(len(self.alphabet.atoms))
+        letters = {atom: place for place, atom in enumerate(sorted(atoms, key=alphabet.key))}
+        turns = {atom: alphabet.angle_key(atom) for atom in atoms if alphabet.is_trig(atom)}
+        angles = {key: place for place, key in enumerate(sorted(set(turns.values())), 1)}
+        return tuple((letters[atom], angles[turns[atom]] if atom in turns else 0) for atom in atoms)
+
+    @cached_property
+    def falling(self) -> tuple[int, ...]:
+        """The atoms by whose falling powers terms are ordered."""
         atoms = range(len(self.alphabet.atoms))
-        order = sorted(atoms, key=lambda a: (is_trig(a), key(a)[1:] + key(a)[:1] if is_trig(a) else key(a)))
-        rank = {atom: place for place, atom in enumerate(order)}
-        return tuple((is_trig(atom), rank[atom]) for atom in atoms)
+        return tuple(sorted(filter(self.alphabet.falls, atoms), key=self.alphabet.key))
+
+
+def _products(plan: Plan) -> Iterator[Monomial]:
+    """What a plan comes to when its sums are multiplied out; of a power of a sum the sum alone."""
+    match plan:
+        case Flat(terms):
+            yield from terms
+        case Split(parts):
+            for terms, _ in parts:
+                yield from terms
+        case Taken(_, monomial, sums):
+            inner = (tuple(_products(each)) for each, _ in sums)
+            yield from (reduce(times, found, monomial) for found in product(*inner))
+
+
+def _behind(place: SortKey) -> SortKey:
+    """Functions behind everything else."""
+    return (Place.WRITTEN_OUT, *place[1:]) if place[0] == Place.FUNCTION else place
 
 
 def _sum(terms: list[Expr]) -> Expr:

@@ -65,7 +65,7 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     (Siciliano et al., section 3.6)."""
     euler, body = Euler(Convention.of(options.convention), _names(options, problem)), options.frame == "body"
     axes = tuple(Symbol(f"t_{name}") for name in euler.names)
-    work = Work(problem, factors_of(euler))
+    work = Work(problem.ordered(euler.names), factors_of(euler))
     for axis, name in zip(axes, euler.names, strict=True):
         work = work.line(axis, _axis(euler, name, body), rule="axis")
     work = work.line(T, Matrix((axes,)), rule="rate-matrix")

@@ -8,6 +8,7 @@ from pydantic import Field
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.readable.form import readable_matrix
+from derive.algebra.readable.terms import Style
 from derive.derivation import Derivation, PageFacts, Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Symbol, symbols
@@ -129,7 +130,8 @@ PARAMETERS = {"standard": "theta_i d_i a_i alpha_i", "modified": "theta_i d_i a_
 def _law(work: Work, robot: Robot) -> Work:
     """A_i, the transformation of any row of the table; tried in the row that has most of the parameters."""
     names = symbols(PARAMETERS[robot.convention])
-    A = readable_matrix(composed(CONVENTIONS[robot.convention](DHRow(*names))))
+    style = Style(order=("theta_i",))  # which stands before the twist in the books, of either convention
+    A = readable_matrix(composed(CONVENTIONS[robot.convention](DHRow(*names))), style)
     rows = {i: _parts(link.row) for i, link in enumerate(robot.links) if isinstance(link.row, DHRow)}
     i = max(rows, key=lambda i: sum(part != ZERO for part in rows[i]))
     row = work.problem.readable_matrix(chain_of(work.problem).T_local[i])
