@@ -15,7 +15,7 @@ S = Symbol("s")
 GAP, ROOM = 20.0, 13.0  # points between blocks, at least, and beside the name of a signal there
 PADDING = 6.0  # round a label
 LEAST = 24.0  # a block is not smaller
-SUM = 9.5  # the radius of a sum
+SUM = 10.0  # the radius of a sum
 BETWEEN = 20.0  # rows
 
 

@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 CIRCLE = 28
 TAP, OUTER, DOT = 11.0, 25.0, 1.7  # points behind a block where wires branch, and the radius of the dot there
 SOURCE, OUT = 26.0, 36.0  # points that a wire leads in from outside, and out
-BELOW = 14.0  # points under everything that the wire of an outer loop runs
-INSIDE = 0.5  # of the radius of a sum: how far from its middle a sign stands
+BELOW = 14.0  # points beyond everything that a wire runs which goes round
+INSIDE = 0.54  # of the radius of a sum: how far from its middle a sign stands
 
 
 @dataclass(slots=True)
@@ -30,6 +30,7 @@ class Wires:
     strokes: list[Stroke] = field(default_factory=list)
     captions: list[Caption] = field(default_factory=list)
     signs: list[Caption] = field(default_factory=list)
+    around: dict[int, int] = field(default_factory=dict)  # how many wires go round above and below
 
     def drawn(self) -> tuple[list[Stroke], list[Caption]]:
         """Wires first, then what they end at."""
@@ -44,7 +45,7 @@ class Wires:
     def _bends(self, line: Line) -> bool:
         """Straight wires are named rather than those with corners."""
         (ax, ay), (bx, by) = self.layout.at[line.source], self.layout.at[line.target]
-        return ay != by or ax > bx
+        return ay != by or ax > bx or self._between(ax, bx, ay)
 
     def _wire(self, line: Line, named: set[str]) -> None:
         diagram = self.layout.diagram
@@ -106,16 +107,26 @@ class Wires:
                 return (min(ax, left - SOURCE), ay), (left, by)
             side = 1 if ay > by else -1
             return (bx, by + side * (reach + SOURCE)), (bx, by + side * reach)
-        if ay == by and ax < bx:
+        if ay == by and ax < bx and not self._between(ax, bx, ay):
             return (right, ay), (left, by)
         if ay == by:
-            under = min(y for _, y in layout.at.values()) - layout.high / 2 - BELOW
-            return (right + OUTER, ay), (right + OUTER, under), (bx, under), (bx, by - reach)
+            return self._round(right + (TAP if ax < bx else OUTER), ay, bx, 1 if ax < bx else -1, reach)
         if ay == 0:  # branches off the forward path into a block of another row
             into = left if bx > right + TAP else bx + layout.half[target.name]
             return (right + TAP, 0.0), (right + TAP, by), (into, by)
         out = right if bx > ax else ax - layout.half[source.name]
         return (out, ay), (bx, ay), (bx, by - reach if ay < by else by + reach)
+
+    def _between(self, ax: float, bx: float, y: float) -> bool:
+        """Whether a block stands in the way of a straight wire."""
+        return any(ax < x < bx and y == row for x, row in self.layout.at.values())
+
+    def _round(self, ax: float, y: float, bx: float, side: int, reach: float) -> tuple[Place, ...]:
+        """Along the row and past all blocks: above them forwards, below them backwards, each further out."""
+        rows = [row for name, (_, row) in self.layout.at.items() if self.layout.half[name]]
+        self.around[side] = self.around.get(side, 0) + 1
+        edge = max(side * row for row in rows) + self.layout.high / 2 + BELOW * self.around[side]
+        return (ax, y), (ax, side * edge), (bx, side * edge), (bx, y + side * reach)
 
 
 def _sign(way: tuple[Place, ...], middle: Place, sign: int) -> Caption:

@@ -29,7 +29,7 @@ def from_above(lengths: Sequence[float], secondary: tuple[float, float] | None, 
     regions: dict[Label, Curve] = {WORKSPACE: _ring((0.0, 0.0), near, far, WHOLE)}
     rings = [*_any_way(lengths[-1], *secondary)] if secondary else []
     for k, (low, high) in enumerate(rings):
-        regions[ANY_WAY if k == 0 else Phrase("any-orientation-too")] = _ring((0.0, 0.0), low, high, WHOLE)
+        regions["" if k else ANY_WAY] = _ring((0.0, 0.0), low, high, WHOLE)
     about = {"near": short(near), "far": short(far)}
     return Plot(
         "workspace", axis(X, unit), axis(Y, unit), series, regions=regions,

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from math import ceil, floor, log10
 
 STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)  # between ticks, times a power of ten
+LEAST = 13.0  # points between ticks, where there would be fewer than three otherwise
 NONE = 1e-9  # of a step: what rounding leaves
 
 
@@ -28,14 +29,16 @@ class Axis:
         return self.start + (self.end - self.start) * (value - low) / (high - low)
 
     def ticks(self, room: float, whole: bool = False) -> list[float]:
-        """Round numbers, at least `room` points apart; `whole` ones only where that is asked."""
+        """Round numbers, about `room` points apart or more; `whole` ones only where that is asked."""
         if self.log:
             return self._powers(room)
         most = max(1.0, abs(self.end - self.start) / room)
         step = _step((self.high - self.low) / most)
         step = max(1.0, float(ceil(step))) if whole else step
-        first = ceil(self.low / step - NONE)
-        return [k * step for k in range(first, floor(self.high / step + NONE) + 1)]
+        first, last = ceil(self.low / step - NONE), floor(self.high / step + NONE)
+        if last - first < 2 and room > LEAST and not whole:
+            return self.ticks(0.75 * room)
+        return [k * step for k in range(first, last + 1)]
 
     def _powers(self, room: float) -> list[float]:
         first, last = ceil(log10(self.low) - NONE), floor(log10(self.high) + NONE)

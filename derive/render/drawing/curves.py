@@ -14,7 +14,7 @@ from derive.render.drawing.sketch import Sketch, said
 from derive.render.drawing.style import AREAS, GREY, INK, LINES, REGION, Pen, series_pen
 
 STRIP = 15.0  # points of each row below a curve, for lengths along the horizontal axis
-FILLS = (REGION, "#a9bedd", "#eeeeee")
+FILLS = (REGION, "#3f6aa866", "#70707044")  # what lies under the second is seen through it
 BAND, MARK, DROP, MEASURE = "#e6e6e6", Pen(GREY, 0.8, (4, 2.5)), Pen(GREY, 0.5, (1, 1.4)), Pen(INK, 0.7)
 HALF_AXIS = Pen(INK, 0.9)
 DOT, JOINT = 2.1, 3.0  # radii
@@ -61,7 +61,7 @@ def contents(plot: Plot, frame: Frame) -> Sketch:
         low, high = (frame.y.at(edge) for edge in plot.band)
         sketch.area(((0.0, low), (frame.x.end, low), (frame.x.end, high), (0.0, high)), BAND)
         lines.add(((0.0, low), (frame.x.end, low), (frame.x.end, high), (0.0, high)), 0.5)
-    for fill, region in zip(FILLS * len(plot.regions), plot.regions.values(), strict=False):
+    for fill, region in zip(_fills(plot), plot.regions.values(), strict=True):
         sketch.area([frame.at(place) for place in zip(*region, strict=True)], fill)
     for height in plot.marks.values():
         mark = ((0.0, frame.y.at(height)), (frame.x.end, frame.y.at(height)))
@@ -83,6 +83,14 @@ def contents(plot: Plot, frame: Frame) -> Sketch:
     for text, box in zip(texts, placed(wanted, lines)[0], strict=True):
         sketch.text(text, box.left, box.low)
     return sketch
+
+
+def _fills(plot: Plot) -> list[str]:
+    """One for each region; one without a name belongs to the one before."""
+    found: list[str] = []
+    for name in plot.regions:
+        found.append(FILLS[len({*found}) % len(FILLS)] if name else found[-1])
+    return found
 
 
 Spots = list[tuple[Place, float, float]]  # places, each with the direction and the distance of a name
@@ -150,7 +158,7 @@ def swatches(plots: Sequence[Plot]) -> list[Swatch]:
     """What a legend says of the first of some plots, which have the same curves."""
     found: list[Swatch] = []
     for plot in plots:
-        found += [Swatch(str(name), _filled(FILLS[k % len(FILLS)])) for k, name in enumerate(plot.regions)]
+        found += [Swatch(str(n), _filled(fill)) for fill, n in zip(_fills(plot), plot.regions, strict=True)]
         found += [Swatch(str(name), _line(series_pen(k))) for k, name in enumerate(plot.series)]
         found += [Swatch(str(name), _line(LINES["link"])) for name in plot.arms]
     return [swatch for swatch in found if swatch.name]

@@ -20,6 +20,7 @@ TICK, AIR = 3.0, 3.0
 ROOM_X, ROOM_Y = 42.0, 24.0  # points that ticks are apart at least
 AXIS, GRID, MOMENT = Pen(INK, 0.8), Pen(PALE, 0.5), Pen(FAINT, 0.6, (1, 1.6))
 SWATCH = 20.0
+LETTER = 12.0  # points: a name of an axis as short as a letter is not turned
 
 
 def on_paper(picture: Plot | Panels) -> Paper:
@@ -62,8 +63,9 @@ def _reached(plot: Plot) -> tuple[list[float], list[float]]:
     return xs, [*ys, *(plot.band or ())]
 
 
-def _drawn(plot: Plot, frame: Frame, bottom: bool = True) -> Sketch:
-    """The axes and what is inside; at the `bottom` of several the horizontal axis is named."""
+def _drawn(plot: Plot, frame: Frame, bottom: bool = True, ticks: float = 0.0) -> Sketch:
+    """The axes and what is inside; at the `bottom` of several the horizontal axis is named. `ticks` is how
+    wide those of others are at the vertical axis."""
     sketch, x, y = Sketch(), frame.x, frame.y
     across, up = x.ticks(ROOM_X, plot.counted), y.ticks(ROOM_Y)
     for tick in across:
@@ -82,11 +84,18 @@ def _drawn(plot: Plot, frame: Frame, bottom: bool = True) -> Sketch:
         if bottom:
             sketch.text(text, x.at(tick) - text.wide / 2, -TICK - AIR - text.high)
     (name,) = said([str(plot.y_label)], LETTERS)
-    left = min([0.0, *(text.box.left for text in sketch.texts)])
-    sketch.text(name, left - 6 - name.high, (y.start + y.end) / 2 - name.wide / 2, turned=True)
+    turned = name.wide > LETTER
+    left = -TICK - AIR - max(ticks, _tick_room(frame)) - 6 - (name.high if turned else name.wide)
+    middle = (y.start + y.end) / 2 - (name.wide if turned else name.high) / 2
+    sketch.text(name, left, middle, turned)
     if bottom:
         _below(sketch, plot, frame)
     return sketch
+
+
+def _tick_room(frame: Frame) -> float:
+    """How wide what stands at the ticks of the vertical axis is."""
+    return max((t.wide for t in said([frame.y.written(tick) for tick in frame.y.ticks(ROOM_Y)])), default=0.0)
 
 
 def _below(sketch: Sketch, plot: Plot, frame: Frame) -> None:
@@ -126,24 +135,12 @@ def _stack(plots: Sequence[Plot]) -> Sketch:
     """One above the other; the horizontal axis is named below the last."""
     sketch, frames = Sketch(), [framed(plot, PANEL) for plot in plots]
     low, high = min(f.x.low for f in frames), max(f.x.high for f in frames)
-    step = PANEL + BETWEEN
+    step, ticks = PANEL + BETWEEN, max(map(_tick_room, frames))
     for k, (plot, frame) in enumerate(zip(plots, frames, strict=True)):
         last = k == len(plots) - 1
         same = replace(frame, x=replace(frame.x, low=low, high=high), panel=True)
-        sketch.add(_drawn(plot, same, last), 0.0, (len(plots) - 1 - k) * step)
-    _aligned(sketch)
+        sketch.add(_drawn(plot, same, last, ticks), 0.0, (len(plots) - 1 - k) * step)
     return _with_legend(sketch, plots[:1], frames[0])
-
-
-def _aligned(sketch: Sketch) -> None:
-    """The names of the vertical axes in one column."""
-    names = [text for text in sketch.texts if text.turned]
-    left = min(text.box.left for text in names)
-    for k, text in enumerate(sketch.texts):
-        if text.turned:
-            b = text.box
-            moved = Box(left, b.low, left + b.right - b.left, b.high)
-            sketch.texts[k] = replace(text, box=moved)
 
 
 def _row(sketches: Sequence[Sketch]) -> Sketch:
