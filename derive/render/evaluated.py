@@ -117,7 +117,7 @@ class _Telling:
 
     def display(self, chains: Mapping[Chain, Any]) -> str:
         """Equations side by side, each of which tells a value."""
-        display = lay_out(tuple(chains))
+        display = lay_out(tuple(chains), self.printer.notation)
         shown = Printed.display(display, self.printer.notation)
         self.printed.append(replace(shown, evaluated=all(map(self._tells, chains, chains.values()))))
         return self.skin.display(display)

@@ -30,8 +30,13 @@ def spelt(text: str, formulas: Formulas | None, printed: Iterable[Printed]) -> s
     """A text whose formulas are in the notation of its format; what was `printed` in it knows its trees."""
     if formulas is None:
         return text
-    known = {each.lines[0]: each.chains for each in printed if len(each.lines) == 1}
+    known = {each.lines[0]: each for each in printed if len(each.lines) == 1}
+
+    def inline(found: re.Match[str]) -> str:
+        formula = known.get(found[1])
+        if formula is None:
+            return formulas.inline(Display((found[1],)))
+        return formulas.inline(Display(formula.lines, False, formula.chains, formula.notation))
+
     displayed = DISPLAYED.sub(lambda found: formulas.display(Display((found[1].strip(),))), text)
-    return INLINE.sub(
-        lambda found: formulas.inline(Display((found[1],), chains=known.get(found[1], ()))), displayed
-    )
+    return INLINE.sub(inline, displayed)

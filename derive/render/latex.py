@@ -49,7 +49,7 @@ def latex(expr: Expr, notation: Notation) -> str:
 
 
 def parenthesised(inner: str) -> str:
-    tall = any(mark in inner for mark in ("frac{", r"\begin"))
+    tall = any(mark in inner for mark in ("frac{", r"\sqrt", r"\begin"))
     return rf"\left( {inner} \right)" if tall else f"({inner})"
 
 

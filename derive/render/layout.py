@@ -11,8 +11,10 @@ from math import ceil
 from typing import TypeAlias
 
 from derive.expression import Expr
+from derive.render.notation import Notation
 from derive.render.width import RELATION, width
 
+HOUSE = Notation()
 LINE = 40.5  # em: the text width of the pages, 160 mm at 11 pt
 GAP = 2.0  # em between equations side by side
 INDENT, HANGING = r"&\quad ", 1.0  # of a sum that goes on in the next line, and its width in em
@@ -38,19 +40,20 @@ class Link:
 @dataclass(frozen=True, slots=True)
 class Display:
     """A displayed equation: lines with alignment marks, or a single one without. `wide`: may need scaling;
-    `chains` are what was laid out, none for a display that was typed."""
+    `chains` are what was laid out, in a `notation`, none for a display that was typed."""
 
     lines: tuple[str, ...]
     wide: bool = False
     chains: tuple[Chain, ...] = ()
+    notation: Notation = HOUSE
 
 
 Chain: TypeAlias = tuple[Link, ...]
 
 
-def lay_out(chains: tuple[Chain, ...]) -> Display:
-    """One display for all chains."""
-    return replace(_laid_out(chains), chains=chains)
+def lay_out(chains: tuple[Chain, ...], notation: Notation = HOUSE) -> Display:
+    """One display for all chains, which were printed in this notation."""
+    return replace(_laid_out(chains), chains=chains, notation=notation)
 
 
 def _laid_out(chains: tuple[Chain, ...]) -> Display:

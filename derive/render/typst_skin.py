@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from derive.render.aloud import aloud
 from derive.render.author_text import typst_prose
 from derive.render.formula.tex import boxes, boxes_of_lines
 from derive.render.formula.typst import in_text, typst
@@ -26,10 +27,10 @@ class TypstFormulas:
     def inline(self, formula: Display) -> str:
         (latex,) = formula.lines
         name, written = ("m", typst) if width(latex) <= HELD else ("long", in_text)
-        return f"#{name}({typst_string(latex)}, {DOLLAR}{written(boxes(latex))}{DOLLAR});"
+        return f"#{name}({typst_string(aloud(formula))}, {DOLLAR}{written(boxes(latex))}{DOLLAR});"
 
     def display(self, formula: Display) -> str:
-        spoken = typst_string(" ".join(formula.lines))
+        spoken = typst_string(aloud(formula))
         name = "fit" if formula.wide else "tall" if len(formula.lines) > TALL else "eq"
         return f"{BLOCK}#{name}({spoken}, {DOLLAR} {typst(boxes_of_lines(formula.lines))} {DOLLAR})"
 

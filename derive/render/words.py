@@ -152,7 +152,7 @@ class Telling:
     def _display(
         self, chains: tuple[tuple[Expr, ...], ...], printer: Printer, namings: tuple[Naming, ...] = ()
     ) -> str:
-        display = lay_out(tuple(chain_links(chain, printer) for chain in chains))
+        display = lay_out(tuple(chain_links(chain, printer) for chain in chains), printer.notation)
         self.printed.append(Printed.display(display, printer.notation, namings))
         return self.skin.display(display)
 

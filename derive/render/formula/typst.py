@@ -7,7 +7,7 @@ so a fraction is `frac(a, b)`, a sign of ASCII is escaped, and every piece stand
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import lru_cache
 
 from derive.render.formula.boxes import (
@@ -56,7 +56,7 @@ def typst(box: Box) -> str:
         case Gap(em):
             return GAPS.get(em) or f"#h({em:.4f}em)"
         case Row(boxes):
-            return " ".join(_row(boxes))
+            return _beside(boxes, _row(boxes))
         case Scripts(base, below, above):
             return _scripts(base, below, above)
         case Grid(rows, _, _, True):
@@ -67,7 +67,20 @@ def typst(box: Box) -> str:
 
 def in_text(box: Box) -> str:
     """A box in a line of text, which breaks between terms only: at no equal sign, in no parentheses."""
-    return " ".join(_held_together(box.boxes)) if isinstance(box, Row) else typst(box)
+    return _beside(box.boxes, _held_together(box.boxes)) if isinstance(box, Row) else typst(box)
+
+
+def _beside(boxes: Sequence[Box], written: Iterable[str]) -> str:
+    """Pieces side by side: Typst shows the blanks around a word, and no others."""
+    line = ""
+    for before, box, piece in zip((Gap(0), *boxes), boxes, written, strict=False):
+        line += piece if not line or _is_word(before) or _is_word(box) else f" {piece}"
+    return line
+
+
+def _is_word(box: Box) -> bool:
+    part = box.base if isinstance(box, Scripts) else box
+    return isinstance(part, Word) and not part.operator
 
 
 def _held_together(boxes: Iterable[Box]) -> Iterator[str]:
@@ -116,9 +129,7 @@ def _row(boxes: Iterable[Box]) -> Iterator[str]:
 
 def _word(text: str, operator: bool) -> str:
     quoted = '"' + text.replace("\\", r"\\").replace('"', r"\"") + '"'
-    if operator:
-        return f"op({quoted})"
-    return f"upright({quoted})" if " " not in text else quoted  # a bare string keeps the blanks around it
+    return f"op({quoted})" if operator else quoted
 
 
 def _sign(char: str, kind: str) -> str:
