@@ -1,4 +1,4 @@
-"""What a listener is told of a formula: its boxes in words, one after the other, with their ends where needed.
+"""What a listener is told of a formula: its boxes in words one after the other, with their ends where needed.
 
 A number above on the right is a power, unless it belongs to a name of the trees that were printed: T_1^0 is
 no square. The words are those of `templates/words/_spoken.j2`.
@@ -234,5 +234,3 @@ def arguments(boxes: Sequence[Box], opening: int, closing: int) -> list[Row]:
         else:
             found[-1].append(box)
     return [Row(tuple(part)) for part in found]
-
-

@@ -164,7 +164,8 @@ def _attached(base: str, below: Box | None, above: Box | None) -> str:
     for mark, script in (("_", below), ("^", above)):
         if script is not None:
             written = typst(script)
-            base += mark + (written if UNIT.fullmatch(written) else f"({written})")
+            bare = UNIT.fullmatch(written) and not base.startswith('"')  # what comes next touches a word
+            base += mark + (written if bare else f"({written})")
     return base
 
 
