@@ -29,7 +29,8 @@ class PageFacts(Record):
     `numbers` are the results worth printing where they are evaluated (None: all), `page_names` says what they
     are called on the page; with `met` only the branches that are met are listed. `angle_results` are angles,
     in degrees where the `style` is; `short_names` are angles whose sine is printed s_\\phi. With `labels`,
-    one for each solution at a point, these are a table; `remark` is what is said after the numbers.
+    one for each solution at a point, these are a table; `remark` is what is said after the numbers, and
+    angles are `in_degrees` though nobody typed any.
     """
 
     numbers: tuple[str, ...] | None = None
@@ -40,6 +41,7 @@ class PageFacts(Record):
     short_names: tuple[str, ...] = ()
     labels: tuple[Cell, ...] = ()
     remark: Phrase | None = None
+    in_degrees: bool = False
 
 
 F = TypeVar("F", bound=PageFacts)

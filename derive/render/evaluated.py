@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import Any, get_args
 
 from derive.algebra.readable.terms import Style
-from derive.derivation import Branch, Cell, Derivation
+from derive.derivation import Branch, Cell, Derivation, PageFacts
 from derive.expression import (
     PI,
     Approximate,
@@ -59,7 +59,7 @@ def evaluated_words(
     names = [name for name in found if name in shown]
     if not names:
         return ""
-    printer, style = Printer(notation), _style(facts.style, at)
+    printer, style = Printer(notation), _style(facts, at)
     seen = [] if printed is None else printed
     speech = on_page(folder, derivation.kind, printer, skin.plain, seen, style)
     turning = frozenset(_called(facts.page_names.get(name, name)) for name in facts.angle_results)
@@ -97,10 +97,10 @@ def _working(derivation: Derivation) -> set[str]:
     return {name for each in solutions for name in each.short.keys() - each.values.keys()}
 
 
-def _style(style: Style, at: Mapping[str, Expr]) -> Style:
+def _style(facts: PageFacts, at: Mapping[str, Expr]) -> Style:
     """That of the subject, in degrees also where a value of the point is."""
     typed = any(isinstance(node, Degrees) for value in at.values() for node in walk(value))
-    return replace(style, degrees=style.degrees or typed)
+    return replace(facts.style, degrees=facts.style.degrees or typed or facts.in_degrees)
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import groupby
 
 from pydantic import Field
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.readable.form import readable_matrix
 from derive.algebra.readable.terms import Style
-from derive.derivation import Derivation, PageFacts, Phrase, Step
+from derive.derivation import Derivation, PageFacts, Phrase, Said, Step
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Expr, Symbol, symbols
+from derive.expression import ZERO, Expr, Matrix, Product, Symbol, symbols
 from derive.kinds.checks import is_rotation
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -21,9 +22,11 @@ from derive.kinds.robot._columns import product_lines
 from derive.kinds.robot._rows.exponentials import NAMED, Exponentials, ScrewsTold
 from derive.kinds.work import Work
 from derive.mechanics.dh import CONVENTIONS
+from derive.mechanics.elementary import factor_name, homogeneous, rotation_matrix, translation
+from derive.mechanics.motion import Move
 from derive.mechanics.oracle.rows import TYPED
 from derive.mechanics.poses import composed, rotation_part
-from derive.mechanics.robot import DHRow, Robot
+from derive.mechanics.robot import DHRow, FreeRow, Link, Robot
 
 A_1, T_BASE = symbols("A_1 T_base")
 
@@ -38,7 +41,7 @@ class Facts(PageFacts):
     screws: ScrewsTold | None = None
     dh_rows: bool = False
     free: Phrase | None = None  # rows of another form beside these
-    locals: tuple[str, ...] = ()  # steps
+    locals: tuple[tuple[str, ...], ...] = ()  # steps that stand side by side
     base: tuple[str, ...] = ()  # steps
     tool: tuple[str, ...] = ()  # steps
     product: str = ""  # a step
@@ -71,8 +74,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     if robot.base:  # frame 0 is that of the base, so the first row is not yet T_1^0
         rows = (A_1, *rows[1:])
     work = _law(Work(problem), robot) if "dh-row" in sorts else Work(problem)
-    for row, T_i, sort in zip(rows, found.T_local, sorts, strict=False):
-        work = work.line(row, value=T_i, rule=sort)
+    for row, T_i, link in zip(rows, found.T_local, robot.links, strict=False):
+        work = _line(work, row, T_i, link)
+    beside = _beside(work.steps[-len(rows) :])
     poses = rows
     if robot.base:
         poses = (pose_name(1), *rows[1:])
@@ -88,8 +92,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     free = tuple(i for i, sort in enumerate(sorts, 1) if sort == "motion")
     facts = Facts(
         dh_rows="dh-row" in sorts,
-        free=Phrase("free-rows", {"rows": free}) if free and "dh-row" in sorts else None,
-        locals=tuple(row.name for row in rows),
+        free=_free(robot, free) if "dh-row" in sorts else None,
+        locals=beside,
         base=("T_base", "T_1^0") if robot.base else (),
         tool=tool,
         product=name.name if len(factors) > 1 else "",
@@ -98,6 +102,41 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.claim(*is_rotation(rotation_part(T), _rotation_name(name)))
     work = _named(_as_in_numbers(work, T, last, whole), results, facts)
     return work.answer("forward-kinematics", results, facts)
+
+
+def _line(work: Work, name: Symbol, T_i: ScalarMatrix, link: Link) -> Work:
+    """The transformation of a row; of a free motion also as the product of its moves, where these are about
+    coordinate axes."""
+    if isinstance(link.row, DHRow):
+        return work.line(name, value=T_i, rule="dh-row")
+    moves = link.row.moves if isinstance(link.row, FreeRow) else ()
+    elementary = {factor: matrix for move in moves for factor, matrix in _elementary(move)}
+    product = (Product(tuple(elementary)),) if 1 < len(moves) == len(elementary) else ()
+    return work.knowing(elementary).line(name, *product, value=T_i, rule="motion", spare=product)
+
+
+def _elementary(move: Move) -> Iterator[tuple[Expr, Matrix]]:
+    """Rot_{z,theta} or Trans_{z,d}, and its matrix (4 by 4); nothing of an axis that was written."""
+    if isinstance(move.axis, str):
+        turns = move.kind == "rotate"
+        T = homogeneous(rotation_matrix(move.axis, move.by)) if turns else translation(move.axis, move.by)
+        yield factor_name(move, Symbol(move.axis), ("Rot", "Trans")), T
+
+
+def _beside(rows: Sequence[Step]) -> tuple[tuple[str, ...], ...]:
+    """Which stand side by side: those with a product have their own lines."""
+    groups = groupby(rows, key=lambda step: len(step.chain))
+    return tuple(tuple(step.name for step in group) for _, group in groups)
+
+
+def _free(robot: Robot, rows: tuple[int, ...]) -> Phrase | None:
+    """That rows follow no convention; where one is a joint, that its zero was chosen."""
+    names = [robot.links[i - 1].variable for i in rows]
+    joints = tuple(Symbol(name) for name in names if name)
+    if not rows:
+        return None
+    about: dict[str, Said] = {"rows": rows}
+    return Phrase("free-joints", {**about, "joints": joints}) if joints else Phrase("free-rows", about)
 
 
 def _by_screws(robot: Robot, problem: Problem, last: int, whole: bool) -> Derivation:

@@ -12,7 +12,7 @@ from typing import Any
 from derive.algebra.numbers.floats import Point, number
 from derive.derivation import Branch, Condition, Phrase
 from derive.errors import NotDerivable
-from derive.expression import Approximate, Expr, Number, Symbol, free_symbols, rebuild
+from derive.expression import PI, Approximate, Expr, Number, Symbol, free_symbols, rebuild, walk
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.at_pose import AtPose, InNumbers
@@ -68,6 +68,12 @@ class Evaluated:
         if self.off < EXACT:
             return Phrase("put-back-exactly")
         return Phrase("put-back", {"off": Approximate(float(f"{self.off:.1g}"))})
+
+
+def in_degrees(problem: Problem, place: Place | None) -> bool:
+    """Whether neither the arm nor the place has angles in radians."""
+    typed = [*problem.subject.motions(), *(value for _, value in place or ())]
+    return not any(node == PI for tree in typed for node in walk(tree))
 
 
 def evaluated(

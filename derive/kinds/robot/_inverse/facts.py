@@ -103,11 +103,13 @@ class ElbowTold(Record):
 
 
 class Triangle(Record):
-    """Of two links, the line of length `r` to the end-effector, and the angle at the `elbow`; links that are
+    """Of two links, the line of length `r` to the end-effector, and the angle at the `elbow`, whose cosine is
+    that of its neighbour `mirrored`; links that are
     equally long can be `folded` to nothing."""
 
     r: Expr
     elbow: Expr
+    mirrored: Relation
     theta_1: Symbol
     elbows: tuple[ElbowTold, ...]
     folded: Phrase | None

@@ -14,7 +14,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.branches import Solutions
 from derive.kinds.robot._inverse.checks import Tried, as_printed
 from derive.kinds.robot._inverse.choices import Choices, signs_of
-from derive.kinds.robot._inverse.evaluated import by_plan, evaluated
+from derive.kinds.robot._inverse.evaluated import by_plan, evaluated, in_degrees
 from derive.kinds.robot._inverse.given import Given, goal_of
 from derive.kinds.robot._inverse.lines import Lines
 from derive.kinds.robot._inverse.placed import Placed
@@ -71,7 +71,7 @@ def derive(chain: Chain, given: Given, place: Place | None, problem: Problem) ->
     placed = Placed(target, solutions.branches, solutions.order, values, solutions.at_home)
     work = work.claim(*placed.claims(place, problem))
     work = work.claim(*Seen(worked, trial, choices).claims())
-    facts = Told(worked, solutions, choices).facts(trial.partial, values)
+    facts = Told(worked, solutions, choices).facts(trial.partial, values, in_degrees(problem, place))
     return work.answer("inverse-kinematics", results, facts, evaluated=values.values)
 
 

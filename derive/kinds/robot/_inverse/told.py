@@ -24,7 +24,7 @@ class Told:
     solutions: Solutions
     choices: Choices
 
-    def facts(self, partial: bool, values: Evaluated) -> Facts:
+    def facts(self, partial: bool, values: Evaluated, degrees: bool) -> Facts:
         """What the words choose their sentences by."""
         worked = self.worked
         return Facts(
@@ -42,6 +42,7 @@ class Told:
             remark=values.remark,
             angle_results=self.solutions.turning,
             style=worked.problem.style,
+            in_degrees=degrees,
         )
 
     def _known(self) -> Phrase | None:

@@ -14,20 +14,35 @@ from derive.algebra.numbers.compiled import compiled
 from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.scalar import Scalar
 from derive.derivation import Branch, Cell, Claim, Condition, Derivation, Phrase, Step
-from derive.expression import ONE, PI, Expr, Symbol, atan2, cos, multiply, number, sin, sqrt
+from derive.expression import (
+    ONE,
+    PI,
+    Expr,
+    Number,
+    Relation,
+    Symbol,
+    add,
+    atan2,
+    cos,
+    multiply,
+    number,
+    sin,
+    sqrt,
+    terms_of,
+)
 from derive.kinds.checks import close, route
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.at_pose import Configuration
 from derive.kinds.robot._inverse.checks import Tried, as_printed
-from derive.kinds.robot._inverse.evaluated import SMALL, Evaluated, at_point, evaluated
+from derive.kinds.robot._inverse.evaluated import SMALL, Evaluated, at_point, evaluated, in_degrees
 from derive.kinds.robot._inverse.facts import ElbowTold, Facts, Triangle
 from derive.kinds.robot._inverse.given import refuse_namesakes
 from derive.kinds.robot._inverse.lines import equal
 from derive.kinds.robot._inverse.one_equation import of_sign
 from derive.kinds.robot._inverse.placed import Placed
 from derive.kinds.robot._inverse.sampled import sample_points
-from derive.kinds.robot._inverse.signs import signed
+from derive.kinds.robot._inverse.signs import opposite, over, signed, square, total
 from derive.kinds.robot._inverse.target import SAME, Target, Values
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
@@ -71,6 +86,7 @@ def derive(
         remark=values.remark,
         angle_results=chain.variables,
         style=problem.style,
+        in_degrees=in_degrees(problem, place),
     )
     results = {"solutions": tuple(branches)}
     return work.answer("inverse-kinematics", results, facts, evaluated=values.values)
@@ -105,10 +121,10 @@ class _Writing:
             if isinstance(name, Symbol)
         ]
         cosine, length = cos(self.theta_2), multiply(number(2), self.a_1, self.a_2)
-        sides = self.a_1**2 + self.a_2**2 + -(self.x**2) + -(self.y**2)
+        sides = add(*terms_of(total(map(square, self.lengths))), -(self.x**2), -(self.y**2))
         inside = cos(PI - self.theta_2)
         triangle = Step("triangle", (inside, sides / length), "law-of-cosines")
-        solved = Step("c_2", (cosine, self.cosine()), "law-of-cosines")
+        solved = Step("c_2", (cosine, self.told_cosine()), "law-of-cosines")
         elbows = [
             Step(elbow.replace("-", "_"), (self.theta_2, atan2(self.sine(sign, cosine), cosine)), "branch")
             for elbow, sign in ELBOWS.items()
@@ -124,6 +140,15 @@ class _Writing:
         if bottom.constant is not None:
             return self.problem.readable(top / bottom)
         return self.problem.readable(top) / self.problem.readable(bottom)
+
+    def told_cosine(self) -> Expr:
+        """The same as the page has it, over what stood in the line before where that is a whole number."""
+        bottom = multiply(number(2), *self.lengths)
+        if not isinstance(bottom, Number) or bottom.value.denominator > 1 or bottom.decimal:
+            return self.cosine()
+        return over(
+            add(self.x**2, self.y**2, *map(opposite, terms_of(total(map(square, self.lengths))))), bottom
+        )
 
     @staticmethod
     def sine(sign: int, cosine: Expr) -> Expr:
@@ -150,6 +175,7 @@ class _Writing:
         return Triangle(
             r=sqrt(self.square),
             elbow=PI - self.theta_2,
+            mirrored=Relation(cos(PI - self.theta_2), "=", -cos(self.theta_2)),
             theta_1=self.theta_1,
             elbows=tuple(
                 ElbowTold(when=when, step=elbow.replace("-", "_"))
@@ -207,6 +233,8 @@ class Seen:
         yield close(
             math.cos(arrays(told.elbow, known)), (base - elbow) @ (tip - elbow) / math.prod(sides), SAME
         )
+        assert not isinstance(told.mirrored.left, Relation)
+        yield close(arrays(told.mirrored.left, known), arrays(told.mirrored.right, known), SAME)
         yield bool(told.folded) == close(sides[0], sides[1], SAME)
 
     def _pivot(self, name: str, at: Values) -> Any:

@@ -157,8 +157,10 @@ def _set(problem: Problem, way: Way, each: Analysed) -> SetTold:
 def _inside(each: Analysed) -> Inside:
     choices = _choices(each.cases)
     free = prod(map(len, choices)) == len(each.cases)
+    equations = (*each.decided, *((equation, ZERO) for equation in each.equations))
+    solved = len(each.cases) == 1 and {*equations} == {*each.cases[0].values}  # d3 = 0, and nothing to solve
     return Inside(
-        equations=(*each.decided, *((equation, ZERO) for equation in each.equations)),
+        equations=() if solved else equations,
         choices=choices if free else (),
         places=() if free else tuple(case.values for case in each.cases),
         several=len(each.equations) > 1,
