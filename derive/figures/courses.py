@@ -71,9 +71,11 @@ def _alternative(courses: Mapping[Label, Course], units: tuple[str, ...], turned
     """What each does, to three digits."""
     said = [_told(course, units, turned) for course in courses.values()]
     if len(said) == 1:
-        return said[0]
+        return Phrase("seen-course", {"axes": said[0]})
     pairs = zip(courses, said, strict=True)
-    return Phrase("seen-axes", {"axes": tuple(Phrase("seen-axis", {"axis": k, "told": m}) for k, m in pairs)})
+    return Phrase(
+        "seen-course", {"axes": tuple(Phrase("seen-axis", {"axis": k, "told": m}) for k, m in pairs)}
+    )
 
 
 def _told(course: Course, units: tuple[str, ...], turned: bool) -> Phrase:
