@@ -24,7 +24,7 @@ from derive.render.printed import Printed
 from derive.render.titles import without_solutions
 from derive.render.trig import meant_indices
 from derive.sheet.load import load_sheet
-from derive.sheet.model import Problem, Question, Sheet
+from derive.sheet.model import Angles, Problem, Question, Sheet
 from derive.verify import answered, in_decimals
 from derive.writing import Progress, render, write
 
@@ -150,14 +150,15 @@ def _shown_once(pages: Sequence[ProblemPage]) -> Iterator[ProblemPage]:
         yield page
 
 
-def working_on(problem: Problem) -> Working:
+def working_on(problem: Problem, angles: Angles = None) -> Working:
     """The problem as its kinds see it, with all that is asked about it."""
     here = tuple((question.find, question.options) for question in problem.questions)
-    return Working(problem.subject_name, problem.subject, problem.where, problem.assumptions, questions=here)
+    known = problem.where, problem.assumptions
+    return Working(problem.subject_name, problem.subject, *known, questions=here, angles=angles)
 
 
 def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool, warn: Warn) -> ProblemPage:
-    working = working_on(problem)
+    working = working_on(problem, sheet.notation.angles)
     answers = each(problem.questions, lambda question: answered(question, working))
     strange = list(strange_names(problem, working, answers))
     if misspelt := [found for found in strange if found.hint]:
@@ -240,7 +241,8 @@ def _notation(sheet: Sheet, working: Working, answers: Sequence[Derivation]) -> 
     given = sheet.notation
     return Notation(
         given.atan2, given.trig, given.digits, meant=meant_indices(working.taken),
-        letters=letters_of(given, working, answers), columns=STYLES.get(given.style or "", Style()).columns,
+        letters=letters_of(given, working, answers), angles=given.angles,
+        columns=STYLES.get(given.style or "", Style()).columns,
     )  # fmt: skip
 
 

@@ -2,44 +2,47 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from difflib import get_close_matches
 
 from derive.derivation import Derivation
-from derive.errors import SheetError, SheetErrors
+from derive.errors import SheetError
 from derive.expression import Call, Expr, Indexed, Symbol, walk
 from derive.kinds.problem import TREES, expressions
 from derive.kinds.problem import Problem as Working
-from derive.render.lettering import Lettering, lettering
+from derive.render.lettering import HOUSE, STYLES, Lettering
 from derive.render.names import stem_of
 from derive.sheet.model import Notation
 
 
 def letters_of(given: Notation, working: Working, answers: Iterable[Derivation]) -> Lettering:
-    """The letters of one problem. Raises SheetErrors where a letter would stand for two things."""
-    if not given.style and not given.names:
-        return Lettering()
+    """The letters of one problem: those of its style, where nothing else in it is called so, and those that
+    the author asks for. Raises SheetErrors where one of these would stand for two things."""
+    style = STYLES.get(given.style or "")
+    if style is None and not given.names:
+        return HOUSE
     options = (part for _, options in working.questions for part in expressions(options))
     own = frozenset(working.taken).union(*(_names(tree) for tree in options))
-    found = lettering(given.style or "", given.names.items(), own)
     used = _used(answers) | own
-    printed = {name: found.called(name) for name in sorted(used)}
-    if faults := [*_namesakes(given, printed)]:
-        raise SheetErrors(faults)
+    found = Lettering(tuple(given.names.items()), own, style.frames if style else "after")
+    if given.at and (clash := _clash(found, used)):
+        name, written = clash
+        message = f"{name} would be printed as {written}, which means something else here"
+        raise given.at.error(message, ("names",), f"give another letter for {stem_of(name)}")
+    for ours, theirs in style.letters.items() if style and working.name == "robot" else ():
+        wider = replace(found, stems=(*found.stems, (ours, theirs)))
+        if ours not in given.names and not _clash(wider, used):
+            found = wider
     return found
 
 
-def _namesakes(given: Notation, printed: dict[str, str]) -> Iterator[SheetError]:
-    """Names that would be printed as another is."""
-    first = {written: name for name, written in printed.items() if name == written}
-    for name, written in printed.items():
-        if name != written and written in first and given.at:
-            by, route = (stem_of(name), ("names",)) if given.names else (str(given.style), ("style",))
-            hint = f"give another letter for {stem_of(name)} under notation: names"
-            yield given.at.fault(
-                f"{by} would print {name} as {written}, which means something else", route, hint
-            )
-            return
+def _clash(letters: Lettering, used: Iterable[str]) -> tuple[str, str] | None:
+    """A name that would be printed as another is, and how."""
+    printed = {name: letters.called(name) for name in sorted(used)}
+    same = Counter(printed.values())
+    return next(((name, to) for name, to in printed.items() if name != to and same[to] > 1), None)
 
 
 def unused_letters(given: Notation, answers: Sequence[Derivation]) -> Iterator[SheetError]:

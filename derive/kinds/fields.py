@@ -24,6 +24,7 @@ from pydantic_core import CoreSchema, core_schema
 from derive.algebra.formulas.functions import ARGUMENTS
 from derive.algebra.formulas.grammar import parse, parse_equation, parse_starred
 from derive.algebra.formulas.likely_mistakes import Doubt, doubtful_angle, words_like_units
+from derive.algebra.formulas.read_again import is_as_typed
 from derive.algebra.formulas.tokens import tokens
 from derive.algebra.formulas.units import (
     ACCELERATION,
@@ -90,6 +91,8 @@ class _Reader:
 
     def _checked(self, typed: Any, tree: Expr, info: ValidationInfo) -> Expr:
         """The tree; what is strange about it is said."""
+        if not is_as_typed(text_of(typed), tree):
+            raise FormulaError("this was read as another number", hint="please report this with the sheet")
         if self.dimension is not None:
             for word in words_like_units(text_of(typed)):
                 doubt(word, info)

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Hashable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from functools import cached_property
-from typing import Any, get_args
+from typing import Any, Literal, get_args
 
 from derive.algebra.bounds import count, one_answer
 from derive.algebra.matrix import ScalarMatrix
@@ -50,6 +50,7 @@ class Problem:
     where: Mapping[str, Expr] = field(default_factory=dict)
     assumptions: Mapping[str, str] = field(default_factory=dict)
     questions: tuple[tuple[str, Any], ...] = ()  # kind and options of all that is asked about the subject
+    angles: Literal["deg", "rad"] | None = None  # as the sheet wants them; None: as they were typed
     memo: Memo = field(default_factory=Memo)
     order: tuple[str, ...] = ()  # of angles, where it is not that of the sheet
 
@@ -116,7 +117,7 @@ class Problem:
         met = (node.name for node in trees if isinstance(node, Symbol) and node != PI)
         return Style(
             decimals=any(node.decimal for node in typed),
-            degrees=any(isinstance(node, Degrees) for node in trees),
+            degrees=self.angles == "deg" if self.angles else any(isinstance(node, Degrees) for node in trees),
             units=any(node.unit for node in typed),
             longest=max((significant_digits(node.value) or 0 for node in typed if node.decimal), default=0),
             order=self.order or tuple(dict.fromkeys((*getattr(self.subject, "variables", ()), *met))),

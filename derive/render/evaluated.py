@@ -59,7 +59,7 @@ def evaluated_words(
     names = [name for name in found if name in shown]
     if not names:
         return ""
-    printer, style = Printer(notation), _style(facts, at)
+    printer, style = Printer(notation), _style(facts, at, notation)
     seen = [] if printed is None else printed
     speech = on_page(folder, derivation.kind, printer, skin.plain, seen, style)
     turning = frozenset(_called(facts.page_names.get(name, name)) for name in facts.angle_results)
@@ -97,10 +97,11 @@ def _working(derivation: Derivation) -> set[str]:
     return {name for each in solutions for name in each.short.keys() - each.values.keys()}
 
 
-def _style(facts: PageFacts, at: Mapping[str, Expr]) -> Style:
-    """That of the subject, in degrees also where a value of the point is."""
+def _style(facts: PageFacts, at: Mapping[str, Expr], notation: Notation) -> Style:
+    """That of the subject, in degrees also where a value of the point is, unless the sheet says how."""
     typed = any(isinstance(node, Degrees) for value in at.values() for node in walk(value))
-    return replace(facts.style, degrees=facts.style.degrees or typed or facts.in_degrees)
+    degrees = facts.style.degrees or typed or facts.in_degrees
+    return facts.style if notation.angles else replace(facts.style, degrees=degrees)
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,7 +4,7 @@ The names of a sheet stay as its author typed them."""
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from types import MappingProxyType
@@ -101,7 +101,7 @@ HOUSE = Lettering()
 
 
 def _is_framed(parts: Name) -> bool:
-    return bool(parts.upper) and parts.upper not in (*OPERATIONS, r"\ast")
+    return bool(parts.upper) and parts.upper not in (*OPERATIONS, r"\ast") and "_" not in parts.lower
 
 
 @lru_cache(10_000)
@@ -122,14 +122,7 @@ def _below(name: str) -> str:
     """T_01 for T_1^0: the frame that it is seen in first (Lynch and Park, section 3.3)."""
     head, mark, upper = name.partition("^")
     stem, line, lower = head.partition("_")
-    if not mark or not line or upper in OPERATIONS:
+    if not mark or not line or upper in OPERATIONS or "_" in lower:
         return name
     between = "" if len(upper) == len(lower) == 1 else "_"
     return f"{stem}_{upper}{between}{lower}"
-
-
-def lettering(style: str, names: Iterable[tuple[str, str]], own: frozenset[str]) -> Lettering:
-    """The letters of a sheet: those of its style, but where its author says another."""
-    of = STYLES.get(style, Style())
-    stems = {**of.letters, **dict(names)}
-    return Lettering(tuple(stems.items()), own, of.frames)

@@ -16,7 +16,8 @@ class Notation:
     c_1 and s_{12} for joint angles. `digits`: significant digits of evaluated numbers.
     `short_names`: further angles that short notation abbreviates by their whole name, c_\\phi.
     `meant`: indices with which a c or an s is a name of the sheet, which short notation may not use.
-    `letters`: what the answers' own names are printed as. `columns`: the order of a table of link parameters.
+    `letters`: what the answers' own names are printed as. `angles`: how those of
+    results are written, None as they were typed. `columns`: the order of a table of link parameters.
     """
 
     atan2: Literal["yx", "xy"] = "yx"
@@ -25,4 +26,5 @@ class Notation:
     short_names: frozenset[str] = frozenset()
     meant: frozenset[str] = frozenset()
     letters: Lettering = HOUSE
+    angles: Literal["deg", "rad"] | None = None
     columns: tuple[str, ...] = ()

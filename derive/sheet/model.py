@@ -6,11 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import ModuleType
-from typing import Any, Literal
+from typing import Any, Literal, TypeAlias
 
 from derive.errors import Place, SheetError
 from derive.expression import Expr
 from derive.sheet.source import At
+
+Angles: TypeAlias = Literal["deg", "rad"] | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +24,7 @@ class Notation:
     trig: Literal["short", "long"] = "short"
     digits: int = 3
     style: str | None = None  # None: the house's own
-    angles: Literal["deg", "rad"] | None = None  # None: as they were typed
+    angles: Angles = None  # None: as they were typed
     names: Mapping[str, str] = field(default_factory=dict)
     at: At | None = None
 

@@ -24,6 +24,7 @@ from derive.expression import (
     replace,
     walk,
 )
+from derive.kinds.checks import random_points, route
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.meanings import Names, column_of, told
 from derive.kinds.problem import Problem
@@ -44,9 +45,10 @@ from derive.mechanics.robot import Robot
 CLAIMED = {"groups": "motion-of-each-body", "names": "motion-of-each-body"}
 
 NEEDS = ("bodies",)
-CLAIMS = ("motion-of-each-body",)
+CLAIMS = ("motion-of-each-body", "smallest")
 COLUMNS = {"IA": "column-IA", "FV": "column-FV", "FS": "column-FS"}
 PRODUCTS = (("Y", "parameters"), ("Y_b", "base_parameters"))
+INDEPENDENT = 1e-8  # the smallest singular value, relative to the largest
 LONGEST_NUMBER = 10**6  # denominator of a number that is still written in full
 
 
@@ -101,6 +103,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     for Y, name in PRODUCTS:
         ours = partial(_product, as_matrix(results[Y], Y), results[name])
         work = work.agrees("motion-of-each-body", arm.moving, ours, arm.rubbing.torques, Y=Y, theta=name)
+    work = work.claim(route("smallest", _is_smallest(arm, as_matrix(results["Y_b"], "Y_b"))))
     facts = Facts(
         table=_table(values),
         all=len(parameters),
@@ -119,6 +122,19 @@ def _moves_its_joint(robot: Robot, part: Standard) -> bool:
     row = int(number(part.name.lower[0], {}))
     own = robot.variables.index(robot.links[row - 1].variable or "")
     return [bool(entry) for entry in part.column.entries] == [k == own for k in range(len(robot.variables))]
+
+
+def _is_smallest(arm: Arm, Y_b: Matrix) -> Iterator[bool]:
+    """Whether no column of Y_b is a combination of the others: the rows of enough motions of one arm have
+    full rank."""
+    import numpy as np
+
+    points = [*random_points(arm.moving, 2 * len(Y_b.rows[0]))]
+    varying = {f"{name}{dots}" for name in arm.variables for dots in ("", "_dot", "_ddot")}
+    lengths = {name: value for name, value in points[0].items() if name not in varying}
+    rows = np.array([row for at in points for row in number_rows(Y_b, {**at, **lengths})])
+    values = np.linalg.svd(rows / np.abs(rows).max(axis=0), compute_uv=False)
+    yield bool(values[-1] > INDEPENDENT * values[0])
 
 
 def _linear(work: Work, results: Mapping[str, Expr]) -> Work:

@@ -3,9 +3,10 @@ rank on each set, what the arm looks like there, and that a search finds no othe
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from itertools import combinations
 from typing import Any
 
 from derive.algebra.infix import text
@@ -14,7 +15,7 @@ from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.compiled import compiled
 from derive.derivation import Branch, Claim, Phrase, Step
 from derive.errors import NotDerivable
-from derive.expression import Symbol
+from derive.expression import Expr, Symbol
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._singular.facts import CaseTold, SetTold
@@ -69,7 +70,7 @@ class Checked:
         if self.way.complete and (found := [*self._found(some[0])]):
             yield route("all-found", found)
         one_of_each = {id(each): branch for branch, each, _ in self._listed() if not each.inner}
-        if lower := [found for branch in one_of_each.values() for found in self._lower(branch, some[0])]:
+        if lower := [*self._inner([*one_of_each.values()], some[0])]:
             yield route("inner-found", lower)
 
     def _listed(self) -> Iterator[tuple[Branch, Analysed, Case | None]]:
@@ -174,12 +175,22 @@ class Checked:
             told = any(inside(branch, here, self._slides) for branch in self.solutions)
             yield told and _rank(J.numbers(here)) < full
 
-    def _lower(self, branch: Branch, at: Values) -> Iterator[bool]:
-        """Whether each configuration of a set in which the rank is less, as a search along a line in it
+    def _inner(self, branches: Sequence[Branch], at: Values) -> Iterator[bool]:
+        """What a search finds in the sets, and where two of them cross if all is decided of each."""
+        decided = all("rank" in branch.facts for branch in self.solutions)
+        for branch in branches:
+            rank = branch.facts.get("rank")
+            if isinstance(rank, int) and branch.values:
+                yield from self._lower(branch.values, rank, at)
+        for one, other in combinations(branches, 2) if decided else ():
+            both = {**one.values, **other.values}
+            crossing = put(both, at) if len(both) == len(one.values) + len(other.values) > 1 else None
+            if crossing is not None and one.values and other.values:
+                yield from self._lower(both, _rank(self.task.numbers(crossing)), at)
+
+    def _lower(self, own: Mapping[str, Expr], rank: int, at: Values) -> Iterator[bool]:
+        """Whether each configuration with these values in which the rank is less, as a search along a line
         finds, lies in a set that is told to have that rank."""
-        rank, own = branch.facts.get("rank"), branch.values
-        if not isinstance(rank, int) or not own:
-            return
 
         def height(there: Values) -> float:
             here = put(own, there)
