@@ -10,8 +10,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
-from derive.render.author_writers import LatexWriter, MarkdownWriter, TypstWriter, Writer
-from derive.render.plain_text import latex_text, markdown_formula, markdown_text, typst_text
+from derive.render.author_writers import HtmlWriter, LatexWriter, MarkdownWriter, TypstWriter, Writer
+from derive.render.plain_text import html_text, latex_text, markdown_formula, markdown_text, typst_text
 
 IN_ROWS = re.compile(r" *(?<![\\$])\$([^$]+\\\\[^$]+)\$(?!\$)([.,;:]?) *")  # and the sign after it
 FORMULA = re.compile(r"(?<!\\)\$([^$\n]+(?:\n[^$\n]+)*)\$")
@@ -34,6 +34,12 @@ def typst_prose(text: str) -> str:
     """An author's text as Typst, its formulas still in TeX."""
     text = _with_rows_displayed(text)
     return _plain(text, typst_text, TypstWriter().formula) or _blocks(text, TypstWriter())
+
+
+def html_prose(text: str) -> str:
+    """An author's text as HTML, its formulas still in TeX."""
+    text = _with_rows_displayed(text)
+    return _plain(text, html_text, HtmlWriter().formula) or _blocks(text, HtmlWriter())
 
 
 def _with_rows_displayed(text: str) -> str:

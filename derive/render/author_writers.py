@@ -6,7 +6,14 @@ import re
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from derive.render.plain_text import latex_text, markdown_formula, markdown_text, typst_string, typst_text
+from derive.render.plain_text import (
+    html_text,
+    latex_text,
+    markdown_formula,
+    markdown_text,
+    typst_string,
+    typst_text,
+)
 
 if TYPE_CHECKING:
     from markdown_it.tree import SyntaxTreeNode
@@ -173,3 +180,27 @@ class TypstWriter(Writer):
 
     def listed(self, items: list[str], ordered: bool) -> str:
         return f"#{'enum' if ordered else 'list'}(" + ", ".join(f"[{item}]" for item in items) + ")"
+
+
+class HtmlWriter(Writer):
+    em, strong = ("<em>", "</em>"), ("<strong>", "</strong>")
+
+    def text(self, text: str) -> str:
+        return html_text(text)
+
+    def code(self, code: str) -> str:
+        return f"<code>{html_text(code)}</code>"
+
+    def link(self, text: str, address: str) -> str:
+        return f'<a href="{html_text(address)}">{text}</a>'
+
+    def formula(self, tex: str) -> str:
+        return " ".join(tex.split())
+
+    def display(self, formula: str) -> str:
+        return f"\n\n$${self.formula(formula)}$$\n\n"
+
+    def listed(self, items: list[str], ordered: bool) -> str:
+        name = "ol" if ordered else "ul"
+        lines = "".join(f"<li>{' '.join(item.split())}</li>" for item in items)
+        return f"<{name}>{lines}</{name}>"

@@ -5,12 +5,14 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 
+from derive.render import html_skin
 from derive.render.author_text import latex_prose, markdown_prose
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked, file_path, plot_path
 from derive.render.evaluated import evaluated_words
 from derive.render.foot import Proved
 from derive.render.formulas import spelt
 from derive.render.given import given_words
+from derive.render.html_skin import HTML
 from derive.render.markdown_math import left_alone, rows_apart
 from derive.render.plain_text import latex_text, markdown_text
 from derive.render.printed import Printed, Reader, Said, unread
@@ -46,6 +48,12 @@ def render_typst(document: Document, read: Reader = unread) -> str:
     """The sheet as a Typst document, which reads its title and the like from `sys.inputs`; its mathematics is
     given to `read`. Raises ForgottenStep, and what `read` raises."""
     return laid_out(_tidy(_page(document, TYPST, True, read)))
+
+
+def render_html(document: Document, read: Reader = unread) -> str:
+    """The body of the sheet as HTML; its mathematics is given to `read`. Raises ForgottenStep, and what
+    `read` raises."""
+    return html_skin.laid_out(_tidy(_page(document, HTML, True, read)))
 
 
 def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from html import escape
 
 LETTERS = "αβγδεζηθικλμνξπρστυφχψωΓΔΘΛΞΠΣΥΦΨΩϕϑ"
 LETTER_NAMES = (
@@ -53,6 +54,11 @@ def typst_string(text: str) -> str:
     """A string of Typst's code."""
     escaped = re.sub(r'[\\"$\n]', lambda found: rf"\u{{{ord(found[0]):x}}}", UNPRINTED.sub("", text))
     return f'"{escaped}"'
+
+
+def html_text(text: str) -> str:
+    """Text for HTML. A dollar is no beginning of a formula."""
+    return escape(UNPRINTED.sub("", text)).replace("$", "&#36;")
 
 
 def latex_text(text: str) -> str:

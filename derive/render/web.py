@@ -1,8 +1,10 @@
-"""The sheet as one HTML file with MathML, and as a docx, both from the Markdown."""
+"""The sheet as one HTML file with MathML, and as a docx from the Markdown."""
 
 from __future__ import annotations
 
 import re
+from base64 import b64encode
+from functools import cache
 from os import pathsep
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -10,39 +12,40 @@ from tempfile import TemporaryDirectory
 from derive.render.author_pictures import drawn
 from derive.render.document import Document
 from derive.render.figures import draw
-from derive.render.page import render_markdown
+from derive.render.page import render_html, render_markdown
 from derive.render.pandoc import pandoc
 from derive.render.pdf import metadata
 from derive.render.printed import Reader, unread
-from derive.render.skin import templates
+from derive.render.skin import environment, templates
 
-CELL = re.compile(r"<mtd\b[^>]*>")
-THIN = '<mspace width="0.17em"></mspace>'
-LETTER = r"m(?:i|n|sub|sup|subsup|over)"
-AFTER_FUNCTION = re.compile(rf"<mo>\u2061</mo>(?:</mrow>)?(?=<{LETTER}>)")
-BEFORE_FUNCTION = re.compile(
-    rf"</{LETTER}>(?=(?:<mrow>|<msup>)*<mi[^>]*>[a-z]+[a-z0-9]+</mi>(?:<mn>\d+</mn></msup>)?<mo>\u2061)"
-)
+PICTURE = re.compile(r'<img src="([^"]+)"')
+KINDS = {".svg": "image/svg+xml", ".png": "image/png", ".jpg": "image/jpeg", ".jpeg": "image/jpeg"}
 
 
 def write_html(document: Document, target: Path, read: Reader = unread) -> None:
-    """Writes one self-contained file, pictures and style inside. Pictures are found relative to the folder of
-    `target`. Raises PandocFailed, and what `read` raises."""
-    template = templates() / "html" / "sheet.html"
-    arguments = [
-        f"--template={template}", "--mathml", "--embed-resources", "--shift-heading-level-by=-1",
-        f"--resource-path={target.parent}",
-    ]  # fmt: skip
-    markdown = render_markdown(document, False, read)
-    page = pandoc(markdown, "html5", arguments, metadata(document)).decode()
-    target.write_text(mended(page), encoding="utf-8")
+    """Writes one self-contained file: pictures, style and the font of its mathematics inside. Pictures are
+    found relative to the folder of `target`. Raises what `read` raises."""
+    ours = {f"{path}.svg" for path in document.plots()}
+
+    def picture(found: re.Match[str]) -> str:
+        path = target.parent / found[1]
+        data = b64encode(path.read_bytes()).decode()
+        kind = ' class="drawn"' if found[1] in ours else ""
+        return f'<img{kind} src="data:{KINDS[path.suffix.lower()]};base64,{data}"'
+
+    body = PICTURE.sub(picture, render_html(document, read))
+    page = (
+        environment()
+        .get_template("html/sheet.j2")
+        .render(document=document, body=body, byline=metadata(document)["byline"], font=_font())
+    )
+    target.write_text(page, encoding="utf-8")
 
 
-def mended(page: str) -> str:
-    """Pandoc's MathML as browsers space and centre it: they give a function's name no room and leave the
-    cells of a matrix to the left unless each is one box of its own."""
-    wrapped = CELL.sub(r"\g<0><mrow>", page).replace("</mtd>", "</mrow></mtd>")
-    return BEFORE_FUNCTION.sub(rf"\g<0>{THIN}", AFTER_FUNCTION.sub(rf"\g<0>{THIN}", wrapped))
+@cache
+def _font() -> str:
+    """The font of mathematics, for a style sheet."""
+    return b64encode((templates() / "html" / "mathematics.woff").read_bytes()).decode()
 
 
 def write_docx(document: Document, target: Path, read: Reader = unread) -> None:

@@ -11,6 +11,7 @@ SIGNS = {
     "\N{MINUS SIGN}": "-", "\N{DOT OPERATOR}": r"\cdot", "\N{MULTIPLICATION SIGN}": r"\times",
     "\N{RING OPERATOR}": r"\circ", "\N{PARTIAL DIFFERENTIAL}": r"\partial", "\N{NABLA}": r"\nabla",
     "\N{ASTERISK OPERATOR}": r"\ast", "*": r"\ast", "\N{FUNCTION APPLICATION}": "", "\N{INVISIBLE TIMES}": "",
+    "\N{DEGREE SIGN}": r"^\circ", "\N{ALMOST EQUAL TO}": r"\approx", "\N{INFINITY}": r"\infty",
 }  # fmt: skip
 BARS = ("|", "\N{VERTICAL LINE}")
 ACCENTS = {
@@ -26,7 +27,7 @@ def latex_of(element: Element) -> str:
     match element.tag.rpartition("}")[2]:
         case "math" | "semantics":
             return latex_of(inside[0])
-        case "mrow":
+        case "mrow" | "mstyle":
             return row(inside)
         case "mi":
             return name(element)
@@ -57,37 +58,24 @@ def latex_of(element: Element) -> str:
 
 
 def row(parts: list[Element]) -> str:
-    """Parts side by side: upright letters are one word, and the brackets of a matrix are its own."""
-    written: list[str] = []
-    tables: list[int] = []
-    upright = ""
-    for part in parts:
-        if part.tag.endswith("mi") and part.get("mathvariant") == "normal" and len(part.text or "") == 1:
-            upright += part.text or ""
-            continue
-        if upright and part.tag.endswith("mn") and len(part.text or "") == 1:  # the 2 of atan2
-            upright += part.text or ""
-            continue
-        if upright:
-            written.append(rf"\mathrm{{{upright}}}")
-            upright = ""
-        tables += [len(written)] if part.tag.endswith("mtable") else []
-        written.append(latex_of(part))
-    if upright:
-        written.append(rf"\mathrm{{{upright}}}")
-    for k in tables:
-        assert (written[k - 1], written[k + 1]) == ("[", "]")
-        written[k - 1], written[k + 1] = "", ""
+    """Parts side by side; the brackets of a matrix are its own."""
+    written = [*map(latex_of, parts)]
+    for k, part in enumerate(parts):
+        if part.tag.endswith("mtable"):
+            assert (written[k - 1], written[k + 1]) == ("[", "]")
+            written[k - 1], written[k + 1] = "", ""
     return " ".join(filter(None, written))
 
 
 def name(element: Element) -> str:
-    """A letter, a Greek one, or the name of a function."""
+    """A letter, a Greek one, the name of a function, or an upright word."""
     text = element.text or ""
     if text in SIGNS:
         return SIGNS[text]
     if text in FUNCTIONS:
         return f"\\{text}"
+    if len(text) > 1 or (element.get("mathvariant") == "normal" and text.isascii()):
+        return rf"\mathrm{{{text}}}"
     return GREEK.get(text, text)
 
 
