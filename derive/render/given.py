@@ -43,7 +43,7 @@ def _told(datum: Datum, speech: Speech, skin: Skin, printer: Printer, printed: l
     if datum.items:
         parts.append(skin.items(map(speech.say, datum.items)))
     if datum.equations:
-        display = lay_out(tuple(chain_links(chain, printer) for chain in datum.equations))
+        display = lay_out(tuple(chain_links(chain, printer) for chain in datum.equations), printer.notation)
         printed.append(Printed.display(display, printer.notation))
         parts.append(skin.display(display))
     if datum.table:

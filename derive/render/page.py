@@ -79,7 +79,7 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
     template = environment().get_template(f"{skin.name}/page.j2")
     alone = sum(1 for _ in document.alone())
     verified = Proved.of(document.verified(), read(said), alone).said() if document.solutions else ""
-    return template.render(
+    page = template.render(
         document=document,
         answers=answers,
         figures=figures,
@@ -88,6 +88,7 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
         front=front,
         verified=verified,
     )
+    return spelt(page, skin.formulas, [formula for part in said for formula in part.printed])
 
 
 def _answer(
