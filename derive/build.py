@@ -11,6 +11,7 @@ from typing import Any
 from derive.derivation import Claim, Derivation, Drawing
 from derive.errors import NotDerivable, SheetError, SheetErrors
 from derive.evaluate import strange_names, with_numbers
+from derive.figures.wish import Wish
 from derive.giving import with_given
 from derive.kinds.figures import explains, figure_of
 from derive.kinds.problem import Problem as Working
@@ -197,7 +198,8 @@ def _figure(
     if problem.figure is None and not explains(working, solutions):
         return None, None
     try:
-        return figure_path(folder, problem.number), figure_of(working)
+        wish = problem.figure if isinstance(problem.figure, Wish) else Wish()
+        return figure_path(folder, problem.number), figure_of(working, wish)
     except NotDerivable as error:
         if problem.figure is None:
             return None, None

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import atan2, pi
 
+from derive.algebra.numbers.floats import number
 from derive.derivation import Caption, Drawing, Stroke
 from derive.expression import Expr, Symbol, is_negative
 from derive.figures import described, solids
@@ -14,15 +15,17 @@ from derive.figures.arm_frames import frames_of
 from derive.figures.arm_values import values_of
 from derive.figures.poses import in_pose
 from derive.figures.view import Vector, View, along, around, between, dot, length, unit
+from derive.figures.wish import Wish
 from derive.mechanics.robot import Robot
 
 SHORT = 2.6  # sizes of a joint: a shorter offset along its axis is part of its cylinder
 
 
-def drawn(robot: Robot, where: Mapping[str, Expr]) -> Drawing:
-    """The arm in a pose that shows it; symbols have typical values."""
+def drawn(robot: Robot, where: Mapping[str, Expr], wish: Wish) -> Drawing:
+    """The arm in the pose that is wished for, or one that shows it; symbols have typical values."""
     point, usual = values_of(robot, where)
-    view, found = in_pose(robot, point, usual, where)
+    wanted = {name: number(value, {}) for name, value in wish.at.items()}
+    view, found = in_pose(robot, point | wanted, usual, where, wanted)
     strokes, captions = sketch(robot, view, found, joint_size(found))
     said = described.caption(robot, found, view), described.seen(robot, found, view)
     return Drawing("figure", strokes, captions, *said, schematic=True)

@@ -19,11 +19,13 @@ PLANAR = (38, 42, -55, 40, -45, 35)  # degrees, joint after joint of an arm in a
 
 
 def in_pose(
-    robot: Robot, point: Mapping[str, float], usual: float, where: Mapping[str, Expr]
-) -> tuple[View, Posed]:
+    robot: Robot, point: Mapping[str, float], usual: float, where: Mapping[str, Expr],
+    wanted: Mapping[str, float],
+) -> tuple[View, Posed]:  # fmt: skip
     """How an arm is looked at, and the arm in a pose that shows it: in a plane with its joints bent; in space
     with all angles at zero where that can be read, else with as few as possible at a right angle; of screws
-    with all joints at zero. `point` gives the symbols values, `usual` is the size of a length (m)."""
+    with all joints at zero. `point` gives the symbols values, `usual` is the size of a length (m); joints
+    that are `wanted` somewhere are there."""
 
     def at(angles: Sequence[float], slides: Sequence[float]) -> Posed:
         values = dict(point)
@@ -31,7 +33,7 @@ def in_pose(
             values[link.variable or ""] = (
                 slides[k] * usual if link.joint == "prismatic" else radians(angles[k])
             )
-        return posed(robot, completed(values, where))
+        return posed(robot, completed({**values, **wanted}, where))
 
     count = len(robot.variables)
     if robot.by_screws:
@@ -42,8 +44,9 @@ def in_pose(
     view = _view(first)
     if view.flat:
         return view, first
+    moving = [link for link in robot.links if link.variable]
     turning = [
-        k for k, link in enumerate(each for each in robot.links if each.variable) if link.joint != "prismatic"
+        k for k, link in enumerate(moving) if link.joint != "prismatic" and link.variable not in wanted
     ]
     best, most = first, float("-inf")
     for bent in _bent(turning):

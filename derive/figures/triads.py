@@ -1,75 +1,102 @@
-"""Frames, and a motion from its start to its end, drawn as triads of axes."""
+"""Frames drawn as triads of axes: where each stands, and the body that they stand on."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations
 from typing import Any
 
 from derive.algebra.numbers.floats import number
-from derive.derivation import Caption, Drawing, Stroke
+from derive.derivation import Caption, Drawing, Phrase, Said, Stroke
 from derive.expression import Expr, Symbol
-from derive.figures.solids import triad
+from derive.figures import bodies
+from derive.figures.arm import place_of
+from derive.figures.arm_frames import LONG, arrows_drawn, shared
+from derive.figures.described import direction
 from derive.figures.typical import completed, typical
-from derive.figures.view import View, in_space, length
+from derive.figures.view import Vector, View, in_space, length
+from derive.figures.wish import Wish
 from derive.mechanics.frames import ByMatrix, Frames, FrameSource, Observed
 from derive.mechanics.motion import Motion, Move
 from derive.mechanics.oracle import compose
 from derive.mechanics.sequences import in_product_order
 
+SHARE, WITH_BODY = 0.55, 0.34  # of how far frames are apart: an axis, and one that stands on a body
 
-def of_frames(frames: Frames, where: Mapping[str, Expr]) -> Drawing:
-    """Every frame where it stands, and from which frame it is given."""
+
+def of_frames(frames: Frames, where: Mapping[str, Expr], wish: Wish) -> Drawing:
+    """Every frame where it stands, and from which frame it is given; or the body on which they stand."""
     import numpy
 
     every = [move for frame in frames.frames for move in _moves(frame.source)]
-    lengths = [part for frame in frames.frames for part in _origins(frame.source)]
-    point = completed(typical(every, lengths, where, ())[0], where)
+    sizes = [part for frame in frames.frames for part in _origins(frame.source)]
+    point = completed(typical(every, sizes, where, ())[0] | wish_values(wish), where)
     poses = [numpy.eye(4)]
     for frame in frames.frames:
         poses.append(poses[frame.parent] @ _pose(frame.source, point))
     view = in_space()
+    numbers = range(len(poses))
+    origins = {f"o{k}": place_of(T) for k, T in enumerate(poses)}
+    size = apart(view, [*origins.values()], WITH_BODY if wish.body else SHARE)
     strokes: list[Stroke] = []
-    for frame in frames.frames:
-        ends = view.place(_origin(poses[frame.parent])), view.place(_origin(poses[frame.number]))
-        strokes.append(Stroke(ends, "way"))
-    return _with_triads("figure", view, strokes, [(str(k), T, "") for k, T in enumerate(poses)])
+    captions: list[Caption] = []
+    if wish.body:
+        corners = bodies.corners_of(wish.body, origins, point)
+        faces, edges = bodies.drawn(wish.body, corners, view)
+        strokes += [*faces, *edges]
+        captions += bodies.lengths(wish.body, corners, point, view)
+    else:
+        for frame in frames.frames:
+            ends = origins[f"o{frame.parent}"], origins[f"o{frame.number}"]
+            if ends[0] != ends[1]:
+                strokes.append(Stroke((view.place(ends[0]), view.place(ends[1])), "way"))
+    named = [(str(k), poses[k]) for k in numbers]
+    arrows = [*arrows_drawn(view, shared(named, "xyz", size), size / LONG)]
+    strokes += [stroke for stroke, _ in arrows]
+    texts = (*(text for _, text in arrows), *origin_names(view, named), *captions)
+    name = "frames-on-body" if wish.body else "frames"
+    about: dict[str, Said] = {"last": Symbol(f"o{len(poses) - 1}")}
+    return Drawing(
+        "figure",
+        tuple(strokes),
+        texts,
+        Phrase(name, about),
+        Phrase(f"{name}-seen", {"frames": tuple(_seen(poses)), **about}),
+    )
 
 
-def of_motion(motion: Motion, where: Mapping[str, Expr]) -> Drawing:
-    """The triad before the motion and after it."""
-    import numpy
-
-    point = completed(typical(motion.moves, (), where, ())[0], where)
-    T = compose(in_product_order(motion.moves), point)
-    view = in_space()
-    strokes = []
-    start, end = view.place((0.0, 0.0, 0.0)), view.place(_origin(T))
-    if length((end[0] - start[0], end[1] - start[1])) > 1e-9:
-        strokes.append(Stroke((start, end), "way"))
-    return _with_triads("figure", view, strokes, [("0", numpy.eye(4), "before"), ("1", T, "")])
+def wish_values(wish: Wish) -> dict[str, float]:
+    """What the author wants the names to be in the figure."""
+    return {name: number(value, {}) for name, value in wish.at.items()}
 
 
-def _with_triads(
-    name: str, view: View, strokes: Sequence[Stroke], triads: Sequence[tuple[str, Any, str]]
-) -> Drawing:
-    origins = [view.place(_origin(T)) for _, T, _ in triads]
-    gaps = [length((a[0] - b[0], a[1] - b[1])) for k, a in enumerate(origins) for b in origins[:k]]
-    apart = [gap for gap in gaps if gap > 1e-9]
-    size = 0.55 * (sorted(apart)[len(apart) // 2] if apart else 1.0)
-    lines, captions = list(strokes), list(_origin_names(view, triads))
-    for index, T, role in triads:
-        for stroke, caption in triad(view, T, size, index, role=role):
-            lines.append(stroke)
-            captions.append(caption)
-    return Drawing(name, tuple(lines), tuple(captions))
+def apart(view: View, origins: Sequence[Vector], share: float) -> float:
+    """How long axes are: a share of how far their origins are from each other on paper."""
+    places = [view.place(origin) for origin in origins]
+    gaps = [length((a[0] - b[0], a[1] - b[1])) for a, b in combinations(places, 2)]
+    clear = [gap for gap in gaps if gap > 1e-9]
+    return share * (sorted(clear)[len(clear) // 2] if clear else 1.0)
 
 
-def _origin_names(view: View, triads: Sequence[tuple[str, Any, str]]) -> Iterator[Caption]:
+def origin_names(view: View, named: Sequence[tuple[str, Any]]) -> Iterator[Caption]:
     """o_0, o_1, ... where they are places of their own."""
-    places = [_origin(T) for _, T, _ in triads]
-    for (index, _, _), place in zip(triads, places, strict=True):
+    places = [place_of(T) for _, T in named]
+    for (index, _), place in zip(named, places, strict=True):
         if sum(max(abs(a - b) for a, b in zip(place, other, strict=True)) < 1e-9 for other in places) == 1:
             yield Caption(view.place(place), Symbol(f"o_{index}"), (-0.3, -1.0), "origin")
+
+
+def _seen(poses: Sequence[Any]) -> Iterator[Phrase]:
+    """Where the axes of each frame point that are along those of frame 0."""
+    for number_, pose in enumerate(poses):
+        ways = [direction((pose[0][k], pose[1][k], pose[2][k])) for k in range(3)]
+        if number_ and all(ways):
+            about: dict[str, Said] = {}
+            for letter, way in zip("xyz", ways, strict=True):
+                about |= {letter: Symbol(f"{letter}{number_}"), f"{letter}_way": way or ""}
+            yield Phrase("axes", about)
+        elif number_:
+            yield Phrase("turned", {"number": number_})
 
 
 def _moves(source: FrameSource) -> tuple[Move, ...]:
@@ -102,7 +129,3 @@ def _pose(source: FrameSource, point: Mapping[str, float]) -> Any:
             for i, row in enumerate(matrix.rows[:3]):
                 T[i, : len(row)] = [number(part, point) for part in row]
     return T
-
-
-def _origin(T: Any) -> tuple[float, float, float]:
-    return float(T[0, 3]), float(T[1, 3]), float(T[2, 3])

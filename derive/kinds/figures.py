@@ -5,11 +5,13 @@ from __future__ import annotations
 from derive.control.system import System
 from derive.derivation import Drawing
 from derive.errors import NotDerivable
+from derive.figures.wish import Wish
 from derive.kinds.problem import Problem
 from derive.mechanics.frames import Frames
 from derive.mechanics.motion import Motion
 from derive.mechanics.robot import Robot
 
+NOTHING = Wish()
 MOST_FRAMES = 8  # that one figure can show
 DRAWN = frozenset({"robot", "motion", "frames", "system", "motor"})  # the subjects that can be drawn
 
@@ -28,19 +30,21 @@ def explains(problem: Problem, solutions: bool) -> bool:
             return False
 
 
-def figure_of(problem: Problem) -> Drawing:
+def figure_of(problem: Problem, wish: Wish = NOTHING) -> Drawing:
     """The subject drawn, in a pose that shows it. Raises NotDerivable."""
     match problem.subject:
         case Robot():
             from derive.figures import arm_sketch
 
-            return arm_sketch.drawn(problem.subject, problem.where)
-        case Motion() | Frames():
+            return arm_sketch.drawn(problem.subject, problem.where, wish)
+        case Motion():
+            from derive.figures import motions
+
+            return motions.of_motion(problem.subject, problem.where, wish)
+        case Frames():
             from derive.figures import triads
 
-            if isinstance(problem.subject, Motion):
-                return triads.of_motion(problem.subject, problem.where)
-            return triads.of_frames(problem.subject, problem.where)
+            return triads.of_frames(problem.subject, problem.where, wish)
         case System():
             from derive.figures.loops import drawn_blocks
             from derive.kinds.system._plant import plant

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Discriminator, Field, Tag
 
-from derive.kinds.fields import Name, Quantity
+from derive.kinds.fields import Name, Point, Quantity
 from derive.sheet.tex import Text
 
 Assumption: TypeAlias = Literal["positive", "nonnegative", "nonzero", "integer", "real"]
@@ -47,13 +47,38 @@ class GivenSheet(_Model):
     where: Annotated[dict[Name, Quantity], Field(max_length=500)] = {}
 
 
+class GivenBody(_Model):
+    """A body with flat faces, in frame 0. Corners are named, those at the origins of frames o0, o1, ...; a
+    face is the list of its corners in order; `lengths` writes a length beside an edge."""
+
+    corners: Annotated[dict[Name, Point], Field(max_length=100)] = {}
+    faces: Annotated[list[Annotated[list[Name], Field(min_length=3, max_length=50)]], Field(max_length=100)]
+    lengths: Annotated[list[tuple[Name, Name, Quantity]], Field(max_length=100)] = []
+
+
+class GivenFigure(_Model):
+    """A figure that we draw: the values with which names are drawn, and a body that frames stand on."""
+
+    at: Annotated[dict[Name, Quantity], Field(max_length=100)] = {}
+    body: GivenBody | None = None
+
+
+def _figure_form(value: Any) -> str:
+    return "=drawn" if isinstance(value, dict) else "=typed"
+
+
+FigureField: TypeAlias = Annotated[
+    Annotated[GivenFigure, Tag("=drawn")] | Annotated[str, Tag("=typed")], Discriminator(_figure_form)
+]
+
+
 class GivenProblem(_Model):
     """A problem, apart from its subject and its questions. `given: true` prints all that its subject gives,
     `false` nothing; left out, what the text does not say."""
 
     title: Line = ""
     text: Text = ""
-    figure: str = ""
+    figure: FigureField = ""
     given: bool | None = None
     symbols: Annotated[dict[Name, Assumption], Field(max_length=500)] = {}
     where: Annotated[dict[Name, Quantity], Field(max_length=500)] = {}

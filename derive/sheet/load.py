@@ -8,12 +8,14 @@ from pathlib import Path
 from typing import Any
 
 from derive.errors import SheetError, SheetErrors, position
+from derive.expression import free_symbols
+from derive.figures.wish import Polyhedron, Wish
 from derive.kinds.figures import DRAWN
 from derive.sheet.checked import checked
 from derive.sheet.cut import cut_fault, cut_off
 from derive.sheet.doubts import POINTS, angles_of, doubts_about
 from derive.sheet.faults import MOST, did_you_mean, untold
-from derive.sheet.given import PROBLEM_KEYS, GivenProblem, GivenSheet
+from derive.sheet.given import PROBLEM_KEYS, GivenFigure, GivenProblem, GivenSheet
 from derive.sheet.honoured import ignored
 from derive.sheet.model import Notation, Problem, Question, Sheet
 from derive.sheet.questions import has_option, inline_question, questions
@@ -205,9 +207,11 @@ def _declared(data: Any) -> frozenset[str]:
     return frozenset(name for block in blocks if isinstance(block, dict) for name in block)
 
 
-def _figure(at: At, typed: str, subject: str) -> bool | Path | None:
+def _figure(at: At, typed: str | GivenFigure, subject: str) -> bool | Path | Wish | None:
     if not typed:
         return None
+    if isinstance(typed, GivenFigure):
+        return _wish(at / "figure", typed, subject)
     if typed == "true" and subject not in DRAWN:
         hint = f"{', '.join(sorted(DRAWN))} can be drawn; else give the path of a picture beside the sheet"
         raise at.error(f"there is no drawing of a {subject}", ("figure",), hint)
@@ -221,6 +225,21 @@ def _figure(at: At, typed: str, subject: str) -> bool | Path | None:
         hint = "its path is relative to the sheet"
         raise at.error(f"there is no picture {typed}", ("figure",), hint)
     return path
+
+
+def _wish(at: At, typed: GivenFigure, subject: str) -> Wish:
+    """How a subject is to be drawn. Raises SheetErrors for what cannot be."""
+    if typed.body and subject != "frames":
+        raise at.error(f"a {subject} stands on no body", ("body",), "a body is drawn with frames")
+    if subject not in DRAWN:
+        raise at.error(f"there is no drawing of a {subject}")
+    for name, value in typed.at.items():
+        if unknown := sorted(free_symbols(value)):
+            raise at.error(f"{name} is drawn with a number, and {unknown[0]} is none", ("at", name))
+    if not typed.body:
+        return Wish(typed.at)
+    body = Polyhedron(typed.body.corners, tuple(map(tuple, typed.body.faces)), tuple(typed.body.lengths))
+    return Wish(typed.at, body)
 
 
 def _distinct(faults: list[SheetError]) -> list[SheetError]:

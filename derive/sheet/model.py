@@ -10,6 +10,7 @@ from typing import Any, Literal, TypeAlias
 
 from derive.errors import Place, SheetError
 from derive.expression import Expr
+from derive.figures.wish import Wish
 from derive.sheet.source import At
 
 Angles: TypeAlias = Literal["deg", "rad"] | None
@@ -54,10 +55,10 @@ class Question:
 class Problem:
     """A subject and the questions about it. `subject` is a frozen value of mechanics or control.
 
-    `figure` is True to draw the subject, None to draw it where that explains something, or the path of a
-    picture; it stands at `figure_at`. `where` and `assumptions` include those of the sheet; `warnings` are
-    what is strange about the subject. `given` says whether what the subject gives is printed, None where the
-    text is to decide.
+    `figure` is True or a Wish to draw the subject, None to draw it where that explains something, or the path
+    of a picture; it stands at `figure_at`. `where` and `assumptions` include those of the sheet; `warnings`
+    are what is strange about the subject. `given` says whether what the subject gives is printed, None where
+    the text is to decide.
     """
 
     number: int
@@ -67,7 +68,7 @@ class Problem:
     place: Place
     title: str = ""
     text: str = ""
-    figure: bool | Path | None = None
+    figure: bool | Path | Wish | None = None
     where: Mapping[str, Expr] = field(default_factory=dict)
     assumptions: Mapping[str, str] = field(default_factory=dict)
     warnings: tuple[SheetError, ...] = ()

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from derive.build import assemble, build
-from derive.derivation import Drawing
+from derive.derivation import Drawing, Phrase
 from derive.errors import SheetErrors
 from derive.expression import Symbol
 from derive.kinds.figures import DRAWN, figure_of
@@ -91,10 +91,11 @@ def test_triads_of_frames(tmp_path: Path) -> None:
     assert len([stroke for stroke in found.strokes if stroke.role == "way"]) == 2
 
 
-def test_a_motion_has_a_start_and_an_end(tmp_path: Path) -> None:
+def test_a_motion_is_drawn_step_by_step(tmp_path: Path) -> None:
     found = drawn(tmp_path, MOTION)
-    assert set(written(found, "before")) == {"x0", "y0", "z0"}
-    assert set(written(found, "x") + written(found, "y") + written(found, "z")) == {"x1", "y1", "z1"}
+    named = {*written(found, "x"), *written(found, "y"), *written(found, "z")}
+    assert named == {f"{letter}{k}" for letter in "xyz" for k in (1, 2)}
+    assert [c.text.key for c in found.captions if isinstance(c.text, Phrase)] == ["rotate", "translate"]
 
 
 def test_a_motor_is_a_block_diagram(tmp_path: Path) -> None:
@@ -120,7 +121,7 @@ def test_the_picture_stands_on_the_page(tmp_path: Path) -> None:
 
 
 def test_the_same_bytes_each_time(tmp_path: Path) -> None:
-    found = drawn(tmp_path, MOTION)
+    found = drawn(tmp_path, FRAMES)
     (first,) = draw(found, tmp_path / "a", ("svg",))
     (second,) = draw(found, tmp_path / "b", ("svg",))
     assert first.read_bytes() == second.read_bytes()
