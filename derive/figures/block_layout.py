@@ -12,9 +12,9 @@ from derive.figures.block_wires import Wires
 from derive.figures.extent import extent
 
 S = Symbol("s")
-GAP, ROOM = 20.0, 13.0  # points between blocks, at least, and beside the name of a signal there
-PADDING = 6.0  # round a label
-LEAST = 24.0  # a block is not smaller
+GAP, ROOM = 16.0, 11.0  # points between blocks, at least, and beside the name of a signal there
+PADDING = 5.0  # round a label
+LEAST = 20.0  # a block is not smaller
 SUM = 10.0  # the radius of a sum
 BETWEEN = 20.0  # rows
 
@@ -87,7 +87,7 @@ class Layout:
             x += slot
             self.at[name] = (x, 0.0)
             named = extent(Symbol(name))[0] + ROOM if self.is_signal(name) else 0.0
-            taps = 8.0 if len(self.diagram.targets(name)) > 1 else 0.0
+            taps = 6.0 if len(self.diagram.targets(name)) > 1 else 0.0
             x += slot + max(GAP, named) + taps
 
     def _beside(self, name: str) -> list[str]:

@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from derive.figures.block_layout import Layout
 
 CIRCLE = 28
-TAP, OUTER, DOT = 11.0, 25.0, 1.7  # points behind a block where wires branch, and the radius of the dot there
-SOURCE, OUT = 26.0, 36.0  # points that a wire leads in from outside, and out
+TAP, OUTER, DOT = 9.0, 23.0, 1.7  # points behind a block where wires branch, and the radius of the dot there
+SOURCE, OUT = 22.0, 30.0  # points that a wire leads in from outside, and out
 BELOW = 14.0  # points beyond everything that a wire runs which goes round
 INSIDE = 0.54  # of the radius of a sum: how far from its middle a sign stands
 

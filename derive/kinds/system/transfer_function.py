@@ -9,6 +9,7 @@ from typing import Any
 from pydantic import Field
 
 from derive.algebra.readable.operation_count import operations
+from derive.control.diagram import Diagram
 from derive.control.elimination import Elimination, without
 from derive.control.roots import roots
 from derive.control.system import System
@@ -65,7 +66,8 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     solved = plant(problem, options.source, options.evaluate)
     definitions = {**solved.solution.values, solved.named("G"): solved.solution.ratio.expr(solved.decimals)}
     evaluated, numbers = _evaluated(solved, options)
-    G, told = _result(solved), _facts(solved, numbers, _is_drawn(solved, options, problem))
+    diagram = _diagram(solved, options, problem)
+    G, told = _result(solved), _facts(solved, numbers, diagram is not None)
     work = Work(problem, definitions, steps=tuple(_steps(solved))).claim(*_claims(solved))
     held = Held(problem, solved.solution.source)
     work = work.claim(
@@ -77,23 +79,23 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
         said(held, told, work.steps, G),
         *point_claims(replace(held, given=dict(options.evaluate or ())), evaluated, "G", told.at),
     )
-    if not told.drawn:
+    if not diagram:
         return work.answer("transfer-function", {"G": G}, told, evaluated=evaluated)
-    diagram, _ = drawn(solved.system, solved.rational, None, solved.style)
     work = work.claim(as_drawn(held, diagram))
     picture = pictured(solved.system, diagram, "diagram").drawing()
     return work.answer("transfer-function", {"G": G}, told, evaluated=evaluated, plots=(picture,))
 
 
-def _is_drawn(solved: Plant, options: Options, problem: Problem) -> bool:
-    """Whether it is the first function of the input that is asked for, and its diagram has several blocks."""
+def _diagram(solved: Plant, options: Options, problem: Problem) -> Diagram | None:
+    """With the first function of the input that is asked for, where there are several blocks to draw."""
     asked = [each for kind, each in problem.questions if kind == "transfer-function"]
     if not asked or asked[0] != options or options.source is not None:
-        return False
+        return None
     try:
-        return len(drawn(solved.system, solved.rational, None, solved.style)[1]) > 1
+        diagram, wired = drawn(solved.system, solved.rational, None, solved.style)
     except NotDerivable:
-        return False
+        return None
+    return diagram if len(wired) > 1 else None
 
 
 def _steps(solved: Plant) -> Iterator[Step]:

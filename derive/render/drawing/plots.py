@@ -15,7 +15,8 @@ from derive.render.drawing.style import FAINT, INK, LETTERS, PALE, WIDEST, Pen
 
 MARGIN = 2.0  # points round everything
 WIDE, HIGH, PANEL, SQUARE = WIDEST - 46, 150.0, 68.0, 150.0  # of what is inside the axes
-BETWEEN, APART = 9.0, 26.0  # panels above each other, and beside each other
+SIDE, SIDE_WIDE = 118.0, 150.0  # of one of two beside each other
+BETWEEN, APART = 9.0, 22.0  # panels above each other, and beside each other
 TICK, AIR = 3.0, 3.0
 ROOM_X, ROOM_Y = 42.0, 24.0  # points that ticks are apart at least
 AXIS, GRID, MOMENT = Pen(INK, 0.8), Pen(PALE, 0.5), Pen(FAINT, 0.6, (1, 1.6))
@@ -32,24 +33,27 @@ def sketched(picture: Plot | Panels) -> Sketch:
     """Everything of it, in points."""
     match picture:
         case Plot():
-            frame = framed(picture, SQUARE if picture.equal else HIGH)
-            return _with_legend(_drawn(picture, frame), [picture], frame)
+            return _alone(picture, framed(picture, SQUARE if picture.equal else HIGH))
         case Panels(plots=plots, beside=True):
-            return _row([sketched(plot) for plot in plots])
+            return _row([_alone(plot, framed(plot, SIDE, SIDE_WIDE)) for plot in plots])
         case Panels(plots=plots):
             return _stack(plots)
 
 
-def framed(plot: Plot, high: float) -> Frame:
+def _alone(plot: Plot, frame: Frame) -> Sketch:
+    return _with_legend(_drawn(plot, frame), [plot], frame)
+
+
+def framed(plot: Plot, high: float, wide: float = WIDE) -> Frame:
     """Both axes, with room for all that is drawn."""
     xs, ys = _reached(plot)
     low, top = span(ys, 0.06 if not plot.log else 0.0, plot.log)
     strip = STRIP * strip_rows(plot)
     if not plot.equal:
         left, right = span(xs, 0.02 if plot.counted else 0.0)
-        return Frame(Axis(left, right, 0.0, WIDE), Axis(low, top, strip, high, plot.log))
+        return Frame(Axis(left, right, 0.0, wide), Axis(low, top, strip, high, plot.log))
     left, right = span(xs, 0.06)
-    scale = min((WIDE - 40) / (right - left), high / (top - low))
+    scale = min(wide / (right - left), high / (top - low))
     return Frame(Axis(left, right, 0.0, scale * (right - left)), Axis(low, top, 0.0, scale * (top - low)))
 
 
