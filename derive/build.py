@@ -11,6 +11,7 @@ from typing import Any
 from derive.derivation import Claim, Derivation, Drawing
 from derive.errors import NotDerivable, SheetError, SheetErrors
 from derive.evaluate import strange_names, with_numbers
+from derive.figures.held import Misdrawn
 from derive.figures.wish import Wish
 from derive.giving import with_given
 from derive.kinds.figures import explains, figure_of
@@ -197,9 +198,12 @@ def _figure(
         return None, None
     if problem.figure is None and not explains(working, solutions):
         return None, None
+    wish = problem.figure if isinstance(problem.figure, Wish) else Wish()
     try:
-        wish = problem.figure if isinstance(problem.figure, Wish) else Wish()
         return figure_path(folder, problem.number), figure_of(working, wish)
+    except Misdrawn as error:
+        message = f"the figure of problem {problem.number} failed its own check: {error}"
+        raise SheetErrors([SheetError(message, problem.place)]) from error
     except NotDerivable as error:
         if problem.figure is None:
             return None, None

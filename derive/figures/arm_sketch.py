@@ -13,11 +13,13 @@ from derive.figures import described, solids
 from derive.figures.arm import SMALL, Joint, Part, Posed, joint_size, length_between, place_of
 from derive.figures.arm_frames import frames_of
 from derive.figures.arm_values import values_of
+from derive.figures.held import held
 from derive.figures.poses import in_pose
 from derive.figures.view import Vector, View, along, around, between, dot, length, unit
 from derive.figures.wish import Wish
 from derive.mechanics.robot import Robot
 
+MOST, JOINT = 250.0, 16.0  # points: how high an arm is drawn, and how large a joint of it
 SHORT = 2.6  # sizes of a joint: a shorter offset along its axis is part of its cylinder
 
 
@@ -26,19 +28,27 @@ def drawn(robot: Robot, where: Mapping[str, Expr], wish: Wish) -> Drawing:
     point, usual = values_of(robot, where)
     wanted = {name: number(value, {}) for name, value in wish.at.items()}
     view, found = in_pose(robot, point | wanted, usual, where, wanted)
-    strokes, captions = sketch(robot, view, found, joint_size(found))
+    size = joint_size(found)
+    joints, stubs = _apart(found, size, view)
+    held(robot, where, found, joints, size)
+    strokes, captions = _sketch(robot, view, found, joints, stubs, size)
     said = described.caption(robot, found, view), described.seen(robot, found, view)
-    return Drawing("figure", strokes, captions, *said, schematic=True)
+    return Drawing("figure", strokes, captions, *said, _highest(strokes, size, found), schematic=True)
 
 
-def sketch(
-    robot: Robot, view: View, posed: Posed, size: float
+def _highest(strokes: Sequence[Stroke], size: float, posed: Posed) -> float:
+    """How high an arm is drawn, in points: higher with more joints, and none of them too large."""
+    heights = [y for stroke in strokes for _, y in stroke.places]
+    return min(MOST, 125 + 22 * len(posed.joints), (max(heights) - min(heights)) / size * JOINT + 30)
+
+
+def _sketch(
+    robot: Robot, view: View, posed: Posed, joints: Sequence[Joint], stubs: Sequence[Part], size: float
 ) -> tuple[tuple[Stroke, ...], tuple[Caption, ...]]:
     """What is drawn of an arm whose joints are so large, from back to front, and its names."""
     base = posed.parts[0].start if posed.parts else place_of(posed.poses[0])
     if robot.by_screws:
         base = place_of(posed.poses[0])
-    joints, stubs = _apart(posed, size, view)
     foot = base if view.flat or robot.by_screws else _foot(posed, joints, base, size)
     things = [solids.ground(view, foot, size), *_links(view, posed.parts, size), *_stubs(view, stubs, size)]
     things += [_joint(view, joint, size) for joint in joints]

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 TEXT_WIDE, TEXT_HIGH = 453.5, 680.0  # points: the text of a page
 WIDEST, HIGHEST = 0.75 * TEXT_WIDE, 0.38 * TEXT_HIGH  # of a picture; a page allows 0.4 of its height
-LETTERS, SMALL = 10.0, 9.0  # captions, and what stands at the ticks of an axis
+LETTERS, SMALL = 10.5, 9.0  # captions, and what stands at the ticks of an axis
 
 INK, GREY, FAINT, PALE = "#1c1c1c", "#707070", "#a0a0a0", "#e4e4e4"
 RED, GREEN, BLUE = "#b3261e", "#2f8f3a", "#173f8a"  # 0.27, 0.45 and 0.22 as grey
