@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 from derive.render import html_skin
 from derive.render.author_text import latex_prose, markdown_prose
+from derive.render.conventions import conventions
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked, file_path, plot_path
 from derive.render.evaluated import evaluated_words
 from derive.render.foot import Proved
@@ -16,7 +17,7 @@ from derive.render.html_skin import HTML
 from derive.render.markdown_math import left_alone, rows_apart
 from derive.render.plain_text import latex_text, markdown_text
 from derive.render.printed import Printed, Reader, Said, unread
-from derive.render.skin import HELD_LINE, Skin, environment
+from derive.render.skin import HELD_LINE, Skin, english, environment
 from derive.render.subject_figure import subject_figure
 from derive.render.typst_skin import TYPST, laid_out
 from derive.render.words import words
@@ -76,6 +77,9 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
             document, problem, question, skin, printed, numbers
         )
         said.append(Said(f"{problem.number}.{question.number}", question.place, tuple(printed)))
+    taken: list[Printed] = []
+    known = spelt(conventions(said, taken), skin.formulas, taken) if document.solutions else ""
+    said.append(Said("conventions", None, tuple(taken)))
     template = environment().get_template(f"{skin.name}/page.j2")
     alone = sum(1 for _ in document.alone())
     verified = Proved.of(document.verified(), read(said), alone).said() if document.solutions else ""
@@ -86,6 +90,7 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
         given=given,
         skin=skin,
         front=front,
+        conventions=known and skin.boxed(english("conventions"), known),
         verified=verified,
     )
     return spelt(page, skin.formulas, [formula for part in said for formula in part.printed])

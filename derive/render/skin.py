@@ -163,6 +163,10 @@ class Skin:
         """The line for a name, an identity and, where there are any, the marks of so many."""
         return self._macro("blanks", name, identity, marks, total)
 
+    def boxed(self, title: str, text: str) -> str:
+        """A paragraph apart from the others, in a frame."""
+        return self._macro("boxed", title, text)
+
     def room(self, lines: int) -> str:
         """So many blank lines."""
         return self._macro("room", lines)
