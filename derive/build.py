@@ -155,8 +155,9 @@ def _shown_once(pages: Sequence[ProblemPage]) -> Iterator[ProblemPage]:
 def working_on(problem: Problem, angles: Angles = None) -> Working:
     """The problem as its kinds see it, with all that is asked about it."""
     here = tuple((question.find, question.options) for question in problem.questions)
-    known = problem.where, problem.assumptions
-    return Working(problem.subject_name, problem.subject, *known, questions=here, angles=angles)
+    points = (value for question in problem.questions for value in (question.evaluate or {}).values())
+    known = problem.subject_name, problem.subject, problem.where, problem.assumptions
+    return Working(*known, questions=here, angles=angles, points=tuple(points))
 
 
 def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool, warn: Warn) -> ProblemPage:

@@ -126,7 +126,7 @@ problems:
 @pytest.mark.parametrize(
     ("name", "wrong"),
     [
-        ("_in_degrees", lambda made, angle, digits: made(2 * angle, digits)),
+        ("_degrees", lambda made, angle: made(2 * angle)),
         ("numeric", lambda made, value: made(value[::-1] if isinstance(value, list) else value)),
         ("_real", lambda made, value: negate(made(value))),
     ],

@@ -51,6 +51,7 @@ class Problem:
     assumptions: Mapping[str, str] = field(default_factory=dict)
     questions: tuple[tuple[str, Any], ...] = ()  # kind and options of all that is asked about the subject
     angles: Literal["deg", "rad"] | None = None  # as the sheet wants them; None: as they were typed
+    points: tuple[Expr, ...] = ()  # values at which answers are evaluated
     memo: Memo = field(default_factory=Memo)
     order: tuple[str, ...] = ()  # of angles, where it is not that of the sheet
 
@@ -71,7 +72,7 @@ class Problem:
                 derivation = module.derive(self.subject, options, self)
             self.require_own(derivation.definitions)
             complete = with_all_claims(derivation, module, self.subject, options)
-            told = with_results_told(with_units(complete), module, self.names)
+            told = with_results_told(with_units(complete, module, self.subject), module, self.names)
             facts = replace(told.facts, style=self.style)
             self.memo.answers[key] = replace(told, facts=facts)
         return self.memo.answers[key]
@@ -119,6 +120,7 @@ class Problem:
             decimals=any(node.decimal for node in typed),
             degrees=self.angles == "deg" if self.angles else any(isinstance(node, Degrees) for node in trees),
             units=any(node.unit for node in typed),
+            turned=any(isinstance(node, Degrees) for tree in self._asked() for node in walk(tree)),
             longest=max((significant_digits(node.value) or 0 for node in typed if node.decimal), default=0),
             order=self.order or tuple(dict.fromkeys((*getattr(self.subject, "variables", ()), *met))),
         )
@@ -127,6 +129,12 @@ class Problem:
         """The same with angles in the order of a product that makes its rotation."""
         memo = replace(self.memo, written={}, values={})
         return replace(self, order=angles, memo=memo)
+
+    def _asked(self) -> Iterator[Expr]:
+        """The formulas in what is asked, and the points."""
+        yield from self.points
+        for _, options in self.questions:
+            yield from (tree for _, value in options for tree in expressions(value))
 
     def readable(self, value: Scalar) -> Expr:
         """As a person would write it, names of `where` kept; the same value is read once."""

@@ -5,12 +5,13 @@ A line is held to it: the formula of a velocity has the dimension of a velocity,
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from types import ModuleType
+from typing import Any
 
 from derive.algebra.formulas.dimensions import Unlike, comparable, dimension_of_formula
 from derive.algebra.formulas.units import Dimension, dimension_of, unit_of
-from derive.derivation import Derivation, Step
+from derive.derivation import Derivation, Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Degrees, Expr, Matrix, Number, Symbol, free_symbols, walk
 from derive.kinds.checks import law
@@ -18,9 +19,12 @@ from derive.kinds.checks import law
 LARGEST_COUNT = 100  # of numbers that belong to a law, and are no data that were put in
 
 
-def with_units(derivation: Derivation) -> Derivation:
+def with_units(derivation: Derivation, module: ModuleType, subject: Any) -> Derivation:
     """The same derivation, its names with their units as far as the lines tell them; the claim that every
-    line agrees with them."""
+    line agrees with them. A kind may say what its results mean, `measures(subject)`, which counts where units
+    were typed."""
+    if meant := getattr(module, "measures", None):
+        derivation = replace(derivation, meant=meant(subject))
     known = {name: unit for used in derivation.uses for name, unit in used.units.items()}
     known |= derivation.units
     if not known:
@@ -29,7 +33,9 @@ def with_units(derivation: Derivation) -> Derivation:
     for step in derivation.all_steps():
         found.line(step)
     turned = any(unit.startswith("deg") for unit in known.values())
-    units = {Symbol(name): in_degrees(unit_of(dim), turned) for name, dim in found.dimensions.items()} | known
+    units: dict[Expr | Phrase, str] = {
+        Symbol(name): in_degrees(unit_of(dim), turned) for name, dim in found.dimensions.items()
+    } | known
     claims = (law("units", found.held),) if found.held else ()
     return replace(derivation, units=units, claims=(*derivation.claims, *claims))
 
@@ -87,14 +93,5 @@ def _names(derivation: Derivation) -> frozenset[str]:
     return frozenset(name.name for name in derivation.definitions if isinstance(name, Symbol))
 
 
-def _text(name: Expr) -> str:
+def _text(name: Expr | Phrase) -> str:
     return name.name if isinstance(name, Symbol) else repr(name)
-
-
-def typed_units(values: Mapping[str, Expr]) -> Iterator[tuple[str, str]]:
-    """The names with a value that has a unit, and this."""
-    for name, value in values.items():
-        if isinstance(value, Degrees):
-            yield name, "deg" + value.unit
-        elif isinstance(value, Number) and value.unit:
-            yield name, value.unit

@@ -8,10 +8,14 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, get_args
 
+from derive.algebra.formulas.quantities import rational
+from derive.algebra.numbers.floats import number
+from derive.algebra.rationals import significant_digits
 from derive.algebra.readable.terms import Style
 from derive.derivation import Branch, Cell, Derivation, PageFacts
 from derive.expression import (
     PI,
+    ZERO,
     Approximate,
     Degrees,
     Expr,
@@ -25,14 +29,17 @@ from derive.expression import (
     walk,
 )
 from derive.expression import number as exact_number
-from derive.render.latex import Printer, parenthesised
+from derive.expression import replace as put_in
+from derive.render.latex import Printer
 from derive.render.layout import Chain, Link, lay_out, one_line
 from derive.render.notation import Notation
-from derive.render.numbers import rounded_latex
 from derive.render.phrases import Speech, on_page
+from derive.render.point_units import PointUnits, point_units, unit_typed
 from derive.render.printed import Printed
 from derive.render.same_numbers import same_numbers
 from derive.render.skin import Skin, english, environment
+from derive.render.tables import unit_text
+from derive.render.values import SPARE, in_unit
 from derive.render.words import chain_links
 
 TREES = get_args(Expr)
@@ -60,12 +67,13 @@ def evaluated_words(
     if not names:
         return ""
     printer, style = Printer(notation), _style(facts, at, notation)
+    units = point_units(derivation, at, style.degrees)
     seen = [] if printed is None else printed
     speech = on_page(folder, derivation.kind, printer, skin.plain, seen, style)
-    turning = frozenset(_called(facts.page_names.get(name, name)) for name in facts.angle_results)
-    telling = _Telling(printer, speech, skin, facts.angle_results, turning, style, seen)
+    exact = _Exact(derivation.results, at, max(notation.digits + SPARE, style.longest))
+    telling = _Telling(printer, speech, skin, facts.angle_results, units, exact, style, seen)
     chains = {
-        chain: found[name]
+        chain: (found[name], name)
         for name in names
         if (chain := telling.chain(_called(facts.page_names.get(name, name)), found[name], name))
     }
@@ -86,6 +94,34 @@ def evaluated_words(
     return environment().get_template("words/_evaluated.j2").render(context).strip()
 
 
+@dataclass(frozen=True, slots=True)
+class _Exact:
+    """Results at a point without a root or an angle in them: decimals of at most so many digits."""
+
+    results: Mapping[str, Any]
+    at: Mapping[str, Expr]
+    most: int
+
+    def result(self, name: str) -> Expr | None:
+        """A scalar or a matrix of decimals; None for any other."""
+        tree = self.results.get(name)
+        if not isinstance(tree, TREES):
+            return None
+        entries = tree.rows if isinstance(tree, Matrix) else ((tree,),)
+        found = tuple(tuple(map(self._number, row)) for row in entries)
+        if any(entry is None for row in found for entry in row):
+            return None
+        rows = tuple(tuple(entry for entry in row if entry is not None) for row in found)
+        return Matrix(rows) if isinstance(tree, Matrix) else rows[0][0]
+
+    def _number(self, tree: Expr) -> Number | None:
+        value = rational(put_in(tree, {Symbol(name): given for name, given in self.at.items()}))
+        digits = None if value is None else significant_digits(value)
+        if value is None or (value.denominator != 1 and (digits is None or digits > self.most)):
+            return None
+        return Number(value, value.denominator != 1)
+
+
 def _called(name: str | Expr) -> Expr:
     return Symbol(name) if isinstance(name, str) else name
 
@@ -100,33 +136,36 @@ def _working(derivation: Derivation) -> set[str]:
 def _style(facts: PageFacts, at: Mapping[str, Expr], notation: Notation) -> Style:
     """That of the subject, in degrees also where a value of the point is, unless the sheet says how."""
     typed = any(isinstance(node, Degrees) for value in at.values() for node in walk(value))
-    degrees = facts.style.degrees or typed or facts.in_degrees
+    degrees = facts.style.degrees or facts.style.turned or typed or facts.in_degrees
     return facts.style if notation.angles else replace(facts.style, degrees=degrees)
 
 
 @dataclass(frozen=True, slots=True)
 class _Telling:
-    """Values on one page; `angles` are names of results that are angles, `turning` what these are called."""
+    """Values on one page; `angles` are names of results that are angles."""
 
     printer: Printer
     speech: Speech
     skin: Skin
     angles: tuple[str, ...]
-    turning: frozenset[Expr]
+    units: PointUnits
+    exact: _Exact
     style: Style
     printed: list[Printed]
 
-    def display(self, chains: Mapping[Chain, Any]) -> str:
+    def display(self, chains: Mapping[Chain, tuple[Any, str]]) -> str:
         """Equations side by side, each of which tells a value."""
         display = lay_out(tuple(chains), self.printer.notation)
         shown = Printed.display(display, self.printer.notation)
-        self.printed.append(replace(shown, evaluated=all(map(self._tells, chains, chains.values()))))
+        self.printed.append(
+            replace(shown, evaluated=all(self._tells(c, *told) for c, told in chains.items()))
+        )
         return self.skin.display(display)
 
-    def inline(self, chain: Chain, value: Any) -> str:
+    def inline(self, chain: Chain, value: Any, name: str) -> str:
         """An equation in a line of text that tells a value."""
         shown = Printed.inline(one_line(chain), chain, self.printer.notation)
-        self.printed.append(replace(shown, evaluated=self._tells(chain, value)))
+        self.printed.append(replace(shown, evaluated=self._tells(chain, value, name)))
         return f"${one_line(chain)}$"
 
     def in_line(self) -> _Telling:
@@ -135,26 +174,45 @@ class _Telling:
 
     def given(self, name: str, value: Expr) -> str:
         """A value of the point, with the unit its author gave it."""
-        unit = f" {value.unit}" if isinstance(value, Number) and value.unit else ""
-        return self.inline(chain_links((Symbol(name), value), self.in_line().printer), value) + unit
+        chain = (Symbol(name), in_unit(value, unit_typed(value)))
+        return self.inline(chain_links(chain, self.in_line().printer), value, "")
 
     def chain(self, called: Expr, value: Any, name: str) -> Chain:
         """`called = value`; nothing for what is no number."""
-        number = numeric(value)
-        if number is None:
+        tree = numeric(value)
+        if tree is None:
             return ()
-        if name not in self.angles or not isinstance(value, float | int):
-            return chain_links((called, number), self.printer)
-        degrees, digits = self.style.degrees, self.printer.notation.digits
-        angle = _in_degrees(value, digits) if degrees else _in_radians(value, self.printer)
-        return *chain_links((called,), self.printer), angle
+        unit = self.unit(name)
+        exact = None if unit.startswith(("deg", "rad")) else self.exact.result(name)
+        if exact is not None and not isinstance(value, TREES):
+            tree = in_unit(exact, unit if exact != ZERO else "")
+        elif isinstance(value, float | int):
+            tree = self.scalar(float(value), unit, name in self.angles)
+        elif unit and not isinstance(value, TREES) and isinstance(tree, Matrix):
+            degrees = unit.startswith("deg")
+            tree = in_unit(_in_degrees(tree) if degrees else tree, unit.removeprefix("deg"))
+        return chain_links((called, tree), self.printer)
+
+    def unit(self, name: str) -> str:
+        """That of a result; an angle has one wherever it was typed in degrees."""
+        unit = self.units.of(name)
+        return unit or ("deg" if name in self.angles and self.style.degrees else "")
+
+    def scalar(self, value: float, unit: str, angle: bool) -> Expr:
+        """A number in its unit; an angle in radians by pi where it is a multiple of a right angle."""
+        if unit.startswith("deg"):
+            degrees = _degrees(value)
+            return in_unit(degrees, unit.removeprefix("deg"))
+        if angle and (exact := _by_pi(value)):
+            return exact
+        return in_unit(_real(value), unit if value else "")
 
     def branch(self, branch: Mapping[str, Any], working: Collection[str]) -> dict[str, Any]:
         """One solution: its equations as inline mathematics, and when it is the one."""
         names = [name for name in branch if name not in ABOUT and name not in working]
         in_line = self.in_line()
         chains = [(name, in_line.chain(Symbol(name), branch[name], name)) for name in names]
-        equations = [self.inline(chain, branch[name]) for name, chain in chains if chain]
+        equations = [self.inline(chain, branch[name], name) for name, chain in chains if chain]
         when = self.speech.when(branch.get("when", ()))
         return {"when": when, "real": branch.get("real", True), "equations": equations}
 
@@ -181,7 +239,11 @@ class _Telling:
         return label if isinstance(label, str) else self.speech.say(label)
 
     def _name(self, name: str) -> str:
-        return self.inline(chain_links((Symbol(name),), self.printer), Symbol(name))
+        """The heading of a column, with the unit of what stands below it."""
+        unit = self.unit(name)
+        written = self.inline(chain_links((Symbol(name),), self.printer), Symbol(name), "")
+        said = unit and not (name in self.angles and self.style.degrees)
+        return f"{written} [{self.skin.plain(unit_text(unit))}]" if said else written
 
     def _cell(self, name: str, value: float) -> str:
         """One value; an angle in degrees with as many decimals as the others."""
@@ -198,28 +260,28 @@ class _Telling:
         return f"${link.latex}$"
 
     def _number(self, name: str, value: float) -> Expr:
-        found = _in_radians(value, self.printer).tree if name in self.angles else numeric(value)
-        assert found is not None  # both give floats a tree
-        return found
+        return self.scalar(value, "", name in self.angles)
 
-    def _tells(self, chain: Chain, value: Any) -> bool:
-        """Whether an equation ends in the value, in degrees only where it is an angle."""
+    def _tells(self, chain: Chain, value: Any, name: str) -> bool:
+        """Whether an equation ends in the value, in a unit that its formula has, in degrees only where it is
+        an angle or its rate."""
         tree = chain[-1].tree
         if tree is None or not same_numbers(tree, value):
             return False
+        if isinstance(value, TREES):
+            return True
+        unit = self.unit(name)
         turned = any(isinstance(node, Degrees) for node in walk(tree))
-        return not turned or chain[0].tree in self.turning or isinstance(value, TREES)
+        return turned <= unit.startswith("deg") and self.units.agrees(name, unit)
 
 
-def _in_degrees(angle: float, digits: int) -> Link:
-    """An angle in radians, written in degrees; whole ones exactly."""
+def _degrees(angle: float) -> Expr:
+    """An angle in radians, in degrees; whole ones exactly."""
     value = math.degrees(angle)
     whole = round(value)
     if abs(value - whole) < WHOLE_WITHIN:
-        return Link("=", rf"{whole}^\circ" if whole else "0", Degrees(Fraction(whole)))
-    written = rounded_latex(value, digits)
-    degrees = Approximate(value) * Degrees(Fraction(1))
-    return Link(r"\approx", rf"{parenthesised(written) if '^' in written else written}^\circ", degrees)
+        return Degrees(Fraction(whole))
+    return Approximate(value) * Degrees(Fraction(1))
 
 
 def _fixed(degrees: float, decimals: int) -> tuple[Link, float]:
@@ -232,13 +294,15 @@ def _fixed(degrees: float, decimals: int) -> tuple[Link, float]:
     return Link("=", rf"{rounded:.{decimals}f}^\circ", tree), rounded
 
 
-def _in_radians(angle: float, printer: Printer) -> Link:
-    """Written in radians; a multiple of a right angle by pi."""
+def _in_degrees(matrix: Matrix) -> Matrix:
+    return Matrix(tuple(tuple(_degrees(number(entry, {})) for entry in row) for row in matrix.rows))
+
+
+def _by_pi(angle: float) -> Expr | None:
+    """A multiple of a right angle."""
     quarters = round(2 * angle / math.pi)
-    if abs(angle - quarters * math.pi / 2) < EXACT:
-        exact: Expr = multiply(exact_number(Fraction(quarters, 2)), PI)
-        return Link("=", printer.write(exact), exact)
-    return Link(r"\approx", printer.write(Approximate(angle)), Approximate(angle))
+    exact = abs(angle - quarters * math.pi / 2) < EXACT
+    return multiply(exact_number(Fraction(quarters, 2)), PI) if exact else None
 
 
 def numeric(value: Any) -> Expr | None:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import Any, get_args
 
 from derive.algebra.numbers.floats import number
-from derive.expression import Expr, Matrix
+from derive.expression import Expr, Matrix, Measured
 
 TREES = get_args(Expr)
 CLOSE = 1e-8  # relative; whole degrees are printed whole where they are by less
@@ -16,6 +16,7 @@ LETTERS = {"j": 0.37, "s": 0.71}  # what these are put for on both sides
 def same_numbers(tree: Expr, value: Any) -> bool:
     """The value is a number, a list or rows of them, {"re", "im"}, {"num", "den"} in s, or a tree in letters
     that are left."""
+    tree = tree.value if isinstance(tree, Measured) else tree
     entries = [entry for row in tree.rows for entry in row] if isinstance(tree, Matrix) else [tree]
     values = [*_flat(value)]
     return len(entries) == len(values) and all(map(_same, entries, values))

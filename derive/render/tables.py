@@ -34,7 +34,7 @@ def unit_text(unit: str) -> str:
 
 
 def _column(heading: Cell, cells: Sequence[Cell], values: Values) -> tuple[tuple[Cell, ...], str]:
-    unit = values.units.get(heading, "") if isinstance(heading, TREES) else ""
+    unit = next((unit for name, unit in values.units.items() if name == heading), "")
     unit = unit or _typed(cells)
     if unit.startswith("deg"):
         return tuple(_without_degrees(cell, values) for cell in cells), unit

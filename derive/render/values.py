@@ -18,6 +18,7 @@ from derive.algebra.formulas.units import dimension_of, unit_of
 from derive.algebra.numbers.floats import number
 from derive.algebra.rationals import significant_digits
 from derive.algebra.readable.terms import Style
+from derive.derivation import Phrase
 from derive.errors import NotDerivable
 from derive.expression import (
     ONE,
@@ -54,7 +55,7 @@ class Values:
     """How the values of one derivation are said: `units` of its names, the `style` of its sheet, and how many
     `digits` are asked for."""
 
-    units: Mapping[Expr, str] = field(default_factory=dict)
+    units: Mapping[Expr | Phrase, str] = field(default_factory=dict)
     style: Style = Style()
     digits: int = 3
 

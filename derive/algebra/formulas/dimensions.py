@@ -24,9 +24,10 @@ class Unlike(NotDerivable):
     """Quantities of different dimensions are added, or one has a sine."""
 
 
-def dimension_of_formula(expr: Expr, known: Mapping[str, Dimension]) -> Dimension:
-    """The dimension of a scalar formula in which the names measure what is known of them; plain where it is
-    zero. Raises Unlike where it cannot be right, NotDerivable where a name or a function is not known."""
+def dimension_of_formula(expr: Expr, known: Mapping[str, Dimension | None]) -> Dimension:
+    """The dimension of a scalar formula in which the names measure what is known of them, None where
+    they are zero; plain where it is zero. Raises Unlike where it cannot be right, NotDerivable where a name
+    or a function is not known."""
     return fold(expr, _Dimensions(known))[0] or PLAIN
 
 
@@ -37,7 +38,7 @@ def comparable(left: Dimension, right: Dimension) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class _Dimensions(Domain[Found]):
-    known: Mapping[str, Dimension]
+    known: Mapping[str, Dimension | None]
 
     def number(self, value: Fraction) -> Found:
         return (PLAIN if value else None), value

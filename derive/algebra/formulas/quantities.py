@@ -163,6 +163,9 @@ class _Rationals(Domain[Fraction]):
         whole = exponent.denominator == 1 and abs(exponent) <= MAX_POWER
         return base ** int(exponent) if whole and base else self.refuse("this power")
 
+    def call(self, function: str, arguments: list[Fraction]) -> Fraction:
+        return abs(arguments[0]) if function == "abs" else self.refuse(function)
+
 
 def rational(expr: Expr) -> Fraction | None:
     """The value of a tree of rational numbers, None for any other."""

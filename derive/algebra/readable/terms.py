@@ -46,12 +46,14 @@ class Atom:
 class Style:
     """How readable forms are written: numbers as decimals where the author typed decimals, fixed
     angles in degrees where the author did, names in the author's order. What a page adds: units where the
-    author typed any, and decimals with as many significant digits as the `longest` that was typed."""
+    author typed any, angles that are found in degrees where any was typed so (`turned`), and decimals with
+    as many significant digits as the `longest` that was typed."""
 
     decimals: bool = False
     degrees: bool = False
     order: tuple[str, ...] = ()
     units: bool = False
+    turned: bool = False
     longest: int = 0
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from derive.derivation import Phrase
 from derive.expression import Expr, Symbol
 from derive.mechanics.profile import NO_UNITS, Profile
 
@@ -13,7 +14,7 @@ RATES: Mapping[str, int | None] = {
 }  # fmt: skip
 
 
-def units_of(profile: Profile, rates: Mapping[Expr, int | None]) -> dict[Expr, str]:
+def units_of(profile: Profile, rates: Mapping[Expr, int | None]) -> dict[Expr | Phrase, str]:
     """The units of these names, each with how often it is differentiated (None: a time), and of those that
     every motion has; of none where symbols stand for what is given."""
     if profile.units == NO_UNITS:

@@ -14,6 +14,7 @@ from derive.kinds.robot._by_index import EVERY, Meaning, by_index
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.index_laws import khatib_laws
 from derive.kinds.robot._dynamics.matrix_laws import speed_law
+from derive.kinds.robot._units import of_joints
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import Christoffel, christoffel, rate_column, velocity_terms
 from derive.mechanics.oracle.heavy import Heavy
@@ -22,6 +23,9 @@ from derive.names import entry_symbol, require_free
 
 NEEDS = ("bodies",)
 CLAIMS = ("makes-v", "names", "rates-alone")
+measures = of_joints("v", effort=True)
+
+
 MOST_SHOWN = 3  # joints; with more, the symbols that vanish are only counted
 HALF, TWO = number("1/2"), number(2)
 C, B, V = Symbol("C"), Symbol("B"), Symbol("v")

@@ -14,6 +14,7 @@ from derive.kinds.robot._dynamics.drives import Facts as Facts
 from derive.kinds.robot._dynamics.drives import friction_sorts, friction_told
 from derive.kinds.robot._dynamics.index_laws import motion_law
 from derive.kinds.robot._dynamics.terms import equation, equations
+from derive.kinds.robot._units import of_joints, together
 from derive.kinds.robot.inertia_matrix import Facts as InertiaFacts
 from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
@@ -21,6 +22,7 @@ from derive.mechanics.robot import Robot
 NEEDS = ("bodies",)
 CLAIMS = ("motion-of-each-body", "names")
 CLAIMED = {"tau": "motion-of-each-body"}  # of a long arm no line has it
+measures = together(of_joints("tau", "g", "v", effort=True), P="J")
 
 
 class Options(OptionsModel):

@@ -17,6 +17,7 @@ from derive.kinds.robot._by_index import EVERY, Meaning, by_index
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.matrix_laws import acceleration_law
 from derive.kinds.robot._dynamics.terms import Term, equation, equations
+from derive.kinds.robot._units import of_joints, together
 from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 from derive.names import entry_symbol
@@ -25,6 +26,9 @@ CLAIMED = {"D_inv": "adjugate"}
 
 NEEDS = ("bodies",)
 CLAIMS = ("adjugate", "joint-forces", "names")
+measures = together(of_joints("qddot", power=2), of_joints("h", effort=True))
+
+
 MOST_JOINTS = 3
 MOST_REDUCED = 2  # joints; with more, fractions are not multiplied out
 D = Symbol("D")

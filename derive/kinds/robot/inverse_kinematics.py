@@ -11,11 +11,13 @@ from derive.kinds.robot._inverse import two_link as triangle
 from derive.kinds.robot._inverse.facts import Facts as Facts
 from derive.kinds.robot._inverse.given import Given, goal_of
 from derive.kinds.robot._inverse.sampled import sample_points
+from derive.kinds.robot._units import of_variables
 from derive.mechanics.inverse.two_link import two_link
 from derive.mechanics.robot import Robot
 
 CLAIMED = {"solutions": "as-printed"}
 CLAIMS = ("pose-found", "when-holds", "lines", "as-printed", "read-there|elbow-seen")
+measures = of_variables
 
 
 class Options(OptionsModel):

@@ -16,6 +16,7 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._point import PointOn
+from derive.kinds.robot._units import of_joints
 from derive.kinds.robot._velocity.solving import PLUS, RATES, A, J, Solved, V, by_inverse, by_pseudo_inverse
 from derive.kinds.robot._velocity.splitting import by_wrist
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
@@ -27,6 +28,7 @@ DIFFERENCES, POINTS = 1e-5, 2
 
 CLAIMED = {"qdot": "pseudo-inverse"}
 CLAIMS = ("pseudo-inverse",)
+measures = of_joints("qdot", power=1)
 
 
 class Options(OptionsModel):

@@ -24,6 +24,7 @@ from derive.kinds.robot._dynamics.body_steps import inertia_steps
 from derive.kinds.robot._dynamics.drives import with_rotors
 from derive.kinds.robot._dynamics.recursion import Line, Recursion, rotation
 from derive.kinds.robot._families import said_of_each
+from derive.kinds.robot._units import of_joints
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.dynamics import gravity_of, rate_column
@@ -34,6 +35,9 @@ from derive.mechanics.robot import Robot
 NEEDS = ("bodies",)
 CLAIMS = ("inertia", "christoffel", "gravity", "motion-of-each-body", "names", "each-link")
 CLAIMED = {"tau": "motion-of-each-body"}  # by the motion of each body; of a long arm no line has it
+measures = of_joints("tau", effort=True)
+
+
 BASE = Symbol("o_0_ddot")
 OF_EACH_LINK = ("omega_{}", "omega_{}_dot", "o_{}_ddot", "f_{}", "mu_{}")
 CONSTANTS = {"e": "constant-e", "r": "constant-r", "r_c": "constant-r_c", "p": "constant-p"}

@@ -17,9 +17,12 @@ from derive.figures.axes import short
 from derive.kinds.fields import OptionsModel, Place, Quantity, read_point
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
+from derive.kinds.robot._lengths import unit_of_lengths
+from derive.kinds.robot._units import of_variables
 from derive.kinds.robot._velocity.repeated import Repeated
 from derive.kinds.robot._velocity.task import Task, task_of
 from derive.kinds.sure import place
+from derive.kinds.units import in_degrees
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
 from derive.mechanics.iteration import CLOSE, Iteration, Row, Verdict, iterate
@@ -104,7 +107,20 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         facts,
         evaluated=evaluated,
         plots=(_plot(run, options.method == "newton"),) if facts.drawn else (),
+        units=_units(arm, options),
     )
+
+
+def _units(arm: Arm, options: Options) -> dict[Expr | Phrase, str]:
+    """Those of the columns: angles as the author typed them, errors in metres where the target was."""
+    problem = arm.task.problem
+    turned = problem.style.degrees or problem.style.turned
+    units: dict[Expr | Phrase, str] = {
+        Symbol(name): in_degrees(unit, turned) for name, unit in of_variables(problem.subject).items()
+    }
+    if unit_of_lengths(problem, options.target) and all(row[0] == "v" for row in arm.task.rows):
+        units |= {Phrase("error"): "m", H: "m^2", R: "m"}
+    return units
 
 
 @dataclass(frozen=True, slots=True)

@@ -16,6 +16,7 @@ from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._point import PointOn, tracked
+from derive.kinds.robot._units import of_joints
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
@@ -27,6 +28,7 @@ DIFFERENCES = 1e-6
 TAU, F, J = Symbol("tau"), Symbol("F"), Symbol("J")
 
 CLAIMS = ("work-done",)
+measures = of_joints("tau", effort=True)
 
 
 class Options(OptionsModel):

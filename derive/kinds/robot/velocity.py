@@ -11,11 +11,14 @@ from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._point import PointOn, tracked
+from derive.kinds.robot._units import of_variables, together
 from derive.kinds.work import Work
 from derive.mechanics.jacobian import halves
 from derive.mechanics.robot import Robot
 
 CLAIMS = ("rate-of-the-point", "twist-in-numbers")
+measures = together(of_variables, v="m/s", omega="rad/s")
+
 
 DIFFERENCES = 1e-6  # what central differences leave
 J, Q_DOT, V, OMEGA = symbols("J q_dot v omega")

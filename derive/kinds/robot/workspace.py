@@ -22,12 +22,14 @@ from derive.kinds.robot._reach.told import (
     orientations_told,
     region_told,
 )
+from derive.kinds.robot._units import of_variables, together
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
 from derive.mechanics.reach import moving_joints, turns_freely
 from derive.mechanics.robot import Robot
 
 CLAIMS = ("largest-distance", "smallest-distance", "lines", "link-lengths", "hole", "called")
+measures = together(of_variables, r_min="m", r_max="m")
 
 
 class Options(OptionsModel):
