@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from math import degrees, isclose
 
 from derive.derivation import Label, Panels, Phrase, Place, Plot
-from derive.expression import Expr, Relation, Symbol
+from derive.expression import Approximate, Expr, Relation, Symbol
 from derive.figures.axes import IN_TIME, axis, short
 from derive.mechanics.course import Course, Points, extremes, sampled
 from derive.mechanics.profile import Sort
@@ -45,16 +45,12 @@ def panels(
 
 
 def merged(moments: Mapping[Expr, float]) -> dict[Label, float]:
-    """Those at the same time under one name: t_1 = t_2."""
-    found: dict[Label, float] = {}
+    """Each with its time: t_1 = 0.5; those at the same time under one name: t_1 = t_2 = 0.4."""
+    names: dict[float, Expr | Relation] = {}
     for name, time in moments.items():
-        same = next((label for label, other in found.items() if isclose(time, other, rel_tol=SAME)), None)
-        if isinstance(same, Relation | Expr):
-            del found[same]
-            found[Relation(same, "=", name)] = time
-        else:
-            found[name] = time
-    return found
+        same = next((t for t in names if isclose(t, time, rel_tol=SAME)), None)
+        names[time if same is None else same] = name if same is None else Relation(names[same], "=", name)
+    return {Relation(name, "=", Approximate(time)): time for time, name in names.items()}
 
 
 def _limits(most: float, curves: Mapping[Label, Points]) -> dict[Label, float]:

@@ -58,7 +58,8 @@ def _alternative(response: StepResponse) -> Phrase:
     final, settled = response.steady_state, response.settling_time
     if not final or settled is None:
         low, high, last = min(response.values), max(response.values), response.values[-1]
-        about = {"low": low, "high": high, "last": last, "end": response.times[-1]}
+        about = {"first": response.values[0], "low": low, "high": high, "last": last}
+        about["end"] = response.times[-1]
         return Phrase("seen-course", {name: short(value) for name, value in about.items()})
     about = {"final": final, "settled": settled}
     if not response.overshoot or response.peak_time is None:

@@ -170,7 +170,7 @@ def test_switching_times_are_where_the_acceleration_jumps() -> None:
     ((times, values),) = panels.plots[2].series.values()
     jumps = [t for t, before, after in zip(times[1:], values, values[1:], strict=False) if before != after]
     assert [*panels.plots[2].moments.values()] == pytest.approx([*jumps, times[-1]])
-    assert [*panels.plots[0].moments] == ["$t_1$", "$t_2$", "$t_3$"]
+    assert [*panels.plots[0].moments] == ["$t_1 = 0.5$", "$t_2 = 1.5$", "$t_3 = 2$"]
 
 
 def test_the_ellipse_is_the_image_of_the_circle() -> None:

@@ -6,8 +6,11 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from math import ceil, floor, log10
 
+from derive.render.numbers import rounded_latex
+
 STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)  # between ticks, times a power of ten
 LEAST = 13.0  # points between ticks, where there would be fewer than three otherwise
+DIGITS = 6  # of what stands at a tick, at most
 NONE = 1e-9  # of a step: what rounding leaves
 
 
@@ -49,7 +52,8 @@ class Axis:
         """What stands at a tick."""
         if self.log:
             return f"$10^{{{round(log10(tick))}}}$"
-        return f"{tick:.6g}".replace("-", "\u2212") if abs(tick) > NONE * (self.high - self.low) else "0"
+        small = abs(tick) <= NONE * (self.high - self.low)
+        return "0" if small else f"${rounded_latex(tick, DIGITS)}$"
 
 
 def _step(least: float) -> float:

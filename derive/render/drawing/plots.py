@@ -106,7 +106,7 @@ def _below(sketch: Sketch, plot: Plot, frame: Frame) -> None:
     """Moments under the ticks, in as many rows as they need, and the name of the axis."""
     low = -TICK - AIR - 7.0
     ends: list[float] = []  # of each row
-    names = said([f"{name} $= {time:.3g}$".replace("$ $", " ") for name, time in plot.moments.items()])
+    names = said([str(name) for name in plot.moments])
     for time, text in sorted(zip(plot.moments.values(), names, strict=True), key=lambda each: each[0]):
         left = frame.x.at(time) - text.wide / 2
         row = next((k for k, end in enumerate(ends) if left > end + 2 * AIR), len(ends))

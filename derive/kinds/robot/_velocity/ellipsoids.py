@@ -235,17 +235,17 @@ def _pictures(
         sizes=(values[0], values[1]),
         directions=[(along[0], along[1]) for along in directions],
     )
-    return (at_the_tip(tip, _rates(task, J, values, directions)),)
+    return (at_the_tip(tip, _rates(task, J, values, directions, unit)),)
 
 
-def _rates(task: Task, J: Any, values: list[float], directions: list[list[float]]) -> Rates | None:
+def _rates(task: Task, J: Any, values: list[float], directions: list[list[float]], unit: str) -> Rates | None:
     """Those of size one that J turns into the half axes, where there are two joints."""
     if len(task.rates) != 2:
         return None
-    turning = [joint.type == "revolute" for _, joint in task.found.moving]
-    first, second = (
-        axis(q, "rad/s" if turns else "m/s") for q, turns in zip(task.rates, turning, strict=True)
-    )
+    turning = {joint.variable for _, joint in task.found.moving if joint.type == "revolute"}
+    slide = "m/s" if unit else ""
+    units = ("rad/s" if name in turning else slide for name in task.found.variables)
+    first, second = map(axis, task.rates, units)
     images = [J.T @ along / size for along, size in zip(directions, values, strict=True)]
     return Rates((first, second), [(float(q[0]), float(q[1])) for q in images])
 
