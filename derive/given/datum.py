@@ -10,6 +10,7 @@ from derive.derivation import Phrase, Said, Table
 from derive.expression import Expr, Number, Relation, Symbol, number
 
 TREES = get_args(Expr)
+NO_BREAK = "\u00a0"
 RAISED = {ord("^"): None, ord("2"): "²", ord("3"): "³"}
 Chain: TypeAlias = tuple[Expr, ...]
 
@@ -38,8 +39,6 @@ class Datum:
 
 def _trees(part: Any) -> Iterator[Expr]:
     match part:
-        case Phrase("axis"):
-            return
         case Phrase(about=about):
             yield from _trees(tuple(about.values()))
         case Relation(left, _, right):
@@ -78,7 +77,7 @@ def unit_of(value: Expr) -> str:
 
 def spaced(unit: str) -> str:
     """A unit as it follows a number."""
-    return f"{'' if not unit or unit[0] == '/' else ' '}{unit.translate(RAISED)}"
+    return f"{'' if not unit or unit[0] == '/' else NO_BREAK}{unit.translate(RAISED)}"
 
 
 def names(given: Iterable[str]) -> tuple[Said, ...]:
