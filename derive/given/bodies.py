@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from derive.derivation import Cell, Phrase, Table
-from derive.expression import ZERO, Expr, Symbol, number
+from derive.derivation import Cell, Phrase, Said, Table
+from derive.expression import ZERO, Call, Expr, Symbol, number
 from derive.given.datum import Datum, measured, vector
 from derive.given.moves import axis_said
 from derive.kinds.problem import Problem
@@ -54,10 +54,10 @@ def inertia_said(inertia: Inertia) -> Phrase:
     """The moments along the axes of the frame, or the shape that has them."""
     match inertia:
         case Moments(values):
-            moments, products = vector(values[:3]), vector(values[3:])
+            moments: dict[str, Said] = {"moments": Call("diag", values[:3])}
             if all(each == ZERO for each in values[3:]):
-                return moments
-            return Phrase("six-moments", {"moments": moments, "products": products})
+                return Phrase("moments", moments)
+            return Phrase("six-moments", moments | dict(zip(("xy", "yz", "xz"), values[3:], strict=True)))
         case Box((x, y, z)):
             return Phrase("box", {"x": x, "y": y, "z": z})
         case Rod(length, axis):

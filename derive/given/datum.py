@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias, get_args
 
 from derive.derivation import Phrase, Said, Table
-from derive.expression import Expr, Number, Relation, Symbol, number
+from derive.expression import Expr, Number, Relation, Symbol, column, number
 
 TREES = get_args(Expr)
 NO_BREAK = "\u00a0"
@@ -53,10 +53,8 @@ def _trees(part: Any) -> Iterator[Expr]:
 
 
 def vector(parts: Sequence[Expr], unit: str = "") -> Phrase:
-    """Coordinates in parentheses, with the unit that their author gave them."""
-    about: dict[str, Said] = dict(zip("abcdef", parts, strict=False))
-    typed = next(filter(None, map(unit_of, parts)), "")
-    return Phrase(f"vector-{len(parts)}", about | {"unit": unit or typed})
+    """A column, with the unit that its author gave it."""
+    return measured(column(parts), unit or next(filter(None, map(unit_of, parts)), ""))
 
 
 def valued(name: str | Expr, value: Expr) -> Phrase:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 from itertools import groupby
 
 from derive.derivation import Cell, Table
 from derive.expression import Number
-from derive.given.datum import Datum
+from derive.given.datum import Chain, Datum, unit_of
 from derive.render.formulas import spelt
 from derive.render.latex import Printer
 from derive.render.layout import lay_out
@@ -25,38 +26,58 @@ def given_words(
 ) -> str:
     """The data one after the other, sentences side by side; what is printed from trees is added to
     `printed`."""
-    printer = Printer(notation)
-    lines = lines_in(SHARED) | lines_in(OWN.format(subject))
-    speech = written(lines, printer, skin.plain, printed, strong=skin.strong, em=skin.em)
-    telling = [(_told(datum, speech, skin, printer, printed), _is_sentence(datum)) for datum in data]
-    groups = groupby(telling, key=lambda told: told[1])
+    telling = Telling(subject, skin, notation, printed)
+    groups = groupby(((telling.datum(each), is_sentence(each)) for each in data), key=lambda told: told[1])
     parts = ((" " if sentences else "\n\n").join(text for text, _ in group) for sentences, group in groups)
     return spelt("\n\n".join(parts), skin.formulas, printed)
 
 
-def _is_sentence(datum: Datum) -> bool:
+def is_sentence(datum: Datum) -> bool:
+    """Whether it leads to nothing."""
     return not (datum.table or datum.equations or datum.items)
 
 
-def _told(datum: Datum, speech: Speech, skin: Skin, printer: Printer, printed: list[Printed]) -> str:
-    parts = [speech.say(datum.said)]
-    if datum.items:
-        parts.append(skin.items(map(speech.say, datum.items)))
-    if datum.equations:
-        display = lay_out(tuple(chain_links(chain, printer) for chain in datum.equations), printer.notation)
-        printed.append(Printed.display(display, printer.notation))
-        parts.append(skin.display(display))
-    if datum.table:
-        parts.append(_table(datum.table, speech, skin))
-    return "\n".join(parts)
+@dataclass(frozen=True, slots=True)
+class Telling:
+    """Data being told in one format, in the words of their subject."""
 
+    subject: str
+    skin: Skin
+    notation: Notation
+    printed: list[Printed]
 
-def _table(table: Table, speech: Speech, skin: Skin) -> str:
-    rows = [[_cell(entry, speech) for entry in row] for row in table.rows]
-    return skin.table([_cell(heading, speech) for heading in table.headings], rows)
+    def datum(self, datum: Datum) -> str:
+        """A sentence, and what it leads to."""
+        speech = self.speech()
+        parts = [speech.say(datum.said)]
+        if datum.items:
+            parts.append(self.skin.items(map(speech.say, datum.items)))
+        if datum.equations:
+            parts.append(self.display(datum.equations))
+        if datum.table:
+            parts.append(self.table(datum.table))
+        return "\n".join(parts)
 
+    def speech(self, flat: bool = False) -> Speech:
+        """Words in a line of text, or in a cell of a table."""
+        lines = lines_in(SHARED) | lines_in(OWN.format(self.subject))
+        printer = Printer(self.notation, flat=flat)
+        strong, em = self.skin.strong, self.skin.em
+        return written(lines, printer, self.skin.plain, self.printed, strong=strong, em=em)
 
-def _cell(entry: Cell, speech: Speech) -> str:
-    """A number has the unit that its author gave it."""
-    unit = entry.unit if isinstance(entry, Number) and entry.value else ""
-    return f"{speech.say(entry)} {unit}".rstrip()
+    def display(self, equations: tuple[Chain, ...]) -> str:
+        """Equations side by side, or one below the other."""
+        printer = Printer(self.notation)
+        display = lay_out(tuple(chain_links(chain, printer) for chain in equations), self.notation)
+        self.printed.append(Printed.display(display, self.notation))
+        return self.skin.display(display)
+
+    def table(self, table: Table) -> str:
+        """A number has the unit that its author gave it."""
+        speech = self.speech(flat=True)
+
+        def cell(entry: Cell) -> str:
+            return speech.say(entry) + (unit_of(entry) if isinstance(entry, Number) else "")
+
+        rows = [[cell(entry) for entry in row] for row in table.rows]
+        return self.skin.table([cell(heading) for heading in table.headings], rows)

@@ -10,8 +10,10 @@ import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from math import lcm
 
-from derive.expression import Approximate, Degrees, Expr, Matrix, Number, free_symbols, walk
+from derive.algebra.formulas.quantities import rational
+from derive.expression import Approximate, Degrees, Expr, Matrix, Number, free_symbols, number, rebuild, walk
 from derive.given.datum import Datum
 from derive.render.latex import Printer
 from derive.render.names import name_latex
@@ -28,6 +30,7 @@ SIZES = {"%": 100, "\\%": 100, "cm": 100, "mm": 1000, "ms": 1000}
 NUMERALS = ["two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
 FORMULA = re.compile(r"\$([^$]+)\$")
 BLANKS = re.compile(r"[\s{}]|\\[,;:!]")
+AXES = ("x", "y", "z")
 UNITS = (1, -1)  # inside of a formula
 
 
@@ -54,25 +57,38 @@ class Mentioned:
     def says(self, datum: Datum) -> bool:
         """Whether all of a datum stands here."""
         trees = [*datum.trees()]
+        matrices = _matrices(trees)
         wanted = {name for tree in trees for name in free_symbols(tree) - datum.ours}
-        values = {value for tree in trees for value in _numbers(tree)}
+        values = {value for tree in trees for value in _numbers(tree)} if not matrices else set()
         return (
-            bool(wanted or values or datum.words or _matrices(trees))
+            bool(wanted or values or datum.words or matrices)
             and all(map(self._has_name, wanted))
             and values <= self.numbers
             and all(map(self._has_word, datum.words))
-            and all(map(self._has, _matrices(trees)))
+            and all(map(self._has, matrices))
         )
 
     def _has_name(self, name: str) -> bool:
         written = _bare(name_latex(name.removesuffix("*")))
-        return written in self.names or EVERY.sub("i", written) in self.names - {written}
+        every = EVERY.sub("i", written)
+        axis = written in AXES and any(other.startswith(f"{written}_") for other in self.names)
+        return axis or written in self.names or every in self.names - {written}
 
     def _has_word(self, alternatives: str) -> bool:
         return re.search(rf"\b(?:{alternatives})", self.plain, re.IGNORECASE) is not None
 
     def _has(self, matrix: Matrix) -> bool:
-        return _bare(Printer(Notation()).write(matrix)) in self.formulas
+        """Whether it stands there, or with a common denominator in front."""
+        return any(
+            _bare(Printer(Notation()).write(each)) in self.formulas for each in (matrix, *self._whole(matrix))
+        )
+
+    def _whole(self, matrix: Matrix) -> Iterator[Expr]:
+        """A matrix of fractions without their common denominator, if that stands in the text."""
+        values = [rational(entry) for row in matrix.rows for entry in row]
+        common = lcm(*(1 if value is None else value.denominator for value in values))
+        if common > 1 and common in self.numbers and None not in values:
+            yield rebuild(matrix, lambda entry: number(common * (rational(entry) or 0)))
 
 
 def _bare(latex: str) -> str:
@@ -101,4 +117,5 @@ def _typed(text: str) -> Iterator[Fraction]:
 
 
 def _matrices(trees: Iterable[Expr]) -> list[Matrix]:
-    return [tree for tree in trees if isinstance(tree, Matrix)]
+    """Those of several columns; a column is as good as its entries."""
+    return [tree for tree in trees if isinstance(tree, Matrix) and tree.shape[1] > 1]
