@@ -21,7 +21,7 @@ from derive.expression import PI, Degrees, Expr, Indexed, Matrix, Number, Symbol
 from derive.kinds.declared import with_all_claims
 from derive.kinds.registry import load
 from derive.kinds.told import with_results_told
-from derive.kinds.units import with_units
+from derive.kinds.units import units_of
 from derive.names import require_free
 
 TREES = get_args(Expr)
@@ -72,9 +72,10 @@ class Problem:
                 derivation = module.derive(self.subject, options, self)
             self.require_own(derivation.definitions)
             complete = with_all_claims(derivation, module, self.subject, options)
-            told = with_results_told(with_units(complete, module, self.subject), module, self.names)
-            facts = replace(told.facts, style=self.style)
-            self.memo.answers[key] = replace(told, facts=facts)
+            units = units_of(complete, module, self.subject)
+            styled = replace(complete.facts, style=self.style)
+            told = with_results_told(complete, module, self.names, units, styled)
+            self.memo.answers[key] = told
         return self.memo.answers[key]
 
     def require_own(self, names: Iterable[Expr]) -> None:

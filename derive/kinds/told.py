@@ -19,19 +19,23 @@ from typing import Any, get_args
 
 from derive.algebra.normal import Names
 from derive.algebra.numbers.floats import Point, completed, number, numbers
-from derive.derivation import Branch, Claim, Derivation, Step
+from derive.derivation import Branch, Claim, Derivation, PageFacts, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Matrix, Symbol, free_symbols
 from derive.kinds.checks import FLOATS, close, random_points
+from derive.kinds.units import UNKNOWN, Units
 from derive.kinds.values_at import NOT_REAL
 
 TREES = get_args(Expr)
 POINTS = 4
 
 
-def with_results_told(derivation: Derivation, module: ModuleType, where: Names) -> Derivation:
-    """The same derivation, claiming that its results are told, with a claim that fails for each that is not;
-    those that no line could be compared with are kept."""
+def with_results_told(
+    derivation: Derivation, module: ModuleType, where: Names, units: Units = UNKNOWN,
+    facts: PageFacts | None = None,
+) -> Derivation:  # fmt: skip
+    """The same derivation with its units and facts, claiming that its results are told, with a claim that
+    fails for each that is not; those that no line could be compared with are kept."""
     page, claimed = Page(derivation, where), frozenset(_claimed(derivation, getattr(module, "CLAIMED", {})))
     on_page = derivation.facts.page_names  # the pose T_1^0 with a tool is T_e^0 there
     found = [
@@ -45,7 +49,11 @@ def with_results_told(derivation: Derivation, module: ModuleType, where: Names) 
     if tried := sum(told is True for _, told in found):
         claims.append(Claim("told", FLOATS, not untold, link=True, tried=tried))
     alone = tuple(dict.fromkeys(name for name, told in found if told is None))
-    return replace(derivation, claims=(*derivation.claims, *claims), alone=alone)
+    claims = [*derivation.claims, *units.claims, *claims]
+    return replace(
+        derivation, claims=tuple(claims), alone=alone, units=units.names, meant=units.meant,
+        facts=facts or derivation.facts,
+    )  # fmt: skip
 
 
 def _claimed(derivation: Derivation, claimed: Mapping[str, str]) -> Iterator[str]:

@@ -5,13 +5,14 @@ A line is held to it: the formula of a velocity has the dimension of a velocity,
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from types import ModuleType
 from typing import Any
 
 from derive.algebra.formulas.dimensions import Unlike, comparable, dimension_of_formula
 from derive.algebra.formulas.units import Dimension, dimension_of, unit_of
-from derive.derivation import Derivation, Phrase, Step
+from derive.derivation import Claim, Derivation, Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import Approximate, Degrees, Expr, Matrix, Number, Symbol, free_symbols, walk
 from derive.kinds.checks import law
@@ -19,25 +20,35 @@ from derive.kinds.checks import law
 LARGEST_COUNT = 100  # of numbers that belong to a law, and are no data that were put in
 
 
-def with_units(derivation: Derivation, module: ModuleType, subject: Any) -> Derivation:
-    """The same derivation, its names with their units as far as the lines tell them; the claim that every
-    line agrees with them. A kind may say what its results mean, `measures(subject)`, which counts where units
-    were typed."""
-    if meant := getattr(module, "measures", None):
-        derivation = replace(derivation, meant=meant(subject))
+@dataclass(frozen=True, slots=True)
+class Units:
+    """Those of the names on the page; those that results mean where units were typed; and what was held."""
+
+    names: Mapping[Expr | Phrase, str] = field(default_factory=dict)
+    meant: Mapping[str, str] = field(default_factory=dict)
+    claims: tuple[Claim, ...] = ()
+
+
+UNKNOWN = Units()
+
+
+def units_of(derivation: Derivation, module: ModuleType, subject: Any) -> Units:
+    """The units of an answer, as far as its lines tell them, and the claim that every line agrees with them.
+    A kind may say what its results mean, `measures(subject)`."""
+    measures = getattr(module, "measures", None)
+    meant = measures(subject) if measures else {}
     known = {name: unit for used in derivation.uses for name, unit in used.units.items()}
     known |= derivation.units
     if not known:
-        return derivation
+        return Units({}, meant)
     found = _Lines({_text(name): dimension_of(unit) for name, unit in known.items()}, _names(derivation))
     for step in derivation.all_steps():
         found.line(step)
     turned = any(unit.startswith("deg") for unit in known.values())
-    units: dict[Expr | Phrase, str] = {
-        Symbol(name): in_degrees(unit_of(dim), turned) for name, dim in found.dimensions.items()
-    } | known
-    claims = (law("units", found.held),) if found.held else ()
-    return replace(derivation, units=units, claims=(*derivation.claims, *claims))
+    learned: dict[Expr | Phrase, str] = {
+        Symbol(name): in_degrees(unit_of(dimension), turned) for name, dimension in found.dimensions.items()
+    }
+    return Units(learned | known, meant, (law("units", found.held),) if found.held else ())
 
 
 @dataclass(slots=True)
