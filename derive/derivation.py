@@ -30,7 +30,8 @@ class PageFacts(Record):
     are called on the page; with `met` only the branches that are met are listed. `angle_results` are angles,
     in degrees where the `style` is; `short_names` are angles whose sine is printed s_\\phi. With `labels`,
     one for each solution at a point, these are a table; `remark` is what is said after the numbers, and
-    angles are `in_degrees` though nobody typed any.
+    angles are `in_degrees` though nobody typed any. The names in a matrix, `at_pose`, are told by it at a
+    point.
     """
 
     numbers: tuple[str, ...] | None = None
@@ -42,6 +43,7 @@ class PageFacts(Record):
     labels: tuple[Cell, ...] = ()
     remark: Phrase | None = None
     in_degrees: bool = False
+    at_pose: tuple[Expr, Matrix] | None = None
 
 
 F = TypeVar("F", bound=PageFacts)

@@ -25,6 +25,7 @@ from derive.expression import (
     Sum,
     Symbol,
     column,
+    free_symbols,
     multiply,
     walk,
 )
@@ -79,8 +80,12 @@ def evaluated_words(
     }
     working = _working(derivation)
     tabled = bool(facts.labels) and any(each.get("real", True) for each in found["solutions"])
+    pose = telling.pose(facts.at_pose, at)
+    told = free_symbols(facts.at_pose[1]) if facts.at_pose and pose else frozenset()
     context = {
-        "point": [telling.given(name, value) for name, value in at.items()],
+        "pose": pose,
+        "unit": ", ".join({unit_typed(value) for name, value in at.items() if name in told} - {""}),
+        "point": [telling.given(name, value) for name, value in at.items() if name not in told],
         "display": telling.display(chains) if chains else "",
         "branches": [
             telling.branch(branch, working)
@@ -120,6 +125,11 @@ class _Exact:
         if value is None or (value.denominator != 1 and (digits is None or digits > self.most)):
             return None
         return Number(value, value.denominator != 1)
+
+
+def _without_unit(value: Expr) -> Expr:
+    """As it stands in a matrix."""
+    return replace(value, unit="") if isinstance(value, Number) else value
 
 
 def _called(name: str | Expr) -> Expr:
@@ -171,6 +181,15 @@ class _Telling:
     def in_line(self) -> _Telling:
         """The same for a line of text."""
         return replace(self, printer=replace(self.printer, in_line=True))
+
+    def pose(self, of: tuple[Expr, Matrix] | None, at: Mapping[str, Expr]) -> str:
+        """The matrix with the values of the point, where it has one for every name."""
+        if of is None or not free_symbols(of[1]) <= at.keys():
+            return ""
+        name, named = of
+        values: dict[Expr, Expr] = {Symbol(key): _without_unit(value) for key, value in at.items()}
+        placed = put_in(named, values)
+        return self.display({chain_links((name, placed), self.printer): (placed, "")})
 
     def given(self, name: str, value: Expr) -> str:
         """A value of the point, with the unit its author gave it."""

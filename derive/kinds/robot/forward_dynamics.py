@@ -10,7 +10,19 @@ from derive.algebra.numbers.floats import Point, numbers
 from derive.algebra.readable.form import readable, readable_matrix
 from derive.derivation import Derivation, PageFacts, Phrase, Step
 from derive.errors import NotDerivable
-from derive.expression import Call, Expr, Matrix, Symbol, add, children, column, multiply, replace
+from derive.expression import (
+    Call,
+    Expr,
+    Matrix,
+    Symbol,
+    add,
+    children,
+    column,
+    is_negative,
+    multiply,
+    replace,
+    terms_of,
+)  # fmt: skip
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import EVERY, Meaning, by_index
@@ -87,7 +99,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.step(acceleration_law()) if n > 1 else work
     work = work.linked() if long else work  # of long fractions the law says as much
     for name, top, result in zip(arm.accelerations, tops, children(results["qddot"]), strict=True):
-        chain = (name, top / DET, result)
+        positive_first = add(*sorted(terms_of(top), key=is_negative))
+        chain = (name, positive_first / DET, result)
         work = work.showing(Step(name.name, chain, "acceleration", spare=(result,)))
     one = ScalarMatrix.identity(n)
     inverse = value @ work.value_matrix(adjugate) == one.scaled(value.det())

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from derive.derivation import Phrase, Said
-from derive.expression import Symbol
+from derive.derivation import Phrase, Said, Step
+from derive.expression import Expr, Matrix, Number, Symbol
 from derive.kinds.robot._inverse.branches import Solutions
 from derive.kinds.robot._inverse.choices import Choices
 from derive.kinds.robot._inverse.evaluated import Evaluated
@@ -28,7 +29,8 @@ class Told:
         """What the words choose their sentences by."""
         worked = self.worked
         return Facts(
-            pose=worked.pose,
+            given=worked.pose,
+            at_pose=_by_names(worked.pose),
             known=self._known(),
             conditions=worked.conditions,
             arm=tuple(each.facts for each in worked.arm),
@@ -83,3 +85,14 @@ class Told:
         if self.worked.singular and facts.method.factor:
             return replace(facts, method=replace(facts.method, unless=()))
         return facts
+
+
+def _by_names(pose: Sequence[Step]) -> tuple[Expr, Matrix] | None:
+    """What is given, where its elements are names."""
+    for step in pose:
+        name, matrix = step.chain
+        if isinstance(matrix, Matrix) and all(
+            isinstance(entry, Symbol | Number) for row in matrix.rows for entry in row
+        ):
+            return name, matrix
+    return None
