@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from derive.control.diagram import Block, Diagram
 from derive.derivation import Caption, Drawing, Phrase, Place, Stroke, Words
+from derive.errors import NotDerivable
 from derive.expression import ONE, Expr, Symbol, add, multiply
 from derive.figures.block_wires import Wires
 from derive.figures.extent import extent
@@ -17,6 +18,8 @@ PADDING = 5.0  # round a label
 LEAST = 20.0  # a block is not smaller
 SUM = 10.0  # the radius of a sum
 BETWEEN = 20.0  # rows
+WIDEST = 640.0  # points: on the page letters would be too small
+UP, DOWN = (0.0, 1.0), (0.0, -1.0)
 
 
 @dataclass(slots=True)
@@ -34,7 +37,7 @@ class Layout:
     def drawing(
         self, name: str, caption: Phrase | None, seen: Phrase | None, framed: Framed | None = None
     ) -> Drawing:
-        """The diagram drawn, blocks upon wires."""
+        """The diagram drawn, blocks upon wires. Raises NotDerivable where that could not be read."""
         for block in self.diagram.blocks:
             wide, high = self._label_size(block)
             self.half[block.name] = SUM if block.shape == "sum" else max(LEAST, wide + 2 * PADDING) / 2
@@ -43,6 +46,8 @@ class Layout:
                 self.half[block.name] = 0.0
         self._place_path()
         self._place_others()
+        if max(x + self.half[name] for name, (x, _) in self.at.items()) > WIDEST:
+            raise NotDerivable("its block diagram would be too wide for a page")
         strokes, captions = Wires(self).drawn()
         if framed:
             frame, title = framed.drawn(self)
@@ -151,12 +156,12 @@ class Framed:
         left = min(layout.at[b.name][0] - layout.half[b.name] for b in blocks) - 9.0
         right = max(layout.at[b.name][0] + layout.half[b.name] for b in blocks) + 17.0
         low = min(layout.at[b.name][1] for b in blocks) - layout.high / 2 - 8.0
-        high = max(layout.at[b.name][1] for b in blocks) + layout.high / 2 + 16.0
-        corners = ((left, low), (right, low), (right, high), (left, high), (left, low))
-        size = 5.6 * len(self.label)
-        return Stroke(corners, "hidden"), Caption(
-            (left + 6.0 + size / 2, high - 8.0), Words(f"${self.label}$")
-        )
+        high = max(layout.at[b.name][1] for b in blocks) + layout.high / 2 + 10.0
+        edge = ((left, low), (right, low), (right, high), (left, high), (left, low))
+        name = Words(f"${self.label}$")
+        corner = 14.0  # from the middle of the name
+        others = (((right - corner, high), UP), ((right - corner, low), DOWN), ((left + corner, low), DOWN))
+        return Stroke(edge, "hidden"), Caption((left + corner, high), name, UP, "frame", others)
 
 
 def transfer_label(block: Block) -> Expr:

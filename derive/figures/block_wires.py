@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 
 from derive.control.diagram import Block, Line
 from derive.derivation import Caption, Place, Stroke
+from derive.errors import NotDerivable
+from derive.figures.block_clear import Wire, corners, is_clear
 from derive.figures.view import around
 
 if TYPE_CHECKING:
@@ -30,16 +32,20 @@ class Wires:
     strokes: list[Stroke] = field(default_factory=list)
     captions: list[Caption] = field(default_factory=list)
     signs: list[Caption] = field(default_factory=list)
+    ways: list[Wire] = field(default_factory=list)
     around: dict[int, int] = field(default_factory=dict)  # how many wires go round above and below
 
     def drawn(self) -> tuple[list[Stroke], list[Caption]]:
-        """Wires first, then what they end at."""
+        """Wires first, then what they end at. Raises NotDerivable where that could not be read."""
         named: set[str] = set()
         for line in sorted(self.layout.diagram.lines, key=self._bends):
             self._wire(line, named)
         self._out()
         for block in self.layout.diagram.blocks:
             self._block(block)
+        boxes = [corners(stroke.places) for stroke in self.strokes if stroke.role == "box"]
+        if not is_clear(self.ways, boxes):
+            raise NotDerivable("wires of its block diagram would run through blocks or upon each other")
         return self.strokes, [*self.captions, *self.signs]
 
     def _bends(self, line: Line) -> bool:
@@ -51,12 +57,14 @@ class Wires:
         diagram = self.layout.diagram
         source, target = diagram.block(line.source), diagram.block(line.target)
         way = self._way(source, target)
+        self.ways.append((source.name, way))
         self.strokes.append(Stroke(way, "arrow"))
         if target.shape == "sum":
             self.signs.append(_sign(way, self.layout.at[target.name], target.signs[line.port - 1]))
         if way[0][0] > self.layout.at[source.name][0] + self.layout.half[source.name]:
             self.strokes.append(Stroke(tuple(_dot(way[0])), "pin"))
-        if source.name not in (*named, diagram.output) and self.layout.is_signal(source.name):
+        apart = source.shape == "source" and way[0][1] != 0.0  # comes in at each place anew
+        if (source.name not in (*named, diagram.output) and self.layout.is_signal(source.name)) or apart:
             named.add(source.name)
             self.captions.append(self._name(source, way))
 
@@ -87,7 +95,7 @@ class Wires:
     def _name(self, block: Block, way: tuple[Place, ...]) -> Caption:
         """The signal that leaves a block, once."""
         (ax, ay), (bx, by) = way[0], way[1]
-        if block.shape == "source" and ay != by:
+        if block.shape == "source" and ay != 0:
             return Caption((ax, ay), block.name, (0.0, 1.0 if ay > by else -1.0), "signal")
         if ay == by:
             x = ax + 6.0 if block.shape == "source" else (ax + bx) / 2
@@ -102,9 +110,7 @@ class Wires:
         (ax, ay), (bx, by) = layout.at[source.name], layout.at[target.name]
         right, left = ax + layout.half[source.name], bx - layout.half[target.name]
         reach = layout.half[target.name] if target.shape == "sum" else layout.high / 2
-        if source.shape == "source":
-            if ay == by:
-                return (min(ax, left - SOURCE), ay), (left, by)
+        if source.shape == "source" and ay != 0:
             side = 1 if ay > by else -1
             return (bx, by + side * (reach + SOURCE)), (bx, by + side * reach)
         if ay == by and ax < bx and not self._between(ax, bx, ay):

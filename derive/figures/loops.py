@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from types import MappingProxyType
 
 from derive.algebra.readable.terms import Style
 from derive.control.diagram import Block, Diagram, Line, source, summing, transfer
@@ -17,62 +18,74 @@ from derive.figures.block_layout import Framed, Layout, transfer_label
 from derive.names import free
 
 CONTROLLER, SYSTEM = Symbol("C(s)"), Symbol("G(s)")
+NO_LABELS: Mapping[str, str] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
 class Pictured:
-    """A diagram as it is to be drawn: the signals with names, `labels` that stand for transfer functions, and
-    the blocks that are framed as one system."""
+    """A diagram, and how it is drawn."""
 
-    name: str
     diagram: Diagram
-    signals: frozenset[str]
-    caption: Phrase
-    labels: Mapping[str, str] = field(default_factory=dict)
-    framed: Framed | None = None
-
-    def drawing(self) -> Drawing:
-        """On paper."""
-        layout = Layout(self.diagram, self.signals, self.labels)
-        return layout.drawing(self.name, self.caption, seen(self.diagram, self.signals), self.framed)
+    drawing: Drawing
 
 
 def drawn_blocks(system: System, whole: Rational, style: Style) -> Drawing:
-    """The diagram of a system as a teacher draws it. Raises NotDerivable where none can be built."""
+    """The diagram of a system as a teacher draws it; one block, G(s), where that could not be read. Raises
+    NotDerivable where none can be built."""
     diagram, _ = drawn(system, whole, None, style)
-    return pictured(system, diagram, "figure").drawing()
+    try:
+        return pictured(system, diagram, "figure").drawing
+    except NotDerivable:
+        entry, output = system.input.name, system.output.name
+        blocks = source(entry), transfer(output, (SYSTEM,), (ONE,))
+        alone = Diagram(blocks, (Line(entry, output),), entry, output)
+        return pictured(system, alone, "figure", {output: SYSTEM.name}).drawing
 
 
-def pictured(system: System, diagram: Diagram, name: str) -> Pictured:
-    """A diagram with the names of the signals of its system, and those that a loop adds."""
+def pictured(system: System, diagram: Diagram, name: str, labels: Mapping[str, str] = NO_LABELS) -> Pictured:
+    """A diagram with the names of the signals of its system, and those that a loop adds. Raises NotDerivable
+    where it could not be read."""
     caption = Phrase("drawn-blocks", {"input": Symbol(diagram.input), "output": system.output})
     error = diagram.targets(diagram.input) if diagram.input not in system.names else ()
-    return Pictured(name, diagram, frozenset((*system.names, diagram.input, *error)), caption)
+    signals = frozenset((*system.names, diagram.input, *error))
+    layout = Layout(diagram, signals, labels)
+    return Pictured(diagram, layout.drawing(name, caption, seen(diagram, signals)))
 
 
 def looped(system: System, whole: Rational, style: Style) -> Pictured:
-    """The system, block by block where it can be built, in a loop with a controller C(s), with the reference,
-    the error, and what disturbs it."""
-    entry, output = system.input.name, system.output.name
-    reference, error = free(system.names, "r", "r_d"), free(system.names, "e", "e_r")
+    """The system in a loop with a controller C(s), the reference and the error: block by block, with what
+    disturbs it, where that can be built and read, else as one block G(s)."""
     try:
         inner, wired = drawn(system, whole, None, style)
-        plant = [block for block in inner.blocks if block.name != entry] if wired else []
+        if wired:
+            return _looped(system, inner)
     except NotDerivable:
-        plant = []
-    lines = inner.lines if plant else (Line(entry, output),)
-    labels = {entry: CONTROLLER.name} if plant else {entry: CONTROLLER.name, output: SYSTEM.name}
-    framed = Framed(frozenset(block.name for block in plant), SYSTEM.name) if plant else None
-    blocks = (
-        source(reference), summing(error, (1, -1)), transfer(entry, (CONTROLLER,), (ONE,)),
-        *(plant or [transfer(output, (SYSTEM,), (ONE,))]),
-    )  # fmt: skip
+        pass
+    return _looped(system, None)
+
+
+def _looped(system: System, inner: Diagram | None) -> Pictured:
+    entry, output = system.input.name, system.output.name
+    reference, error = free(system.names, "r", "r_d"), free(system.names, "e", "e_r")
+    labels = {entry: CONTROLLER.name}
+    lines: tuple[Line, ...] = (Line(entry, output),)
+    plant = [transfer(output, (SYSTEM,), (ONE,))]
+    framed = None
+    if inner is None:
+        labels[output] = SYSTEM.name
+    else:
+        plant = [block for block in inner.blocks if block.name != entry]
+        lines, framed = inner.lines, Framed(frozenset(block.name for block in plant), SYSTEM.name)
+    blocks = source(reference), summing(error, (1, -1)), transfer(entry, (CONTROLLER,), (ONE,)), *plant
     outer = (Line(reference, error, 1), Line(output, error, 2), Line(error, entry))
     diagram = Diagram(blocks, (*outer, *lines), reference, output)
     about: dict[str, Said] = {"input": system.input, "output": system.output}
     about |= {"error": Symbol(error), "reference": Symbol(reference)}
     signals = frozenset((*system.names, reference, error))
-    return Pictured("loop", diagram, signals, Phrase("drawn-loop", about), labels, framed)
+    layout = Layout(diagram, signals, labels)
+    return Pictured(
+        diagram, layout.drawing("loop", Phrase("drawn-loop", about), seen(diagram, signals), framed)
+    )
 
 
 def seen(diagram: Diagram, signals: frozenset[str]) -> Phrase:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -15,7 +16,9 @@ from scipy import integrate, signal
 
 from derive.build import assemble
 from derive.derivation import Drawing, Figure, Panels, Plot
+from derive.errors import SheetErrors
 from derive.render.drawing.curves import Frame
+from derive.render.drawing.placing import Box
 from derive.render.drawing.plots import framed, sketched
 from derive.render.drawing.style import SERIES, series_pen
 from derive.render.drawing.subjects import laid_out
@@ -100,20 +103,71 @@ def test_no_name_inside_the_axes_lies_on_a_curve(more: dict[str, Figure]) -> Non
                 assert not any(text.box.crossed(a, b) for a, b in pairwise(places)), name
 
 
-def test_labels_keep_within_their_boxes(more: dict[str, Figure]) -> None:
-    """With the room that Typst gives them; the wires, boxes and names of a diagram keep apart."""
+def blocks_of(diagram: Drawing) -> list[Box]:
+    """Blocks and sums."""
+    places = [stroke.places for stroke in diagram.strokes if stroke.role == "box"]
+    return [Box(*(f(p[k] for p in each) for f in (min, max) for k in (0, 1))) for each in places]
+
+
+def check_diagram(diagram: Drawing) -> None:
+    """With the room that Typst gives its labels: these are inside their blocks, apart from each other; blocks
+    are apart, and no wire runs through one."""
+    laid, blocks = laid_out(diagram), blocks_of(diagram)
+    for caption, label in zip(diagram.captions, laid.boxes, strict=True):
+        room = label.grown(2.0)
+        assert caption.role != "block" or any(
+            b.left < room.left and room.right < b.right and b.low < room.low and room.high < b.high
+            for b in blocks
+        )
+    for one, other in combinations(laid.boxes, 2):
+        assert not one.meets(other)
+    for one, other in combinations(blocks, 2):
+        assert not one.meets(other)
+    for stroke in diagram.strokes:
+        for a, b in pairwise(stroke.places if stroke.role == "arrow" else ()):
+            assert not any(block.grown(-1.0).crossed(a, b) for block in blocks)
+
+
+def test_diagrams_can_be_read(more: dict[str, Figure]) -> None:
     diagrams = [f for f in {**figures(), **more}.values() if isinstance(f, Drawing) and f.unit]
     assert len(diagrams) > 5
     for diagram in diagrams:
-        boxes = [s.places for s in diagram.strokes if s.role == "box" and len(s.places) == 4]
-        laid = laid_out(diagram)
-        blocks = [box for c, box in zip(diagram.captions, laid.boxes, strict=True) if c.role == "block"]
-        assert len(boxes) == len(blocks)
-        for (low, _, high, _), label in zip(boxes, blocks, strict=True):
-            assert low[0] + 2 < label.left and label.right < high[0] - 2
-            assert low[1] + 2 < label.low and label.high < high[1] - 2
-        for one, other in combinations(laid.boxes, 2):
-            assert not one.meets(other)
+        check_diagram(diagram)
+
+
+def equations(draw: random.Random) -> str:
+    """A chain of signals from u to the last, with feedback, bypasses and a disturbance."""
+    names = [f"x_{k}" for k in range(1, draw.randint(3, 6))]
+    found = []
+    for k, name in enumerate(names):
+        left = draw.choice((name, f"(s + a_{k})*{name}", f"(m_{k}*s^2 + b_{k}*s)*{name}", f"s*{name}"))
+        others = draw.sample([each for each in (*names, "u", "d") if each != name], draw.randint(0, 2))
+        inputs = dict.fromkeys(("u" if k == 0 else names[k - 1], *others))
+        right = " ".join(f"{draw.choice('+-')} {draw.choice((f'K_{k}', '2', '1'))}*{each}" for each in inputs)
+        found.append(f'"{left} = 0 {right}"')
+    last = f"input: u, output: {names[-1]}"
+    return (
+        f"{{equations: [{', '.join(found)}], {last}{', disturbance: d' if '*d' in ''.join(found) else ''}}}"
+    )
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_diagram_that_is_drawn_can_be_read(tmp_path: Path, seed: int) -> None:
+    """Of any system: what could not be read is drawn as one block, or not at all."""
+    sheet = tmp_path / "x.yaml"
+    system = equations(random.Random(seed))
+    questions = "[{find: transfer-function}, {find: closed-loop, controller: PID}]"
+    sheet.write_text(
+        f"title: x\nproblems:\n- {{system: {system}, questions: {questions}}}\n", encoding="utf-8"
+    )
+    try:
+        drawn = assemble(load_sheet(sheet)).plots().values()
+    except SheetErrors:  # of such a system there is no answer
+        return
+    assert drawn
+    for diagram in drawn:
+        assert isinstance(diagram, Drawing)
+        check_diagram(diagram)
 
 
 def closed_loop(gains: tuple[float, float, float]) -> signal.TransferFunction:

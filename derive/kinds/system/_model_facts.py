@@ -21,3 +21,4 @@ class Facts(PageFacts):
     filter: tuple[tuple[Symbol, Expr], ...]
     gains: tuple[tuple[Expr, Expr], ...]
     point: tuple[tuple[Expr, ...], ...]
+    drawn: bool

@@ -120,7 +120,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
         return work.answer("closed-loop", results, told, evaluated=evaluated)
     loop = looped(solved.system, solved.rational, solved.style)
     work = work.claim(as_drawn(held, loop.diagram))
-    return work.answer("closed-loop", results, told, evaluated=evaluated, plots=(loop.drawing(),))
+    return work.answer("closed-loop", results, told, evaluated=evaluated, plots=(loop.drawing,))
 
 
 def _steps(found: Closed) -> Iterator[Step]:

@@ -12,7 +12,7 @@ from derive.control.rational import Rational, written
 from derive.control.response import step_response
 from derive.control.scripts.programs import Model, python_control, simulink
 from derive.control.system import System
-from derive.derivation import Claim, Derivation, Step
+from derive.derivation import Claim, Derivation, Drawing, Step
 from derive.errors import NotDerivable
 from derive.expression import ONE, Expr, Symbol, add, factors_of, free_symbols, is_negative, multiply
 from derive.figures.block_diagram import Wired
@@ -57,11 +57,22 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     files = {"model.m": simulink(model), "model.py": python_control(model)}
     steps = tuple(_steps(answer))
     work = Work(problem, _definitions(answer), uses=(base,), steps=steps).claim(*_blocks(answer))
-    results, told = {"matlab": files["model.m"], "python": files["model.py"]}, _facts(answer, options)
+    plots = _pictures(answer)
+    results, told = (
+        {"matlab": files["model.m"], "python": files["model.py"]},
+        _facts(answer, options, bool(plots)),
+    )
     held = Held(problem, system.input, options.controller, dict(options.evaluate or ()))
     work = work.claim(*proofs(held, Files(files, takes, numeric.numbers()[1]), told))
-    plots = (pictured(system, answer.diagram, "diagram").drawing(),)
     return work.answer("model", results, told, plots=plots, files=files)
+
+
+def _pictures(answer: Answer) -> tuple[Drawing, ...]:
+    """The diagram, where it can be read."""
+    try:
+        return (pictured(answer.plant.system, answer.diagram, "diagram").drawing,)
+    except NotDerivable:
+        return ()
 
 
 # -- the scripts --------------------------------------------------------------------------------------
@@ -148,7 +159,7 @@ def _definitions(answer: Answer) -> dict[Expr, Expr]:
     return found
 
 
-def _facts(answer: Answer, options: Options) -> Facts:
+def _facts(answer: Answer, options: Options, drawn: bool) -> Facts:
     solved, diagram, closed = answer.plant, answer.diagram, answer.controller is not None
     taps = any(branch.tap for wired in answer.wired for branch in wired.realised.branches)
     return Facts(
@@ -166,6 +177,7 @@ def _facts(answer: Answer, options: Options) -> Facts:
         filter=answer.filter,
         gains=tuple((name, tree) for name, tree in answer.gains if name != tree),
         point=point_chains(options.evaluate, solved.problem.where),
+        drawn=drawn,
         numbers=(),
     )
 

@@ -9,7 +9,6 @@ from typing import Any
 from pydantic import Field
 
 from derive.algebra.readable.operation_count import operations
-from derive.control.diagram import Diagram
 from derive.control.elimination import Elimination, without
 from derive.control.roots import roots
 from derive.control.system import System
@@ -17,7 +16,7 @@ from derive.derivation import Claim, Derivation, Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Relation, Symbol, free_symbols, walk
 from derive.figures.block_diagram import drawn
-from derive.figures.loops import pictured
+from derive.figures.loops import Pictured, pictured
 from derive.kinds.checks import law
 from derive.kinds.fields import Evaluation, Name, OptionsModel
 from derive.kinds.problem import Problem
@@ -66,8 +65,8 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     solved = plant(problem, options.source, options.evaluate)
     definitions = {**solved.solution.values, solved.named("G"): solved.solution.ratio.expr(solved.decimals)}
     evaluated, numbers = _evaluated(solved, options)
-    diagram = _diagram(solved, options, problem)
-    G, told = _result(solved), _facts(solved, numbers, diagram is not None)
+    picture = _picture(solved, options, problem)
+    G, told = _result(solved), _facts(solved, numbers, picture is not None)
     work = Work(problem, definitions, steps=tuple(_steps(solved))).claim(*_claims(solved))
     held = Held(problem, solved.solution.source)
     work = work.claim(
@@ -79,23 +78,22 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
         said(held, told, work.steps, G),
         *point_claims(replace(held, given=dict(options.evaluate or ())), evaluated, "G", told.at),
     )
-    if not diagram:
+    if not picture:
         return work.answer("transfer-function", {"G": G}, told, evaluated=evaluated)
-    work = work.claim(as_drawn(held, diagram))
-    picture = pictured(solved.system, diagram, "diagram").drawing()
-    return work.answer("transfer-function", {"G": G}, told, evaluated=evaluated, plots=(picture,))
+    work = work.claim(as_drawn(held, picture.diagram))
+    return work.answer("transfer-function", {"G": G}, told, evaluated=evaluated, plots=(picture.drawing,))
 
 
-def _diagram(solved: Plant, options: Options, problem: Problem) -> Diagram | None:
+def _picture(solved: Plant, options: Options, problem: Problem) -> Pictured | None:
     """With the first function of the input that is asked for, where there are several blocks to draw."""
     asked = [each for kind, each in problem.questions if kind == "transfer-function"]
     if not asked or asked[0] != options or options.source is not None:
         return None
     try:
         diagram, wired = drawn(solved.system, solved.rational, None, solved.style)
+        return pictured(solved.system, diagram, "diagram") if len(wired) > 1 else None
     except NotDerivable:
         return None
-    return diagram if len(wired) > 1 else None
 
 
 def _steps(solved: Plant) -> Iterator[Step]:
