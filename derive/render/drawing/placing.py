@@ -7,10 +7,11 @@ they look for another. What is far from its place gets a thin line to it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise, product
-from math import atan2, cos, hypot, pi, sin
+from math import atan2, pi
+from typing import Any
 
 from derive.derivation import Place
 from derive.render.drawing.lettering import Written
@@ -18,9 +19,13 @@ from derive.render.drawing.lettering import Written
 SWINGS = tuple(side * k * pi / 8 for k in range(9) for side in ((1, -1) if 0 < k < 8 else (1,)))
 STEPS = (0.0, 3.0, 7.0, 12.0, 18.0, 26.0, 36.0, 48.0)  # points beyond the first distance
 FAR = 14.0  # points beyond it from which on a caption needs a line to its place
+ORDER = tuple(sorted(product(STEPS, SWINGS), key=lambda each: each[0] + 7 * abs(each[1])))
 AIR = 1.3  # points that stay free round a caption
-CELL = 24.0  # points: lines are looked up by squares of paper
-MOST_MOVES = 12  # of one caption that others are in the way of
+FINE = 1.0  # squares of paper to a point
+EDGE = 90.0  # points round all lines that captions may stand on
+SIDES = ((0, 0), (1, 1), (1, -1), (-1, 1), (-1, -1))  # of a line, whose squares are covered
+THICK = 3.0  # points: half of what is thicker than any letter is high
+MOST_MOVES = 8  # of one caption that others are in the way of
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,102 +85,156 @@ class Wanted:
 
 @dataclass(slots=True)
 class Lines:
-    """Thick lines by the squares of paper that they cross."""
+    """Thick lines, kept as the squares of paper that they cover."""
 
-    cells: dict[tuple[int, int], list[tuple[Place, Place, float]]] = field(default_factory=dict)
+    lines: list[tuple[Place, Place, float]] = field(default_factory=list)
 
     def add(self, places: Sequence[Place], half: float) -> None:
         """A line through places, and half its width."""
-        for a, b in pairwise(places):
-            box = Box(min(a[0], b[0]), min(a[1], b[1]), max(a[0], b[0]), max(a[1], b[1])).grown(half)
-            for cell in _cells(box):
-                self.cells.setdefault(cell, []).append((a, b, half))
+        self.lines += [(a, b, half) for a, b in pairwise(places)]
 
     def cross(self, box: Box) -> bool:
         """Whether a line enters a box."""
-        return any(
-            box.grown(half).crossed(a, b) for cell in _cells(box) for a, b, half in self.cells.get(cell, ())
+        return any(box.grown(half).crossed(a, b) for a, b, half in self.lines)
+
+    def covered(self) -> Covered:
+        """The paper with these lines on it."""
+        import numpy as np
+
+        rows = np.array([(*a, *b, half) for a, b, half in self.lines] or [(0.0,) * 5])
+        start, way, halves = rows[:, :2], rows[:, 2:4] - rows[:, :2], rows[:, 4]
+        counts = (np.abs(way).max(axis=1) * FINE).astype(int) + 2
+        first = np.repeat(counts.cumsum() - counts, counts)
+        share = (np.arange(counts.sum()) - first) / np.repeat(counts - 1, counts)
+        middle = np.repeat(start, counts, axis=0) + share[:, None] * np.repeat(way, counts, axis=0)
+        reach = np.repeat(halves, counts)[:, None]
+        inked = np.concatenate([middle + reach * side for side in SIDES])
+        low = inked.min(axis=0) - EDGE
+        cells = ((inked - low) * FINE).astype(int)
+        ink = np.zeros(tuple(cells.max(axis=0) + int(EDGE * FINE)), dtype=np.int32)
+        ink[cells[:, 0], cells[:, 1]] = 1
+        for a, b, half in self.lines:
+            if half > THICK:  # a wall, along an axis
+                box = Box(min(a[0], b[0]), min(a[1], b[1]), max(a[0], b[0]), max(a[1], b[1])).grown(half)
+                x, y = int((box.left - low[0]) * FINE), int((box.low - low[1]) * FINE)
+                ink[x : int((box.right - low[0]) * FINE) + 1, y : int((box.high - low[1]) * FINE) + 1] = 1
+        sums = np.zeros((ink.shape[0] + 1, ink.shape[1] + 1), dtype=np.int32)
+        sums[1:, 1:] = ink.cumsum(axis=0).cumsum(axis=1)
+        return Covered((float(low[0]), float(low[1])), sums)
+
+
+@dataclass(frozen=True, slots=True)
+class Covered:
+    """How much of the paper is covered to the left of and below each of its squares, from a place on."""
+
+    start: Place
+    sums: Any
+
+    def within(self, boxes: Any) -> Any:
+        """How many covered squares are in each of some boxes (n by 4: left, low, right, high)."""
+        import numpy as np
+
+        left, right = (self._index(boxes[:, k], 0) for k in (0, 2))
+        low, high = (self._index(boxes[:, k], 1) for k in (1, 3))
+        right, high = (
+            np.minimum(right + 1, self.sums.shape[0] - 1),
+            np.minimum(high + 1, self.sums.shape[1] - 1),
         )
+        s = self.sums
+        return s[right, high] - s[left, high] - s[right, low] + s[left, low]
+
+    def _index(self, along: Any, k: int) -> Any:
+        import numpy as np
+
+        return np.clip(((along - self.start[k]) * FINE).astype(int), 0, self.sums.shape[k] - 1)
 
 
 def placed(wanted: Sequence[Wanted], lines: Lines) -> tuple[list[Box], list[tuple[Place, Place]]]:
     """A box for each, and the lines to their places of those that are far from them."""
-    boxes: dict[int, Box] = {}
-    leaders: dict[int, tuple[Place, Place]] = {}
+    import numpy as np
+
+    covered = lines.covered()
+    choices = [_Choices.of(one, covered) for one in wanted]
+    boxes = np.full((len(wanted), 4), np.nan)  # nothing meets what is not placed yet
+    taken = [0] * len(wanted)
     moves = [0] * len(wanted)
     waiting = list(range(len(wanted)))
     while waiting:
         k = waiting.pop(0)
         moves[k] += 1
-        box, leader, away = _choice(wanted[k], k, boxes, leaders, lines, moves)
+        fixed = np.array([move >= MOST_MOVES for move in moves])
+        taken[k], away = choices[k].best(boxes, fixed, k)
+        boxes[k] = choices[k].boxes[taken[k]]
         for other in away:
-            boxes.pop(other)
-            leaders.pop(other, None)
+            boxes[other] = np.nan
             waiting.append(other)
-        boxes[k] = box
-        if leader:
-            leaders[k] = leader
-    return [boxes[k] for k in range(len(wanted))], list(leaders.values())
+    found = [Box(*map(float, box)) for box in boxes]
+    leaders = [
+        (choice.places[n], box.nearest(choice.places[n]))
+        for choice, n, box in zip(choices, taken, found, strict=True)
+        if choice.far[n]
+    ]
+    return found, leaders
 
 
-def _choice(
-    one: Wanted, k: int, boxes: dict[int, Box], leaders: dict[int, tuple[Place, Place]], lines: Lines,
-    moves: Sequence[int],
-) -> tuple[Box, tuple[Place, Place] | None, list[int]]:  # fmt: skip
-    """The first free box; else the one that the fewest captions are in the way of, and which these are."""
-    best: tuple[float, Box, tuple[Place, Place] | None, list[int]] | None = None
-    for rank, (box, leader) in enumerate(_boxes(one)):
-        roomy = box.grown(AIR)
-        crossed = 0 if one.upon else lines.cross(roomy) + (2 * bool(leader and _through(leader, boxes)))
-        way = [j for j, other in boxes.items() if roomy.meets(other)]
-        way += [j for j, line in leaders.items() if j not in way and roomy.crossed(*line)]
-        if not crossed and not way:
-            return box, leader, []
-        fixed = sum(moves[j] >= MOST_MOVES for j in way)
-        cost = 1000 * crossed + 400 * fixed + 60 * len(way) + rank
-        if best is None or cost < best[0]:
-            best = (cost, box, leader, [j for j in way if moves[j] < MOST_MOVES])
+@dataclass(frozen=True, slots=True)
+class _Choices:
+    """Where one caption could stand, the wanted places first: its boxes, the places that these belong to,
+    which need a line to theirs, and what each costs by itself."""
+
+    boxes: Any  # n by 4: left, low, right, high
+    places: tuple[Place, ...]
+    far: tuple[bool, ...]
+    cost: Any  # n
+
+    @classmethod
+    def of(cls, one: Wanted, covered: Covered) -> _Choices:
+        import numpy as np
+
         if one.upon:
-            break
-    assert best is not None
-    return best[1:]
+            box = _about(*one.upon, one.what)
+            return cls(
+                np.array([[box.left, box.low, box.right, box.high]]), (one.upon,), (False,), np.zeros(1)
+            )
+        boxes = np.stack([_around(one.what, *spot) for spot in one.spots], axis=1).reshape(-1, 4)
+        roomy = boxes + np.array([-AIR, -AIR, AIR, AIR])
+        cost = 1000.0 * (covered.within(roomy) > 0) + np.arange(len(boxes)) / len(one.spots)
+        places = tuple(place for place, _, _ in one.spots) * len(ORDER)
+        far = tuple(step >= FAR for step, _ in ORDER for _ in one.spots)
+        return cls(boxes, places, far, cost)
+
+    def best(self, boxes: Any, fixed: Any, k: int) -> tuple[int, list[int]]:
+        """The cheapest box among those that stand, and the captions that have to make way for it."""
+        import numpy as np
+
+        with np.errstate(invalid="ignore"):
+            meets = (
+                (self.boxes[:, None, 0] - AIR < boxes[None, :, 2])
+                & (boxes[None, :, 0] < self.boxes[:, None, 2] + AIR)
+                & (self.boxes[:, None, 1] - AIR < boxes[None, :, 3])
+                & (boxes[None, :, 1] < self.boxes[:, None, 3] + AIR)
+            )
+        meets[:, k] = False
+        best = int(np.argmin(self.cost + meets @ np.where(fixed, 400.0, 60.0)))
+        return best, [int(j) for j in np.flatnonzero(meets[best]) if not fixed[j]]
 
 
-def _boxes(one: Wanted) -> Iterator[tuple[Box, tuple[Place, Place] | None]]:
-    """Every box, the wanted ones first, and the line that it would need."""
-    if one.upon:
-        yield _about(*one.upon, one.what), None
-        return
-    for step, swing in sorted(product(STEPS, SWINGS), key=lambda each: each[0] + 7 * abs(each[1])):
-        for place, towards, gap in one.spots:
-            box = _beside(place, one.what, towards + swing, gap + step)
-            far = step >= FAR
-            yield box, (place, box.nearest(place)) if far else None
+def _around(what: Written, place: Place, towards: float, gap: float) -> Any:
+    """The boxes that touch circles round a place, in the order in which they are wanted (n by 4)."""
+    import numpy as np
 
-
-def _through(line: tuple[Place, Place], boxes: dict[int, Box]) -> bool:
-    return any(box.crossed(*line) for box in boxes.values())
-
-
-def _beside(place: Place, what: Written, angle: float, gap: float) -> Box:
-    """The box that touches a circle round a place, in a direction."""
-    dx, dy = cos(angle), sin(angle)
-    reach = min(
-        (what.wide / 2) / abs(dx) if abs(dx) > 1e-9 else 1e9,
-        (what.high / 2) / abs(dy) if abs(dy) > 1e-9 else 1e9,
-    )
-    away = gap + min(reach, hypot(what.wide, what.high) / 2)
-    return _about(place[0] + away * dx, place[1] + away * dy, what)
+    steps, swings = np.array(ORDER).T
+    dx, dy = np.cos(towards + swings), np.sin(towards + swings)
+    half = np.array([what.wide / 2, what.high / 2])
+    with np.errstate(divide="ignore"):
+        reach = np.minimum(half[0] / np.abs(dx), half[1] / np.abs(dy))
+    away = gap + steps + np.minimum(reach, np.hypot(*half))
+    middle = np.stack([place[0] + away * dx, place[1] + away * dy], axis=1)
+    return np.concatenate([middle - half, middle + half], axis=1)
 
 
 def _about(x: float, y: float, what: Written) -> Box:
     return Box(x - what.wide / 2, y - what.high / 2, x + what.wide / 2, y + what.high / 2)
-
-
-def _cells(box: Box) -> Iterator[tuple[int, int]]:
-    for i in range(int(box.left // CELL), int(box.right // CELL) + 1):
-        for j in range(int(box.low // CELL), int(box.high // CELL) + 1):
-            yield i, j
 
 
 def direction(towards: Place) -> float:
