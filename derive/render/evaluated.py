@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any, get_args
@@ -12,7 +12,7 @@ from derive.algebra.formulas.quantities import rational
 from derive.algebra.numbers.floats import number
 from derive.algebra.rationals import significant_digits
 from derive.algebra.readable.terms import Style
-from derive.derivation import Branch, Cell, Derivation, PageFacts
+from derive.derivation import Branch, Derivation, PageFacts
 from derive.expression import (
     PI,
     ZERO,
@@ -32,21 +32,19 @@ from derive.expression import (
 from derive.expression import number as exact_number
 from derive.expression import replace as put_in
 from derive.render.latex import Printer
-from derive.render.layout import Chain, Link, lay_out, one_line
+from derive.render.layout import Chain, lay_out, one_line
 from derive.render.notation import Notation
 from derive.render.phrases import Speech, on_page
+from derive.render.point_table import ABOUT, PointTable
 from derive.render.point_units import PointUnits, point_units, unit_typed
 from derive.render.printed import Printed
 from derive.render.same_numbers import same_numbers
-from derive.render.skin import Skin, english, environment
-from derive.render.tables import unit_text
+from derive.render.skin import Skin, environment
 from derive.render.values import SPARE, in_unit
 from derive.render.words import chain_links
 
 TREES = get_args(Expr)
-ALL_DIGITS = 15
 WHOLE_BELOW = 10**6
-ABOUT = ("when", "real", "free", "fixed", "true_at")  # a branch, beside its values
 WHOLE_WITHIN = 1e-7  # degrees
 EXACT = 1e-12  # radians
 IMAGINARY = Symbol("j")
@@ -72,7 +70,7 @@ def evaluated_words(
     seen = [] if printed is None else printed
     speech = on_page(folder, derivation.kind, printer, skin.plain, seen, style)
     exact = _Exact(derivation.results, at, max(notation.digits + SPARE, style.longest))
-    telling = _Telling(printer, speech, skin, facts.angle_results, units, exact, style, seen)
+    telling = Telling(printer, speech, skin, facts.angle_results, units, exact, style, seen)
     chains = {
         chain: (found[name], name)
         for name in names
@@ -93,7 +91,7 @@ def evaluated_words(
             if branch.get("real", True) or not facts.met
         ],
         "items": skin.items,
-        "table": telling.table(found["solutions"], facts.labels, working) if tabled else "",
+        "table": PointTable(telling, working).written(found["solutions"], facts.labels) if tabled else "",
         "remark": speech.say(facts.remark) if facts.remark else "",
     }
     return environment().get_template("words/_evaluated.j2").render(context).strip()
@@ -151,7 +149,7 @@ def _style(facts: PageFacts, at: Mapping[str, Expr], notation: Notation) -> Styl
 
 
 @dataclass(frozen=True, slots=True)
-class _Telling:
+class Telling:
     """Values on one page; `angles` are names of results that are angles."""
 
     printer: Printer
@@ -178,7 +176,7 @@ class _Telling:
         self.printed.append(replace(shown, evaluated=self._tells(chain, value, name)))
         return f"${one_line(chain)}$"
 
-    def in_line(self) -> _Telling:
+    def in_line(self) -> Telling:
         """The same for a line of text."""
         return replace(self, printer=replace(self.printer, in_line=True))
 
@@ -235,52 +233,6 @@ class _Telling:
         when = self.speech.when(branch.get("when", ()))
         return {"when": when, "real": branch.get("real", True), "equations": equations}
 
-    def table(
-        self, branches: Sequence[Mapping[str, Any]], labels: Sequence[Cell], working: Collection[str]
-    ) -> str:
-        """The solutions one below the other, each by its label."""
-        real = next(branch for branch in branches if branch.get("real", True))
-        names = [name for name in real if name not in ABOUT and name not in working]
-        is_open = any("free" in branch for branch in branches)
-        headings = [english("among"), *map(self._name, names), *([english("open")] if is_open else [])]
-        rows = []
-        for branch, label in zip(branches, labels, strict=True):
-            rows.append([self._label(label)])
-            if branch.get("real", True):
-                rows[-1] += [self._cell(name, branch[name]) for name in names]
-            else:
-                rows[-1] += [english("not_real"), *[""] * (len(names) - 1)]
-            if is_open:
-                rows[-1].append(self.speech.when(branch["when"][-1:]) if "free" in branch else "")
-        return self.skin.table(headings, rows)
-
-    def _label(self, label: Cell) -> str:
-        return label if isinstance(label, str) else self.speech.say(label)
-
-    def _name(self, name: str) -> str:
-        """The heading of a column, with the unit of what stands below it."""
-        unit = self.unit(name)
-        written = self.inline(chain_links((Symbol(name),), self.printer), Symbol(name), "")
-        said = unit and not (name in self.angles and self.style.degrees)
-        return f"{written} [{self.skin.plain(unit_text(unit))}]" if said else written
-
-    def _cell(self, name: str, value: float) -> str:
-        """One value; an angle in degrees with as many decimals as the others."""
-        notation = self.printer.notation
-        if name in self.angles and self.style.degrees:
-            decimals = max(notation.digits - 2, 0)
-            link, shown = _fixed(math.degrees(value), decimals)
-            notation = replace(notation, digits=ALL_DIGITS)  # as many as are written
-            told = abs(shown - math.degrees(value)) <= 0.5000001 * 10**-decimals
-        else:
-            (link,) = chain_links((self._number(name, value),), self.printer)
-            told = link.tree is not None and same_numbers(link.tree, value)
-        self.printed.append(replace(Printed.inline(link.latex, (link,), notation), evaluated=told))
-        return f"${link.latex}$"
-
-    def _number(self, name: str, value: float) -> Expr:
-        return self.scalar(value, "", name in self.angles)
-
     def _tells(self, chain: Chain, value: Any, name: str) -> bool:
         """Whether an equation ends in the value, in a unit that its formula has, in degrees only where it is
         an angle or its rate."""
@@ -301,16 +253,6 @@ def _degrees(angle: float) -> Expr:
     if abs(value - whole) < WHOLE_WITHIN:
         return Degrees(Fraction(whole))
     return Approximate(value) * Degrees(Fraction(1))
-
-
-def _fixed(degrees: float, decimals: int) -> tuple[Link, float]:
-    """An angle in degrees with so many decimals, and what is shown of it; a whole one without."""
-    whole = round(degrees)
-    if abs(degrees - whole) < WHOLE_WITHIN:
-        return Link("=", rf"{whole}^\circ", Degrees(Fraction(whole))), whole
-    rounded = round(degrees, decimals) + 0.0  # no negative zero
-    tree = Approximate(rounded) * Degrees(Fraction(1))
-    return Link("=", rf"{rounded:.{decimals}f}^\circ", tree), rounded
 
 
 def _in_degrees(matrix: Matrix) -> Matrix:
