@@ -64,7 +64,8 @@ def _alike_added(groups: dict[int, Terms], alphabet: Alphabet) -> dict[int, Term
 
 def _sum(groups: dict[int, Terms], nesting: Nesting) -> Plan:
     parts = tuple(_part(mass, inner, nesting) for mass, inner in groups.items())
-    return Split(parts, sum(plan.price for _, plan in parts) + len(parts) - 1)
+    price = sum(plan.price for _, plan in parts) + len(parts) - 1
+    return Split(parts, price, max(plan.depth for _, plan in parts))
 
 
 def _part(mass: int, inner: Terms, nesting: Nesting) -> tuple[Terms, Plan]:

@@ -23,6 +23,8 @@ MOST_FACTORED = 40  # terms; above this no factorisation is tried
 MOST_SEARCHED = 10  # terms; above this the most frequent atom is taken out and no other tried
 PARENTHESES = {"trig": 0.25, "mass": 0.1, "other": 2.25}
 LARGEST_PART = 4  # a sum with smaller parts of one than a quarter is better over a common denominator
+DEEPEST = 2  # parentheses in parentheses that a reader follows
+TOO_DEEP = 2.5  # for each pair further out
 OUT_OF_TURN = 0.4  # for taking out a later angle where an earlier one could be
 
 
@@ -32,6 +34,7 @@ class Flat:
 
     terms: Terms
     price: float
+    depth: int = 0  # how deep parentheses stand in each other
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +43,7 @@ class Split:
 
     parts: tuple[tuple[Terms, Plan], ...]
     price: float
+    depth: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,6 +54,7 @@ class Taken:
     monomial: Monomial
     sums: tuple[tuple[Plan, int], ...]
     price: float
+    depth: int = 0
 
 
 Plan: TypeAlias = Flat | Split | Taken
@@ -115,13 +120,15 @@ class Nesting:
         """As it stands."""
         awkward = sum(k.denominator > LARGEST_PART for k in terms.values()) if len(terms) > 1 else 0
         price = sum(self._operations(m, k) for m, k in terms.items()) + max(len(terms) - 1, 0)
-        return Flat(terms, price + awkward)
+        return Flat(terms, price + awkward, int(self.alphabet.lumps and any(map(self._lumped, terms))))
 
     def product(self, monomial: Monomial, coefficient: Rational, sums: tuple[tuple[Plan, int], ...]) -> Plan:
         """coefficient * monomial * the sums, each to its power."""
         factors = len(sums) if monomial or abs(coefficient.numerator) != 1 else len(sums) - 1
         inside = sum(plan.price + int(power > 1) + 0.25 for plan, power in sums)
-        return Taken(coefficient, monomial, sums, self._operations(monomial, coefficient) + factors + inside)
+        depth = 1 + max(plan.depth for plan, _ in sums)
+        price = self._operations(monomial, coefficient) + factors + inside + TOO_DEEP * (depth > DEEPEST)
+        return Taken(coefficient, monomial, sums, price, depth)
 
     def _over_common(self, terms: Terms, shared: Monomial, way: Callable[[Terms], Plan]) -> Plan:
         number = content(terms, self.alphabet)
@@ -153,7 +160,8 @@ class Nesting:
             return None
         other = self.plan(rest)
         price = inner.price + other.price + 1 + aside
-        return Split(((taken, inner), (rest, other)), price) if price < most else None
+        depth = max(inner.depth, other.depth)
+        return Split(((taken, inner), (rest, other)), price, depth) if price < most else None
 
     # -- which terms to take together -------------------------------------------------------------
 
@@ -201,6 +209,10 @@ class Nesting:
             return max(letters - 1, 0) + more
         factors = letters - (coefficient.numerator in (1, -1))
         return max(factors, 0) + more + (coefficient.denominator > 1)
+
+    def _lumped(self, monomial: Monomial) -> bool:
+        """Whether a sum that stands for one letter is in it."""
+        return any(self.alphabet.extra(atom) for atom, _ in monomial)
 
     def _parentheses(self, atom: int, turn: SortKey = ()) -> float:
         if self.alphabet.is_trig(atom):

@@ -67,11 +67,11 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     sorts = ("kinetic-energy", "rotors")
     names = [step.name for step in work.steps if step.rule in sorts]
     whole = add(*map(Symbol, names))
+    value = add(*(part for name in names for part in terms_of(work[name])))
     if arm.long:
-        value = add(*(part for name in names for part in terms_of(work[name])))
         work = work.line(K, whole, value=whole, rule="sum").knowing({K: arm.final(value)})
     else:
-        work = work.line(K, whole, rule="sum").closed(K)
+        work = work.line(K, whole, value=value, rule="sum").closed(K)
     kinetic = normal(work[K])
     D = normal_matrix(work["D"], {**problem.names, **arm.moments})
     work = work.law("quadratic-form", kinetic == kinetic_energy(D, rate_column(arm.variables)))
