@@ -6,8 +6,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, TypeAlias, get_args
 
+from derive.algebra.readable.terms import Style
 from derive.control.rational import Rational, plus, times
-from derive.control.ratios import Ratio, total
+from derive.control.ratios import PLAIN, Ratio, total
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol, add, factors_of, multiply
 
@@ -39,9 +40,9 @@ class Controller:
         """C(s) = K_p + K_i/s + K_d s, as far as the family has them."""
         return add(*self.terms)
 
-    def ratio(self, decimals: bool = False) -> Ratio:
+    def ratio(self, style: Style = PLAIN) -> Ratio:
         """Over one denominator."""
-        return total((Ratio.of(part) for part in self.terms), decimals)
+        return total((Ratio.of(part) for part in self.terms), style)
 
     @property
     def integrates(self) -> bool:

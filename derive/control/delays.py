@@ -14,7 +14,8 @@ from derive.algebra.normal import normal
 from derive.algebra.readable.form import readable
 from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
-from derive.control.rational import PLAIN, Polynomial, S, polynomial, written
+from derive.control.rational import Polynomial, S, polynomial, written
+from derive.control.ratios import PLAIN
 from derive.expression import (
     Call,
     Expr,

@@ -12,11 +12,12 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
 from derive.control.exact import divided
 from derive.control.linear import Form, cleared, combined, one_side, term, tree
 from derive.control.rational import Polynomial, polynomial, scalar, shared
-from derive.control.ratios import Ratio
+from derive.control.ratios import PLAIN, Ratio
 from derive.control.signals import signals, unknowns
 from derive.control.system import Equation, System
 from derive.errors import NotDerivable
@@ -58,7 +59,7 @@ class Solution:
 
 
 @lru_cache(maxsize=64)
-def solve(system: System, source: Symbol | None = None, decimals: bool = False) -> Solution:
+def solve(system: System, source: Symbol | None = None, style: Style = PLAIN) -> Solution:
     """The output over `source` (the input, or the disturbance). Raises NotDerivable."""
     source = source or system.input
     inputs = [system.input, *filter(None, (system.disturbance,))]
@@ -68,7 +69,7 @@ def solve(system: System, source: Symbol | None = None, decimals: bool = False) 
     zero = tuple(signal for signal in inputs if signal != source)
     found = signals(system)
     _count(system, unknowns(system, found))
-    return _Elimination(system, source, zero, found, decimals).solution()
+    return _Elimination(system, source, zero, found, style).solution()
 
 
 def without(expr: Expr, zero: Iterable[Symbol]) -> Expr:
@@ -107,12 +108,12 @@ class _Elimination:
         source: Symbol,
         zero: tuple[Symbol, ...],
         found: tuple[Symbol, ...],
-        decimals: bool,
+        style: Style,
     ) -> None:
-        self.system, self.source, self.zero, self.decimals = system, source, zero, decimals
+        self.system, self.source, self.zero, self.style = system, source, zero, style
         kept = [Equation(without(e.left, zero), without(e.right, zero)) for e in system.equations]
         self.equations = kept
-        self.forms = [one_side(equation, found, decimals) for equation in kept]
+        self.forms = [one_side(equation, found, style) for equation in kept]
         self.unknown = [signal for signal in unknowns(system, found) if signal != system.output]
         self.known: dict[Symbol, Form] = {}
         self.left = list(range(len(kept)))
@@ -145,14 +146,14 @@ class _Elimination:
 
     def put_in(self, form: Form) -> Form:
         parts = [(c, self.known.get(signal, {signal: Ratio()})) for signal, c in form.items()]
-        return combined(parts, self.decimals)
+        return combined(parts, self.style)
 
     def eliminate(self, place: int) -> Elimination:
         candidates = self.open_in(place)
         signal = min(candidates, key=lambda each: not self.is_explicit(place, each))
         step = self.solved(place, signal)
         new = self.put_in(self.forms[place])
-        value = _solved_for(signal, new, self.decimals)
+        value = _solved_for(signal, new, self.style)
         self.known[signal] = value
         self.unknown.remove(signal)
         self.left.remove(place)
@@ -167,19 +168,19 @@ class _Elimination:
         """The chain: the signal by its own equation, with what is known put in, then collected."""
         equation, form = self.equations[place], self.forms[place]
         explicit = self.is_explicit(place, signal)
-        own = _solved_for(signal, form, self.decimals) if signal in form else {}
+        own = _solved_for(signal, form, self.style) if signal in form else {}
         typed = equation.right if equation.left == signal else equation.left
-        first = (typed if explicit else tree(own, self.decimals),) if explicit or own else ()
+        first = (typed if explicit else tree(own, self.style),) if explicit or own else ()
         put = tuple(each for each in form if each in self.known)
         pieces = [self._piece(each, c) for each, c in own.items()]
-        last = tree(_solved_for(signal, self.put_in(form), self.decimals), self.decimals)
+        last = tree(_solved_for(signal, self.put_in(form), self.style), self.style)
         put_in = (add(*pieces),) if put and first else ()
         chain = _distinct((signal, *first, *put_in, last))
         return Elimination(signal, place, chain, put, explicit)
 
     def _piece(self, signal: Symbol, coefficient: Ratio) -> Expr:
-        form = combined([(coefficient, self.known.get(signal, {signal: Ratio()}))], self.decimals)
-        return tree(form, self.decimals)
+        form = combined([(coefficient, self.known.get(signal, {signal: Ratio()}))], self.style)
+        return tree(form, self.style)
 
     # -- what is left -----------------------------------------------------------------------------
 
@@ -193,7 +194,7 @@ class _Elimination:
                 f"the equations do not determine {output.name} from {source.name}", "equations"
             )
         if source not in form:
-            chain: tuple[Expr, ...] = (tree(form, self.decimals), ZERO)
+            chain: tuple[Expr, ...] = (tree(form, self.style), ZERO)
             return Elimination(output, place, chain, (), False), Ratio(Ratio().scale * 0)
         if source in self.forms[place] and not self._hidden(place):
             step = self.solved(place, source)
@@ -208,9 +209,9 @@ class _Elimination:
         return any(self.source in self.known.get(signal, {}) for signal in self.forms[place])
 
 
-def _solved_for(signal: Symbol, form: Form, decimals: bool) -> Form:
+def _solved_for(signal: Symbol, form: Form, style: Style) -> Form:
     scale = -form[signal].inverse()
-    return combined([(scale * c, {each: Ratio()}) for each, c in form.items() if each != signal], decimals)
+    return combined([(scale * c, {each: Ratio()}) for each, c in form.items() if each != signal], style)
 
 
 def _distinct(chain: tuple[Expr, ...]) -> tuple[Expr, ...]:
@@ -218,7 +219,7 @@ def _distinct(chain: tuple[Expr, ...]) -> tuple[Expr, ...]:
     return tuple(expr for place, expr in enumerate(chain) if place == 0 or expr != chain[place - 1])
 
 
-def hidden(system: System, den: Polynomial, decimals: bool) -> Polynomial:
+def hidden(system: System, den: Polynomial, style: Style) -> Polynomial:
     """What the determinant of the equations has beyond a denominator; (1,) where there is nothing.
 
     Equations with more than MOST unknown signals are not looked into.
@@ -227,7 +228,7 @@ def hidden(system: System, den: Polynomial, decimals: bool) -> Polynomial:
     columns = unknowns(system, found)
     if len(columns) > MOST:
         return (Scalar.of(1),)
-    rows = [cleared(one_side(equation, found, decimals)) for equation in system.equations]
+    rows = [cleared(one_side(equation, found, style)) for equation in system.equations]
     entries = ([scalar(row.get(signal, ())) for signal in columns] for row in rows)
     determinant = polynomial(ScalarMatrix.of(entries).det())
     beside, rest = divided(determinant, den)

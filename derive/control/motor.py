@@ -16,8 +16,8 @@ Control: TypeAlias = Literal["armature", "field"]
 Output: TypeAlias = Literal["angle", "speed"]
 
 _ELECTRICAL = {
-    "armature": ("V_a = (R_a + L_a*s)*I_a + V_b", "V_b = K_b*{speed}", "T_m = K_m*I_a"),
-    "field": ("V_f = (R_f + L_f*s)*I_f", "T_m = K_m*I_f"),
+    "armature": ("T_m = K_m*I_a", "V_a = (R_a + L_a*s)*I_a + V_b", "V_b = K_b*{speed}"),
+    "field": ("T_m = K_m*I_f", "V_f = (R_f + L_f*s)*I_f"),
 }
 _LOAD = {
     "angle": "T_L = J*s^2*theta + b*s*theta",

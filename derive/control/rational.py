@@ -18,7 +18,7 @@ from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar, common_ring
 from derive.algebra.solving.polynomials import coefficients as rising_coefficients
 from derive.control.exact import common, divided, stripped
-from derive.control.ratios import Ratio
+from derive.control.ratios import PLAIN, Ratio
 from derive.control.roots import are_coprime
 from derive.expression import (
     MINUS_ONE,
@@ -37,7 +37,6 @@ from derive.expression import (
 )
 
 S = Symbol("s")
-PLAIN = Style()
 Polynomial: TypeAlias = tuple[Scalar, ...]  # coefficients, highest power first, the first not zero
 
 

@@ -10,7 +10,7 @@ from typing import TypeAlias
 
 from derive.algebra.infix import text
 from derive.algebra.normal import normal
-from derive.algebra.readable.terms import Alphabet, Atom, terminates
+from derive.algebra.readable.terms import Alphabet, Atom, Style, terminates
 from derive.expression import (
     MINUS_ONE,
     ONE,
@@ -30,23 +30,25 @@ from derive.expression import (
 )
 
 S = Symbol("s")
+PLAIN = Style()
 Factors: TypeAlias = tuple[tuple[Expr, int], ...]  # (base, power), powers positive, bases distinct
 
 
 @dataclass(frozen=True, slots=True)
 class Ratio:
-    """scale * top / bottom. Factors are symbols, and sums as they were written."""
+    """scale * top / bottom. Factors are symbols, and sums as they were written but for the powers of s,
+    which fall."""
 
     scale: Fraction = Fraction(1)
     top: Factors = ()
     bottom: Factors = ()
 
     @staticmethod
-    def of(expr: Expr, decimals: bool = False) -> Ratio:
+    def of(expr: Expr, style: Style = PLAIN) -> Ratio:
         """A tree taken apart into its factors; a sum with s in a denominator over a common one."""
 
         def part(inner: Expr) -> Ratio:
-            return Ratio.of(inner, decimals)
+            return Ratio.of(inner, style)
 
         match expr:
             case Number(value):
@@ -58,9 +60,11 @@ class Ratio:
             case Power(base, Number(power)) if power.denominator == 1:
                 return part(base).raised(int(power))
             case Sum(terms) if _has_s_below(expr):
-                return total(map(part, terms), decimals)
+                return total(map(part, terms), style)
             case Sum() if normal(expr) == 0:
                 return Ratio(Fraction(0))
+            case Sum(terms):
+                return Ratio(top=((Sum(tuple(sorted(terms, key=lambda term: -degree(term)))), 1),))
             case _:
                 return Ratio(top=((expr, 1),))
 
@@ -88,25 +92,25 @@ class Ratio:
         base = self if power >= 0 else self.inverse()
         return reduce(Ratio.__mul__, [base] * abs(power), Ratio())
 
-    def expr(self, decimals: bool = False) -> Expr:
+    def expr(self, style: Style = PLAIN) -> Expr:
         """As it is written: numbers, symbols, s, then sums; one fraction bar, a minus sign before it."""
         if self.scale < 0 and self.bottom:
-            return MINUS_ONE * (-self).expr(decimals)
-        whole = decimals or self.scale.denominator == 1
+            return MINUS_ONE * (-self).expr(style)
+        whole = style.decimals or self.scale.denominator == 1
         above = self.scale if whole else Fraction(self.scale.numerator)
         below = Fraction(1) if whole else Fraction(self.scale.denominator)
-        top = _product(above, self.top, decimals)
-        bottom = _product(below, self.bottom, decimals)
+        top = _product(above, self.top, style)
+        bottom = _product(below, self.bottom, style)
         return top if bottom == ONE else top / bottom
 
-    def parts(self, decimals: bool = False) -> tuple[Expr, Expr]:
+    def parts(self, style: Style = PLAIN) -> tuple[Expr, Expr]:
         """(numerator, denominator) as they are written; a minus sign is in the numerator."""
-        size = Ratio(abs(self.scale), self.top, self.bottom).expr(decimals)
+        size = Ratio(abs(self.scale), self.top, self.bottom).expr(style)
         top, bottom = (size.numerator, size.denominator) if isinstance(size, Quotient) else (size, ONE)
         return -top if self.scale < 0 else top, bottom
 
 
-def total(ratios: Iterable[Ratio], decimals: bool = False) -> Ratio:
+def total(ratios: Iterable[Ratio], style: Style = PLAIN) -> Ratio:
     """The sum over a common denominator, common factors (but no s) taken out, the highest power of s
     first; zero where it cancels."""
     parts = [ratio for ratio in ratios if ratio]
@@ -118,9 +122,7 @@ def total(ratios: Iterable[Ratio], decimals: bool = False) -> Ratio:
     common = reduce(_shared, (top.top for top in tops))
     common = tuple((base, power) for base, power in common if base != S)
     rests = [Ratio(top.scale, _taken(top.top, common)) for top in tops]
-    terms = sorted(
-        (term for rest in rests for term in terms_of(rest.expr(decimals))), key=lambda t: -degree(t)
-    )
+    terms = sorted((term for rest in rests for term in terms_of(rest.expr(style))), key=lambda t: -degree(t))
     sign = -1 if all(map(is_negative, terms)) else 1
     inner = Sum(tuple(-term for term in terms) if sign < 0 else _positive_first(terms))
     if normal(inner) == 0:
@@ -159,8 +161,8 @@ def _positive_first(terms: list[Expr]) -> tuple[Expr, ...]:
     return (terms[first], *terms[:first], *terms[first + 1 :])
 
 
-def _product(scale: Fraction, factors: Factors, decimals: bool) -> Expr:
-    alphabet = Alphabet()
+def _product(scale: Fraction, factors: Factors, style: Style) -> Expr:
+    alphabet = Alphabet(style)
 
     def place(factor: tuple[Expr, int]) -> tuple[object, ...]:
         base = factor[0]
@@ -171,7 +173,7 @@ def _product(scale: Fraction, factors: Factors, decimals: bool) -> Expr:
 
     ordered = sorted(factors, key=place)
     powers = [base ** number(power) if power > 1 else base for base, power in ordered]
-    return multiply(Number(scale, decimals and terminates(scale)), *powers)
+    return multiply(Number(scale, style.decimals and terminates(scale)), *powers)
 
 
 def _same(left: Expr, right: Expr) -> bool:

@@ -12,6 +12,7 @@ from itertools import islice
 from typing import TypeAlias
 
 from derive.algebra.readable.form import readable
+from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
 from derive.control.linear import cleared, one_side
 from derive.control.rational import Polynomial
@@ -43,10 +44,10 @@ class Realised:
     integrators: int
 
 
-def realisations(system: System, decimals: bool) -> Iterator[tuple[Realised, ...]]:
+def realisations(system: System, style: Style) -> Iterator[tuple[Realised, ...]]:
     """Every way to compute each unknown signal by an equation of its own, equations typed solved first."""
     found = signals(system)
-    rows = [cleared(one_side(equation, found, decimals)) for equation in system.equations]
+    rows = [cleared(one_side(equation, found, style)) for equation in system.equations]
     shares = islice(_shares(rows, unknowns(system, found), {}), MOST)
     for share in sorted(shares, key=lambda each: _rewritten(system, each)):
         tails = {signal: _zeros(rows[place][signal]) for signal, place in share.items()}

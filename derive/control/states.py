@@ -49,10 +49,10 @@ class StateSpace:
         return tuple(signal + ORDERS[order] for signal, order in self.states)
 
 
-def physical(system: System, decimals: bool) -> StateSpace | None:
+def physical(system: System, style: Style) -> StateSpace | None:
     """By the signals whose derivatives the equations give; None where they ask for derivatives of the input
     or for higher ones."""
-    for found in realisations(system, decimals):
+    for found in realisations(system, style):
         if (space := _space(system, found)) is not None:
             return space
     return None

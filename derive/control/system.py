@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from derive.control.delays import Delay
-from derive.expression import Expr, Symbol, free_symbols
+from derive.expression import Expr, Symbol, free_symbols, walk
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,6 +36,13 @@ class System:
         """Every name in the equations: those of signals and those of parameters."""
         sides = (side for equation in self.equations for side in (equation.left, equation.right))
         return frozenset[str]().union(*map(free_symbols, sides))
+
+    @property
+    def letters(self) -> tuple[str, ...]:
+        """The same in the order in which the equations have them, which products keep: K_m K_b."""
+        sides = (side for equation in self.equations for side in (equation.left, equation.right))
+        symbols = (node.name for side in sides for node in walk(side) if isinstance(node, Symbol))
+        return tuple(dict.fromkeys(symbols))
 
     @property
     def defines(self) -> frozenset[str]:

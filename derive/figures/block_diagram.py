@@ -36,7 +36,7 @@ def drawn(
 
     Raises NotDerivable where that block would differentiate, or its loop has no delay.
     """
-    for found in realisations(system, style.decimals):
+    for found in realisations(system, style):
         drawing = _Drawing(system, controller, style)
         diagram = drawing.diagram(found)
         if not diagram.looped:

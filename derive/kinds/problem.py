@@ -123,6 +123,7 @@ class Problem:
             units=any(node.unit for node in typed),
             turned=any(isinstance(node, Degrees) for tree in self._asked() for node in walk(tree)),
             longest=max((significant_digits(node.value) or 0 for node in typed if node.decimal), default=0),
+            letters=getattr(self.subject, "letters", ()),
             order=self.order or tuple(dict.fromkeys((*getattr(self.subject, "variables", ()), *met))),
         )
 

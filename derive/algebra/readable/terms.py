@@ -45,13 +45,15 @@ class Atom:
 @dataclass(frozen=True, slots=True)
 class Style:
     """How readable forms are written: numbers as decimals where the author typed decimals, fixed
-    angles in degrees where the author did, names in the author's order. What a page adds: units where the
-    author typed any, angles that are found in degrees where any was typed so (`turned`), and decimals with
-    as many significant digits as the `longest` that was typed."""
+    angles in degrees where the author did; angles in the `order` of the sheet, and `letters` where the
+    author's equations give them one. What a page adds: units where the author typed any, angles that are found
+    in degrees where any was typed so (`turned`), and decimals with as many significant digits as the `longest`
+    that was typed."""
 
     decimals: bool = False
     degrees: bool = False
     order: tuple[str, ...] = ()
+    letters: tuple[str, ...] = ()
     units: bool = False
     turned: bool = False
     longest: int = 0
@@ -147,7 +149,8 @@ class Alphabet:
             return (Place.ROOT if what.startswith("sqrt(") else Place.NUMBER, what)
         if isinstance(what, Opaque):
             return (Place.ROOT, what)
-        return (place_of(what), natural(what))
+        letters = self.style.letters
+        return (place_of(what), letters.index(what) if what in letters else len(letters), natural(what))
 
     def _lump_key(self, form: Form) -> SortKey:
         names = [name for name, _ in form.parts]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property, reduce
@@ -20,6 +20,7 @@ from derive.expression import (
     Power,
     Product,
     Sum,
+    add,
     factors_of,
     is_negative,
     multiply,
@@ -173,9 +174,13 @@ def _sum(terms: list[Expr]) -> Expr:
     """In this order, but a positive term first where there is one; in a short sum of letters all of them."""
     if 2 < len(terms) <= FEW and not any(isinstance(node, Call) for term in terms for node in walk(term)):
         terms = sorted(terms, key=is_negative)
+    return positive_first(terms)
+
+
+def positive_first(terms: Sequence[Expr]) -> Expr:
+    """A sum in this order, but a positive term first where there is one."""
     first = next((i for i, term in enumerate(terms) if not is_negative(term)), 0)
-    ordered = [terms[first], *terms[:first], *terms[first + 1 :]] if terms else []
-    return Sum(tuple(ordered)) if len(ordered) > 1 else ordered[0] if ordered else number(0)
+    return add(*terms[first : first + 1], *terms[:first], *terms[first + 1 :])
 
 
 def _all_negative(expr: Expr) -> bool:

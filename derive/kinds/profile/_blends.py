@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from derive.algebra.readable.writing import positive_first
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
 from derive.expression import (
@@ -189,7 +190,7 @@ def filled_laws(found: Blended, working: Work) -> tuple[Expr, ...]:
     left = worked_out(found.T, working) - t
     return (
         worked_out(found.start, working) + term(worked_out(push, working), t, 2),
-        worked_out(through, working) + term(worked_out(V, working), t, 1),
+        positive_first((worked_out(through, working), term(worked_out(V, working), t, 1))),
         worked_out(found.end, working) + term(worked_out(-push, working), left, 2),
     )
 

@@ -8,6 +8,7 @@ from fractions import Fraction
 from math import factorial, perm
 from typing import Any
 
+from derive.algebra.readable.writing import positive_first
 from derive.derivation import Step
 from derive.expression import ONE, ZERO, Degrees, Expr, Matrix, Symbol, add, column, multiply, number
 from derive.kinds.problem import Problem
@@ -128,8 +129,10 @@ def upper(ends: Ends) -> tuple[Expr, ...]:
 
 def _over(T: Symbol, k: int, *terms: tuple[Any, ...], half: bool = False) -> Expr:
     """A sum of multiples over (twice) a power of the time; zeros left out."""
-    kept = [multiply(number(n), *factors) for n, *factors in terms if ZERO not in factors]
-    top = add(*kept)
+    kept = [(n, *factors) for n, *factors in terms if ZERO not in factors]
+    if half and not any(n % 2 for n, *_ in kept):
+        kept, half = [(n // 2, *factors) for n, *factors in kept], False
+    top = positive_first([multiply(number(n), *factors) for n, *factors in kept])
     if top == ZERO:
         return ZERO
     return top / (multiply(number(2), _raised(T, k)) if half else _raised(T, k))

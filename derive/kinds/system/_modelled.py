@@ -70,7 +70,7 @@ def _filter(solved: Plant, controller: Controller, transfer: Rational) -> Values
 def _ratio(solved: Plant, controller: Controller, filter_constant: Expr) -> Ratio:
     """The controller with its filter, over one denominator."""
     parts = _filtered(controller.terms, filter_constant)
-    return total((Ratio.of(part) for part in parts), solved.decimals)
+    return total((Ratio.of(part) for part in parts), solved.style)
 
 
 def _filtered(terms: tuple[Expr, ...], constant: Expr) -> tuple[Expr, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from derive.algebra.infix import text
@@ -43,10 +43,6 @@ class Plant:
         system: System = self.problem.subject
         return system
 
-    @property
-    def decimals(self) -> bool:
-        return self.style.decimals
-
     def named(self, name: str) -> Symbol:
         """A name for a result; with the output as its index where the equations use it already."""
         return Symbol(free(self.system.names, name, f"{name}_{self.system.output.name}"))
@@ -79,9 +75,8 @@ def plant(problem: Problem, source: str | None, point: Place | None, typed: Iter
     _require_numbers(problem, point or (), typed)
     trees = [*typed, *(value for _, value in point or ())]
     decimal = any(isinstance(node, Number) and node.decimal for tree in trees for node in walk(tree))
-    style = problem.style
-    style = Style(style.decimals or decimal, style.degrees, style.order)
-    solution = solve(problem.subject, Symbol(source) if source else None, style.decimals)
+    style = replace(problem.style, decimals=problem.style.decimals or decimal)
+    solution = solve(problem.subject, Symbol(source) if source else None, style)
     values: dict[Expr, Expr] = {Symbol(name): value for name, value in point or ()}
     return Plant(problem, solution, Rational.of(solution.ratio), style, values)
 

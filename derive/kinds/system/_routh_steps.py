@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import number as value_of
 from derive.algebra.readable.form import readable
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.readable.terms import Style
+from derive.algebra.readable.writing import opposite
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.polynomials import known_sign
 from derive.control.rational import Polynomial, written
 from derive.control.routh import Row, leading
 from derive.derivation import Phrase, Step, Table
@@ -23,6 +26,7 @@ from derive.expression import (
     Number,
     Product,
     Quotient,
+    Sum,
     Symbol,
     is_negative,
     multiply,
@@ -183,9 +187,18 @@ def trees_of(rows: Sequence[Row], style: Style) -> tuple[tuple[Expr, ...], ...]:
     for i, row in enumerate(rows):
         found = [_tree(entry, style) for entry in row.entries]
         if i > 1 and row.origin != "derivative":
-            found = [_shorter(tree, put_in(done, i, j)) for j, tree in enumerate(found)]
+            pivot = done[i - 1][0]
+            found = [_shorter(_over(tree, pivot), put_in(done, i, j)) for j, tree in enumerate(found)]
         done.append(tuple(found))
     return tuple(done)
+
+
+def _over(tree: Expr, pivot: Expr) -> Expr:
+    """A fraction over the opposite of its pivot, over the pivot, whose sign the next lines ask for."""
+    match tree:
+        case Quotient(top, bottom) if pivot != ZERO and known_sign(normal(bottom) / normal(pivot)) == -1:
+            return opposite(top) / opposite(bottom)
+    return tree
 
 
 def _shorter(tree: Expr, filled: Expr | None) -> Expr:
@@ -237,7 +250,7 @@ def _powers(row: Row) -> list[int]:
 
 
 def _times(left: Expr, right: Expr) -> Expr:
-    """A product of values, numbers first."""
+    """A product of values, numbers first, sums last."""
     if left == right and left != ONE:
         return left**2
     parts = (
@@ -245,7 +258,9 @@ def _times(left: Expr, right: Expr) -> Expr:
         for each in (left, right)
     )
     factors = [factor for part in parts for factor in part]
-    return multiply(*sorted(factors, key=lambda factor: not isinstance(factor, Number)))
+    return multiply(
+        *sorted(factors, key=lambda factor: (not isinstance(factor, Number), isinstance(factor, Sum)))
+    )
 
 
 def _tree(value: Scalar | int, style: Style) -> Expr:

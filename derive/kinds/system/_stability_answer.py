@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from derive.algebra.numbers.balls import number_sign
@@ -89,17 +90,22 @@ def _characteristic(
     transfer function with everything in it, and what the equations have besides."""
     if controller is None:
         solved = plant(problem, None, point)
-        beside = hidden(solved.system, solved.rational.den, solved.decimals)
+        beside = hidden(solved.system, solved.rational.den, solved.style)
         return asked(problem, "transfer-function", source=None), solved, (), solved.rational.den, beside
     loop = closed(problem, controller, point)
     solved = loop.plant
     C, G = loop.loop.controller, loop.loop.plant
     parts = [(C.den, G.den), (C.num, G.num)]
-    products = [multiply(*(collected(side, solved.style) for side in pair)) for pair in parts]
+    products = [_times(collected(side, solved.style) for side in pair) for pair in parts]
     terms = (term for each in products for term in (each.terms if isinstance(each, Sum) else (each,)))
     base = asked(problem, "closed-loop", controller=controller)
-    beside = hidden(solved.system, G.den, solved.decimals)
+    beside = hidden(solved.system, G.den, solved.style)
     return base, solved, (add(*terms),), loop.transfer.den, beside
+
+
+def _times(sides: Iterable[Expr]) -> Expr:
+    """A product, sums last."""
+    return multiply(*sorted(sides, key=lambda side: isinstance(side, Sum)))
 
 
 def _array(polynomial: Polynomial, solved: Plant, controller: Controller | None) -> Array:

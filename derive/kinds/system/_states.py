@@ -42,7 +42,7 @@ def answered(problem: Problem, point: Place | None) -> Answer:
     transfer = solved.rational.reduced()
     if not transfer.proper:
         raise NotDerivable("the transfer function is improper: no state can follow a jump of the input")
-    space = physical(solved.system, solved.decimals)
+    space = physical(solved.system, solved.style)
     letter = Symbol(next((x for x in ("x", "z", "xi") if not _begins(solved, x)), "chi"))
     if space is not None:
         return Answer(solved, space, transfer, tuple(symbols_of(space)), letter)

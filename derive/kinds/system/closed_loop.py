@@ -63,7 +63,7 @@ class Closed:
 def closed(problem: Problem, controller: Controller, point: Place | None) -> Closed:
     """The loop. Raises NotDerivable where it has no response."""
     solved = plant(problem, None, point, controller.gains)
-    ratio = controller.ratio(solved.decimals)
+    ratio = controller.ratio(solved.style)
     if not ratio:
         raise NotDerivable("every gain of the controller is zero: nothing drives the system")
     names = {signal.name for signal in signals(solved.system)}
@@ -100,7 +100,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     C, G, T = (solved.named(name) for name in "CGT")
     definitions: dict[Expr, Expr] = {
         C: options.controller.sum,
-        G: solved.solution.ratio.expr(solved.decimals),
+        G: solved.solution.ratio.expr(solved.style),
         T: found.transfer.expr(solved.style),
     }
     results = {"C": _final(found, found.loop.controller), "T": _final(found, found.reduced)}
@@ -126,7 +126,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
 def _steps(found: Closed) -> Iterator[Step]:
     solved = found.plant
     C, G, T = (solved.named(name) for name in "CGT")
-    over_one = found.controller.ratio(solved.decimals).expr(solved.decimals)
+    over_one = found.controller.ratio(solved.style).expr(solved.style)
     chain = (C, found.controller.sum, over_one) if found.controller.integrates else (C, found.controller.sum)
     yield Step("C", chain, "controller")
     product = C * G
@@ -141,9 +141,9 @@ def _steps(found: Closed) -> Iterator[Step]:
 
 def _unexpanded(found: Closed) -> Expr:
     """With the products standing, where that can be read at a glance."""
-    decimals = found.plant.decimals
-    through = found.controller.ratio(decimals) * found.plant.solution.ratio
-    return (through / total((Ratio(), through), decimals)).expr(decimals)
+    style = found.plant.style
+    through = found.controller.ratio(style) * found.plant.solution.ratio
+    return (through / total((Ratio(), through), style)).expr(style)
 
 
 def _final(found: Closed, rational: Rational) -> Expr:

@@ -90,7 +90,7 @@ def _model(answer: Answer, takes: float) -> Model:
     return Model(
         answer.diagram,
         tuple(_values(answer)),
-        solved.solution.ratio.expr(solved.decimals),
+        solved.solution.ratio.expr(solved.style),
         controller_formula(answer),
         _round_above(takes),
         "motor" if solved.system.motor else "system",

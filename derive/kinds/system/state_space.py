@@ -141,7 +141,7 @@ def _definitions(answer: Answer) -> dict[Expr, Expr]:
 def _facts(answer: Answer, at: AtPoint | None) -> Facts:
     solved = answer.plant
     beyond = len(answer.state) - len(answer.transfer.den) + 1
-    beside = hidden(solved.system, answer.transfer.den, solved.decimals)
+    beside = hidden(solved.system, answer.transfer.den, solved.style)
     return Facts(
         physical=answer.is_physical,
         motor=solved.system.motor,

@@ -63,7 +63,7 @@ def claims_of(system: System, options: Options) -> tuple[str, ...]:
 def derive(system: System, options: Options, problem: Problem) -> Derivation:
     """Output over input with all other inputs zero (Dorf and Bishop, Modern Control Systems, section 2.5)."""
     solved = plant(problem, options.source, options.evaluate)
-    definitions = {**solved.solution.values, solved.named("G"): solved.solution.ratio.expr(solved.decimals)}
+    definitions = {**solved.solution.values, solved.named("G"): solved.solution.ratio.expr(solved.style)}
     evaluated, numbers = _evaluated(solved, options)
     picture = _picture(solved, options, problem)
     G, told = _result(solved), _facts(solved, numbers, picture is not None)
@@ -166,7 +166,7 @@ def _transfer(solved: Plant) -> Iterator[Step]:
 
 def _forms(solved: Plant) -> tuple[Expr, Expr]:
     """G with its products standing, and by powers of s."""
-    return solved.solution.ratio.expr(solved.decimals), solved.rational.expr(solved.style)
+    return solved.solution.ratio.expr(solved.style), solved.rational.expr(solved.style)
 
 
 def _result(solved: Plant) -> Expr:
