@@ -93,8 +93,8 @@ def test_loops_through_each_other_agree_with_numbers() -> None:
 
 def test_the_order_is_from_the_output_to_the_input() -> None:
     found = solve(motor("armature", "angle"))
-    assert [step.signal.name for step in found.steps] == ["T_L", "T_m", "I_a", "V_b"]
-    assert found.relation.equation == 0
+    assert [step.signal.name for step in found.steps] == ["T_L", "T_m", "V_b", "I_a"]
+    assert found.relation.equation == 1
 
 
 def test_signals_are_told_from_parameters() -> None:

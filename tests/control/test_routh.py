@@ -18,6 +18,7 @@ from derive.control.elimination import hidden
 from derive.control.hurwitz import conditions, is_impossible, written
 from derive.control.motor import motor
 from derive.control.rational import polynomial
+from derive.control.ratios import PLAIN
 from derive.control.routh import leading, remainder, routh, sign_changes
 from derive.control.system import Equation, System
 from derive.errors import NotDerivable
@@ -138,11 +139,11 @@ def test_an_entry_that_no_page_holds() -> None:
 def test_what_cancels_is_hidden() -> None:
     equation = Equation(*parse_equation("(s - 1)*(s + 2)*y = (s - 1)*u"))
     system = System((equation,), Symbol("u"), Symbol("y"))
-    found = hidden(system, polynomial(normal(parse("s + 2"))), False)
+    found = hidden(system, polynomial(normal(parse("s + 2"))), PLAIN)
     assert [scalar_number(k, {}) for k in found] == [1, -1]
 
 
 def test_the_motor_hides_nothing() -> None:
     system = motor("armature", "angle")
     den = polynomial(normal(parse("(J*s^2 + b*s)*(R_a + L_a*s) + K_m*K_b*s")))
-    assert len(hidden(system, den, False)) == 1
+    assert len(hidden(system, den, PLAIN)) == 1

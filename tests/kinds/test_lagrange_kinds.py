@@ -305,10 +305,10 @@ def test_where_a_bead_on_a_turning_hoop_rests() -> None:
     found = problem.ask("equilibria")
     assert all(claim.holds for claim in found.claims)
     assert states(found) == [
-        ("0", "stable if g - Omega**2*R > 0, unstable if g - Omega**2*R < 0"),
+        ("0", "stable if g - R*Omega**2 > 0, unstable if g - R*Omega**2 < 0"),
         ("pi", "unstable"),
-        ("acos(g/(Omega**2*R))", "stable where Omega**2*R - g > 0"),
-        ("-acos(g/(Omega**2*R))", "stable where Omega**2*R - g > 0"),
+        ("acos(g/(R*Omega**2))", "stable where R*Omega**2 - g > 0"),
+        ("-acos(g/(R*Omega**2))", "stable where R*Omega**2 - g > 0"),
     ]
 
 

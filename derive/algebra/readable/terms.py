@@ -46,9 +46,9 @@ class Atom:
 class Style:
     """How readable forms are written: numbers as decimals where the author typed decimals, fixed
     angles in degrees where the author did; angles in the `order` of the sheet, and `letters` where the
-    author's equations give them one. What a page adds: units where the author typed any, angles that are found
-    in degrees where any was typed so (`turned`), and decimals with as many significant digits as the `longest`
-    that was typed."""
+    author's equations give them one. What a page adds: units where the author typed any, angles that are
+    found in degrees where any was typed so (`turned`), and decimals with as many significant digits as the
+    `longest` that was typed."""
 
     decimals: bool = False
     degrees: bool = False

@@ -115,7 +115,7 @@ def test_a_target_with_an_angle(tmp_path) -> None:
         (
             PUMA,
             "sqrt((a2 - sqrt(a3**2 + d4**2))**2 + d3**2)",
-            "sqrt((sqrt(a3**2 + d4**2) + a2)**2 + d3**2)",
+            "sqrt((a2 + sqrt(a3**2 + d4**2))**2 + d3**2)",
             "a hollow ball about the shoulder, bored through along the first axis",
         ),
     ],
