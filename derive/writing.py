@@ -140,9 +140,10 @@ def _make(document: Document, kind: str, target: Path, pdf_engine: str) -> None:
         write_pdf(document, target, read_back)
     else:
         from derive.read_back import read_back
-        from derive.render import web
+        from derive.render.docx import write_docx
+        from derive.render.web import write_html
 
-        (web.write_html if kind == "html" else web.write_docx)(document, target, read_back)
+        (write_html if kind == "html" else write_docx)(document, target, read_back)
 
 
 def _typeset(document: Document, target: Path) -> None:

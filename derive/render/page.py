@@ -30,12 +30,15 @@ BEFORE_DISPLAY = re.compile(r"\n\n+(?=\\\[|\\begin\{align\*\})")
 MATRIX = re.compile(r"\\begin\{bmatrix\} .*? \\end\{bmatrix\}")
 
 
-def render_markdown(document: Document, front: bool = True, read: Reader = unread) -> str:
-    """The sheet as Markdown for GitHub and pandoc. Without `front` the title block is left to a template.
+def render_markdown(document: Document, read: Reader = unread) -> str:
+    """The sheet as Markdown for GitHub and pandoc; its mathematics is given to `read`. Raises ForgottenStep,
+    and what `read` raises."""
+    return _tidy(left_alone(_page(document, MARKDOWN, True, read)))
 
-    Its mathematics is given to `read`. Raises ForgottenStep, and what `read` raises.
-    """
-    return _tidy(left_alone(_page(document, MARKDOWN, front, read)))
+
+def render_for_pandoc(document: Document, read: Reader = unread) -> str:
+    """The same without its title block, the formulas as they were printed."""
+    return _tidy(_page(document, MARKDOWN, False, read))
 
 
 def render_latex(document: Document, read: Reader = unread) -> str:

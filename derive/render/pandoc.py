@@ -13,7 +13,7 @@ from derive.render.failures import PandocFailed
 # Strict Markdown and what our pages use beyond it. No raw HTML, no raw TeX, no attributes.
 READER = (
     "markdown_strict-raw_html+all_symbols_escapable+intraword_underscores+space_in_atx_header"
-    "+tex_math_dollars+pipe_tables+implicit_figures+startnum+backtick_code_blocks"
+    "+tex_math_dollars+pipe_tables+startnum+backtick_code_blocks"
 )
 NEVER_FOLD = "100000"  # a table row longer than `--columns` would be given fixed column widths
 
@@ -24,9 +24,18 @@ def pandoc(markdown: str, writer: str, arguments: Sequence[str], metadata: Mappi
     Raises PandocFailed.
     """
     values = [f"--metadata={name}={value}" for name, value in metadata.items() if value]
-    command = [pandoc_path(), f"--from={READER}", f"--to={writer}", "--fail-if-warnings"]
-    options = ["--standalone", "--wrap=preserve", f"--columns={NEVER_FOLD}", *arguments, *values]
-    done = subprocess.run([*command, *options], input=markdown.encode(), capture_output=True, check=False)
+    return _run(markdown, READER, writer, [*arguments, *values])
+
+
+def pandoc_from_tree(tree: str, writer: str, arguments: Sequence[str]) -> bytes:
+    """What pandoc makes of a page that it has read already. Raises PandocFailed."""
+    return _run(tree, "json", writer, arguments)
+
+
+def _run(page: str, reader: str, writer: str, arguments: Sequence[str]) -> bytes:
+    command = [pandoc_path(), f"--from={reader}", f"--to={writer}", "--fail-if-warnings"]
+    options = ["--standalone", "--wrap=preserve", f"--columns={NEVER_FOLD}", *arguments]
+    done = subprocess.run([*command, *options], input=page.encode(), capture_output=True, check=False)
     if done.returncode:
         raise PandocFailed(done.stderr.decode(errors="replace").strip())
     return done.stdout

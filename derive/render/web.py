@@ -1,19 +1,14 @@
-"""The sheet as one HTML file with MathML, and as a docx from the Markdown."""
+"""The sheet as one HTML file, its mathematics as MathML."""
 
 from __future__ import annotations
 
 import re
 from base64 import b64encode
 from functools import cache
-from os import pathsep
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
-from derive.render.author_pictures import drawn
 from derive.render.document import Document
-from derive.render.figures import draw
-from derive.render.page import render_html, render_markdown
-from derive.render.pandoc import pandoc
+from derive.render.page import render_html
 from derive.render.pdf import metadata
 from derive.render.printed import Reader, unread
 from derive.render.skin import environment, templates
@@ -46,21 +41,3 @@ def write_html(document: Document, target: Path, read: Reader = unread) -> None:
 def _font() -> str:
     """The font of mathematics, for a style sheet."""
     return b64encode((templates() / "html" / "mathematics.woff").read_bytes()).decode()
-
-
-def write_docx(document: Document, target: Path, read: Reader = unread) -> None:
-    """Writes a docx; its equations are native ones, its plots are drawn as PNG. Raises PandocFailed, and what
-    `read` raises."""
-    markdown = render_markdown(document, False, read)
-    with TemporaryDirectory() as folder:
-        for path, plot in document.plots().items():
-            draw(plot, Path(folder, path), ("png",))
-            markdown = markdown.replace(f"{path}.svg", f"{path}.png")
-        for path in document.pictures():
-            if path.endswith(".svg"):
-                Path(folder, path).parent.mkdir(exist_ok=True)
-                Path(folder, path).with_suffix(".png").write_bytes(drawn(target.parent / path))
-                markdown = markdown.replace(path, f"{path.removesuffix('.svg')}.png")
-        found = f"--resource-path={folder}{pathsep}{target.parent}"
-        arguments = ["--shift-heading-level-by=-1", found]
-        target.write_bytes(pandoc(markdown, "docx", arguments, metadata(document)))

@@ -1,4 +1,4 @@
-"""Every node of a tree in every shape as HTML and Typst have it: MathML and Typst are read as LaTeX is."""
+"""Every node of a tree in every shape as HTML, Word and Typst have it, read as LaTeX is."""
 
 from __future__ import annotations
 
@@ -10,12 +10,14 @@ from derive.answers.latex.printed import parts_of, read_part
 from derive.errors import FormulaError, Unfit
 from derive.expression import Expr
 from derive.render.formula.mathml import math
+from derive.render.formula.omml import omml
 from derive.render.formula.tex import boxes
 from derive.render.formula.typst import in_text
 from derive.render.formula.typst import typst as spelt
 from derive.render.latex import latex
 from derive.render.notation import Notation
 from tests.render import mathml, typst
+from tests.render import omml as word
 from tests.render.shapes import nested
 
 
@@ -52,6 +54,23 @@ def test_mathml_says_what_the_trees_do() -> None:
 
 
 @cache
+def in_word() -> tuple[str, ...]:
+    """All of them as equations of Word."""
+    return tuple(omml(boxes(latex(tree, Notation()))) for _, tree in trees())
+
+
+def test_word_says_what_the_trees_do() -> None:
+    assert wrong([word.latex_of(word.element(each)) for each in in_word()]) == []
+
+
+def test_libreoffice_finds_something_beside_every_sign_of_a_docx() -> None:
+    assert [
+        name for name, each in zip(trees(), in_word(), strict=True) if word.torn(word.element(each))
+    ] == []
+    assert word.torn(word.element("<m:r><m:t>=</m:t></m:r><m:r><m:t>a</m:t></m:r>")) == ["="]
+
+
+@cache
 def in_typst() -> tuple[str, ...]:
     """All of them as Typst understands what we write."""
     return tuple(typst.read([spelt(boxes(latex(tree, Notation()))) for _, tree in trees()]))
@@ -70,5 +89,6 @@ def test_a_mistake_of_either_is_seen() -> None:
         ("^{2}", "^{3}"),
         (" & ", r" \\ "),
     ):
-        for made in (in_typst(), in_mathml()):
+        in_docx = (word.latex_of(word.element(each)) for each in in_word())
+        for made in (in_typst(), in_mathml(), tuple(in_docx)):
             assert wrong([written.replace(right, mistaken) for written in made])

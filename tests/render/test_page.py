@@ -11,12 +11,13 @@ import pytest
 import sympy
 
 from derive.render.document import Document
+from derive.render.docx import write_docx
 from derive.render.failures import PdfFailed
 from derive.render.figures import draw
 from derive.render.json_result import render_json
 from derive.render.page import render_latex, render_markdown
 from derive.render.pdf import write_pdf, write_pdf_with_latex
-from derive.render.web import write_docx, write_html
+from derive.render.web import write_html
 from tests.render import sample
 
 pytestmark = pytest.mark.usefixtures("sample_words")

@@ -1,0 +1,88 @@
+"""The sheet as a docx: pandoc's, with equations written by us and the styles of `templates/docx`."""
+
+from __future__ import annotations
+
+import json
+import re
+import struct
+from functools import cache
+from io import BytesIO
+from os import pathsep
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
+from zlib import crc32
+
+from derive.render.author_pictures import DENSITY, drawn
+from derive.render.document import Document
+from derive.render.figures import draw
+from derive.render.page import render_for_pandoc
+from derive.render.pandoc import pandoc, pandoc_from_tree
+from derive.render.printed import Reader, unread
+from derive.render.skin import templates
+from derive.render.word_tree import in_word
+
+TABLE = re.compile(rb'(?<=<w:tblStyle w:val="Table" />)(<w:tblW [^>]*/>)')
+CENTRE = rb'\1<w:jc w:val="center"/>'
+PARTS = {  # of the document whose styles and footer are taken, and where they are kept
+    "[Content_Types].xml": "content-types.xml", "_rels/.rels": "package.rels",
+    "word/document.xml": "document.xml", "word/_rels/document.xml.rels": "document.rels",
+    "word/styles.xml": "styles.xml", "word/footer.xml": "footer.xml",
+}  # fmt: skip
+
+
+def write_docx(document: Document, target: Path, read: Reader = unread) -> None:
+    """Writes a docx; its equations are native ones, its plots are drawn as PNG. Raises PandocFailed, and what
+    `read` raises."""
+    markdown = render_for_pandoc(document, read)
+    with TemporaryDirectory() as folder:
+        for path, plot in document.plots().items():
+            for picture in draw(plot, Path(folder, path), ("png",)):
+                picture.write_bytes(with_density(picture.read_bytes()))
+            markdown = markdown.replace(f"{path}.svg", f"{path}.png")
+        for path in document.pictures():
+            if path.endswith(".svg"):
+                Path(folder, path).parent.mkdir(exist_ok=True)
+                Path(folder, path).with_suffix(".png").write_bytes(with_density(drawn(target.parent / path)))
+                markdown = markdown.replace(path, f"{path.removesuffix('.svg')}.png")
+        styles = Path(folder, "styles.docx")
+        styles.write_bytes(_reference())
+        arguments = [f"--reference-doc={styles}", f"--resource-path={folder}{pathsep}{target.parent}"]
+        tree = json.loads(pandoc(markdown, "json", ["--shift-heading-level-by=-1"], _metadata(document)))
+        tree["blocks"] = [*in_word(tree["blocks"])]
+        target.write_bytes(_centred(pandoc_from_tree(json.dumps(tree), "docx", arguments)))
+
+
+def _metadata(document: Document) -> dict[str, str]:
+    return {
+        "title": document.title, "subtitle": document.course, "author": document.author,
+        "date": document.date, "lang": document.language,
+    }  # fmt: skip
+
+
+@cache
+def _reference() -> bytes:
+    """A document of no pages that has our styles, our paper and our footer."""
+    file = BytesIO()
+    with ZipFile(file, "w", ZIP_DEFLATED) as archive:
+        for name, kept in PARTS.items():
+            archive.writestr(ZipInfo(name), (templates() / "docx" / kept).read_text(encoding="utf-8"))
+    return file.getvalue()
+
+
+def _centred(docx: bytes) -> bytes:
+    """The document with its tables in the middle, which LibreOffice does not take from their style."""
+    made = BytesIO()
+    with ZipFile(BytesIO(docx)) as archive, ZipFile(made, "w", ZIP_DEFLATED) as centred:
+        for name in archive.namelist():
+            part = archive.read(name)
+            centred.writestr(ZipInfo(name), TABLE.sub(CENTRE, part) if name == "word/document.xml" else part)
+    return made.getvalue()
+
+
+def with_density(png: bytes, density: float = DENSITY) -> bytes:
+    """A PNG that says how many pixels an inch has, which gives it its size on the page (its chunk `pHYs`)."""
+    metre = round(density / 0.0254)
+    chunk = b"pHYs" + struct.pack(">IIB", metre, metre, 1)
+    size = 8 + 25  # the signature and the head
+    return png[:size] + struct.pack(">I", 9) + chunk + struct.pack(">I", crc32(chunk)) + png[size:]

@@ -1,0 +1,185 @@
+"""Pandoc's tree of a page as Word is to have it: our equations and captions, tables of their own width."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any, TypeAlias
+
+from derive.render.formula.boxes import Box, Grid
+from derive.render.formula.omml import omml
+from derive.render.formula.tex import boxes
+from derive.render.width import width
+
+Node: TypeAlias = Any  # of pandoc's tree, as JSON
+
+LINE = 40.5  # em, a line of text
+EM = 220  # twentieths of a point, of 11 pt
+SLACK = 1.12  # Word's letters are wider than those that were measured,
+MOST = 1.35  # and those of other programs may be wider still
+CHARACTER, MARGIN = 0.56, 1.6  # em, of a text and beside a column
+
+
+def in_word(blocks: Sequence[Node]) -> Iterator[Node]:
+    """The blocks of a page; a paragraph that leads to an equation or a table stays with it."""
+    alone = [_alone(block) for block in blocks]
+    kinds = [_kind(block, only) for block, only in zip(blocks, alone, strict=True)]
+    for k, (block, only, kind) in enumerate(zip(blocks, alone, kinds, strict=True)):
+        if kind == "Equation":
+            yield _raw("RawBlock", _display(only["c"][1]))
+        elif kind == "Image":
+            yield _styled("Captioned Figure", [block])
+        elif kind == "Emph" and k and kinds[k - 1] == "Image":
+            yield _styled("Image Caption", [{"t": "Para", "c": _inside(only["c"])}])
+        elif kind == "Table":
+            yield _inside(_with_widths(block))
+        elif block["t"] == "Para" and k + 1 < len(blocks) and kinds[k + 1] in ("Equation", "Table"):
+            yield _styled("Lead In", [_inside(block)])
+        else:
+            yield _inside(block)
+
+
+def _alone(block: Node) -> Node:
+    """What a paragraph holds and nothing else."""
+    single = block["t"] in ("Para", "Plain") and len(block["c"]) == 1
+    return block["c"][0] if single else {"t": ""}
+
+
+def _kind(block: Node, only: Node) -> str:
+    displayed = only["t"] == "Math" and only["c"][0]["t"] == "DisplayMath"
+    return "Equation" if displayed else str(only["t"] or block["t"])
+
+
+def _inside(node: Node) -> Node:
+    """A part of the tree with our equations in the place of pandoc's own."""
+    match node:
+        case {"t": "Math", "c": [_, tex]}:
+            return _raw("RawInline", f"<m:oMath>{omml(boxes(tex))}</m:oMath>")
+        case {"t": "BulletList", "c": items}:
+            return {"t": "BulletList", "c": [[*in_word(item)] for item in items]}
+        case {"t": "OrderedList", "c": [start, items]}:
+            return {"t": "OrderedList", "c": [start, [[*in_word(item)] for item in items]]}
+        case dict():
+            return {key: _inside(each) for key, each in node.items()}
+        case list():
+            return [*map(_inside, node)]
+        case _:
+            return node
+
+
+def _raw(kind: str, written: str) -> Node:
+    return {"t": kind, "c": ["openxml", written]}
+
+
+def _styled(name: str, blocks: list[Node]) -> Node:
+    return {"t": "Div", "c": [["", [], [["custom-style", name]]], blocks]}
+
+
+# -- tables ------------------------------------------------------------------------------------------------
+
+
+def _with_widths(table: Node) -> Node:
+    """The table with columns as wide as what stands in them."""
+    attributes, caption, columns, (kept, heads), bodies, foot = table["c"]
+    rows = [row for rows in (heads, *(body[3] for body in bodies)) for row in rows]
+    wide = [max(_width(row[1][k][4]) for row in rows) + MARGIN for k in range(len(columns))]
+    share = min(1.0, LINE / sum(wide)) / LINE
+    sized = [
+        [column[0], {"t": "ColWidth", "c": round(each * share, 4)}]
+        for column, each in zip(columns, wide, strict=True)
+    ]
+    return {"t": "Table", "c": [attributes, caption, sized, [kept, heads], bodies, foot]}
+
+
+def _width(node: Node) -> float:
+    """How wide a cell is in one line, in em."""
+    match node:
+        case {"t": "Math", "c": [_, tex]}:
+            return SLACK * width(tex)
+        case {"t": "Str", "c": text}:
+            return CHARACTER * len(text)
+        case {"t": "Space"}:
+            return CHARACTER / 2
+        case {"c": inside}:
+            return _width(inside)
+        case list():
+            return sum(map(_width, node))
+        case _:
+            return 0.0
+
+
+# -- equations ---------------------------------------------------------------------------------------------
+
+
+def _display(tex: str) -> str:
+    """A paragraph for an equation, a table without rules for several that meet at their signs."""
+    box = boxes(tex)
+    if isinstance(box, Grid) and box.aligned:
+        columns = _columns(tex)
+        return _small(_lines(box, columns), sum(columns) / EM)
+    equation = (
+        '<w:p><w:pPr><w:pStyle w:val="Equation"/></w:pPr><m:oMathPara><m:oMath>'
+        f"{omml(box)}</m:oMath></m:oMathPara></w:p>"
+    )
+    return _small(equation, SLACK * width(tex))
+
+
+def _small(written: str, wide: float) -> str:
+    """An equation in letters so small that it fits, but never under 65 % of their size."""
+    if wide <= LINE:
+        return written
+    size = round(22 * max(0.65, LINE / wide))  # half points
+    return written.replace("<m:t ", f'<w:rPr><w:sz w:val="{size}"/><w:szCs w:val="{size}"/></w:rPr><m:t ')
+
+
+def _columns(tex: str) -> list[int]:
+    """How wide the columns of aligned lines are, in twentieths of a point."""
+    body = tex.split("{aligned}")[1].removesuffix("\\end")
+    found: list[float] = []
+    for line in body.split("\\\\\n"):
+        for k, cell in enumerate(_cells(line)):
+            found += [0.0] * (k + 1 - len(found))
+            found[k] = max(found[k], width(cell))
+    scale = max(SLACK, min(MOST, LINE / sum(found)))
+    return [round(EM * (scale * each + 0.3)) for each in found]
+
+
+def _cells(line: str) -> list[str]:
+    """The parts of a line between marks that are of no matrix."""
+    cells, depth = [""], 0
+    for part in line.replace("\\begin", "\0\\begin").replace("\\end", "\0\\end").split("\0"):
+        depth += part.startswith("\\begin") - part.startswith("\\end")
+        first, *rest = part.split("&") if depth == 0 else [part]
+        cells[-1] += first
+        cells += rest
+    return cells
+
+
+def _lines(grid: Grid, columns: list[int]) -> str:
+    shape = "".join(f'<w:gridCol w:w="{column}"/>' for column in columns)
+    rows = "".join(f"<w:tr><w:trPr><w:cantSplit/></w:trPr>{_row(row, columns)}</w:tr>" for row in grid.rows)
+    return (
+        f'<w:tbl><w:tblPr><w:tblW w:w="{sum(columns)}" w:type="dxa"/><w:jc w:val="center"/>'
+        '<w:tblLayout w:type="fixed"/><w:tblCellMar><w:left w:w="0" w:type="dxa"/>'
+        '<w:right w:w="0" w:type="dxa"/></w:tblCellMar></w:tblPr>'
+        f"<w:tblGrid>{shape}</w:tblGrid>{rows}</w:tbl>"
+        '<w:p><w:pPr><w:spacing w:line="120" w:lineRule="exact"/></w:pPr></w:p>'
+    )
+
+
+def _row(cells: tuple[Box, ...], columns: list[int]) -> str:
+    return "".join(
+        f'<w:tc><w:tcPr><w:tcW w:w="{column}" w:type="dxa"/><w:vAlign w:val="center"/></w:tcPr>'
+        f'<w:p><w:pPr><w:pStyle w:val="EquationLine"/></w:pPr>{_cell(cells, k)}</w:p></w:tc>'
+        for k, column in enumerate(columns)
+    )
+
+
+def _cell(cells: tuple[Box, ...], place: int) -> str:
+    written = omml(cells[place]) if place < len(cells) else ""
+    if not written:
+        return ""
+    side = "left" if place % 2 else "right"
+    return (
+        f'<m:oMathPara><m:oMathParaPr><m:jc m:val="{side}"/></m:oMathParaPr><m:oMath>{written}</m:oMath>'
+        "</m:oMathPara>"
+    )
