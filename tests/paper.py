@@ -60,7 +60,7 @@ class Text:
     def has_name(self, name: str) -> bool:
         wanted = re.sub(r"[{}]|\\mathrm", "", name_latex(name))
         if len(wanted) == 1:
-            return re.search(rf"{wanted}(?!_)", self.letters) is not None
+            return re.search(rf"{wanted}(?!_)" if wanted not in "xyz" else wanted, self.letters) is not None
         either = rf"{re.escape(wanted)}|{re.escape(EVERY.sub('i', wanted))}"
         return re.search(rf"(?:{either})(?![0-9])", self.dense) is not None
 

@@ -20,6 +20,8 @@ def bodies(robot: Robot, problem: Problem) -> Iterator[Datum]:
     """A table of the bodies, one of what the joints add, and a sentence about gravity."""
     if not any("bodies" in getattr(load(problem.name, kind), "NEEDS", ()) for kind, _ in problem.questions):
         return
+    if robot.gravity:
+        yield Datum(Phrase("gravity", {"vector": vector(robot.gravity)}))
     carried = [(i, link.body) for i, link in enumerate(robot.links, 1) if link.body]
     headings: tuple[Cell, ...] = (
         Symbol("i"), Phrase("mass"), Phrase("center-of-mass"), Phrase("inertia-of-body"),
@@ -33,9 +35,9 @@ def bodies(robot: Robot, problem: Problem) -> Iterator[Datum]:
             (number(i), *(measured(line[k]) for k in kept)) for i, line in added.items()
         ]
         headings = (Phrase("joint"), *(Phrase(DRIVEN[k]) for k in kept))
-        yield Datum(Phrase("drives"), Table(headings, tuple(lines)))
-    if robot.gravity:
-        yield Datum(Phrase("gravity", {"vector": vector(robot.gravity)}))
+        only = {link.motor is None for link in robot.links if link.motor or link.friction}
+        key = "drives" if len(only) > 1 or len(kept) > 2 else "frictions" if True in only else "motors"
+        yield Datum(Phrase(key), Table(headings, tuple(lines)))
 
 
 def _line(i: int, body: Body) -> tuple[Cell, ...]:

@@ -25,7 +25,7 @@ INDEX = r"\s*_\s*(?:\{(?:[^{}]|\{[^{}]*\})*\}|\\[A-Za-z]+|\w)"
 NAME = re.compile(rf"{LETTER}(?:{INDEX})?")
 EVERY = re.compile(r"\d+$")  # I_i says what each of I_1, I_2, ... is
 FRACTION = re.compile(r"\\[dt]?frac\s*\{?(\d+)\}?\s*\{?(\d+)\}?|(\d+)\s*/\s*(\d+)")
-NUMBER = re.compile(r"(\d+(?:\.\d+)?)\s*(%|\\%|cm\b|mm\b|ms\b)?")
+NUMBER = re.compile(r"([-−]?\d+(?:\.\d+)?)\s*(%|\\%|cm\b|mm\b|ms\b)?")
 SIZES = {"%": 100, "\\%": 100, "cm": 100, "mm": 1000, "ms": 1000}
 NUMERALS = ["two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve"]
 FORMULA = re.compile(r"\$([^$]+)\$")
@@ -41,6 +41,7 @@ class Mentioned:
     names: frozenset[str]
     numbers: frozenset[Fraction]
     formulas: str
+    dense: str
     plain: str
 
     @classmethod
@@ -52,7 +53,7 @@ class Mentioned:
         plain = FORMULA.sub(" ", text).lower()
         numbers = {*_typed(re.sub(INDEX, " ", text))}
         numbers |= {Fraction(k) for k, word in enumerate(NUMERALS, 2) if re.search(rf"\b{word}\b", plain)}
-        return cls(frozenset(found), frozenset(numbers), _bare(" ".join(formulas)), plain)
+        return cls(frozenset(found), frozenset(numbers), _bare(" ".join(formulas)), _bare(text), plain)
 
     def says(self, datum: Datum) -> bool:
         """Whether all of a datum stands here."""
@@ -66,6 +67,7 @@ class Mentioned:
             and values <= self.numbers
             and all(map(self._has_word, datum.words))
             and all(map(self._has, matrices))
+            and all(map(self._has_column, trees))
         )
 
     def _has_name(self, name: str) -> bool:
@@ -82,6 +84,13 @@ class Mentioned:
         return any(
             _bare(Printer(Notation()).write(each)) in self.formulas for each in (matrix, *self._whole(matrix))
         )
+
+    def _has_column(self, tree: Expr) -> bool:
+        """Whether its entries stand side by side, if it is a column with numbers in it."""
+        if not isinstance(tree, Matrix) or not any(rational(entry) for (entry, *_) in tree.rows):
+            return True
+        written = Printer(Notation(), in_line=True).write(tree).removesuffix("^T")
+        return _bare(written).strip("()") in self.dense
 
     def _whole(self, matrix: Matrix) -> Iterator[Expr]:
         """A matrix of fractions without their common denominator, if that stands in the text."""
@@ -100,7 +109,7 @@ def _numbers(tree: Expr) -> Iterator[Fraction]:
     for node in walk(tree):
         match node:
             case Number(value) | Degrees(value) if value and (node is tree or value not in UNITS):
-                yield abs(value)
+                yield value if node is tree else abs(value)
             case Approximate(value):
                 yield abs(Fraction(value))
 
@@ -108,9 +117,10 @@ def _numbers(tree: Expr) -> Iterator[Fraction]:
 def _typed(text: str) -> Iterator[Fraction]:
     """The numbers that are typed in digits, in SI units, and fractions of them."""
     for digits, unit in NUMBER.findall(text):
-        yield Fraction(digits)
+        size = abs(Fraction(digits.replace("−", "-")))
+        yield from (size, -size) if digits[0] in "-−" else (size,)
         if unit:
-            yield Fraction(digits) / SIZES[unit]
+            yield size / SIZES[unit]
     for above, below, top, bottom in FRACTION.findall(text):
         if divisor := int(below or bottom):
             yield Fraction(int(above or top), divisor)
