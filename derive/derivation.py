@@ -176,7 +176,8 @@ class Plot:
     `marks` are horizontal lines, `moments` vertical ones, named on the horizontal axis; `band` is between two
     heights. `regions` are outlines to be filled, `arms` links from joint to joint, `arrows` vectors from one
     place to another, `points` places, `spans` lengths that are read off. `counted` are values at whole
-    numbers, `log` says that heights are on a logarithmic scale, `equal` that both axes have the same scale.
+    numbers, `log` says that heights are on a logarithmic scale, `equal` that both axes have the same scale,
+    `unscaled` that numbers along them mean nothing.
     """
 
     name: str
@@ -194,6 +195,7 @@ class Plot:
     counted: bool = False
     log: bool = False
     equal: bool = False
+    unscaled: bool = False
     caption: Phrase | None = None
     alt: Phrase | None = None
 

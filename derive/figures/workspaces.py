@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
-from derive.derivation import Curve, Label, Phrase, Plot
+from derive.derivation import Curve, Label, Phrase, Plot, Said
 from derive.expression import Approximate, Symbol
 from derive.figures.axes import axis, short
 from derive.figures.view import around
@@ -14,27 +15,63 @@ CORNERS = 145
 X, Y = Symbol("x"), Symbol("y")
 WORKSPACE, ANY_WAY, LINKS = Phrase("workspace"), Phrase("any-orientation"), Phrase("its-links")
 ELBOWS = (0.5, 1.1, 0.8)  # of the arm drawn into the picture
-WHOLE = (0.0, 2 * math.pi)
+WHOLE, HALF = (0.0, 2 * math.pi), (-math.pi / 2, math.pi / 2)
 
 
-def from_above(lengths: Sequence[float], secondary: tuple[float, float] | None, unit: str) -> Plot:
+@dataclass(frozen=True, slots=True)
+class Sizes:
+    """Lengths of the links, with their unit; where they are not `known` they are only examples. A shoulder
+    may stand off the first axis by an `offset`, and the links to its `side`."""
+
+    lengths: Sequence[float]
+    unit: str
+    known: bool = True
+    offset: float = 0.0
+    side: float = 0.0
+
+    @property
+    def far(self) -> float:
+        """The largest distance from the shoulder."""
+        return sum(self.lengths)
+
+    @property
+    def near(self) -> float:
+        """The smallest one."""
+        return max(0.0, 2 * max(self.lengths) - self.far)
+
+    def boundaries(self) -> Iterator[tuple[Label, float]]:
+        """The outer one, and the inner one where there is a hole, with what the legend says of them."""
+        outer = "boundary" if self.known else "boundary-in-letters"
+        inner = "inner-boundary" if self.known else "inner-boundary-in-letters"
+        for key, name, radius in ((outer, "r_max", self.far), (inner, "r_min", self.near)):
+            if radius > 0:
+                about: dict[str, Said] = {
+                    "name": Symbol(name),
+                    "value": Approximate(radius),
+                    "unit": self.unit,
+                }
+                yield Phrase(key, about), radius
+
+    def said(self) -> dict[str, Said]:
+        """The distances for who does not see them."""
+        return {"near": short(self.near), "far": short(self.far)}
+
+
+def from_above(sizes: Sizes, secondary: tuple[float, float] | None) -> Plot:
     """The annulus of an arm in a plane with its boundaries, and where its end takes every orientation: where
     the last link, whichever way it points, begins in the ring that the others reach (`secondary`: how far
     the end may be, and the hole of that ring)."""
-    far, longest = sum(lengths), max(lengths)
-    near = max(0.0, 2 * longest - far)
-    series: dict[Label, Curve] = {_boundary("boundary", "r_max", far, unit): _circle(far)}
-    if near > 0:
-        series[_boundary("inner-boundary", "r_min", near, unit)] = _circle(near)
-    regions: dict[Label, Curve] = {WORKSPACE: _ring((0.0, 0.0), near, far, WHOLE)}
-    rings = [*_any_way(lengths[-1], *secondary)] if secondary else []
+    series: dict[Label, Curve] = {name: _circle(radius) for name, radius in sizes.boundaries()}
+    regions: dict[Label, Curve] = {WORKSPACE: _ring((0.0, 0.0), sizes.near, sizes.far, WHOLE)}
+    rings = [*_any_way(sizes.lengths[-1], *secondary)] if secondary else []
     for k, (low, high) in enumerate(rings):
         regions["" if k else ANY_WAY] = _ring((0.0, 0.0), low, high, WHOLE)
-    about = {"near": short(near), "far": short(far)}
+    seen = Phrase("seen-annulus" if sizes.near else "seen-disc", sizes.said())
     return Plot(
-        "workspace", axis(X, unit), axis(Y, unit), series, regions=regions,
-        arms={Phrase("arm"): _arm(lengths)}, equal=True,
-        caption=Phrase("drawn-workspace"), alt=Phrase("seen-annulus" if near else "seen-disc", about),
+        "workspace", axis(X, sizes.unit), axis(Y, sizes.unit), series, regions=regions,
+        arms={Phrase("arm"): _arm(sizes.lengths)}, equal=True, unscaled=not sizes.known,
+        caption=Phrase("drawn-workspace" if sizes.known else "drawn-workspace-in-letters"),
+        alt=seen if sizes.known else Phrase("seen-in-letters"),
     )  # fmt: skip
 
 
@@ -46,31 +83,35 @@ def _any_way(last: float, far: float, gap: float) -> Iterator[tuple[float, float
         yield last + gap if gap or last > far else 0.0, far
 
 
-def _boundary(key: str, name: str, radius: float, unit: str) -> Phrase:
-    return Phrase(key, {"name": Symbol(name), "value": Approximate(radius), "unit": unit})
-
-
-def cross_section(lengths: Sequence[float], offset: float, side: float, unit: str) -> Plot:
+def cross_section(sizes: Sizes) -> Plot:
     """The section through the first axis: half of a hollow ball, by the distance from that axis; where the
     shoulder stands off the axis, the annulus of the links and where half a turn takes it."""
-    near, far = abs(lengths[0] - lengths[1]), sum(lengths)
-    arm_x, arm_y = _arm(lengths)
-    if offset:
+    x, y = _arm(sizes.lengths)
+    if sizes.offset:
+        ring = sizes.near, sizes.far, WHOLE
         regions: dict[Label, Curve] = {
-            WORKSPACE: _ring((offset, 0.0), near, far, WHOLE),
-            Phrase("half-a-turn"): _ring((-offset, 0.0), near, far, WHOLE),
+            WORKSPACE: _ring((sizes.offset, 0.0), *ring),
+            Phrase("half-a-turn"): _ring((-sizes.offset, 0.0), *ring),
         }
-        arm = (tuple(offset + x for x in arm_x), arm_y)
+        series: dict[Label, Curve] = {}
+        arm = (tuple(sizes.offset + each for each in x), y)
     else:
-        xs, ys = _ring((0.0, 0.0), near, far, (-math.pi / 2, math.pi / 2))
-        regions = {WORKSPACE: (tuple(math.hypot(x, side) for x in xs), ys)}
-        arm = (tuple(math.hypot(x, side) for x in arm_x), arm_y)
-    key = "in-the-plane" if offset else "distance"
+        regions = {WORKSPACE: _aside(_ring((0.0, 0.0), sizes.near, sizes.far, HALF), sizes.side)}
+        series = {name: _aside(_circle(radius, HALF), sizes.side) for name, radius in sizes.boundaries()}
+        arm = _aside((x, y), sizes.side)
+    key = "in-the-plane" if sizes.offset else "distance"
     return Plot(
-        "workspace", _with_unit(key, unit), _with_unit("height", unit), {}, regions=regions,
-        arms={LINKS: arm}, equal=True, caption=Phrase("drawn-section"),
-        alt=Phrase("seen-section", {"near": short(near), "far": short(far)}),
+        "workspace", _with_unit(key, sizes.unit), _with_unit("height", sizes.unit), series, regions=regions,
+        arms={LINKS: arm}, equal=True, unscaled=not sizes.known,
+        caption=Phrase("drawn-section" if sizes.known else "drawn-section-in-letters"),
+        alt=Phrase("seen-section", sizes.said()) if sizes.known else Phrase("seen-section-in-letters"),
     )  # fmt: skip
+
+
+def _aside(curve: Curve, side: float) -> Curve:
+    """What moves in a plane beside the axis, by its distance from the axis."""
+    x, y = curve
+    return tuple(math.hypot(each, side) for each in x), y
 
 
 def _with_unit(key: str, unit: str) -> Phrase:
@@ -85,8 +126,8 @@ def _ring(center: tuple[float, float], near: float, far: float, turns: tuple[flo
     return xs, ys
 
 
-def _circle(radius: float) -> Curve:
-    xs, ys = zip(*(around((0.0, 0.0), radius, angle) for angle in _angles(WHOLE)), strict=True)
+def _circle(radius: float, turns: tuple[float, float] = WHOLE) -> Curve:
+    xs, ys = zip(*(around((0.0, 0.0), radius, angle) for angle in _angles(turns)), strict=True)
     return xs, ys
 
 

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from derive.algebra.numbers import floats as numeric
-from derive.derivation import Derivation, PageFacts, Phrase, Plot, Step
+from derive.derivation import Claim, Derivation, PageFacts, Phrase, Plot, Step
 from derive.expression import ZERO, Expr, Relation, Symbol
-from derive.figures.workspaces import cross_section, from_above
+from derive.figures.typical import completed, typical
+from derive.figures.workspaces import Sizes, cross_section, from_above
 from derive.kinds.chains import closing
+from derive.kinds.checks import close, route
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
@@ -28,6 +32,7 @@ from derive.kinds.work import Work
 from derive.mechanics.reach import moving_joints, turns_freely
 from derive.mechanics.robot import Robot
 
+NOTHING, NEARLY = 1e-9, 1e-3  # of a hole, and of the corners of a circle
 CLAIMS = ("largest-distance", "smallest-distance", "lines", "link-lengths", "hole", "called")
 measures = together(of_variables, r_min="m", r_max="m")
 
@@ -71,7 +76,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     facts = _facts(problem, region, point, inner, plots)
     reached = Reached(problem, found, point, region, {1: r_max, -1: r_min})
     work = work.claim(*reached.claims(steps, region.smallest[-1] == ZERO, inner))
-    work = work.claim(reached.is_called(facts.description))
+    work = work.claim(
+        reached.is_called(facts.description), *_as_drawn(plots, (r_max, r_min), problem, options)
+    )
     results = {"r_min": r_min, "r_max": r_max, "description": facts.description}
     return work.answer("workspace", results, facts, plots=plots)
 
@@ -103,17 +110,35 @@ def _between(low: Expr, middle: Expr, high: Expr) -> Relation:
 def _pictures(
     problem: Problem, region: Region, options: Options, inner: Secondary | None
 ) -> tuple[Plot, ...]:
-    """Where all lengths are numbers."""
+    """With the lengths that are given, else of two links with such as show what is meant."""
     given = dict(options.evaluate or ())
     unit = unit_of_lengths(problem, given.values())
+    trees = (*region.lengths, region.offset, region.side)
     try:
-        known = oracle_of(problem).at(point_of(given, problem.where))
-        lengths = [numeric.number(length, known) for length in region.lengths]
-        if region.kind == "planar":
-            sizes = (inner.far, inner.gap) if inner else ()
-            far, gap = (numeric.number(each, known) for each in sizes) if inner else (0.0, 0.0)
-            return (from_above(lengths, (far, gap) if inner else None, unit),)
-        offset, side = numeric.number(region.offset, known), numeric.number(region.side, known)
+        known, sure = oracle_of(problem).at(point_of(given, problem.where)), True
+        for tree in trees:
+            numeric.number(tree, known)
     except KeyError:
-        return ()
-    return (cross_section(lengths, offset, side, unit),)
+        if len(region.lengths) != 2:
+            return ()
+        known, sure = completed(typical((), trees, problem.where, ())[0], problem.where), False
+    *lengths, offset, side = (abs(numeric.number(tree, known)) for tree in trees)
+    sizes = Sizes(lengths, unit if sure else "", sure, offset, side)
+    if region.kind != "planar":
+        return (cross_section(sizes),)
+    if inner is None:
+        return (from_above(sizes, None),)
+    return (from_above(sizes, (numeric.number(inner.far, known), numeric.number(inner.gap, known))),)
+
+
+def _as_drawn(
+    plots: tuple[Plot, ...], told: tuple[Expr, Expr], problem: Problem, options: Options
+) -> Iterator[Claim]:
+    """The boundaries that are drawn are at the distances of the page, where these are numbers there."""
+    for plot in plots:
+        if plot.unscaled or not plot.series:
+            continue
+        point = oracle_of(problem).at(point_of(dict(options.evaluate or ()), problem.where))
+        radii = [max(ys) for _, ys in plot.series.values()]
+        distances = [size for size in (numeric.number(tree, point) for tree in told) if size > NOTHING]
+        yield route("drawn", close(radii, distances, NEARLY))

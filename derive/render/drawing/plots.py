@@ -71,7 +71,8 @@ def _drawn(plot: Plot, frame: Frame, bottom: bool = True, ticks: float = 0.0) ->
     """The axes and what is inside; at the `bottom` of several the horizontal axis is named. `ticks` is how
     wide those of others are at the vertical axis."""
     sketch, x, y = Sketch(), frame.x, frame.y
-    across, up = x.ticks(ROOM_X, plot.counted), y.ticks(ROOM_Y)
+    across = [] if plot.unscaled else x.ticks(ROOM_X, plot.counted)
+    up = [] if plot.unscaled else y.ticks(ROOM_Y)
     for tick in across:
         sketch.line(((x.at(tick), 0.0), (x.at(tick), y.end)), GRID)
     for tick in up:
@@ -89,7 +90,13 @@ def _drawn(plot: Plot, frame: Frame, bottom: bool = True, ticks: float = 0.0) ->
             sketch.text(text, x.at(tick) - text.wide / 2, -TICK - AIR - text.high)
     (name,) = said([str(plot.y_label)], LETTERS)
     turned = name.wide > LETTER
-    left = -TICK - AIR - max(ticks, _tick_room(frame)) - 6 - (name.high if turned else name.wide)
+    left = (
+        -TICK
+        - AIR
+        - (max(ticks, _tick_room(frame)) if up else 0.0)
+        - 6
+        - (name.high if turned else name.wide)
+    )
     middle = (y.start + y.end) / 2 - (name.wide if turned else name.high) / 2
     sketch.text(name, left, middle, turned)
     if bottom:
