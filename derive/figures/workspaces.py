@@ -50,7 +50,7 @@ class Sizes:
                     "value": Approximate(radius),
                     "unit": self.unit,
                 }
-                yield Phrase(key, about), radius
+                yield Phrase(key, about | {"unit": self.unit}), radius
 
     def said(self) -> dict[str, Said]:
         """The distances for who does not see them."""
