@@ -40,6 +40,7 @@ from derive.expression import (
     rebuild,
     walk,
 )
+from derive.render.common_factor import factored, is_factored
 
 SPARE = 2  # digits more than a sheet asks for, before an exact number is rounded
 LONG = 10**7  # a fraction with more is rounded where no decimals were typed either
@@ -63,8 +64,11 @@ class Values:
         """The chain with what it ends in as it is said."""
         if len(chain) < 2:
             return chain
-        *before, last = map(self._plain, chain)
         unit = self._unit(chain)
+        *before, last = map(self._plain, chain)
+        whole = last if unit else factored(last)
+        if not any(map(is_factored, before)) or whole in before:
+            before, last = [factored(tree) for tree in before], whole
         if free_symbols(last) or not _is_value(last):
             turned = self._turned(last) if unit and unit.startswith("deg") and PI in walk(last) else last
             return _distinct((*before, turned))
@@ -83,7 +87,8 @@ class Values:
         """A value exactly, where it is to be said so, and rounded, where it has to be."""
         angle = unit is not None and unit.startswith(("deg", "rad")) and _turns(tree, unit)
         if isinstance(tree, Matrix):
-            return ((_measured(self._entries(tree), unit, angle),), ())
+            entries = self._entries(tree)
+            return ((_measured(entries, unit, angle),), ())
         if unit and unit.startswith("rad") and PI in walk(tree) and not angle:
             return ((_measured(tree, unit, angle),), ())
         if angle and not isinstance(tree, Degrees) and not _is_simple(tree):

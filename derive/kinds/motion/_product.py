@@ -10,7 +10,7 @@ from typing import Any, Literal
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import completed, numbers
 from derive.derivation import Claim, Derivation, PageFacts, Phrase, Result
-from derive.expression import Expr, Matrix, Symbol
+from derive.expression import Call, Expr, Matrix, Symbol, walk
 from derive.kinds.checks import is_rotation, law
 from derive.kinds.meanings import as_told
 from derive.kinds.motion._factors import Factors, factors_of, product_of, rounded_matrix, value_of
@@ -22,6 +22,7 @@ from derive.mechanics.oracle import made
 from derive.mechanics.poses import inverse_pose, rotation_part
 from derive.mechanics.sequences import mode, order
 
+AT_A_GLANCE = 8  # nodes of an entry
 REASONS = {"single": "one-factor", "world": "about-world", "current": "about-current"}
 
 
@@ -39,8 +40,11 @@ def composed(
     numeric = evaluate and all(value_of(move.by, problem) is not None for move in moves)
     factors = factors_of(moves, problem, size, numeric)
     value = product_of(moves, size)
-    written, formula = problem.readable_matrix(value), (factors.named(order(moves)),) if moves else ()
+    written = problem.readable_matrix(value)
+    formula: tuple[Expr, ...] = (factors.named(order(moves)),) if moves else ()
     shown = rounded_matrix(written, problem) if numeric else written
+    if numeric and shown != written and _is_short(written):
+        formula += (written,)
     work = factors.work if len(moves) != 1 else _without_its_matrix(factors.work)
     work = work.line(name, *formula, value=shown, rule="product")
     exact = problem.final(written)
@@ -74,6 +78,13 @@ def _facts(factors: Factors, numeric: bool, name: Symbol) -> Facts:
         placed=factors.placed() if how == "mixed" else (),
         numbers=() if numeric else (name.name,),
     )
+
+
+def _is_short(matrix: Matrix) -> bool:
+    """Whether its entries are numbers and roots that are read at a glance."""
+    entries = [entry for row in matrix.rows for entry in row]
+    calls = {node.function for entry in entries for node in walk(entry) if isinstance(node, Call)}
+    return calls <= {"sqrt"} and all(sum(1 for _ in walk(entry)) <= AT_A_GLANCE for entry in entries)
 
 
 def _factor_results(factors: Factors, problem: Problem) -> dict[str, Expr]:
