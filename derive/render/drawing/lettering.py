@@ -47,7 +47,8 @@ def content(caption: Caption) -> str:
         case Phrase():
             raise TypeError(f"'{caption.text.key}' is still to be said in words")
         case tuple():
-            return "$" + ", ".join(_formula(name_latex(name)) for name in caption.text) + "$"
+            names = ", ".join(_formula(name_latex(name)) for name in caption.text)
+            return f"$({names})$" if caption.role == "place" else f"${names}$"
         case _:
             return f"${_tree(caption.text, caption.role == 'block')}$"
 

@@ -13,7 +13,7 @@ from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.compiled import compiled
 from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.scalar import Scalar
-from derive.derivation import Branch, Cell, Claim, Condition, Derivation, Phrase, Step
+from derive.derivation import Branch, Cell, Claim, Condition, Derivation, Drawing, Phrase, Step
 from derive.expression import (
     ONE,
     PI,
@@ -30,6 +30,9 @@ from derive.expression import (
     sqrt,
     terms_of,
 )
+from derive.figures.arm_values import values_of
+from derive.figures.elbows import TwoLinks, drawn
+from derive.figures.typical import completed
 from derive.kinds.checks import close, route
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
@@ -89,7 +92,8 @@ def derive(
         in_degrees=in_degrees(problem, place),
     )
     results = {"solutions": tuple(branches)}
-    return work.answer("inverse-kinematics", results, facts, evaluated=values.values)
+    plots = (writing.elbows(triangle),)
+    return work.answer("inverse-kinematics", results, facts, evaluated=values.values, plots=plots)
 
 
 def _labels(conditions: Sequence[tuple[Condition, ...]], values: Evaluated) -> tuple[Cell, ...]:
@@ -183,6 +187,14 @@ class _Writing:
             ),
             folded=Phrase("folded", {"theta_1": self.theta_1}) if self.a_1 == self.a_2 else None,
         )
+
+    def elbows(self, told: Triangle) -> Drawing:
+        """Both solutions in one picture, with the triangle."""
+        robot, where = self.problem.subject, self.problem.where
+        point = completed(values_of(robot, where)[0], where)
+        lengths = tuple(abs(scalar_number(length, point)) for length in (self.arm.a_1, self.arm.a_2))
+        names = (self.arm.theta_1, self.arm.theta_2), (self.x.name, self.y.name)
+        return drawn(TwoLinks((lengths[0], lengths[1]), self.lengths, *names, told.r, told.elbow))
 
 
 def _tried(branches: Sequence[Branch], target: Target, points: Sequence[Values]) -> Tried:
