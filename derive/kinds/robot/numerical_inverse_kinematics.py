@@ -101,13 +101,15 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.claim(*again.claims(facts.table, listed, here, run.verdict, told))
     if _explained(problem, options):
         work = replace(work, steps=work.steps[:1])
+    units = _units(arm, options)
+    plot = _plot(run, options.method == "newton", units.get(Phrase("error"), "")) if facts.drawn else None
     return work.answer(
         "numerical-inverse-kinematics",
         results,
         facts,
         evaluated=evaluated,
-        plots=(_plot(run, options.method == "newton"),) if facts.drawn else (),
-        units=_units(arm, options),
+        plots=(plot,) if plot else (),
+        units=units,
     )
 
 
@@ -281,14 +283,15 @@ def _explained(problem: Problem, options: Options) -> frozenset[str]:
     return frozenset(each.method for each in before if len(each.target) == len(options.target))
 
 
-def _plot(run: Iteration, newton: bool) -> Plot:
+def _plot(run: Iteration, newton: bool, unit: str) -> Plot:
     """The errors that are more than what rounding leaves, on a logarithmic scale: Newton's method falls ever
     more steeply, the gradient method along a line."""
     kept = [(float(k), row.error) for k, row in enumerate(run.rows) if row.error >= CLOSE]
     counts, errors = zip(*kept, strict=True)
     about = {"steps": str(len(run.rows) - 1), "first": short(errors[0]), "last": short(run.rows[-1].error)}
+    name, k = Phrase("error"), {"k": Symbol("k")}
     return Plot(
-        "error", Phrase("iteration", {"k": Symbol("k")}), Phrase("error"), {"": (counts, errors)},
-        counted=True, log=True, alt=Phrase("seen-errors", about),
-        caption=Phrase("drawn-newton" if newton else "drawn-gradient", {"k": Symbol("k")}),
+        "error", Phrase("iteration", k), Phrase("with-unit", {"name": name, "unit": unit}) if unit else name,
+        {"": (counts, errors)}, counted=True, log=True, alt=Phrase("seen-errors", about),
+        caption=Phrase("drawn-newton" if newton else "drawn-gradient", k),
     )  # fmt: skip
