@@ -14,9 +14,10 @@ from derive.render.plain_text import typst_string, typst_text
 from derive.render.skin import Skin
 from derive.render.width import width
 
-DOLLAR = "\x1d"  # around what is Typst's mathematics already, until the page is laid out
-BLOCK = "\x1c"  # before what a paragraph leads to, until the page is laid out
-LEAD_IN = re.compile(rf"(?<=\n\n)(?![#{BLOCK}])((?:.+\n)+)\n(?={BLOCK})")
+DOLLAR = "\x01"  # around what is Typst's mathematics already, until the page is laid out
+BLOCK = "\x02"  # before what a paragraph leads to, until the page is laid out
+IN_LINE = "m|long|emph|strong|link|raw"  # the calls that a paragraph may begin with
+LEAD_IN = re.compile(rf"(?<=\n\n)(?!{BLOCK}|#(?!(?:{IN_LINE})\b)|\])((?:.+\n)+)\n(?={BLOCK})")
 HELD = 14.0  # em, up to which a formula does not break in a line of text
 TALL = 9  # lines of a display that may break between pages
 

@@ -108,6 +108,9 @@ class _Reader:
 
     def _letters(self) -> int:
         start = self.at
+        if self.tokens[start] != "{":
+            self.take()
+            return 1
         self._rest_of_group_tokens()
         return sum(len(token) for token in self.tokens[start + 1 : self.at - 1])
 

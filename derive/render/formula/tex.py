@@ -42,7 +42,8 @@ from derive.render.formula.vocabulary import (
 )
 
 TOKEN = re.compile(
-    rf"\\(?:{'|'.join(TEXTS)})\s*\{{[^{{}}\\$]*\}}|\\(?:begin|end)\s*\{{[A-Za-z*]+\}}"
+    r"\\(?:text|textrm|textbf|textit)\s*\{[^{}\\$]*\}|\\(?:mathrm|operatorname)\s*\{[A-Za-z0-9\s/]*\}"
+    r"|\\(?:begin|end)\s*\{[A-Za-z*]+\}"
     r"|\\\\(?:\[[^\]]*\])?|\\[A-Za-z]+|\\.|\S",
     re.DOTALL,
 )
@@ -160,6 +161,8 @@ class _Reader:
             return Gap(GAPS[token])
         if token in COMMANDS:
             return COMMANDS[token]
+        if not name.isalpha() and not token.startswith((r"\begin", r"\end")) and len(token) <= 2:
+            return Sign(token[-1])
         return self.command(token)
 
     def number(self, digit: str) -> Box:
@@ -178,6 +181,10 @@ class _Reader:
             return self.text(name, token[token.index("{") + 1 : -1])
         if name in OPERATORS:
             return Word(name, operator=True)
+        if name == "limits" or token in SWITCHES:  # with nothing that it could be said of
+            return Row(())
+        if name in TEXTS:
+            return Styled(TEXTS[name] or "upright", self.argument())
         if name in ACCENTS:
             return Accent(name, self.argument())
         if name in STYLES:

@@ -37,6 +37,7 @@ STYLES = {"bold": "bold(upright({}))", "bolditalic": "bold({})"}
 GAPS = {3 / 18: "thin", 4 / 18: "med", 5 / 18: "thick", 1.0: "quad", 2.0: "wide"}
 CLASSES = {"ordinary": "normal"}
 OWN_CLASS = frozenset("|‖/:")  # what Typst would space as something else
+PAIRED = frozenset("⟨⟩⌊⌋⌈⌉")  # what Typst would look for the partner of
 UNIT = re.compile(r'\w|\\?[^\w\s"]|"[^"]*"|\d+(?:\.\d+)?')  # what is one piece without parentheses around
 ROOM = {"relation": "thick", "binary": "med"}
 DEGREE, PRIME = Sign("∘", "binary"), Sign("′")
@@ -95,24 +96,29 @@ def _held_together(boxes: Iterable[Box]) -> Iterator[str]:
             yield written
 
 
+def _given(box: Box) -> str:
+    """A box that a call is given; none is left out."""
+    return typst(box) or '""'
+
+
 def _around(box: Box) -> str:
     match box:
         case Fraction(above, below, size):
-            written = f"frac({typst(above)}, {typst(below)})"
+            written = f"frac({_given(above)}, {_given(below)})"
             return f"{'inline' if size == 'text' else size}({written})" if size else written
         case Root(inside, degree):
-            return f"root({typst(degree)}, {typst(inside)})" if degree else f"sqrt({typst(inside)})"
+            return f"root({_given(degree)}, {_given(inside)})" if degree else f"sqrt({_given(inside)})"
         case Fenced(_, Fraction(above, below, _, False), _):
-            return f"binom({typst(above)}, {typst(below)})"
+            return f"binom({_given(above)}, {_given(below)})"
         case Fenced(opening, inside, closing):
             fences = [_character(fence) if fence else "" for fence in (opening, closing)]
-            return f"lr({fences[0]} {typst(inside)} {fences[1]})"
+            return f"lr({fences[0]} {_given(inside)} {fences[1]})"
         case Accent(mark, over):
-            return f"{ACCENTS.get(mark, mark)}({typst(over)})"
+            return f"{ACCENTS.get(mark, mark)}({_given(over)})"
         case Stacked(base, over, under):
-            return _attached(f"limits({typst(base)})", under, over)
+            return _attached(f"limits({_given(base)})", under, over)
         case Styled(style, inside):
-            return STYLES.get(style, f"{style}({{}})").format(typst(inside))
+            return STYLES.get(style, f"{style}({{}})").format(_given(inside))
         case Grid():
             return _grid(box)
         case _:
@@ -138,11 +144,12 @@ def _sign(char: str, kind: str) -> str:
 
 
 def _character(char: str) -> str:
-    return char if char in "+=" or not char.isascii() else f"\\{char}"
+    bare = char in "+=" or (not char.isascii() and char not in PAIRED)
+    return char if bare else f"\\{char}"
 
 
 def _scripts(base: Box, below: Box | None, above: Box | None) -> str:
-    written = typst(base) or '""'
+    written = _given(base)
     if above == DEGREE:
         above, written = None, f"{written} °"
     raised = above.boxes if isinstance(above, Row) else () if above is None else (above,)
@@ -157,13 +164,13 @@ def _scripts(base: Box, below: Box | None, above: Box | None) -> str:
 def _named(below: Box | None, above: Box | None) -> Iterator[str]:
     for side, script in (("b", below), ("t", above)):
         if script is not None:
-            yield f"{side}: {typst(script)}"
+            yield f"{side}: {_given(script)}"
 
 
 def _attached(base: str, below: Box | None, above: Box | None) -> str:
     for mark, script in (("_", below), ("^", above)):
         if script is not None:
-            written = typst(script)
+            written = _given(script)
             bare = UNIT.fullmatch(written) and not base.startswith('"')  # what comes next touches a word
             base += mark + (written if bare else f"({written})")
     return base
@@ -171,7 +178,7 @@ def _attached(base: str, below: Box | None, above: Box | None) -> str:
 
 def _grid(grid: Grid) -> str:
     if (grid.opening, grid.closing) == ("{", ""):
-        return f"cases({', '.join(' & '.join(map(typst, row)) for row in grid.rows)})"
+        return f"cases({', '.join(' & quad '.join(map(typst, row)) for row in grid.rows)})"
     fences = ", ".join(f'"{fence}"' if fence else "none" for fence in (grid.opening, grid.closing))
     rows = "; ".join(", ".join(map(typst, row)) for row in grid.rows)
     return f"mat(delim: #({fences}), {ROW_GAP if grid.loose else ''}{rows})"
