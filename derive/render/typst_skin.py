@@ -18,6 +18,8 @@ DOLLAR = "\x01"  # around what is Typst's mathematics already, until the page is
 BLOCK = "\x02"  # before what a paragraph leads to, until the page is laid out
 IN_LINE = "m|long|emph|strong|link|raw"  # the calls that a paragraph may begin with
 LEAD_IN = re.compile(rf"(?<=\n\n)(?!{BLOCK}|#(?!(?:{IN_LINE})\b)|\])((?:.+\n)+)\n(?={BLOCK})")
+SPOKEN = re.compile(rf'#[a-z]+\("[^"]*", {DOLLAR}')  # what is not seen of a formula, and begins it
+BY_ITSELF = 200  # letters and signs: more than two lines
 HELD = 14.0  # em, up to which a formula does not break in a line of text
 TALL = 9  # lines of a display that may break between pages
 
@@ -41,7 +43,14 @@ def laid_out(page: str) -> str:
     mathematics that is still in TeX."""
     if "$" in page:
         raise ValueError(f"a formula is still in TeX: {page[page.index('$') :][:80]}")
-    return LEAD_IN.sub(r"#lead[\1]\n\n", page).replace(BLOCK, "").replace(DOLLAR, "$")
+    return LEAD_IN.sub(_led, page).replace(BLOCK, "").replace(DOLLAR, "$")
+
+
+def _led(found: re.Match[str]) -> str:
+    """A paragraph held to what it leads to; one that is long and has its full stop stands by itself."""
+    paragraph = found[1]
+    by_itself = paragraph.rstrip().endswith(".") and len(SPOKEN.sub("", paragraph)) > BY_ITSELF
+    return found[0] if by_itself else f"#lead[{paragraph}]\n\n"
 
 
 FORMULAS = TypstFormulas()
