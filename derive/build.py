@@ -185,6 +185,7 @@ def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool, warn: Wa
     whole = ProblemPage(
         problem.number, tuple(questions), problem.title, problem.text, figure, drawing,
         notation=notation, subject=problem.subject_name, place=problem.place,
+        variables=problem.subject.variables if problem.subject_name == "robot" else (),
     )  # fmt: skip
     return with_given(whole, problem, working)
 

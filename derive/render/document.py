@@ -95,6 +95,7 @@ class ProblemPage:
     subject: str = ""
     given: tuple[Datum, ...] = ()
     place: Place | None = None
+    variables: tuple[str, ...] = ()  # of the joints of an arm
 
     @property
     def drawn_as(self) -> str:

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from derive.render import html_skin
 from derive.render.author_text import latex_prose, markdown_prose
 from derive.render.conventions import conventions
+from derive.render.coordinates import coordinates, speaks_of_q
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked, file_path, plot_path
 from derive.render.evaluated import evaluated_words
 from derive.render.foot import Proved
@@ -66,6 +67,7 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
     figures: dict[int, str] = {}
     numbers = document.numbers()
     said: list[Said] = []
+    spoken_of: set[int] = set()  # problems that have said what q is
     for problem in document.problems:
         told: list[Printed] = []
         given[problem.number, 0] = given_words(problem.given, problem.subject, skin, problem.notation, told)
@@ -76,9 +78,12 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
         given[problem.number, question.number] = asked
         if problem.number not in figures:
             figures[problem.number] = subject_figure(document, problem, skin, numbers, printed)
-        answers[problem.number, question.number] = _answer(
-            document, problem, question, skin, printed, numbers
-        )
+        answer = _answer(document, problem, question, skin, printed, numbers)
+        if problem.variables and problem.number not in spoken_of and answer and speaks_of_q(printed):
+            spoken_of.add(problem.number)
+            said_first = coordinates(problem.variables, problem.notation, printed)
+            answer = f"{spelt(said_first, skin.formulas, printed)}\n\n{answer}"
+        answers[problem.number, question.number] = answer
         said.append(Said(f"{problem.number}.{question.number}", question.place, tuple(printed)))
     taken: list[Printed] = []
     known = spelt(conventions(said, taken), skin.formulas, taken) if document.solutions else ""

@@ -1,0 +1,34 @@
+"""What q holds, said where a problem first speaks of it: formulas have q, and its pages theta_1 and d_3."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+
+from derive.expression import Indexed, Symbol, column, walk
+from derive.render.latex import Printer
+from derive.render.layout import Link, one_line
+from derive.render.notation import Notation
+from derive.render.printed import Printed
+from derive.render.skin import environment
+
+Q = re.compile(r"q(_[ijk]*)?(_?d?dot)?")  # q, its rates, and any of its entries
+WORDS = "words/_coordinates.j2"
+
+
+def speaks_of_q(printed: Iterable[Printed]) -> bool:
+    """Whether a formula has the vector q, or an entry of it in general."""
+    trees = (link.tree for each in printed for chain in each.chains for link in chain if link.tree)
+    names = (getattr(node, "name", getattr(node, "base", "")) for tree in trees for node in walk(tree)
+             if isinstance(node, Symbol | Indexed))  # fmt: skip
+    return any(Q.fullmatch(name) for name in names)
+
+
+def coordinates(variables: Sequence[str], notation: Notation, printed: list[Printed]) -> str:
+    """The sentence; its formula is added to `printed`."""
+    printer = Printer(notation, in_line=True)
+    trees = Symbol("q"), column(map(Symbol, variables))
+    chain = tuple(Link("=", printer.write(tree), tree) for tree in trees)
+    printed.append(Printed.inline(one_line(chain), chain, notation))
+    q = f"${one_line(chain)}$"
+    return environment().get_template(WORDS).render(q=q, several=len(variables) > 1).strip()
