@@ -24,7 +24,7 @@ from derive.render.lettering import STYLES, Style
 from derive.render.notation import Notation
 from derive.render.printed import Printed
 from derive.render.titles import without_solutions
-from derive.render.trig import meant_indices
+from derive.render.trig import alike_letters, meant_indices
 from derive.sheet.load import load_sheet
 from derive.sheet.model import Angles, Problem, Question, Sheet
 from derive.verify import answered, in_decimals
@@ -249,6 +249,7 @@ def _notation(sheet: Sheet, working: Working, answers: Sequence[Derivation]) -> 
     given = sheet.notation
     return Notation(
         given.atan2, given.trig, given.digits, meant=meant_indices(working.taken),
+        alike=alike_letters(working.taken),
         letters=letters_of(given, working, answers), angles=given.angles,
         columns=STYLES.get(given.style or "", Style()).columns,
     )  # fmt: skip

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from derive.expression import Call, Expr, Number, Power, Symbol
+from derive.expression import Call, Expr, Indexed, Number, Power, Symbol
+from derive.render.notation import Notation
+from derive.render.trig import SHORT, is_written_out, short_index
 
 
 def sign_of(factors: tuple[Expr, ...]) -> tuple[str, tuple[Expr, ...]]:
@@ -15,7 +17,7 @@ def sign_of(factors: tuple[Expr, ...]) -> tuple[str, tuple[Expr, ...]]:
     return ("-" if first.value < 0 else ""), kept
 
 
-def is_letter(factor: Expr) -> bool:
+def is_letter(factor: Expr | None = None) -> bool:
     """Whether it may stand over a number; a rate is what its coefficient multiplies and stays outside."""
     match factor:
         case Symbol(name):
@@ -26,6 +28,17 @@ def is_letter(factor: Expr) -> bool:
             return True
         case _:
             return False
+
+
+def need_room(before: Expr, after: Expr, notation: Notation) -> bool:
+    """Whether two factors side by side look like something else: `cos theta` and what is no part of its
+    angle, two upright words, L c_2 beside L_c."""
+    match before, after:
+        case (Symbol(letter), Call(function, (angle,))) if letter in notation.alike and function in SHORT:
+            return bool(short_index(angle, notation))
+        case (Indexed(base), Indexed(other)):
+            return len(base) > 1 and len(other) > 1
+    return is_written_out(before, notation) and not (is_written_out(after, notation) or is_letter(after))
 
 
 def meet_as_numbers(before: str, after: str) -> bool:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 
 from derive.algebra.infix import ATOM, POWER, PRODUCT, SUM
 from derive.expression import (
@@ -28,11 +29,11 @@ from derive.expression import (
     children,
     is_negative,
 )
-from derive.render.juxtaposition import is_letter, meet_as_numbers, sign_of
+from derive.render.juxtaposition import is_letter, meet_as_numbers, need_room, sign_of
 from derive.render.names import Name, name_latex, name_parts, script
 from derive.render.notation import Notation
 from derive.render.numbers import fraction_latex, rounded_latex, unit_latex
-from derive.render.trig import SHORT, followed_by_function, is_short_argument, is_written_out, short_index
+from derive.render.trig import SHORT, is_short_argument, is_written_out, short_index
 
 OPERATORS = {
     "cos": r"\cos", "sin": r"\sin", "tan": r"\tan", "acos": r"\arccos", "asin": r"\arcsin",
@@ -131,15 +132,16 @@ class Printer:
         sign, rest = sign_of(factors)
         pieces = self._over_number(rest)
         if not pieces:
-            pieces = [self._factor(rest, place, bool(sign)) for place in range(len(rest))]
-        if len(pieces) > 1 and pieces[0] == "1":  # what a rounded number may come to
+            pieces = [(rest[place], self._factor(rest, place, bool(sign))) for place in range(len(rest))]
+        if len(pieces) > 1 and pieces[0][1] == "1":  # what a rounded number may come to
             pieces = pieces[1:]
-        written = pieces[0]
-        for piece in pieces[1:]:
-            written += (r" \cdot " if meet_as_numbers(written, piece) else " ") + piece
+        written = pieces[0][1]
+        for (before, _), (after, piece) in pairwise(pieces):
+            apart = r" \, " if need_room(before, after, self.notation) else " "
+            written += (r" \cdot " if meet_as_numbers(written, piece) else apart) + piece
         return sign + written, SUM if sign or written.startswith("-") else PRODUCT
 
-    def _over_number(self, factors: tuple[Expr, ...]) -> list[str]:
+    def _over_number(self, factors: tuple[Expr, ...]) -> list[tuple[Expr, str]]:
         """`p/q` times plain letters as one fraction, \\frac{m L^2}{2}; nothing where that is not the form."""
         first = factors[0]
         if not isinstance(first, Number) or first.value.denominator == 1 or first.decimal:
@@ -152,12 +154,12 @@ class Printer:
         rest = factors[count + 1 :]
         above, below = self.write(Product(shown)), first.value.denominator
         fraction = f"{above}/{below}" if self.flat else rf"\frac{{{above}}}{{{below}}}"
-        return [fraction, *(self._factor(rest, place, True) for place in range(len(rest)))]
+        return [(first, fraction), *((rest[k], self._factor(rest, k, True)) for k in range(len(rest)))]
 
     def _factor(self, factors: tuple[Expr, ...], place: int, inside: bool) -> str:
         """One factor among others; a leading minus sign stands bare only at the very front."""
         factor = factors[place]
-        if is_written_out(factor, self.notation) and not followed_by_function(factors, place, self.notation):
+        if is_written_out(factor, self.notation) and is_letter(*factors[place + 1 : place + 2]):
             return self._enclosed_function(factor)
         written, tightness = self.measured(factor)
         bare = tightness >= PRODUCT or (

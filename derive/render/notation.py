@@ -16,6 +16,7 @@ class Notation:
     c_1 and s_{12} for joint angles. `digits`: significant digits of evaluated numbers.
     `short_names`: further angles that short notation abbreviates by their whole name, c_\\phi.
     `meant`: indices with which a c or an s is a name of the sheet, which short notation may not use.
+    `alike`: letters of the sheet that also bear such an index, L beside L_c.
     `letters`: what the answers' own names are printed as. `angles`: how those of
     results are written, None as they were typed. `columns`: the order of a table of link parameters.
     """
@@ -25,6 +26,7 @@ class Notation:
     digits: int = 3
     short_names: frozenset[str] = frozenset()
     meant: frozenset[str] = frozenset()
+    alike: frozenset[str] = frozenset()
     letters: Lettering = HOUSE
     angles: Literal["deg", "rad"] | None = None
     columns: tuple[str, ...] = ()

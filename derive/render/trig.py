@@ -30,6 +30,12 @@ def meant_indices(names: Iterable[str]) -> frozenset[str]:
     return frozenset(part.lower for part in parts if part.stem in SHORT.values() and part.lower)
 
 
+def alike_letters(names: Iterable[str]) -> frozenset[str]:
+    """The letters before which a c or an s would look like the index of one of these names: the L of L_c."""
+    parts = [name_parts(name) for name in names]
+    return frozenset(part.stem for part in parts if part.lower[:1] in SHORT.values())
+
+
 def _index(angle: Expr, notation: Notation) -> str:
     match angle:
         case Symbol(name) if name in notation.short_names:
@@ -79,8 +85,3 @@ def is_written_out(factor: Expr, notation: Notation) -> bool:
     if not isinstance(call, Call) or call.function not in ("cos", "sin", "tan"):
         return False
     return call.function not in SHORT or not short_index(call.arguments[0], notation)
-
-
-def followed_by_function(factors: tuple[Expr, ...], place: int, notation: Notation) -> bool:
-    """Whether nothing that could be read as part of the argument comes next."""
-    return place == len(factors) - 1 or is_written_out(factors[place + 1], notation)

@@ -35,7 +35,7 @@ from derive.expression import (
 )
 from derive.render.latex import is_approximate, latex
 from derive.render.notation import Notation
-from derive.render.trig import meant_indices
+from derive.render.trig import alike_letters, meant_indices
 
 theta1, theta2, phi, psi, m, L, a, b, z = symbols("theta1 theta2 phi psi m L a b z")
 NOTATION = Notation()
@@ -133,4 +133,20 @@ def test_an_inverse_sine_is_no_sine_below_a_fraction() -> None:
 
 def test_a_name_of_the_sheet_is_no_cosine() -> None:
     both = Product((Symbol("c1"), cos(theta1), cos(theta2)))
-    assert latex(both, replace(NOTATION, meant=meant_indices({"c1"}))) == r"c_1 \cos(\theta_1) c_2"
+    assert latex(both, replace(NOTATION, meant=meant_indices({"c1"}))) == r"c_1 \cos \theta_1 \, c_2"
+
+
+@pytest.mark.parametrize(
+    ("factors", "printed"),
+    [
+        ((cos(phi), a + b), r"\cos \phi \, (a + b)"),  # one way to write a function
+        ((cos(phi), Symbol("phi_dot")), r"\cos \phi \, \dot{\phi}"),
+        ((cos(phi), sin(phi)), r"\cos \phi \sin \phi"),
+        ((Symbol("L"), cos(theta1)), r"L \, c_1"),  # beside L_c
+        ((a, cos(theta1)), "a c_1"),
+        ((Indexed("Trans", (Symbol("x"), a)), Indexed("Rot", (Symbol("z"), phi))),
+         r"\mathrm{Trans}_{x,a} \, \mathrm{Rot}_{z,\phi}"),
+    ],
+)  # fmt: skip
+def test_room_where_factors_look_like_something_else(factors: tuple[Expr, ...], printed: str) -> None:
+    assert latex(Product(factors), replace(NOTATION, alike=alike_letters({"L", "L_c", "a"}))) == printed
