@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from derive.expression import Expr
 from derive.figures.arm import Joint, Posed
-from derive.figures.view import dot, unit
+from derive.figures.view import dot
 from derive.mechanics.oracle import Oracle
 from derive.mechanics.robot import Robot
 
@@ -31,11 +31,14 @@ def held(robot: Robot, where: Mapping[str, Expr], posed: Posed, joints: Sequence
             raise Misdrawn(f"frame {number} is drawn where it is not")
     if robot.coupled:
         return
+    helical = {link.variable for link in robot.links if link.joint == "helical"}
     for joint in joints:
         moved = {**posed.values, joint.name: posed.values[joint.name] + MOVED}
         carried = oracle.tool(moved) @ numpy.linalg.inv(end)
         at = numpy.array([*joint.at, 1.0])
         way = [float(part) for part in (carried @ at - at)[:3]]
-        off = dot(way, way) ** 0.5 if not joint.slides else 1 - abs(dot(unit(way), joint.axis))
-        if off > near + NEAR:
+        on = dot(way, joint.axis)
+        aside = [part - on * axis for part, axis in zip(way, joint.axis, strict=True)]
+        still = abs(on) if not joint.slides and joint.name not in helical else 0.0
+        if max(dot(aside, aside) ** 0.5, still) > near + NEAR:
             raise Misdrawn(f"the joint of {joint.name} is drawn off its axis")
