@@ -67,7 +67,7 @@ class PointTable:
             decimals = max(notation.digits - 2, 0)
             link, shown = _fixed(math.degrees(value), decimals)
             notation = replace(notation, digits=ALL_DIGITS)  # as many as are written
-            told = abs(shown - math.degrees(value)) <= HALF * 10**-decimals
+            told = abs(math.remainder(shown - math.degrees(value), 360)) <= HALF * 10**-decimals
         else:
             (link,) = chain_links((self.told.scalar(value, "", name in self.told.angles),), self.told.printer)
             told = link.tree is not None and same_numbers(link.tree, value)
@@ -76,10 +76,11 @@ class PointTable:
 
 
 def _fixed(degrees: float, decimals: int) -> tuple[Link, float]:
-    """An angle in degrees with so many decimals, and what is shown of it; a whole one without."""
+    """An angle in degrees with so many decimals, and what is shown of it, above -180; a whole one without."""
     whole = round(degrees)
     if abs(degrees - whole) < WHOLE_WITHIN:
         return Link("=", rf"{whole}^\circ", Degrees(Fraction(whole))), whole
     rounded = round(degrees, decimals) + 0.0  # no negative zero
+    rounded = 180.0 if rounded == -180 else rounded
     tree = Approximate(rounded) * Degrees(Fraction(1))
     return Link("=", rf"{rounded:.{decimals}f}^\circ", tree), rounded

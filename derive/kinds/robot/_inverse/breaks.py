@@ -49,6 +49,12 @@ def turned(solved: Solved, known: Values) -> Iterator[bool]:
         yield close([arrays(left, known) for left, _ in solved.equations], there, SAME)
 
 
+def sided(solved: Solved, known: Values, choice: int) -> Iterator[bool]:
+    """Whether what is said to be positive for the first of two values, and negative for the second, is so."""
+    if solved.facts.positive is not None:
+        yield (arrays(solved.facts.positive, known) > 0) == (choice == 0)
+
+
 def signed(solved: Solved, known: Values, choice: int) -> Iterator[bool]:
     """Whether the factor whose sign decides between two lines is positive where the first is taken."""
     factor = solved.facts.method.factor

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 from derive.derivation import Cell, Condition, Phrase, Said, Table
-from derive.expression import Product, Relation, number
+from derive.expression import Expr, Product, Relation, Symbol, number
 from derive.kinds.robot._inverse.postures import Posture
+from derive.kinds.robot._inverse.signs import leaves
 from derive.kinds.robot._inverse.subproblem import Solved, Taken
+
+LONG = 6  # names and numbers in a heading
 
 
 @dataclass(frozen=True)
@@ -20,6 +23,7 @@ class Choices:
     two: Sequence[Solved]
     chosen: Sequence[Taken]
     postures: Sequence[Posture]
+    free_name: Callable[[str], str]
 
     @cached_property
     def signs(self) -> tuple[Mapping[int, int], ...]:
@@ -36,29 +40,40 @@ class Choices:
         headings = (Phrase("solution"), *signs, *(Phrase(each.part) for each in self.postures))
         return Table(headings, tuple(map(self._row, range(len(self.chosen)))))
 
+    @cached_property
+    def names(self) -> Mapping[Expr, Symbol]:
+        """What the table calls conditions that are too long for a heading."""
+        long = [each for each in map(self._condition, self.two) if each and leaves(each) > LONG]
+        return {
+            each: Symbol(self.free_name("sigma" if len(long) == 1 else f"sigma_{k}"))
+            for k, each in enumerate(long, 1)
+        }
+
     def _row(self, k: int) -> tuple[Cell, ...]:
         signs = (self._cell(each, k) for each in self.two)
         return (str(k + 1), *signs, *(Phrase(each.sides[k]) for each in self.postures))
 
     def _heading(self, solved: Solved) -> Cell:
-        when = self.chosen[0][solved.number].when
-        return (
-            when.left if isinstance(when, Relation) and not isinstance(when.left, Relation) else solved.head
-        )
+        condition = self._condition(solved)
+        return solved.head if condition is None else self.names.get(condition, condition)
+
+    def _condition(self, solved: Solved) -> Expr | None:
+        """What is positive for the first value, and negative for the second."""
+        return self.chosen[0][solved.number].signed
 
     def _cell(self, solved: Solved, k: int) -> Phrase:
-        choice = self.chosen[k][solved.number]
-        if isinstance(choice.when, Relation):
-            return Phrase("plus" if choice.when.sign == ">" else "minus")
-        return Phrase("first" if choice.sign > 0 else "second")
+        positive = self.chosen[k][solved.number].sign > 0
+        if self._condition(solved) is None:
+            return Phrase("first" if positive else "second")
+        return Phrase("plus" if positive else "minus")
 
-    def told(self, k: int) -> Iterator[tuple[Relation, str]]:
-        """The conditions of a solution that stand in the table, with the key of what stands there."""
+    def told(self, k: int) -> Iterator[tuple[Expr, str]]:
+        """Of a solution what has its sign in the table, with the key of what stands there."""
         assert self.table is not None
         for place, each in enumerate(self.two, 1):
-            when, cell = self.chosen[k][each.number].when, self.table.rows[k][place]
-            if isinstance(when, Relation) and isinstance(cell, Phrase):
-                yield when, cell.key
+            condition, cell = self._condition(each), self.table.rows[k][place]
+            if condition is not None and isinstance(cell, Phrase):
+                yield condition, cell.key
 
     @property
     def count(self) -> Phrase:
@@ -70,7 +85,11 @@ class Choices:
             return Phrase("two-solutions", {"one": one, "other": other})
         heads = tuple(each.head for each in self.two)
         product = Relation(Product((number(2),) * len(self.two)), "=", number(len(self.chosen)))
-        return Phrase("together", {"chosen": heads, "product": product})
+        about: dict[str, Said] = {"chosen": heads, "product": product}
+        if not self.names:
+            return Phrase("together", about)
+        names = tuple(Relation(name, "=", condition) for condition, name in self.names.items())
+        return Phrase("together-named", {**about, "names": names})
 
     def _either(self, k: int) -> Said:
         """One of two solutions: `elbow up (theta2 < 0)`."""

@@ -52,16 +52,17 @@ class Method(Record):
 
 
 class SolvedFacts(Record):
-    """Of one sub-problem: where its equations were read, or that they are those of one before, `when` each of
-    two values is the one, its steps by their rules, and whether an orientation
-    is what is out of reach where it has no solution. The unknown, if it is a sum, is `called` by a name."""
+    """Of one sub-problem: where its equations were read, or that they are those of one before, its steps by
+    their rules, and whether an orientation is what is out of reach where it has no solution. The first of its
+    two values makes something `positive`; the unknown, if it is a sum, is `called` by a name.
+    """
 
     method: Method
     unknown: Expr
     called: Expr
     compared: tuple[Compared, ...]
     again: Phrase | None
-    when: tuple[Relation, ...]
+    positive: Expr | None
     orientation: bool
     names: tuple[Step, ...]
     equations: tuple[Step, ...]

@@ -62,7 +62,9 @@ class Lines:
             for taken, known in tried:
                 yield from breaks.determined(solved, known, rates)
                 yield from breaks.turned(solved, known)
-                yield from breaks.signed(solved, known, solved.choices.index(taken[solved.number]))
+                choice = solved.choices.index(taken[solved.number])
+                yield from breaks.sided(solved, known, choice)
+                yield from breaks.signed(solved, known, choice)
 
     def hold(self, known: Values, taken: Taken) -> Iterator[bool]:
         """Whether each holds: `known` are the values of all names in the branch with these choices."""

@@ -9,6 +9,7 @@ from dataclasses import replace
 from derive.algebra.angles import Form
 from derive.algebra.infix import text
 from derive.algebra.normal import normal, trig_of
+from derive.algebra.scalar import Scalar
 from derive.algebra.solving.fixed_directions import direction, sum_of_squares
 from derive.derivation import Condition, Phrase
 from derive.expression import (
@@ -108,7 +109,9 @@ def _both(solving: Solving, angle: Form, trees: Trees, row: TrigEquation) -> Non
         values = _general(x, y, c, by_sines)
         form = (times(a, cos(q)) + times(b, sin(q)), c) if isinstance(solving.found, Elbow) else None
         method = Method(name="general", bound=Relation(_squares(x, y), ">=", square(c)), form=form)
-    choices = [Choice(v, sign, _side(progress, q, row, sign)) for v, sign in zip(values, SIGNS, strict=True)]
+    told = progress.tree(_sided(row, q))
+    sides = [_side(progress, q, row, sign) for sign in SIGNS]
+    choices = [Choice(v, s, when, told=told) for v, s, when in zip(values, SIGNS, sides, strict=True)]
     solving.solved(q, choices, method)
 
 
@@ -192,9 +195,14 @@ def of_sign(tree: Expr, sign: int) -> Relation:
 
 def _side(progress: Progress, q: Expr, row: TrigEquation, sign: int) -> Condition:
     """Which of two angles: the sign of a sin q - b cos q, where that is short."""
-    c, s = trig_of(normal(q))
     names = {symbol.name: value for symbol, value in progress.named}
-    tree = progress.problem.readable((row.a * s - row.b * c).substitute(names))
+    tree = progress.problem.readable(_sided(row, q).substitute(names))
     if len(written := text(tree)) <= LONG_CONDITION and not re.search(r"\d{5}", written):
         return of_sign(tree, sign)
     return Phrase("first-value" if sign > 0 else "second-value", {"angle": q})
+
+
+def _sided(row: TrigEquation, q: Expr) -> Scalar:
+    """a sin q - b cos q, which is positive for one of the two angles."""
+    c, s = trig_of(normal(q))
+    return row.a * s - row.b * c

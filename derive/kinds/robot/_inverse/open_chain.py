@@ -57,7 +57,7 @@ def derive(chain: Chain, given: Given, place: Place | None, problem: Problem) ->
         solutions = replace(solutions, reached=trial.reached)
     two = worked.two_valued
     postures = Postures(worked, trial, signs_of(two, solutions.chosen)).found()
-    choices = Choices(two, solutions.chosen, postures)
+    choices = Choices(two, solutions.chosen, postures, unused)
     results: dict[str, Result] = {"solutions": solutions.branches}
     if solutions.order:
         results["order"] = solutions.order

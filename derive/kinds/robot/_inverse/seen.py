@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from derive.derivation import Claim
+from derive.expression import ZERO, Relation
 from derive.kinds.checks import route
 from derive.kinds.robot._inverse.checks import Tried, side
 from derive.kinds.robot._inverse.choices import Choices
@@ -102,8 +103,8 @@ class Seen:
 
     def _signs(self, k: int, known: Values) -> Iterator[bool]:
         """Of the conditions that the table has by their signs."""
-        for relation, said in self.choices.told(k):
-            value = side(relation, self.tried.target, known)
+        for condition, said in self.choices.told(k):
+            value = side(Relation(condition, ">", ZERO), self.tried.target, known)
             yield value is not None and said == ("plus" if value > 0 else "minus")
 
     # -- the arm in numbers -----------------------------------------------------------------------

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from derive.algebra.angles import Form
 from derive.algebra.scalar import Scalar
 from derive.derivation import Phrase, Step
-from derive.expression import Expr, Relation, Symbol, cos, sin
+from derive.expression import Expr, Symbol
 from derive.kinds.robot._inverse.compared import Poses
 from derive.kinds.robot._inverse.facts import Compared, Method, SolvedFacts
 from derive.kinds.robot._inverse.progress import Progress
@@ -79,7 +79,7 @@ class Solving:
             called=named or head,
             compared=compared if read and not again else (),
             again=again,
-            when=_told(choices, head) if method.name in ("zero", "general") else (),
+            positive=choices[0].signed if method.name in ("zero", "general") else None,
             orientation=progress.goal.R is not None and None in progress.goal.p,
             names=self._by("name"),
             equations=self._by("equation"),
@@ -110,10 +110,3 @@ class Solving:
 
     def _by(self, rule: str) -> tuple[Step, ...]:
         return tuple(step for step in self.steps if step.rule == rule)
-
-
-def _told(choices: Sequence[Choice], head: Expr) -> tuple[Relation, ...]:
-    """Of two values which is which, where their formulas do not show it."""
-    found = [each.when for each in choices if isinstance(each.when, Relation)]
-    shown = {head, cos(head), sin(head)}
-    return tuple(found) if len(found) == 2 and not any(each.left in shown for each in found) else ()

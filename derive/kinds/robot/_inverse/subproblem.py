@@ -13,7 +13,7 @@ from derive.algebra.angles import Form, combination
 from derive.algebra.numbers.compiled import Compiled, compiled
 from derive.algebra.numbers.floats import Point
 from derive.derivation import Condition, Step
-from derive.expression import ZERO, Expr, Symbol, add, multiply, number
+from derive.expression import ZERO, Expr, Relation, Symbol, add, multiply, number
 from derive.kinds.robot._inverse.facts import Compared, SolvedFacts
 from derive.kinds.robot._inverse.signs import opposite
 from derive.mechanics.inverse.known import completed
@@ -34,12 +34,21 @@ class Formula:
 @dataclass(frozen=True)
 class Choice(Formula):
     """One value of the unknown: chosen freely by `sign`, or where the signs chosen at earlier sub-problems
-    have this product. `when` says which it is; 0 is no choice."""
+    have this product. `when` says which it is; 0 is no choice. `told` is what has the sign, as a
+    page has it."""
 
     sign: int = 0
     when: Condition | None = None
     earlier: tuple[int, ...] = ()
     product: int = 1
+    told: Expr | None = None
+
+    @property
+    def signed(self) -> Expr | None:
+        """What has the sign of the choice."""
+        if self.told is None and isinstance(self.when, Relation) and not isinstance(self.when.left, Relation):
+            return self.when.left
+        return self.told
 
     def fits(self, signs: Mapping[int, int]) -> bool:
         """Whether it goes with the signs chosen at earlier sub-problems, by their numbers."""
