@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from html import unescape
 
 from derive.render.author_text import html_prose
@@ -18,8 +18,9 @@ from derive.render.width import width
 
 HELD = 12.0  # em, up to which a formula does not break in a line of text
 NARROW = 16.0  # em that the narrowest screen has room for; what is wider scrolls there
+MANY, DEEPEST = 24, 9  # signs of a part that is broken again, and parentheses around such a break
 BESIDE = r"\qquad"
-BLOCKS = ("<h", "<div", "<figure", "<ul", "<ol", "<pre", "<footer")  # what is no paragraph
+BLOCKS = ("<h", "<div", "<aside", "<figure", "<ul", "<ol", "<pre", "<footer")  # what is no paragraph
 
 # A formula with the signs or the unit beside it, between which no line begins or ends.
 UNIT = r"(?:rad|deg|mm|cm|kg|Nm|Hz|°|[mNsVWJgK])(?![A-Za-z])[^\s<,.;:)]*"
@@ -53,23 +54,32 @@ def _shown(box: Box, wide: float) -> str:
     return f'<div class="display"{reached}>{math(box, display=True)}</div>'
 
 
-def _parts(found: Iterable[Box]) -> Iterator[Box]:
-    """A long formula of a text in parts between which a line may end: before relations and after commas that
-    stand in no parentheses."""
+def _parts(found: Sequence[Box]) -> Iterator[Box]:
+    """A long formula of a text in parts between which a line may end: before relations and after commas, in
+    parentheses only where a part is still long."""
+    for part in _split(found, 0):
+        yield from (map(Row, _split(part, DEEPEST)) if _is_long(part) else (Row(part),))
+
+
+def _split(found: Iterable[Box], deepest: int) -> Iterator[tuple[Box, ...]]:
     part: list[Box] = []
     depth = 0
     for box in found:
         kind = box.kind if isinstance(box, Sign) else ""
         depth += (kind == "opening") - (kind == "closing")
-        if kind == "relation" and not depth and part:
-            yield Row(tuple(part))
+        if kind == "relation" and depth <= deepest and part:
+            yield tuple(part)
             part = []
         part.append(box)
-        if kind == "punctuation" and not depth:
-            yield Row(tuple(part))
+        if kind == "punctuation" and depth <= deepest:
+            yield tuple(part)
             part = []
     if part:
-        yield Row(tuple(part))
+        yield tuple(part)
+
+
+def _is_long(part: tuple[Box, ...]) -> bool:
+    return len(TAG.sub("", math(Row(part)))) > MANY
 
 
 def laid_out(page: str) -> str:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from functools import cache
+from html import unescape
 from xml.etree.ElementTree import fromstring
+
+from fontTools.ttLib import TTFont
 
 from derive.algebra.fingerprint import fingerprint
 from derive.answers.latex.printed import parts_of, read_part
 from derive.errors import FormulaError, Unfit
 from derive.expression import Expr
-from derive.render.formula.mathml import math
+from derive.render.formula.mathml import TAG, math
 from derive.render.formula.omml import omml
 from derive.render.formula.tex import boxes
 from derive.render.formula.typst import in_text
@@ -18,6 +21,7 @@ from derive.render.latex import latex
 from derive.render.notation import Notation
 from tests.render import mathml, typst
 from tests.render import omml as word
+from tests.render.make_font import FONT, letters
 from tests.render.shapes import nested
 
 
@@ -51,6 +55,13 @@ def in_mathml() -> tuple[str, ...]:
 
 def test_mathml_says_what_the_trees_do() -> None:
     assert wrong([*in_mathml()]) == []
+
+
+def test_the_font_has_every_sign_of_mathml() -> None:
+    shown = {
+        char for each in trees() for char in unescape(TAG.sub("", math(boxes(latex(each[1], Notation())))))
+    }
+    assert letters() | shown <= {*map(chr, TTFont(FONT).getBestCmap())}
 
 
 @cache

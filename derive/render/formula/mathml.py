@@ -27,7 +27,7 @@ from derive.render.formula.boxes import (
 )
 
 ACCENTS = {
-    "hat": "^", "widehat": "^", "bar": "¯", "overline": "‾", "underline": "_", "vec": "→", "dot": "˙",
+    "hat": "^", "widehat": "^", "bar": "¯", "overline": "¯", "underline": "_", "vec": "→", "dot": "˙",
     "ddot": "¨", "dddot": "\N{COMBINING THREE DOTS ABOVE}", "tilde": "~", "widetilde": "~", "check": "ˇ",
     "acute": "´", "grave": "`", "breve": "˘", "overrightarrow": "→", "overbrace": "⏞", "underbrace": "⏟",
 }  # fmt: skip
