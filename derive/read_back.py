@@ -28,6 +28,7 @@ MISPRINTED = "the page says something else than was derived"
 JACOBIAN = {"vx": 1, "vy": 2, "vz": 3, "wx": 4, "wy": 5, "wz": 6}
 AXES = ("x", "y", "z")
 EQUALS = ("=", r"\approx")
+DEGREE = ("^", "circ")  # the sign in a text, of a unit
 REPORT = "please report this with the sheet"
 
 
@@ -108,7 +109,7 @@ def _require_part(formula: Printed, page: Iterable[Printed]) -> None:
     """Raises Misprinted for a typed name with an index, or an expression, that no formula beside it has."""
     for line in () if formula.chains else formula.lines:
         own = _signs(formula.notation.letters.latex(line))
-        if len(own) < 2 or SIGNS.keys() & {*own} or is_law(line):
+        if len(own) < 2 or own == DEGREE or SIGNS.keys() & {*own} or is_law(line):
             continue
         known = (other for each in page for other in map(_signs, each.lines) if _is_whole(each, other))
         if not any(other[k : k + len(own)] == own for other in known for k in range(len(other))):
