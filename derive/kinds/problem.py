@@ -72,7 +72,7 @@ class Problem:
                 derivation = module.derive(self.subject, options, self)
             self.require_own(derivation.definitions)
             complete = with_all_claims(derivation, module, self.subject, options)
-            units = units_of(complete, module, self.subject)
+            units = units_of(complete, module, self.subject, self.style.units)
             styled = replace(complete.facts, style=self.style)
             told = with_results_told(complete, module, self.names, units, styled)
             self.memo.answers[key] = told

@@ -32,13 +32,14 @@ class Units:
 UNKNOWN = Units()
 
 
-def units_of(derivation: Derivation, module: ModuleType, subject: Any) -> Units:
+def units_of(derivation: Derivation, module: ModuleType, subject: Any, typed: bool) -> Units:
     """The units of an answer, as far as its lines tell them, and the claim that every line agrees with them.
-    A kind may say what its results mean, `measures(subject)`."""
+    A kind may say what its results mean, `measures(subject)`; where units were `typed` among the data, its
+    lines have them too."""
     measures = getattr(module, "measures", None)
     meant = measures(subject) if measures else {}
     known = {name: unit for used in derivation.uses for name, unit in used.units.items()}
-    known |= derivation.units
+    known |= {Symbol(name): unit for name, unit in meant.items() if typed and unit} | {**derivation.units}
     if not known:
         return Units({}, meant)
     found = _Lines({_text(name): dimension_of(unit) for name, unit in known.items()}, _names(derivation))

@@ -36,6 +36,7 @@ def environment() -> Environment:
     made.filters["measured"] = _measured
     made.filters["each"] = _each
     made.filters["listed"] = _listed
+    made.filters["place"] = _place
     made.filters["joined"] = joined
     made.filters["said"] = _said
     made.filters["string_of_typst"] = _typst_string
@@ -82,6 +83,13 @@ def _each(context: Context, letter: str) -> str:
 def _typst_string(text: str) -> str:
     """`{{ text | string_of_typst }}`: a string in Typst's code, with the lines of a listing."""
     return typst_string(text.replace(HELD_LINE, "\n"))
+
+
+@pass_context
+def _place(context: Context, point: Any) -> str:
+    """`{{ point | place }}`: (x, y) = (0, 1), of x = 0 and y = 1."""
+    written: str = context["place"](point)
+    return written
 
 
 @pass_context

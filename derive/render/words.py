@@ -17,7 +17,18 @@ from typing import Any, Literal
 from jinja2 import Template
 
 from derive.derivation import Cell, Condition, Derivation, Phrase, Step, Table
-from derive.expression import Expr, Indexed, Number, Relation, Symbol, free_symbols, number, walk
+from derive.expression import (
+    Degrees,
+    Expr,
+    Indexed,
+    Number,
+    Relation,
+    Symbol,
+    column,
+    free_symbols,
+    number,
+    walk,
+)
 from derive.render.columns import in_order
 from derive.render.entries import NAMED_BEYOND, Names, with_named_entries
 from derive.render.facts import Sayable, parts, sayable
@@ -120,6 +131,7 @@ class Telling:
             "plot": self.plot, "em": self.skin.em, "strong": self.skin.strong, "items": self.skin.items,
             "listing": self.listing, "path": self.path, "math": self.math, "formula": self.formula,
             "say": self.say, "each": self.each, "cut": self.cut, "whole": self.whole, "fits": self.fits,
+            "place": self.place,
         }  # fmt: skip
 
     def steps(self, *rules: str) -> list[Step]:
@@ -178,6 +190,18 @@ class Telling:
         *before, last = self._trees(value)
         links = chain_links((*before, in_unit(last, unit)), printer)
         self.printed.append(Printed.inline(one_line(links), links, printer.notation))
+        return f"${one_line(links)}$"
+
+    def place(self, point: tuple[Relation, ...]) -> str:
+        """A point by its coordinates, (x, y) = (0, 1); what is more than equations is said one by one."""
+        names = [relation.left for relation in point if not isinstance(relation.left, Relation)]
+        if len(names) < max(2, len(point)) or any(relation.sign != "=" for relation in point):
+            return ", ".join(map(self.say, point))
+        self.said.extend(part for relation in point for part in parts(relation))
+        places = column(names), column(self.speech.styled(relation.right) for relation in point)
+        links = chain_links(places, replace(self._printer(None), in_line=True))
+        links = tuple(replace(link, latex=link.latex.removesuffix("^T")) for link in links)
+        self.printed.append(Printed.inline(one_line(links), links, self.notation))
         return f"${one_line(links)}$"
 
     def each(self, letter: str) -> str:
@@ -286,6 +310,8 @@ class Telling:
             case Step():
                 self._note(value)
                 return self.values.shown(value.chain)
+            case (name, (Number() | Degrees()) as typed) if typed.unit:
+                return name, in_unit(typed, typed.unit)
             case tuple():
                 return self.values.shown(value)
             case _:

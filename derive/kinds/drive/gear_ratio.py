@@ -87,3 +87,8 @@ def _best(work: Work, J_m: Expr, J_l: Expr, tau_m: Expr, tau_l: Expr | None) -> 
     work = work.worked("G_opt", root, put_in(root) if open_ else None)
     force = tau_m / (2 * BEST * J_m)
     return work.worked("alpha_max", force, put_in(force) if open_ else None)
+
+
+def measures(drive: Drive) -> dict[str, str]:
+    """A ratio, and the acceleration of what turns."""
+    return {"G": "", "alpha": "rad/s^2"}

@@ -42,3 +42,8 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     printed = ((Symbol(name), value) for name, value in results.items())
     work = frames_told(work, frames, (*printed, *facts.read, *(axis for axes in observed for axis in axes)))
     return work.answer("transforms", results, facts)
+
+
+def measures(frames: Frames) -> dict[str, str]:
+    """Origins are lengths."""
+    return {f"o_{frame.number}^{frame.parent}": "m" for frame in frames.frames}

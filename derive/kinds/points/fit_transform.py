@@ -34,3 +34,8 @@ def derive(pairs: PointPairs, options: Options, problem: Problem) -> Derivation:
     if options.method == "svd":
         return _svd.fitted(pairs, problem)
     return _rows.fitted(pairs, problem)
+
+
+def measures(pairs: PointPairs) -> dict[str, str]:
+    """Points, their means and what is left over are lengths."""
+    return dict.fromkeys(("a_m", "b_m", "p", "rms"), "m")

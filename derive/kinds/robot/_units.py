@@ -22,13 +22,23 @@ def of_joints(*names: str, power: int = 0, effort: bool = False) -> Callable[[Ro
 
 
 def of_variables(robot: Robot) -> Units:
-    """The joint variables, their rates and accelerations, and what drives the joints."""
-    units: Units = {}
+    """The joint variables, their rates and accelerations, what drives the joints, and origins of frames."""
+    units: Units = {f"o_{number}": "m" for number in range(len(robot.links) + 1)}
     for number, link in enumerate((link for link in robot.links if link.variable), 1):
         for power, suffix in enumerate(("", "_dot", "_ddot")):
             units[f"{link.variable}{suffix}"] = _rate(link, power)
         units[f"tau_{number}"] = _effort(link)
     return units
+
+
+def of_energies(*letters: str) -> Callable[[Robot], Units]:
+    """Energies of each link and of the whole arm."""
+
+    def measures(robot: Robot) -> Units:
+        numbers = ("", *(f"_{number}" for number in range(1, len(robot.links) + 1)), "_m")
+        return {f"{letter}{number}": "J" for letter in letters for number in numbers}
+
+    return measures
 
 
 def together(*each: Callable[[Robot], Units], **fixed: str) -> Callable[[Robot], Units]:

@@ -28,7 +28,7 @@ from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._dynamics.drives import ROTORS, rotors
 from derive.kinds.robot._dynamics.matrix_laws import energy_law
-from derive.kinds.robot._units import of_variables, together
+from derive.kinds.robot._units import of_energies, of_variables, together
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import kinetic_energy, link_inertia, rate_column, time_derivative
 from derive.mechanics.robot import Robot
@@ -36,7 +36,7 @@ from derive.names import require_free
 
 NEEDS = ("bodies",)
 CLAIMS = ("quadratic-form", "names", "power", "table")
-measures = together(of_variables, K="J", P="J")
+measures = together(of_variables, of_energies("K", "P"))
 
 
 HALF = number("1/2")

@@ -9,7 +9,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
-from derive.kinds.robot._units import of_joints, together
+from derive.kinds.robot._units import of_energies, of_joints, together
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import gravity_of, potential_energy
 from derive.mechanics.robot import Robot
@@ -17,7 +17,7 @@ from derive.names import require_free
 
 NEEDS = ("bodies",)
 CLAIMS = ("torques-at-rest", "names")
-measures = together(of_joints("g", effort=True), P="J")
+measures = together(of_joints("g", effort=True), of_energies("P"))
 
 
 P, G_0 = symbols("P g_0")

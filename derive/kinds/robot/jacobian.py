@@ -22,6 +22,7 @@ from derive.kinds.robot._columns import jacobian_lines
 from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.kinds.robot._seen import sorts
 from derive.kinds.robot._turning import Sorts, turning_law
+from derive.kinds.robot._units import of_variables
 from derive.kinds.robot._velocity.task import RowName
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
@@ -34,6 +35,9 @@ from derive.mechanics.task import ROWS, rows_of
 CLAIMED = {"J": "differences|rates-agree"}
 
 DIFFERENCES = 1e-6  # what central differences leave
+measures = of_variables
+
+
 J, J_E = symbols("J J^e")
 
 

@@ -20,6 +20,7 @@ from derive.kinds.robot._chain import axis_lines, chain_of, oracle_of, pose_name
 from derive.kinds.robot._columns import pose_lines
 from derive.kinds.robot._couplings import motion_lines
 from derive.kinds.robot._families import said_of_each
+from derive.kinds.robot._units import of_variables
 from derive.kinds.work import Work
 from derive.mechanics.oracle import Oracle
 from derive.mechanics.oracle.astray import Astray
@@ -28,6 +29,7 @@ from derive.mechanics.robot import Robot
 
 POINTS = 2
 VECTORS = {"z": "vector-z", "x": "vector-x", "o": "vector-o", "k": "vector-k", "p": "vector-p"}
+measures = of_variables
 
 
 def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:

@@ -30,6 +30,7 @@ from derive.kinds.fields import Evaluation, OptionsModel, Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._determinants import as_product, determinant, gram_determinant, natural, product_tree
+from derive.kinds.robot._lengths import unit_of_lengths
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._singular.ways import seen_from_middle
 from derive.kinds.robot._velocity.ellipsoid_laws import ellipsoid_laws
@@ -129,8 +130,20 @@ def _at_point(options: Options, problem: Problem, place: Place) -> Derivation:
             facts,
             evaluated={"w": size, **found.evaluated},
             plots=found.plots,
+            units=_units(task, place),
         )
     )
+
+
+def _units(task: Task, place: Place) -> dict[Expr | Phrase, str]:
+    """Those of semi-axes, for joints that turn by 1 rad/s and with 1 N m, and of w, in metres where lengths
+    were typed so; none where joints slide, or where rows are about angular velocities."""
+    turning = all(link.joint == "revolute" for link in task.problem.subject.links if link.variable)
+    linear = all(row[0] == "v" for row in task.rows)
+    if not (turning and linear and unit_of_lengths(task.problem, (value for _, value in place))):
+        return {}
+    size = min(len(task.rows), len(task.found.variables))
+    return {Phrase("velocity"): "m/s", Phrase("force"): "N", W: "m" if size == 1 else f"m^{size}"}
 
 
 def _measure(task: Task) -> tuple[Factored, Expr, Expr]:
