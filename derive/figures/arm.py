@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import pairwise
 from math import dist
 from typing import Any
 
 from derive.algebra.numbers.floats import number
-from derive.expression import Expr, Symbol, free_symbols
+from derive.expression import Expr, free_symbols
 from derive.figures.view import Vector, between, dot, unit
 from derive.mechanics.dh import moves
 from derive.mechanics.motion import Move
@@ -77,8 +76,10 @@ def posed(robot: Robot, point: Mapping[str, float]) -> Posed:
         T = _run(T, moves(link, robot), link.variable, point, parts, joints)
         poses.append(T)
     if robot.by_screws:
+        from derive.figures.screw_links import links
+
         T = T @ _home(robot, point)
-        parts += _between(joints, T)
+        parts += links(robot, joints, place_of(T))
     T = _run(T, robot.tool, None, point, parts, joints)
     return Posed(tuple(parts), tuple(joints), tuple(poses), T, point)
 
@@ -131,14 +132,6 @@ def _home(robot: Robot, point: Mapping[str, float]) -> Any:
     from derive.mechanics.oracle import Oracle
 
     return Oracle(robot, {}).home(point)
-
-
-def _between(joints: Sequence[Joint], T: Any) -> Iterator[Part]:
-    """Straight links from joint to joint of a chain of screws, which says nothing of their shape."""
-    stops = [joint.at for joint in joints] + [place_of(T)]
-    for start, end in pairwise(stops):
-        if length_between(start, end) > SMALL:
-            yield Part(start, end, Symbol(""), False)
 
 
 def place_of(T: Any) -> Vector:

@@ -21,6 +21,7 @@ from derive.mechanics.motion import Motion, Move
 from derive.mechanics.oracle import compose
 from derive.mechanics.sequences import in_product_order
 
+LOW = 165.0  # points: how high frames alone are drawn
 SHARE, WITH_BODY = 0.55, 0.34  # of how far frames are apart: an axis, and one that stands on a body
 
 
@@ -62,6 +63,7 @@ def of_frames(frames: Frames, where: Mapping[str, Expr], wish: Wish) -> Drawing:
         texts,
         Phrase(name, about),
         Phrase(f"{name}-seen", {"frames": tuple(_seen(poses)), **about}),
+        0.0 if wish.body else LOW,
     )
 
 
