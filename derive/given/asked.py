@@ -92,6 +92,16 @@ def _frames(source: int | str | None, options: Any) -> Datum:
     return Datum(Phrase("frames", about), words=(f"frame {source}|inverse|T_{source}",))
 
 
+def _iterations(count: int, _: Any) -> Datum:
+    return Datum(Phrase("iterations", {"count": count}) if count > 1 else Phrase("one-iteration"))
+
+
+def _inputs(inputs: Any, _: Any) -> Datum | None:
+    """Those that are known; one that stands for itself is not."""
+    known = tuple(each for each in inputs if not isinstance(each, str) and each[1] != Symbol(each[0]))
+    return _values("inputs", known) if known else None
+
+
 def _frame(number: int, _: Any) -> Datum:
     return Datum(
         Phrase("frame", {"frame": str(number)}), words=(f"frame {number}|{ORDINALS.get(number, number)}",)
@@ -112,11 +122,11 @@ SAID: dict[str, Said] = {
     "target": lambda value, _: _components("target")(value, _) if isinstance(value, tuple) else None,
     "start": lambda value, _: _values("start", value),
     "at": lambda value, _: _values("at", value) if value else None,
-    "inputs": lambda value, _: _values("inputs", value) if value and not isinstance(value[0], str) else None,
+    "inputs": _inputs,
     "method": _worded(
         "method", {"newton": "newton", "gradient": "gradient", "rows": "row", "svd": "singular"}
     ),
-    "iterations": lambda value, _: Datum(Phrase("iterations", {"count": value})),
+    "iterations": _iterations,
     "step": _counted("step"),
     "counts": _counted("counts"),
     "period": _counted("period"),

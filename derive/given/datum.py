@@ -6,8 +6,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias, get_args
 
+from derive.algebra.formulas.quantities import rational
 from derive.derivation import Phrase, Said, Table
-from derive.expression import Expr, Number, Relation, Symbol, column, number
+from derive.expression import Expr, Matrix, Number, Relation, Symbol, column, number
 
 TREES = get_args(Expr)
 NO_BREAK = "\u00a0"
@@ -55,6 +56,17 @@ def _trees(part: Any) -> Iterator[Expr]:
 def vector(parts: Sequence[Expr], unit: str = "") -> Phrase:
     """A column, with the unit that its author gave it."""
     return measured(column(parts), unit or next(filter(None, map(unit_of, parts)), ""))
+
+
+def as_typed(matrix: Matrix, places: int) -> Matrix:
+    """A matrix whose rotation its author rounded to so many places (0: to none), as it was typed."""
+
+    def rounded(i: int, j: int, entry: Expr) -> Expr:
+        value = rational(entry) if places and max(i, j) < 3 else None
+        return entry if value is None else number(round(value, places), decimal=value.denominator > 1)
+
+    rows = enumerate(matrix.rows)
+    return Matrix(tuple(tuple(rounded(i, j, entry) for j, entry in enumerate(row)) for i, row in rows))
 
 
 def valued(name: str | Expr, value: Expr) -> Phrase:

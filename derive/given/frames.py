@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from derive.derivation import Cell, Phrase, Table
-from derive.expression import Expr, Symbol, add, multiply, number
-from derive.given.datum import Datum, vector
+from derive.expression import Expr, Symbol, add, column, multiply, number
+from derive.given.datum import Datum, as_typed, vector
 from derive.given.moves import moves_said
 from derive.kinds.problem import Problem
 from derive.mechanics.frames import ByMatrix, Frame, Frames, Observed
@@ -24,15 +24,16 @@ def data(frames: Frames, problem: Problem) -> Iterator[Datum]:
     for frame in every:
         about = {"frame": number(frame.number), "parent": number(frame.parent)}
         match frame.source:
-            case ByMatrix(matrix):
+            case ByMatrix(matrix, rounded):
                 key = "matrix" if matrix.shape == (4, 4) else "rotation"
-                yield Datum(Phrase(key, about), equations=((matrix,),))
+                yield Datum(Phrase(key, about), equations=((as_typed(matrix, rounded),),))
             case Motion(moves):
                 yield Datum(Phrase("moved", about), items=(*moves_said(moves),))
 
 
 def _line(frame: Frame, source: Observed) -> tuple[Cell, ...]:
-    axes = (_combined(axis, frame.parent) for axis in (source.x, source.y, source.z))
+    typed = (as_typed(column(axis), source.rounded) for axis in (source.x, source.y, source.z))
+    axes = (_combined([factor for (factor,) in axis.rows], frame.parent) for axis in typed)
     return number(frame.number), number(frame.parent), *axes, vector(source.origin)
 
 

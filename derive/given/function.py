@@ -11,6 +11,8 @@ from derive.given.datum import Datum, names
 from derive.kinds.function._naming import function_name
 from derive.kinds.problem import Problem
 
+IN_QUESTIONS = True
+
 
 def data(function: Function, problem: Problem) -> Iterator[Datum]:
     """The formula of a name of its own, then the constraints."""

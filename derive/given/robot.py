@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from derive.derivation import Cell, Phrase, Table
 from derive.expression import ZERO, Degrees, Expr, Symbol, number
 from derive.given.bodies import bodies
-from derive.given.datum import Datum, measured, unit_of, vector
+from derive.given.datum import Datum, as_typed, measured, unit_of, vector
 from derive.given.moves import axis_said, moves_said
 from derive.kinds.problem import Problem, expressions
 from derive.kinds.robot._rows.dh_rows import Rows
@@ -75,8 +75,8 @@ def _screws(robot: Robot, unit: str = "") -> Iterator[Datum]:
     lines = tuple(_line(i, link, row, helical, unit) for i, (link, row) in enumerate(pairs, 1))
     yield Datum(Phrase("screws"), Table((*headings, Phrase("pitch")) if helical else headings, lines))
     match robot.home:
-        case ByMatrix(matrix):
-            yield Datum(Phrase("home"), equations=((matrix,),))
+        case ByMatrix(matrix, rounded):
+            yield Datum(Phrase("home"), equations=((as_typed(matrix, rounded),),))
         case Motion(moves) if moves:
             yield Datum(Phrase("home-moves"), items=(*moves_said(moves),))
     if robot.tool:

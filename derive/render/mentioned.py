@@ -108,6 +108,10 @@ def _bare(latex: str) -> str:
 def _numbers(tree: Expr) -> Iterator[Fraction]:
     for node in walk(tree):
         match node:
+            case Number(Fraction(numerator=above, denominator=below), False) if (
+                below > 1 and node is not tree
+            ):
+                yield from {Fraction(abs(above)), Fraction(below)} - {1}  # it may stand in a longer fraction
             case Number(value) | Degrees(value) if value and (node is tree or value not in UNITS):
                 yield value if node is tree else abs(value)
             case Approximate(value):
