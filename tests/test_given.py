@@ -189,3 +189,42 @@ def test_the_pdf_says_it_too(name: str, tmp_path: Path) -> None:
         ["pdftotext", "-layout", made, "-"], capture_output=True, text=True, check=True
     ).stdout
     assert missing(path, [*map(Paper, re.split(r"\nProblem \d+", seen)[1:])], tmp_path) == []
+
+
+ARM = """\
+title: A link
+problems:
+- text: A link of length $L$ turns by $\\theta_1$. Where is its end?
+  figure: false
+  {given}
+  robot: {links: [{theta: theta1*, d: 0, a: L, alpha: 0}]}
+  find: forward-kinematics
+"""
+
+
+def problem(tmp_path: Path, given: str) -> str:
+    path = tmp_path / "sheet.yaml"
+    path.write_text(ARM.replace("{given}", given), encoding="utf-8")
+    return derived(path)[1]
+
+
+def test_what_the_text_says_is_given_again_only_where_that_is_asked(tmp_path: Path) -> None:
+    assert "link parameters" not in problem(tmp_path, "")
+    assert "| 1 | $\\theta_1^\\ast$ | $0$ | $L$ | $0$ |" in problem(tmp_path, "given: true")
+    assert "link parameters" not in problem(tmp_path, "given: false")
+
+
+def test_given_is_true_or_false(tmp_path: Path) -> None:
+    with pytest.raises(SheetErrors) as raised:
+        problem(tmp_path, "given: maybe")
+    (fault,) = raised.value.errors
+    assert fault.place is not None and (fault.place.line, fault.place.column) == (5, 10)
+
+
+def test_an_option_of_that_name_is_one(tmp_path: Path) -> None:
+    path = tmp_path / "sheet.yaml"
+    arm = ARM.replace("{given}", "given: [x, y]").replace("forward", "inverse")
+    arm = arm.replace("alpha: 0}", "alpha: 0}, {theta: theta2*, d: 0, a: M, alpha: 0}")
+    path.write_text(arm, encoding="utf-8")
+    (only,) = load_sheet(path).problems
+    assert only.given is None and only.questions[0].options.given == ("x", "y")

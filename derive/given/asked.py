@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from derive.control.controllers import Controller
 from derive.derivation import Phrase
 from derive.expression import Expr, Symbol, number
 from derive.given.datum import Datum, measured, names, valued, vector
-from derive.kinds.robot._point import PointOn
+
+if TYPE_CHECKING:
+    from derive.control.controllers import Controller
+    from derive.kinds.robot._point import PointOn
 
 ORDINALS = {1: "first", 2: "second", 3: "third", 4: "fourth", 5: "fifth", 6: "sixth", 7: "seventh"}
 Said = Callable[[Any, Any], Datum | None]  # of the value of an option, and of all options
@@ -33,7 +35,9 @@ def _values(key: str, values: tuple[tuple[str, Expr], ...]) -> Datum:
     return Datum(Phrase(key, {"values": tuple(valued(name, value) for name, value in values)}))
 
 
-def _point(point: PointOn, _: Any) -> Datum:
+def _point(point: PointOn | tuple[Expr, ...], _: Any) -> Datum:
+    if isinstance(point, tuple):
+        return Datum(Phrase("point", {"vector": vector(point)}))
     if point.link is None:
         return Datum(Phrase("at-origin", {"frame": number(point.frame or 0)}), words=("frame",))
     return Datum(Phrase("on-link", {"frame": number(point.link), "point": vector(point.at)}))
@@ -110,9 +114,7 @@ def _frame(number: int, _: Any) -> Datum:
 
 SAID: dict[str, Said] = {
     "rows": _rows,
-    "point": lambda value, _: (
-        _point(value, _) if isinstance(value, PointOn) else _components("point")(value, _)
-    ),
+    "point": _point,
     "controller": _controller,
     "given": _known,
     "convention": _convention,

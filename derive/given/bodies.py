@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from derive.derivation import Cell, Phrase, Said, Table
-from derive.expression import ZERO, Call, Expr, Symbol, number
+from derive.expression import ZERO, Call, Expr, Symbol
 from derive.given.datum import Datum, measured, vector
 from derive.given.moves import axis_said
 from derive.kinds.problem import Problem
@@ -32,7 +32,7 @@ def bodies(robot: Robot, problem: Problem) -> Iterator[Datum]:
     if added := dict(_added(robot)):
         kept = [k for k in range(len(DRIVEN)) if any(line[k] != ZERO for line in added.values())]
         lines: list[tuple[Cell, ...]] = [
-            (number(i), *(measured(line[k]) for k in kept)) for i, line in added.items()
+            (str(i), *(measured(line[k]) for k in kept)) for i, line in added.items()
         ]
         headings = (Phrase("joint"), *(Phrase(DRIVEN[k]) for k in kept))
         only = {link.motor is None for link in robot.links if link.motor or link.friction}
@@ -45,7 +45,7 @@ def _line(i: int, body: Body) -> tuple[Cell, ...]:
     inertia = inertia_said(body.inertia)
     if body.about == "origin" and isinstance(body.inertia, Moments):
         inertia = Phrase("about-origin", {"inertia": inertia})
-    return number(i), measured(body.mass), com, inertia
+    return str(i), measured(body.mass), com, inertia
 
 
 def _middle(i: int) -> Phrase:

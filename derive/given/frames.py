@@ -34,7 +34,7 @@ def data(frames: Frames, problem: Problem) -> Iterator[Datum]:
 def _line(frame: Frame, source: Observed) -> tuple[Cell, ...]:
     typed = (as_typed(column(axis), source.rounded) for axis in (source.x, source.y, source.z))
     axes = (_combined([factor for (factor,) in axis.rows], frame.parent) for axis in typed)
-    return number(frame.number), number(frame.parent), *axes, vector(source.origin)
+    return str(frame.number), str(frame.parent), *axes, vector(source.origin)
 
 
 def _combined(factors: Sequence[Expr], parent: int) -> Expr:

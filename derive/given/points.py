@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from derive.derivation import Phrase, Table
-from derive.expression import number
 from derive.given.datum import Datum, vector
 from derive.kinds.problem import Problem
 from derive.mechanics.fitting import PointPairs
@@ -14,5 +13,5 @@ from derive.mechanics.fitting import PointPairs
 def data(points: PointPairs, problem: Problem) -> Iterator[Datum]:
     """A table of the pairs."""
     pairs = zip(points.source, points.target, strict=True)
-    lines = tuple((number(i), vector(a), vector(b)) for i, (a, b) in enumerate(pairs, 1))
+    lines = tuple((str(i), vector(a), vector(b)) for i, (a, b) in enumerate(pairs, 1))
     yield Datum(Phrase("points"), Table((Phrase("point"), Phrase("in-A"), Phrase("in-B")), lines))

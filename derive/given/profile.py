@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from derive.derivation import Cell, Phrase, Table
-from derive.expression import ZERO, Expr, number
+from derive.expression import ZERO, Expr
 from derive.given.datum import Datum, measured
 from derive.kinds.problem import Problem
 from derive.mechanics.profile import Axis, Journey, Profile, Units, Via
@@ -48,8 +48,7 @@ def _sizes(of: Axis | Journey | Profile, keys: tuple[str, ...], units: Units) ->
 def _axes(axes: tuple[Axis, ...], units: Units) -> Datum:
     keys = [key for key in ("distance", *LIMITS) if all(getattr(axis, key) is not None for axis in axes)]
     lines: list[tuple[Cell, ...]] = [
-        (number(i), *(_said(getattr(axis, key), key, units) for key in keys))
-        for i, axis in enumerate(axes, 1)
+        (str(i), *(_said(getattr(axis, key), key, units) for key in keys)) for i, axis in enumerate(axes, 1)
     ]
     return Datum(Phrase("axes"), Table((Phrase("axis-number"), *map(Phrase, keys)), tuple(lines)))
 

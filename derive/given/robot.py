@@ -50,7 +50,7 @@ def _rows(robot: Robot) -> Iterator[Datum]:
             tuple(link.joint for _, link, _ in kept),
         ).table()
         lines = tuple(
-            (number(i), *(ZERO if entry == Degrees(ZERO.value) else entry for entry in line[1:]))
+            (str(i), *(ZERO if entry == Degrees(ZERO.value) else entry for entry in line[1:]))
             for (i, _, _), line in zip(kept, table.rows, strict=True)
         )
         yield Datum(Phrase(f"rows-{robot.convention}"), Table(table.headings, lines))
@@ -85,5 +85,5 @@ def _screws(robot: Robot, unit: str = "") -> Iterator[Datum]:
 
 def _line(i: int, link: Link, row: ScrewRow, helical: bool, unit: str) -> tuple[Cell, ...]:
     by: Expr = row.by if link.variable is None else Symbol(link.variable)
-    cells = (number(i), by, Phrase(link.joint), axis_said(row.axis), vector(row.through, unit))
+    cells = (str(i), by, Phrase(link.joint), axis_said(row.axis), vector(row.through, unit))
     return (*cells, measured(row.pitch)) if helical else cells
