@@ -173,7 +173,8 @@ class Span:
 class Plot:
     """Curves to draw: labels of the axes and named series of points. Data only, no drawing.
 
-    `marks` are horizontal lines, `moments` vertical ones, named on the horizontal axis; `band` is between two
+    `marks` are horizontal lines, `moments` vertical ones, named on the horizontal axis, `levels` heights that
+    are named on the vertical one; `band` is between two
     heights. `regions` are outlines to be filled, `arms` links from joint to joint, `arrows` vectors from one
     place to another, `points` places, `spans` lengths that are read off. `counted` are values at whole
     numbers, `log` says that heights are on a logarithmic scale, `equal` that both axes have the same scale,
@@ -186,6 +187,7 @@ class Plot:
     series: Mapping[Label, Curve]
     marks: Mapping[Label, float] = field(default_factory=dict)
     moments: Mapping[Label, float] = field(default_factory=dict)
+    levels: Mapping[Label, float] = field(default_factory=dict)
     band: tuple[float, float] | None = None
     regions: Mapping[Label, Curve] = field(default_factory=dict)
     arms: Mapping[Label, Curve] = field(default_factory=dict)

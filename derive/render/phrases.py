@@ -135,6 +135,7 @@ class Speech:
             series=self._named(plot.series),
             marks=self._named(plot.marks),
             moments=self._named(plot.moments),
+            levels=self._named(plot.levels),
             regions=self._named(plot.regions),
             arms=self._named(plot.arms),
             arrows=self._named(plot.arrows),

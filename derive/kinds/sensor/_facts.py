@@ -9,6 +9,7 @@ from derive.expression import Expr, Symbol
 class ResolutionFacts(PageFacts):
     edges: Expr | None  # that are counted; None of an absolute encoder
     gear: Expr | None
+    drawn: bool
 
 
 class SpeedFacts(PageFacts):

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import islice
+from collections.abc import Iterator, Mapping
+from itertools import islice, pairwise
 
 from derive.algebra.numbers.floats import Point
 from derive.algebra.numbers.floats import number as at
+from derive.derivation import Plot
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr
 from derive.expression import replace as put_in
@@ -18,6 +19,7 @@ from derive.kinds.work import Work
 from derive.mechanics.sensing import PulseWidth
 
 DRAWS, POINTS = 200, 3
+SEEN = 0.4  # a duty of which both parts are seen well
 
 
 def sampled(voltage: PulseWidth, problem: Problem, results: dict[str, Expr]) -> Iterator[bool]:
@@ -44,6 +46,33 @@ def _points(problem: Problem, duty: Expr) -> Iterator[Point]:
     if not found:
         raise NotDerivable("a duty is between 0 and 1, and no values make this one so", "duty")
     yield from found
+
+
+def drawn_values(
+    voltage: PulseWidth, problem: Problem, results: Mapping[str, Expr]
+) -> tuple[float, float, float]:
+    """The upper and the lower level and the duty: as they are known, else some that belong together."""
+    point = _shown(problem, results)
+    high, low, duty = (at(problem.final(x), point) for x in (voltage.high, voltage.low, results["duty"]))
+    return high, low, duty
+
+
+def _shown(problem: Problem, results: Mapping[str, Expr]) -> Point:
+    """Of the points the one whose duty is seen best."""
+    return min(_points(problem, results["duty"]), key=lambda point: abs(at(results["duty"], point) - SEEN))
+
+
+def as_drawn(
+    plot: Plot, voltage: PulseWidth, problem: Problem, results: Mapping[str, Expr]
+) -> Iterator[bool]:
+    """The area under the wave that is drawn, over its length, is the mean that is marked, and the result."""
+    (curve,), (mean,) = plot.series.values(), plot.marks.values()
+    area = sum((b - a) * (u + v) / 2 for (a, b), (u, v) in zip(*map(pairwise, curve), strict=True))
+    yield close(area / (curve[0][-1] - curve[0][0]), mean)
+    point = _shown(problem, results)
+    yield close(mean, at(problem.final(results["mean"]), point))
+    off, *_ = plot.moments.values()
+    yield close(off, at(problem.final(results["duty"]), point))
 
 
 def said(voltage: PulseWidth, work: Work, told: VoltageFacts) -> Iterator[bool]:

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from derive.derivation import Derivation, Step
+from derive.derivation import Derivation, Label, Plot, Step
 from derive.expression import ONE, ZERO, Expr, Symbol, symbols
+from derive.figures.waves import switched
 from derive.kinds.checks import route
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.sensor._facts import VoltageFacts as Facts
-from derive.kinds.sensor._voltage_checks import said, sampled
+from derive.kinds.sensor._voltage_checks import as_drawn, drawn_values, said, sampled
 from derive.kinds.work import Work
 from derive.mechanics.sensing import PulseWidth
 
 NEEDS = ("voltage",)
 CLAIMED = {"duty": "sampled-mean", "mean": "sampled-mean"}
-CLAIMS = ("sampled-mean", "as-said")
+CLAIMS = ("sampled-mean", "as-said", "drawn")
 MEAN, DUTY, PERIOD = symbols("U_m D T")
 UNITS: Mapping[Expr, str] = {
     **dict.fromkeys(symbols("U U_0 U_m"), "V"),
@@ -52,7 +53,22 @@ def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivatio
     )  # fmt: skip
     work = work.claim(route("sampled-mean", sampled(voltage, problem, results)))
     work = work.claim(route("as-said", said(voltage, work, facts)))
-    return work.answer("mean-voltage", results, facts, units=UNITS)
+    plot = _wave(voltage, problem, results, (high, low, mean, duty))
+    work = work.claim(route("drawn", as_drawn(plot, voltage, problem, results)))
+    return work.answer("mean-voltage", results, facts, units=UNITS, plots=(plot,))
+
+
+def _wave(
+    voltage: PulseWidth,
+    problem: Problem,
+    results: Mapping[str, Expr],
+    names: tuple[Symbol, Expr, Symbol, Symbol],
+) -> Plot:
+    """With the values that are known, or some that show what is meant."""
+    high, low, mean, duty = names
+    U, U_0, D = drawn_values(voltage, problem, results)
+    levels: dict[Label, float] = {high: U, low: U_0}
+    return switched(levels, (mean, D * U + (1 - D) * U_0), (duty * PERIOD, D), PERIOD)
 
 
 def _mean(high: Expr, low: Expr, duty: Expr, bipolar: bool) -> Expr:

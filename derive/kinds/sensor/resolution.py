@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from derive.derivation import Derivation
+from collections.abc import Iterator
+from itertools import pairwise
+
+from derive.derivation import Derivation, Panels
 from derive.expression import Expr, Number
-from derive.kinds.checks import route
+from derive.figures.waves import tracks
+from derive.kinds.checks import close, route
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.sensor._encoder import UNITS, counted
@@ -13,6 +17,7 @@ from derive.kinds.sensor._resolution_checks import as_given, edge_by_edge, whole
 from derive.mechanics.sensing import Encoder, Incremental
 
 NEEDS = ("encoder",)
+DRAWN = (1, 2, 4)  # edges of a line
 
 
 def claims_of(encoder: Encoder, options: Options) -> tuple[str, ...]:
@@ -34,6 +39,18 @@ def derive(encoder: Encoder, options: Options, problem: Problem) -> Derivation:
     if seen := [*edge_by_edge(encoder, problem, results)]:
         work = work.claim(route("edge-by-edge", seen))
     edges = encoder.disc.edges if isinstance(encoder.disc, Incremental) else None
-    facts = Facts(edges=edges, gear=work[gear] if gear else None)
+    drawn = isinstance(edges, Number) and edges.value in DRAWN
+    facts = Facts(edges=edges, gear=work[gear] if gear else None, drawn=drawn)
     work = work.claim(route("as-given", as_given(encoder, work, facts)))
-    return work.answer("resolution", results, facts, units=UNITS)
+    if not isinstance(edges, Number) or not drawn:
+        return work.answer("resolution", results, facts, units=UNITS)
+    picture = tracks(int(edges.value))
+    work = work.claim(route("drawn", _evenly(picture, int(edges.value))))
+    return work.answer("resolution", results, facts, units=UNITS, plots=(picture,))
+
+
+def _evenly(picture: Panels, edges: int) -> Iterator[bool]:
+    """The edges that are marked are as many of each line, and evenly apart."""
+    marked = sorted(x for plot in picture.plots for x, _ in plot.points)
+    yield sum(x < marked[0] + 1 for x in marked) == edges
+    yield from (close(b - a, 1 / edges) for a, b in pairwise(marked))

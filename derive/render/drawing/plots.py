@@ -8,13 +8,14 @@ from dataclasses import replace
 from derive.derivation import Panels, Plot
 from derive.render.drawing.axes import Axis, span
 from derive.render.drawing.curves import STRIP, Frame, contents, strip_rows, swatches
+from derive.render.drawing.lettering import Written
 from derive.render.drawing.paper import Paper
 from derive.render.drawing.placing import Box
 from derive.render.drawing.sketch import Sketch, said
 from derive.render.drawing.style import FAINT, INK, LETTERS, PALE, WIDEST, Pen
 
 MARGIN = 2.0  # points round everything
-WIDE, HIGH, PANEL, SQUARE = WIDEST - 46, 150.0, 68.0, 150.0  # of what is inside the axes
+WIDE, HIGH, LOW, PANEL, SQUARE = WIDEST - 46, 150.0, 90.0, 68.0, 150.0  # of what is inside the axes
 SIDE, SIDE_WIDE = 118.0, 150.0  # of one of two beside each other
 BETWEEN, APART = 9.0, 22.0  # panels above each other, and beside each other
 TICK, AIR = 3.0, 3.0
@@ -33,7 +34,8 @@ def sketched(picture: Plot | Panels) -> Sketch:
     """Everything of it, in points."""
     match picture:
         case Plot():
-            return _alone(picture, framed(picture, SQUARE if picture.equal else HIGH))
+            high = SQUARE if picture.equal else LOW if picture.unscaled else HIGH
+            return _alone(picture, framed(picture, high))
         case Panels(plots=plots, beside=True):
             return _row([_alone(plot, framed(plot, SIDE, SIDE_WIDE)) for plot in plots])
         case Panels(plots=plots):
@@ -72,16 +74,16 @@ def _drawn(plot: Plot, frame: Frame, bottom: bool = True, ticks: float = 0.0) ->
     wide those of others are at the vertical axis."""
     sketch, x, y = Sketch(), frame.x, frame.y
     across = [] if plot.unscaled else x.ticks(ROOM_X, plot.counted)
-    up = [] if plot.unscaled else y.ticks(ROOM_Y)
+    up = _heights(plot, frame)
     for tick in across:
         sketch.line(((x.at(tick), 0.0), (x.at(tick), y.end)), GRID)
-    for tick in up:
+    for tick, _ in () if plot.unscaled else up:
         sketch.line(((0.0, y.at(tick)), (x.end, y.at(tick))), GRID)
     for time in plot.moments.values():
         sketch.line(((x.at(time), 0.0), (x.at(time), y.end)), MOMENT)
     sketch.add(contents(plot, frame), 0.0, 0.0)
     sketch.line(((0.0, y.end), (0.0, 0.0), (x.end, 0.0)), AXIS)
-    for tick, text in zip(up, said([y.written(tick) for tick in up]), strict=True):
+    for tick, text in up:
         sketch.line(((-TICK, y.at(tick)), (0.0, y.at(tick))), AXIS)
         sketch.text(text, -TICK - AIR - text.wide, y.at(tick) - text.high / 2)
     for tick, text in zip(across, said([x.written(tick) for tick in across]), strict=True):
@@ -90,13 +92,8 @@ def _drawn(plot: Plot, frame: Frame, bottom: bool = True, ticks: float = 0.0) ->
             sketch.text(text, x.at(tick) - text.wide / 2, -TICK - AIR - text.high)
     (name,) = said([str(plot.y_label)], LETTERS)
     turned = name.wide > LETTER
-    left = (
-        -TICK
-        - AIR
-        - (max(ticks, _tick_room(frame)) if up else 0.0)
-        - 6
-        - (name.high if turned else name.wide)
-    )
+    room = max([ticks, *(text.wide for _, text in up)])
+    left = -TICK - AIR - room - 6.0 - (name.high if turned else name.wide)
     middle = (y.start + y.end) / 2 - (name.wide if turned else name.high) / 2
     sketch.text(name, left, middle, turned)
     if bottom:
@@ -104,14 +101,19 @@ def _drawn(plot: Plot, frame: Frame, bottom: bool = True, ticks: float = 0.0) ->
     return sketch
 
 
-def _tick_room(frame: Frame) -> float:
-    """How wide what stands at the ticks of the vertical axis is."""
-    return max((t.wide for t in said([frame.y.written(tick) for tick in frame.y.ticks(ROOM_Y)])), default=0.0)
+def _heights(plot: Plot, frame: Frame) -> list[tuple[float, Written]]:
+    """What stands at the vertical axis, and where."""
+    ticks = [] if plot.unscaled else frame.y.ticks(ROOM_Y)
+    named = {
+        **{tick: frame.y.written(tick) for tick in ticks},
+        **{at: str(n) for n, at in plot.levels.items()},
+    }
+    return list(zip(named, said([*named.values()]), strict=True))
 
 
 def _below(sketch: Sketch, plot: Plot, frame: Frame) -> None:
     """Moments under the ticks, in as many rows as they need, and the name of the axis."""
-    low = -TICK - AIR - 7.0
+    low = 2.0 if plot.unscaled else -TICK - AIR - 7.0
     ends: list[float] = []  # of each row
     names = said([str(name) for name in plot.moments])
     for time, text in sorted(zip(plot.moments.values(), names, strict=True), key=lambda each: each[0]):
@@ -120,6 +122,9 @@ def _below(sketch: Sketch, plot: Plot, frame: Frame) -> None:
         ends[row : row + 1] = [left + text.wide]
         sketch.text(text, left, low - 12.0 * (row + 1))
     (name,) = said([str(plot.x_label)], LETTERS)
+    if plot.unscaled and ends:
+        sketch.text(name, frame.x.end - name.wide, low - 12.0)
+        return
     at = (frame.x.start + frame.x.end) / 2 - name.wide / 2
     sketch.text(name, at, low - 12.0 * len(ends) - 5.0 - name.high)
 
@@ -144,13 +149,14 @@ def _with_legend(sketch: Sketch, plots: Sequence[Plot], frame: Frame) -> Sketch:
 
 def _stack(plots: Sequence[Plot]) -> Sketch:
     """One above the other; the horizontal axis is named below the last."""
-    sketch, frames = Sketch(), [framed(plot, PANEL) for plot in plots]
+    sketch, frames = Sketch(), [framed(plot, PANEL + STRIP * strip_rows(plot)) for plot in plots]
     low, high = min(f.x.low for f in frames), max(f.x.high for f in frames)
-    step, ticks = PANEL + BETWEEN, max(map(_tick_room, frames))
-    for k, (plot, frame) in enumerate(zip(plots, frames, strict=True)):
-        last = k == len(plots) - 1
+    ticks = max((text.wide for each in map(_heights, plots, frames) for _, text in each), default=0.0)
+    at = 0.0
+    for k, (plot, frame) in enumerate(zip(reversed(plots), reversed(frames), strict=True)):
         same = replace(frame, x=replace(frame.x, low=low, high=high), panel=True)
-        sketch.add(_drawn(plot, same, last, ticks), 0.0, (len(plots) - 1 - k) * step)
+        sketch.add(_drawn(plot, same, k == 0, ticks), 0.0, at)
+        at += frame.y.end + BETWEEN
     return _with_legend(sketch, plots[:1], frames[0])
 
 
