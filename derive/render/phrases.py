@@ -67,7 +67,8 @@ def in_text(tree: Expr, notation: str = "") -> str:
 @dataclass(frozen=True, slots=True)
 class Speech:
     """How the derivations of one kind say things in one format: `tree` writes an expression (in the notation
-    a field asks for), `formula` sets mathematics in a line of text, `plain` makes words safe."""
+    a field asks for), `formula` sets mathematics in a line of text, `plain` makes words safe;
+    `measured` gives a value its unit."""
 
     lines: Mapping[str, str]
     tree: Callable[[Expr, str], str] = in_text
@@ -78,6 +79,7 @@ class Speech:
     signs: Mapping[str, str] = field(default_factory=dict)
     styled: Callable[[Expr], Expr] = lambda tree: tree
     seen: Callable[[Chain, str], None] = lambda chain, written: None
+    measured: Callable[[Relation], Relation] = lambda relation: relation
 
     def say(self, said: Said, notation: str = "") -> str:
         """A phrase or a relation as it stands in a text. Raises PhraseError."""
@@ -85,7 +87,7 @@ class Speech:
             case Phrase():
                 return self._stressed("".join(self._phrase(said)))
             case Relation():
-                relation = self._styled(said)
+                relation = self.measured(self._styled(said))
                 written = self._relation(relation, notation)
                 self.seen(links_of(relation), written)
                 return self.formula.format(written)

@@ -34,6 +34,7 @@ from derive.expression import (
     Number,
     Product,
     Quotient,
+    Relation,
     Symbol,
     free_symbols,
     multiply,
@@ -74,6 +75,14 @@ class Values:
             return _distinct((*before, turned))
         exact, rounded = self.value(last, unit)
         return _distinct((*before, *exact, *rounded))
+
+    def relation(self, relation: Relation) -> Relation:
+        """An equation that says the value of a name, with its unit, unless it has to be rounded."""
+        if relation.sign != "=" or isinstance(relation.left, Relation) or relation.left not in self.units:
+            return relation
+        *_, last = self.shown((relation.left, relation.right))
+        rounded = any(isinstance(node, Approximate) for node in walk(last))
+        return relation if rounded else replace(relation, right=last)
 
     def cell(self, tree: Expr) -> Expr:
         """A number in a table, where no sign can say that it is rounded."""

@@ -69,6 +69,7 @@ def words(
     printer = Printer(notation)
     speech = on_page(folder, derivation.kind, printer, skin.plain, seen, strong=skin.strong, em=skin.em)
     values = Values(derivation.units, derivation.facts.style, notation.digits)
+    speech = replace(speech, measured=values.relation)
     telling = Telling(
         derivation, speech, skin, notation, plots or {}, files or {}, seen, values, numbers or {}
     )
