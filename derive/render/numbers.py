@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 from fractions import Fraction
-from itertools import zip_longest
 from math import isfinite
 
 from derive.algebra.rationals import decimal_places
 
 SMALLEST_PLAIN, LARGEST_PLAIN = -3, 5  # powers of ten printed without an exponent
 OHM = r"\Omega"
+UNIT_NAME = re.compile(r"[A-Za-z]+|^1(?=/)")
 MOST_ZEROS = 6  # at the end of a decimal number without an exponent, or behind its point
 ZERO_BELOW = 1e-12  # what rounding leaves of a zero
 
@@ -26,20 +26,13 @@ def fraction_latex(value: Fraction, decimal: bool = False) -> str:
 
 
 def unit_latex(unit: str) -> str:
-    """A unit behind a number, `\\ \\mathrm{m/s}^2`; what degrees are divided by, `/\\mathrm{s}^2`."""
-    if unit.startswith("/"):
-        return "/" + _upright(unit[1:])
-    return r"\ " + _upright(unit)
+    """A unit behind a number, `\\ \\mathrm{m}/\\mathrm{s}^2`; behind degrees `/\\mathrm{s}^2`."""
+    return ("" if unit.startswith("/") else r"\ ") + UNIT_NAME.sub(_upright, unit).replace(" ", r"\ ")
 
 
-def _upright(unit: str) -> str:
-    """Powers stand behind what is upright: not every reader of TeX knows a script inside it."""
-    parts = re.split(r"\^(\d+)", unit)
-    words = [r"\ ".join(OHM if word == "ohm" else word for word in part.split(" ")) for part in parts[::2]]
-    written = [rf"\mathrm{{{word}}}" for word in words if word]
-    return "".join(
-        f"{word}^{power}" for word, power in zip_longest(written, parts[1::2], fillvalue="")
-    ).rstrip("^")
+def _upright(name: re.Match[str]) -> str:
+    """One name alone, so that a power is that of its letter and as high."""
+    return rf"\mathrm{{{OHM if name[0] == 'ohm' else name[0]}}}"
 
 
 def _terminating(value: Fraction) -> str:

@@ -1,6 +1,6 @@
 r"""Units on our own pages, read back.
 
-`8.67\ \mathrm{N\ m}` is 8.67 and "N m", `45^\circ/\mathrm{s}^2` is 45° and "/s^2".
+`8.67\ \mathrm{N}\ \mathrm{m}` is 8.67 and "N m", `45^\circ/\mathrm{s}^2` is 45° and "/s^2".
 """
 
 from __future__ import annotations
@@ -10,9 +10,10 @@ import re
 from derive.answers.latex.scripts import Tokens
 from derive.errors import FormulaError
 
-UNIT = re.compile(r"(?:/ )?(?:mathrm { [^{}]* }(?: \^ \d+)?(?: |$))+$")
-UPRIGHT = re.compile(r"mathrm { ([^{}]*) }(?: (\^) (\d+))? ?")
-SPELLED = {" / ": "/", "/ ": "/", " ^ ": "^", "Omega": "ohm"}
+ONE = r"mathrm { \w+ }(?: \^ \d+)?"
+UNIT = re.compile(rf"(?:/ )?{ONE}(?: (?:/ )?{ONE})*$")
+NAME = re.compile(r"(/ )?mathrm { (\w+) }(?: \^ (\d+))?")
+SPELLED = {"Omega": "ohm"}
 
 
 def without_unit(part: Tokens) -> tuple[Tokens, str]:
@@ -23,7 +24,13 @@ def without_unit(part: Tokens) -> tuple[Tokens, str]:
     found = UNIT.search(written)
     if found is None:
         raise FormulaError("the unit is missing", end.offset)
-    spelled = UPRIGHT.sub(r"\1\2\3", found[0])
-    for spaced, plain in SPELLED.items():
-        spelled = spelled.replace(spaced, plain)
-    return (*tokens[: written[: found.start()].count(" ")], end), spelled
+    return (*tokens[: written[: found.start()].count(" ")], end), _spelled(found[0])
+
+
+def _spelled(written: str) -> str:
+    """Names with their powers; a blank between two that nothing divides."""
+    spelled = ""
+    for below, name, power in NAME.findall(written):
+        between = "/" if below else " " if spelled else ""
+        spelled += between + SPELLED.get(name, name) + (f"^{power}" if power else "")
+    return spelled
