@@ -57,6 +57,10 @@ class Text:
             return re.search(said, self.text, re.IGNORECASE | re.DOTALL) is not None
         return NO_NAME.fullmatch(name) is not None or self.has_name(name)
 
+    def defines(self, name: str) -> bool:
+        """Whether it says what the name stands for."""
+        return f"{re.sub(r'[{}]', '', name_latex(name))}=" in self.dense
+
     def has_name(self, name: str) -> bool:
         wanted = re.sub(r"[{}]|\\mathrm", "", name_latex(name))
         if len(wanted) == 1:
@@ -73,11 +77,14 @@ class Paper(Text):
         super().__init__(plain)
         self.dense = re.sub(r"[\s\u0300-\u036f]", "", unicodedata.normalize("NFD", plain))
 
-    def has_name(self, name: str) -> bool:
+    def defines(self, name: str) -> bool:
+        return self.has_name(name, "=")
+
+    def has_name(self, name: str, then: str = "") -> bool:
         parts = re.fullmatch(r"([A-Za-z]+)_?(\w*)", re.sub("_?d?dot$", "", name))
         stem, index = parts.groups() if parts else (name, "")
         ends = (index, EVERY.sub("i", index))
-        return any(_lettered(stem) + _lettered(end) in self.dense for end in ends)
+        return any(_lettered(stem) + _lettered(end) + then in self.dense for end in ends)
 
 
 def _lettered(word: str) -> str:

@@ -108,6 +108,9 @@ def missing(path: Path, texts: list[Text], folder: Path) -> list[str]:
                     if before == answers(sheet, changed(problem, route, found), folder):
                         continue
                 lacking.append(f"problem {number}: {found[0]} of {typed!r} at {'.'.join(map(str, route))}")
+        used = re.findall(r"\w+", json.dumps({**problem, "where": whole["where"], "text": ""}))
+        names = [name for name in whole["where"] if used.count(name) > 1]
+        lacking += [f"problem {number}: what {name} is" for name in names if not text.defines(name)]
     return lacking
 
 

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
+
+from pydantic import BaseModel
 
 from derive.derivation import Phrase
 from derive.expression import free_symbols
@@ -29,8 +32,8 @@ def data(problem: Problem) -> Iterator[Datum]:
 
 
 def _used(problem: Problem) -> set[str]:
-    options = [value for _, asked in problem.questions for value in asked.__dict__.values()]
-    trees = [*expressions(problem.subject), *expressions(tuple(options))]
+    options = tuple(value for _, asked in problem.questions for value in _values(asked))
+    trees = [*expressions(problem.subject), *expressions(options)]
     found = {name for tree in trees for name in free_symbols(tree)}
     found |= {*getattr(problem.subject, "variables", ()), *getattr(problem.subject, "coordinates", ())}
     ahead = [*found]
@@ -39,3 +42,12 @@ def _used(problem: Problem) -> set[str]:
         found |= {*inside}
         ahead += inside
     return found
+
+
+def _values(value: Any) -> Iterator[Any]:
+    """What stands in options, and in those that have options of their own."""
+    if not isinstance(value, BaseModel):
+        yield value
+        return
+    for key in type(value).model_fields:
+        yield from _values(getattr(value, key))

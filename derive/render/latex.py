@@ -62,7 +62,7 @@ def is_approximate(expr: Expr) -> bool:
 @dataclass(frozen=True, slots=True)
 class Printer:
     """Prints trees in one notation; `in_line` for a line of text, where a column stands as `(x, y)^T`; `flat`
-    for a cell of a table, where a fraction of numbers is 3/4."""
+    for a cell of a table, where a short fraction is 3/4."""
 
     notation: Notation
     in_line: bool = False
@@ -179,8 +179,11 @@ class Printer:
 
     def quotient(self, top: Expr, bottom: Expr) -> tuple[str, int]:
         above = self.write(top)
+        below, tightness = self.measured(bottom)
+        if self.flat and tightness >= POWER and not isinstance(top, Sum) and "frac" not in above:
+            return f"{above}/{below}", SUM
         sign = "-" if above.startswith("-") and not isinstance(top, Sum) else ""
-        written = rf"{sign}\frac{{{above.removeprefix(sign)}}}{{{self.write(bottom)}}}"
+        written = rf"{sign}\frac{{{above.removeprefix(sign)}}}{{{below}}}"
         return written, SUM if sign else PRODUCT
 
     def power(self, base: Expr, exponent: Expr) -> tuple[str, int]:
