@@ -24,12 +24,19 @@ def said(held: Held, told: Facts, steps: Sequence[Step], G: Expr) -> Claim:
     done = [step for step in steps if step.rule == "elimination"]
     motors = [each for each in ("armature", "field") if each in system.motor]
     plain = [
-        told.described.key == (motors[0] if motors else "a-system"),
+        told.described == Phrase(motors[0] if motors else "a-system") or _asked_before(held, told.described),
         told.start == (Phrase("from-the-output", ends) if done else None),
         (told.input, told.output) == (held.source, system.output),
         *(_zero(held, step) for step in steps if step.rule == "superposition"),
     ]
     return route("as-said", [*plain, *held.compared(lambda at: _degrees(told, steps, G, at))])
+
+
+def _asked_before(held: Held, described: Phrase) -> bool:
+    """Whether the question that is said to have the equations already is about another transfer function."""
+    kinds = [kind for kind, _ in held.problem.questions]
+    number = described.about.get("number")
+    return isinstance(number, int) and kinds[number - 1] == "transfer-function" in kinds[number:]
 
 
 def _zero(held: Held, step: Step) -> bool:

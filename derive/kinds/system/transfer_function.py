@@ -66,7 +66,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     definitions = {**solved.solution.values, solved.named("G"): solved.solution.ratio.expr(solved.style)}
     evaluated, numbers = _evaluated(solved, options)
     picture = _picture(solved, options, problem)
-    G, told = _result(solved), _facts(solved, numbers, picture is not None)
+    G, told = _result(solved), _facts(solved, numbers, picture is not None, _before(options, problem))
     work = Work(problem, definitions, steps=tuple(_steps(solved))).claim(*_claims(solved))
     held = Held(problem, solved.solution.source)
     work = work.claim(
@@ -82,6 +82,13 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
         return work.answer("transfer-function", {"G": G}, told, evaluated=evaluated)
     work = work.claim(as_drawn(held, picture.diagram))
     return work.answer("transfer-function", {"G": G}, told, evaluated=evaluated, plots=(picture.drawing,))
+
+
+def _before(options: Options, problem: Problem) -> int | None:
+    """The number of the first question, where it is an earlier one, that has the equations already."""
+    asked = [(k, each) for k, (kind, each) in enumerate(problem.questions, 1) if kind == "transfer-function"]
+    first = asked[0] if asked else (0, options)
+    return first[0] if first[1] != options and any(each == options for _, each in asked) else None
 
 
 def _picture(solved: Plant, options: Options, problem: Problem) -> Pictured | None:
@@ -180,11 +187,13 @@ def _result(solved: Plant) -> Expr:
     return unexpanded if operations(unexpanded) <= operations(collected) else collected
 
 
-def _facts(solved: Plant, at: AtPoint | None, drawn: bool) -> Facts:
+def _facts(solved: Plant, at: AtPoint | None, drawn: bool, before: int | None) -> Facts:
     system, rational = solved.system, solved.rational
     ends = {"input": solved.solution.source, "output": system.output}
     return Facts(
-        described=Phrase(next((word for word in system.motor if word in MOTORS), "a-system")),
+        described=Phrase(next((word for word in system.motor if word in MOTORS), "a-system"))
+        if before is None
+        else Phrase("again", {"number": before}),
         start=Phrase("from-the-output", ends) if solved.solution.steps else None,
         found=Phrase("ratio") if rational.num else Phrase("vanishes", {"input": solved.solution.source}),
         input=solved.solution.source,
