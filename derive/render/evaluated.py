@@ -211,9 +211,11 @@ class Telling:
         return chain_links((called, tree), self.printer)
 
     def unit(self, name: str) -> str:
-        """That of a result; an angle has one wherever it was typed in degrees."""
+        """That of a result; an angle has one whether or not any was typed."""
         unit = self.units.of(name)
-        return unit or ("deg" if name in self.angles and self.style.degrees else "")
+        if unit or name not in self.angles:
+            return unit
+        return "deg" if self.style.degrees else "rad"
 
     def scalar(self, value: float, unit: str, angle: bool) -> Expr:
         """A number in its unit; an angle in radians by pi where it is a multiple of a right angle."""

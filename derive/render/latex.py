@@ -6,6 +6,7 @@ Only LaTeX that GitHub, KaTeX, pandoc and pdflatex all read: no `\\!`, no tall b
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
@@ -247,16 +248,19 @@ class Printer:
         return parenthesised(", ".join(self.write(entry) for (entry,) in rows)) + "^T", POWER
 
     def matrix(self, rows: tuple[tuple[Expr, ...], ...]) -> str:
-        lines = [" & ".join(map(self._entry, row)) for row in rows]
+        tall = any(_is_tall(entry) for row in rows for entry in row)
+        lines = [" & ".join(self._entry(entry, tall) for entry in row) for row in rows]
         end = r" \\[0.8ex] " if any(r"\dfrac" in line for line in lines) else r" \\ "
         return r"\begin{bmatrix} " + end.join(lines) + r" \end{bmatrix}"
 
-    def _entry(self, entry: Expr) -> str:
-        """A long fraction keeps its size in a matrix; a short one shrinks as in a line of text."""
+    def _entry(self, entry: Expr, tall: bool) -> str:
+        """Fractions shrink in a matrix as in a line of text, unless one of them is long."""
         written = self.write(entry)
-        top = _numerator(entry)
-        tall = isinstance(top, Sum) or (isinstance(top, Product) and len(top.factors) > LONG_NUMERATOR)
-        return written.replace(r"\frac", r"\dfrac", 1) if tall else written
+        return (
+            re.sub(r"^-?\\frac", lambda found: found[0].replace("frac", "dfrac"), written)
+            if tall
+            else written
+        )
 
     def indexed(self, name: Indexed) -> tuple[str, int]:
         parts = name_parts(name.base)
@@ -286,6 +290,12 @@ class Printer:
 def _whole(number: str) -> str:
     """A fraction in parentheses, so that what is raised stands beside all of it."""
     return parenthesised(number) if "frac" in number or "^" in number else number
+
+
+def _is_tall(entry: Expr) -> bool:
+    """Whether it is a fraction with much above its line."""
+    top = _numerator(entry)
+    return isinstance(top, Sum) or (isinstance(top, Product) and len(top.factors) > LONG_NUMERATOR)
 
 
 def _numerator(entry: Expr) -> Expr | None:

@@ -13,6 +13,7 @@ GREEK_NAMES = (
 )
 GREEK = frozenset(GREEK_NAMES.split(" "))
 WORD = re.compile(r"[A-Za-z]+")
+SHORT_WORDS = frozenset({"on", "up", "in"})  # of two letters that are no indices
 STEM_AND_INDEX = re.compile(r"([A-Za-z]+)(\d+[xyz]?)")  # theta1, r11, v1x
 LETTER_AND_AXES = re.compile(r"([A-Za-z])([xyz]{1,2}\d*)")  # Ixx, Ixx1, vx
 ANGULAR = re.compile("w[xyz]")  # a row of a Jacobian
@@ -129,5 +130,5 @@ def _piece(piece: str) -> str:
     if word in GREEK:
         return "\\" + word + script("_", rest)
     counted = set(word) <= set("xyz") or set(word) <= set("ijk")  # axes, or indices side by side
-    upright = len(word) > 2 and word.islower() and not counted
+    upright = (len(word) > 2 and word.islower() and not counted) or word in SHORT_WORDS
     return rf"\mathrm{{{word}}}{rest}" if upright else piece
