@@ -43,9 +43,9 @@ def of_motion(motion: Motion, where: Mapping[str, Expr], wish: Wish) -> Drawing:
     for k, ((drawn, texts), (left, right, low, _)) in enumerate(zip(panels, boxes, strict=True)):
         shift = (k % A_ROW) * wide - (left + right) / 2, -(k // A_ROW) * high - low
         strokes += [
-            Stroke(tuple(_by(place, shift) for place in stroke.places), stroke.role) for stroke in drawn
+            Stroke(tuple(moved_by(place, shift) for place in stroke.places), stroke.role) for stroke in drawn
         ]
-        captions += [_moved(text, shift) for text in texts]
+        captions += [moved(text, shift) for text in texts]
         title = (k % A_ROW) * wide, -(k // A_ROW) * high - 0.45 * size
         captions.append(Caption(title, _step(made[k], k + 1), (0.0, 0.0), "note"))
     rows = -(-len(made) // A_ROW)
@@ -116,10 +116,12 @@ def _bounds(strokes: Sequence[Stroke]) -> tuple[float, float, float, float]:
     return min(xs), max(xs), min(ys), max(ys)
 
 
-def _by(place: Place, shift: Place) -> Place:
+def moved_by(place: Place, shift: Place) -> Place:
+    """A place on paper, moved."""
     return place[0] + shift[0], place[1] + shift[1]
 
 
-def _moved(caption: Caption, shift: Place) -> Caption:
-    others = tuple((_by(place, shift), side) for place, side in caption.others)
-    return replace(caption, at=_by(caption.at, shift), others=others)
+def moved(caption: Caption, shift: Place) -> Caption:
+    """A caption with all its places moved."""
+    others = tuple((moved_by(place, shift), side) for place, side in caption.others)
+    return replace(caption, at=moved_by(caption.at, shift), others=others)

@@ -38,10 +38,10 @@ def in_pose(
     count = len(robot.variables)
     if robot.by_screws:
         found = at([0.0] * count, [0.0] * count)
-        return _view(found), found
+        return view_of(found), found
     out = [0.8 + 0.1 * k for k in range(count)]
     first = at([PLANAR[k % len(PLANAR)] for k in range(count)], out)
-    view = _view(first)
+    view = view_of(first)
     if view.flat:
         return view, first
     moving = [link for link in robot.links if link.variable]
@@ -68,7 +68,7 @@ def _bent(turning: Sequence[int]) -> Iterator[Mapping[int, float]]:
             yield from ({k: a, m: b} for a in (90.0, -90.0, 45.0, -45.0) for b in (90.0, -90.0))
 
 
-def _view(shown: Posed) -> View:
+def view_of(shown: Posed) -> View:
     """The plane an arm moves in, if it does in one; else space."""
     axes = [joint.axis for joint in shown.joints if not joint.slides]
     if not axes:

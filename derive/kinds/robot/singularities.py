@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
-from derive.derivation import Derivation, Result
+from collections.abc import Sequence
+
+from derive.algebra.infix import text
+from derive.derivation import Derivation, Drawing, Result
 from derive.errors import NotDerivable
+from derive.expression import free_symbols
+from derive.figures.singular_poses import drawn
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._point import PointOn
@@ -22,6 +27,7 @@ from derive.mechanics.wrist import wrist_of
 
 CLAIMED = {"det": "determinant-seen", "solutions": "full-rank"}
 CLAIMS = ("jacobian-seen", "determinant-seen", "full-rank")
+MOST_DRAWN = 4  # poses beside each other
 WHOLE = ("vx", "vy", "vz", "wx", "wy", "wz")
 
 
@@ -48,7 +54,18 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         "complete": way.complete,
     }
     work = way.work.claim(*Checked(task, way, sets, solutions, facts.sets).claims())
-    return work.answer("singularities", results, facts)
+    return work.answer("singularities", results, facts, plots=_drawn(task, sets))
+
+
+def _drawn(task: Task, sets: Sequence[Analysed]) -> tuple[Drawing, ...]:
+    """A planar arm in its singular poses, where these are joints at certain angles."""
+    if {*task.rows} != {"vx", "vy"} or task.asked is not None:
+        return ()
+    cases = [{str(text(name)): value for name, value in case.values} for each in sets for case in each.cases]
+    if not 0 < len(cases) <= MOST_DRAWN or any(free_symbols(v) for case in cases for v in case.values()):
+        return ()
+    figure = drawn(task.problem.subject, task.problem.where, cases)
+    return (figure,) if figure else ()
 
 
 def _refuse_out_of_proportion(task: Task) -> None:

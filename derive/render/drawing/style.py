@@ -42,6 +42,7 @@ LINES = {
     "thin": Pen(INK, 0.8),
     "hidden": Pen(GREY, 0.6, (3, 2)),
     "edge": Pen(INK, 0.9, cap="round"),
+    "lost": Pen(RED, 1.1, (4, 2.5)),
     "leader": Pen(GREY, 0.4),
     "wire": Pen(INK, 0.9),
     "other": Pen("#cfcfcf", 4.0, cap="round"),
