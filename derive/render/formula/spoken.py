@@ -32,6 +32,7 @@ from derive.render.phrases import lines_in
 
 GREEK_NAMES = {letter: name for name, letter in reversed(GREEK.items())} | {"φ": "phi", "ε": "epsilon"}
 TRANSPOSE, MINUS, BARS = Letter("T"), Sign("−", "prefix"), {"|": "absolute", "‖": "norm"}
+DIFFERENTIALS = (Letter("d"), Sign("∂"))
 INVERSE = Row((MINUS, Digits("1")))
 ATAN2 = {"atan2": (0, 1), "Atan2": (1, 0)}  # where the upper and the lower argument stand
 WIDE = 1.0  # em between formulas side by side
@@ -61,6 +62,7 @@ def spoken(box: Box, names: frozenset[Box] | None = None) -> str:
 @dataclass(frozen=True, slots=True)
 class _Speaker:
     names: frozenset[Box] | None
+    inside: bool = False  # a fraction
 
     def say(self, box: Box) -> str:
         match box:
@@ -79,9 +81,7 @@ class _Speaker:
             case Scripts(base, below, above):
                 return self.scripts(box, base, below, above)
             case Fraction(above, below, _, bar):
-                tall = not (is_short(above) and is_short(below))
-                key = "choose" if not bar else "tall" if tall else "fraction"
-                return say(key, above=self.say(above), below=self.say(below))
+                return self.fraction(above, below, bar)
             case Grid():
                 return self.grid(box)
             case _:
@@ -122,7 +122,15 @@ class _Speaker:
             place = end + 1
         return " ".join(said)
 
-    def arctangent(self, name: str, given: list[Row]) -> str:
+    def fraction(self, above: Box, below: Box, bar: bool) -> str:
+        """One inside another is told with its end, so that it is heard which is which."""
+        both = (above, below)
+        short = all(map(is_short, both)) or all(map(is_differential, both))
+        key = "choose" if not bar else "fraction" if short and not self.inside else "tall"
+        speaker = _Speaker(self.names, inside=True)
+        return say(key, above=speaker.say(above), below=speaker.say(below))
+
+    def arctangent(self, name: str, given: list[Box]) -> str:
         if len(given) != 2:
             return " ".join((name, *map(self.say, given)))
         above, below = (given[k] for k in ATAN2[name])
@@ -137,8 +145,10 @@ class _Speaker:
             key = "over-all" if above is not None else "over"
             return say(key, base=said, below=self.say(below), above=self.say(above or Row(())))
         if below is not None:
-            key = "index" if is_short(below) else "tall-index"
-            said = say(key, base=said, below=self.index(below))
+            told = self.index(below)
+            plain = isinstance(below, Letter | Digits | Word) or told != self.say(below)
+            key = "index" if plain else "tall-index"
+            said = say(key, base=said, below=told)
         if above is None:
             return said
         named = below is not None if self.names is None else whole in self.names
@@ -156,7 +166,8 @@ class _Speaker:
         if above == Sign("∗", "binary"):
             return say("starred", base=base)
         if name:
-            return say("upper", base=base, above=self.index(above))
+            key = "upper" if isinstance(above, Letter | Digits | Word) or not base else "tall-upper"
+            return say(key, base=base, above=self.index(above))
         if isinstance(above, Digits) and above.text in RAISED:
             return say(RAISED[above.text], base=base)
         return say("power" if is_short(above) else "tall-power", base=base, above=self.say(above))
@@ -196,18 +207,24 @@ def letter(char: str) -> str:
 
 
 def is_short(box: Box) -> bool:
-    """Whether it needs no word for its end: a letter with scripts, a number, letters side by side."""
+    """Whether it needs no word for its end: a letter with scripts, a number."""
     match box:
-        case Row(boxes):
-            return all(map(is_short, boxes))
         case Scripts(base, below, above):
             return all(is_short(part) for part in (base, below, above) if part is not None)
-        case Sign(char, kind):
-            return kind == "prefix" or char in "∂∗∘′,"
+        case Row(boxes):
+            return len(boxes) == 2 and boxes[0] == MINUS and is_short(boxes[1])
+        case Sign(char):
+            return char in "∂∗∘′"
         case Accent(_, over) | Styled(_, over):
             return is_short(over)
         case _:
             return isinstance(box, Letter | Digits | Word)
+
+
+def is_differential(box: Box) -> bool:
+    """The d f or the d t of a derivative, or the d alone."""
+    boxes = box.boxes if isinstance(box, Row) else (box,)
+    return boxes[0] in DIFFERENTIALS and len(boxes) <= 2 and all(map(is_short, boxes))
 
 
 def closed_by(boxes: Sequence[Box], opening: int) -> int:
@@ -222,7 +239,7 @@ def closed_by(boxes: Sequence[Box], opening: int) -> int:
     return 0
 
 
-def arguments(boxes: Sequence[Box], opening: int, closing: int) -> list[Row]:
+def arguments(boxes: Sequence[Box], opening: int, closing: int) -> list[Box]:
     """What stands between the commas of a pair of parentheses."""
     found: list[list[Box]] = [[]]
     depth = 0
@@ -233,4 +250,4 @@ def arguments(boxes: Sequence[Box], opening: int, closing: int) -> list[Row]:
             found.append([])
         else:
             found[-1].append(box)
-    return [Row(tuple(part)) for part in found]
+    return [part[0] if len(part) == 1 else Row(tuple(part)) for part in found]

@@ -41,7 +41,7 @@ PAIRED = frozenset("⟨⟩⌊⌋⌈⌉")  # what Typst would look for the partne
 UNIT = re.compile(r'\w|\\?[^\w\s"]|"[^"]*"|\d+(?:\.\d+)?')  # what is one piece without parentheses around
 ROOM = {"relation": "thick", "binary": "med"}
 DEGREE, PRIME = Sign("∘", "binary"), Sign("′")
-ROW_GAP = "row-gap: #0.95em, "
+ROW_GAPS = {2: "row-gap: #0.95em, ", 1: "row-gap: #0.7em, ", 0: ""}  # by how tall the fractions in rows are
 
 
 @lru_cache(4096)
@@ -181,4 +181,12 @@ def _grid(grid: Grid) -> str:
         return f"cases({', '.join(' & quad '.join(map(typst, row)) for row in grid.rows)})"
     fences = ", ".join(f'"{fence}"' if fence else "none" for fence in (grid.opening, grid.closing))
     rows = "; ".join(", ".join(map(typst, row)) for row in grid.rows)
-    return f"mat(delim: #({fences}), {ROW_GAP if grid.loose else ''}{rows})"
+    return f"mat(delim: #({fences}), {ROW_GAPS[_height(grid)]}{rows})"
+
+
+def _height(grid: Grid) -> int:
+    """2 where a matrix holds fractions in full size, 1 where it holds smaller ones."""
+    if grid.loose:
+        return 2
+    parts = (box.boxes if isinstance(box, Row) else (box,) for row in grid.rows for box in row)
+    return int(any(isinstance(part, Fraction) for boxes in parts for part in boxes))
