@@ -54,7 +54,8 @@ def _controller(controller: Controller, _: Any) -> Datum:
     )  # fmt: skip
     if gains:
         return Datum(Phrase("gains", {"values": gains}))
-    return Datum(Phrase("family", {"family": controller.family}), words=(controller.family,))
+    about = {"family": controller.family, "gains": names(controller.names)}
+    return Datum(Phrase("family", about), words=(controller.family,))
 
 
 def _known(given: Any, _: Any) -> Datum:

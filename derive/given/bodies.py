@@ -11,17 +11,24 @@ from derive.given.moves import axis_said
 from derive.kinds.problem import Problem
 from derive.kinds.registry import load
 from derive.mechanics.bodies import Body, Box, Cylinder, Inertia, Moments, PointMass, Rod, Sphere
+from derive.mechanics.dynamics import gravity_of
 from derive.mechanics.robot import Robot
 
 DRIVEN = ("rotor", "ratio", "viscous", "coulomb")
+
+
+HEAVY = frozenset({  # kinds whose answers hold gravity
+    "dynamics", "energy", "forward-dynamics", "gravity", "newton-euler", "properties", "regressor",
+    "state-space",
+})  # fmt: skip
 
 
 def bodies(robot: Robot, problem: Problem) -> Iterator[Datum]:
     """A table of the bodies, one of what the joints add, and a sentence about gravity."""
     if not any("bodies" in getattr(load(problem.name, kind), "NEEDS", ()) for kind, _ in problem.questions):
         return
-    if robot.gravity:
-        yield Datum(Phrase("gravity", {"vector": vector(robot.gravity)}))
+    if robot.gravity or any(kind in HEAVY for kind, _ in problem.questions):
+        yield Datum(Phrase("gravity", {"vector": vector(gravity_of(robot))}))
     carried = [(i, link.body) for i, link in enumerate(robot.links, 1) if link.body]
     headings: tuple[Cell, ...] = (
         Symbol("i"), Phrase("mass"), Phrase("center-of-mass"), Phrase("inertia-of-body"),
