@@ -53,8 +53,9 @@ class Method(Record):
 
 class SolvedFacts(Record):
     """Of one sub-problem: where its equations were read, or that they are those of one before, its steps by
-    their rules, and whether an orientation is what is out of reach where it has no solution. The first of its
-    two values makes something `positive`; the unknown, if it is a sum, is `called` by a name.
+    their rules, and whether an orientation is what is out of reach where it has no solution. The first of
+    `two` values makes something `positive`; where the unknown is `open` nothing determines it. A sum is
+    `called` by a name.
     """
 
     method: Method
@@ -62,7 +63,9 @@ class SolvedFacts(Record):
     called: Expr
     compared: tuple[Compared, ...]
     again: Phrase | None
+    two: Phrase | None
     positive: Expr | None
+    open: Phrase | None
     orientation: bool
     names: tuple[Step, ...]
     equations: tuple[Step, ...]

@@ -17,6 +17,15 @@ from derive.mechanics.inverse.subproblems import Reach, SubProblem, equations_of
 
 ORDER = ("name", "equation", "squares", "aside", "solved", "choice")  # of steps on the page
 
+TWO = {  # by the rule, and whether other elements give the size of the other function
+    ("cosine", False): "two-of-a-cosine", ("sine", False): "two-of-a-sine",
+    ("cosine", True): "size-of-the-sine", ("sine", True): "size-of-the-cosine",
+}  # fmt: skip
+OPEN = {
+    "direction": "singular-if", "difference": "arbitrary-only-if", "zero": "arbitrary-if",
+    "determinant": "no-determinant", "slide": "no-slope",
+}  # fmt: skip
+
 
 class Solving:
     """One sub-problem while its solution is written; `poses` are those its equations stand in."""
@@ -79,6 +88,8 @@ class Solving:
             called=named or head,
             compared=compared if read and not again else (),
             again=again,
+            two=Phrase(TWO[method.name, method.by_length]) if method.name in ("cosine", "sine") else None,
+            open=_open(method, named or head),
             positive=choices[0].signed if method.name in ("zero", "general") else None,
             orientation=progress.goal.R is not None and None in progress.goal.p,
             names=self._by("name"),
@@ -110,3 +121,10 @@ class Solving:
 
     def _by(self, rule: str) -> tuple[Step, ...]:
         return tuple(step for step in self.steps if step.rule == rule)
+
+
+def _open(method: Method, unknown: Expr) -> Phrase | None:
+    """Where the rule says nothing of the unknown."""
+    if not method.unless:
+        return None
+    return Phrase(OPEN[method.name], {"zeros": method.unless, "unknown": unknown})

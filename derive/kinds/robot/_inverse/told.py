@@ -83,7 +83,7 @@ class Told:
         """What happens where the outer axes coincide is said once."""
         facts = solved.facts
         if self.worked.singular and facts.method.factor:
-            return replace(facts, method=replace(facts.method, unless=()))
+            return replace(facts, open=None, method=replace(facts.method, unless=()))
         return facts
 
 
