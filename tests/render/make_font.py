@@ -35,7 +35,7 @@ def letters() -> set[str]:
         *GREEK.values(),
         *signs,
         *"".join(ACCENTS.values()),
-        *"−°·\xa0",
+        *"√−°·\xa0",
         *others,
     }
 
