@@ -17,7 +17,7 @@ from scipy import integrate, signal
 from derive.build import assemble
 from derive.derivation import Drawing, Figure, Panels, Plot
 from derive.errors import SheetErrors
-from derive.render.drawing.curves import Frame
+from derive.render.drawing.axes import Frame
 from derive.render.drawing.placing import Box
 from derive.render.drawing.plots import framed, sketched
 from derive.render.drawing.style import SERIES, series_pen

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from math import ceil, floor, log10
 
+from derive.derivation import Place
 from derive.render.numbers import rounded_latex
 
 STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)  # between ticks, times a power of ten
@@ -54,6 +55,18 @@ class Axis:
             return f"$10^{{{round(log10(tick))}}}$"
         small = abs(tick) <= NONE * (self.high - self.low)
         return "0" if small else f"${rounded_latex(tick, DIGITS)}$"
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """Both axes of a plot; a `panel` has another above it."""
+
+    x: Axis
+    y: Axis
+    panel: bool = False
+
+    def at(self, place: Place) -> Place:
+        return self.x.at(place[0]), self.y.at(place[1])
 
 
 def _step(least: float) -> float:

@@ -6,11 +6,12 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from derive.derivation import Panels, Plot
-from derive.render.drawing.axes import Axis, span
-from derive.render.drawing.curves import STRIP, Frame, contents, strip_rows, swatches
+from derive.render.drawing.axes import Axis, Frame, span
+from derive.render.drawing.curves import contents
+from derive.render.drawing.legend import with_legend
 from derive.render.drawing.lettering import Written
 from derive.render.drawing.paper import Paper
-from derive.render.drawing.placing import Box
+from derive.render.drawing.readings import STRIP, strip_rows
 from derive.render.drawing.sketch import Sketch, said
 from derive.render.drawing.style import FAINT, INK, LETTERS, PALE, WIDEST, Pen
 
@@ -21,7 +22,6 @@ BETWEEN, APART = 9.0, 22.0  # panels above each other, and beside each other
 TICK, AIR = 3.0, 3.0
 ROOM_X, ROOM_Y = 42.0, 24.0  # points that ticks are apart at least
 AXIS, GRID, MOMENT = Pen(INK, 0.8), Pen(PALE, 0.5), Pen(FAINT, 0.6, (1, 1.6))
-SWATCH = 20.0
 LETTER = 12.0  # points: a name of an axis as short as a letter is not turned
 
 
@@ -43,7 +43,7 @@ def sketched(picture: Plot | Panels) -> Sketch:
 
 
 def _alone(plot: Plot, frame: Frame) -> Sketch:
-    return _with_legend(_drawn(plot, frame), [plot], frame)
+    return with_legend(_drawn(plot, frame), plot)
 
 
 def framed(plot: Plot, high: float, wide: float = WIDE) -> Frame:
@@ -129,24 +129,6 @@ def _below(sketch: Sketch, plot: Plot, frame: Frame) -> None:
     sketch.text(name, at, low - 12.0 * len(ends) - 5.0 - name.high)
 
 
-def _with_legend(sketch: Sketch, plots: Sequence[Plot], frame: Frame) -> Sketch:
-    """Above it, in rows as wide as the picture: what lines and fillings are, where there are several."""
-    entries = swatches(plots)
-    if len(entries) < 2:
-        return sketch
-    whole, legend = sketch.whole, Sketch()
-    left, low = 0.0, 0.0
-    for entry, text in zip(entries, said([entry.name for entry in entries]), strict=True):
-        wide = SWATCH + 5.0 + text.wide
-        if left and left + wide > WIDEST - 30:
-            left, low = 0.0, low - 13.0
-        entry.draw(legend, Box(left, low - 3.0, left + SWATCH, low + 3.0))
-        legend.text(text, left + SWATCH + 5.0, low - min(text.high, 6.5) / 2)
-        left += wide + 14.0
-    sketch.add(legend, 0.0, whole.high + 8.0 - legend.whole.low)
-    return sketch
-
-
 def _stack(plots: Sequence[Plot]) -> Sketch:
     """One above the other; the horizontal axis is named below the last."""
     sketch, frames = Sketch(), [framed(plot, PANEL + STRIP * strip_rows(plot)) for plot in plots]
@@ -157,7 +139,7 @@ def _stack(plots: Sequence[Plot]) -> Sketch:
         same = replace(frame, x=replace(frame.x, low=low, high=high), panel=True)
         sketch.add(_drawn(plot, same, k == 0, ticks), 0.0, at)
         at += frame.y.end + BETWEEN
-    return _with_legend(sketch, plots[:1], frames[0])
+    return with_legend(sketch, plots[0])
 
 
 def _row(sketches: Sequence[Sketch]) -> Sketch:
