@@ -30,6 +30,8 @@ def corners_of(
 def drawn(body: Polyhedron, places: Mapping[str, Vector], view: View) -> tuple[list[Stroke], list[Stroke]]:
     """The faces that look at the reader, from back to front, and all edges. Raises NotDerivable for a face
     that is not flat."""
+    if unknown := [name for face in body.faces for name in face if name not in places]:
+        raise NotDerivable(f"there is no corner {unknown[0]}")
     faces = [tuple(places[name] for name in face) for face in body.faces]
     for face, names in zip(faces, body.faces, strict=True):
         if not _flat(face):
@@ -52,6 +54,8 @@ def lengths(
     """The names of lengths by their edges. Raises NotDerivable where one is not as long as is said."""
     middle = view.place(_middle(tuple(places[name] for face in body.faces for name in face)))
     for one, other, name in body.lengths:
+        if unknown := [corner for corner in (one, other) if corner not in places]:
+            raise NotDerivable(f"there is no corner {unknown[0]}")
         a, b = places[one], places[other]
         long = dot(between(a, b), between(a, b)) ** 0.5
         if abs(long - number(name, point)) > NEAR * max(1.0, long):

@@ -31,6 +31,8 @@ def of_frames(frames: Frames, where: Mapping[str, Expr], wish: Wish) -> Drawing:
 
     every = [move for frame in frames.frames for move in _moves(frame.source)]
     sizes = [part for frame in frames.frames for part in _origins(frame.source)]
+    sizes += [part for corner in (wish.body.corners.values() if wish.body else ()) for part in corner]
+    sizes += [size for _, _, size in (wish.body.lengths if wish.body else ())]
     point = completed(typical(every, sizes, where, ())[0] | wish_values(wish), where)
     poses = [numpy.eye(4)]
     for frame in frames.frames:
