@@ -53,7 +53,8 @@ class Mentioned:
         plain = FORMULA.sub(" ", text).lower()
         numbers = {*_typed(re.sub(INDEX, " ", text))}
         numbers |= {Fraction(k) for k, word in enumerate(NUMERALS, 2) if re.search(rf"\b{word}\b", plain)}
-        return cls(frozenset(found), frozenset(numbers), _bare(" ".join(formulas)), _bare(text), plain)
+        dense = _bare(text).replace("$", "")
+        return cls(frozenset(found), frozenset(numbers), _bare(" ".join(formulas)), dense, plain)
 
     def says(self, datum: Datum) -> bool:
         """Whether all of a datum stands here."""

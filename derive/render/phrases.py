@@ -37,9 +37,9 @@ from derive.derivation import (
 )
 from derive.expression import PI, Degrees, Expr, Quotient, Relation, walk
 from derive.render.latex import Printer
-from derive.render.layout import Chain, Link
+from derive.render.layout import Chain
 from derive.render.notation import Notation
-from derive.render.printed import Printed, links_of
+from derive.render.printed import Printed, links_of, says
 from derive.render.skin import environment, joined, words_file
 
 PHRASES = "phrases"  # the block of a words template that holds them
@@ -98,7 +98,7 @@ class Speech:
             case _:
                 tree = self.styled(said)
                 written = self.tree(tree, notation)
-                self.seen((Link("=", written, tree),), written)
+                self.seen(says(tree, written), written)
                 return self.formula.format(written)
 
     def when(self, conditions: Iterable[Condition]) -> str:

@@ -12,11 +12,12 @@ from typing import Any
 from derive.expression import Symbol
 from derive.kinds.registry import folder_of
 from derive.render.latex import Printer
+from derive.render.layout import one_line
 from derive.render.phrases import block_of, lines_in
-from derive.render.printed import Printed, says
+from derive.render.printed import Printed
 from derive.render.skin import words_file
 from derive.render.values import in_unit
-from derive.render.words import QUESTION, words_of
+from derive.render.words import QUESTION, chain_links, words_of
 
 
 def question_text(
@@ -30,13 +31,19 @@ def question_text(
         return ""
 
     def mathematics(value: Any, _: Any = None, unit: str = "") -> str:
-        tree = in_unit(Symbol(value) if isinstance(value, str) else value, unit)
-        written = printer.write(tree)
-        printed.append(Printed.inline(written, says(tree, written), printer.notation))
+        trees = [Symbol(each) if isinstance(each, str) else each for each in chained(value)]
+        chain = chain_links((*trees[:-1], in_unit(trees[-1], unit)), printer)
+        written = one_line(chain)
+        printed.append(Printed.inline(written, chain, printer.notation))
         return f"${written}$"
 
     scope = {"options": options, "subject": subject, "name": name, "math": mathematics}
     return " ".join("".join(block(template.new_context(scope))).split())
+
+
+def chained(value: Any) -> tuple[Any, ...]:
+    """A name and its value, or one expression."""
+    return value if isinstance(value, tuple) else (value,)
 
 
 def results_of(module: str) -> dict[str, str]:
