@@ -5,10 +5,13 @@ from __future__ import annotations
 import random
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import cache
+from importlib import import_module
 from itertools import combinations, pairwise
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,6 +20,7 @@ from scipy import integrate, signal
 from derive.build import assemble
 from derive.derivation import Drawing, Figure, Panels, Plot
 from derive.errors import SheetErrors
+from derive.figures.loops import Pictured
 from derive.render.drawing.axes import Frame
 from derive.render.drawing.placing import Box
 from derive.render.drawing.plots import framed, sketched
@@ -270,3 +274,52 @@ def test_a_picture_loads_no_plotting_library(tmp_path: Path) -> None:
         "assert not {'matplotlib', 'scipy', 'sympy'} & {*sys.modules}"
     )
     subprocess.run([sys.executable, "-c", run], check=True)
+
+
+def later(plot: Plot) -> Plot:
+    """With a mark that is somewhere else."""
+    first, *others = plot.spans
+    return replace(plot, spans=(replace(first, end=(1.1 * first.end[0], first.end[1])), *others))
+
+
+def larger(panels: Panels) -> Panels:
+    """With ellipses that are too large."""
+    *before, plot = panels.plots
+    series = {name: (tuple(1.01 * x for x in xs), ys) for name, (xs, ys) in plot.series.items()}
+    return replace(panels, plots=(*before, replace(plot, series=series)))
+
+
+def unlike(picture: Pictured) -> Pictured:
+    """With another sign in a sum."""
+    blocks = [replace(b, signs=(1,) * len(b.signs)) for b in picture.diagram.blocks]
+    return replace(picture, diagram=replace(picture.diagram, blocks=tuple(blocks)))
+
+
+STEP = "{system: {equations: ['(s + 1)*y = u'], input: u, output: y}, find: step-response}"
+LOOP = "{system: {equations: ['(s + 1)*y = u'], input: u, output: y}, find: closed-loop, controller: P}"
+ROWS = "[{theta: theta1*, d: 0, a: 1, alpha: 0}, {theta: theta2*, d: 0, a: 1, alpha: 0}]"
+ARM = f"{{robot: {{links: {ROWS}}}, find: manipulability, evaluate: {{theta1: 0.1, theta2: 1}}}}"
+WAVE = "{sensor: {pwm: 12 V, duty: 40%}, find: mean-voltage}"
+
+
+@pytest.mark.parametrize(
+    ("problem", "place", "slip"),
+    [
+        (STEP, "system.step_response.stepped", later),
+        (LOOP, "system.closed_loop.looped", unlike),
+        (ARM, "robot._velocity.ellipsoids.at_the_tip", larger),
+        (WAVE, "sensor.mean_voltage.switched", lambda plot: replace(plot, marks={"": 5.0})),
+    ],
+)
+def test_what_is_drawn_wrongly_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, problem: str, place: str, slip: Callable[[Any], Any]
+) -> None:
+    sheet = tmp_path / "x.yaml"
+    sheet.write_text(f"title: x\nproblems:\n- {problem}\n", encoding="utf-8")
+    assemble(load_sheet(sheet))
+    module, _, name = f"derive.kinds.{place}".rpartition(".")
+    right = getattr(import_module(module), name)
+    monkeypatch.setattr(f"{module}.{name}", lambda *given: slip(right(*given)))
+    with pytest.raises(SheetErrors) as caught:
+        assemble(load_sheet(sheet))
+    assert "its own check" in caught.value.errors[0].message
