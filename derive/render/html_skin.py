@@ -42,6 +42,10 @@ class HtmlFormulas:
         return " ".join(map(math, _parts(box.boxes)))
 
     def display(self, formula: Display) -> str:
+        shown = self._display(formula)
+        return f'<div class="answer">{shown}</div>' if formula.boxed else shown
+
+    def _display(self, formula: Display) -> str:
         (first, *rest) = formula.lines
         if rest or BESIDE not in first or "&" in first.split(r"\begin")[0]:
             return _shown(boxes_of_lines(formula.lines), max(map(width, formula.lines)))

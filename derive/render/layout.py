@@ -40,12 +40,14 @@ class Link:
 @dataclass(frozen=True, slots=True)
 class Display:
     """A displayed equation: lines with alignment marks, or a single one without. `wide`: may need scaling;
-    `chains` are what was laid out, in a `notation`, none for a display that was typed."""
+    `chains` are what was laid out, in a `notation`, none for a display that was typed. The answer to a
+    question stands in a frame: `boxed`."""
 
     lines: tuple[str, ...]
     wide: bool = False
     chains: tuple[Chain, ...] = ()
     notation: Notation = HOUSE
+    boxed: bool = False
 
 
 Chain: TypeAlias = tuple[Link, ...]

@@ -139,7 +139,7 @@ class Skin:
         """A displayed equation."""
         if self.formulas:
             return self._macro("display", self.formulas.display(display))
-        return self._macro("display", list(display.lines), display.wide)
+        return self._macro("display", list(display.lines), display.wide, display.boxed)
 
     def em(self, text: str) -> str:
         return self._macro("em", text)

@@ -22,6 +22,7 @@ DISPLAY = re.compile(
 )
 ALIGNED = r"\\begin\{aligned\}\n(.*)\n\\end\{aligned\}"
 FRAME = re.compile(rf"\\fitted\{{{ALIGNED}\}}|{ALIGNED}|\\fitted\{{(.*)\}}", re.DOTALL)
+BOXED = re.compile(r"\\boxed\{\n?(.*?)\n?\}(?=\}?\Z)", re.DOTALL)
 LETTER = re.compile(r"@([A-Za-z])")
 NAME = r"\\?[A-Za-z]+(?:\{[A-Za-z]\})?(?:_(?:\w|\{[^{}]*\}))?"
 
@@ -49,7 +50,7 @@ def relettered(written: str, printed: Collection[Printed], letters: Lettering) -
 
 def _lines(display: re.Match[str]) -> tuple[str, ...]:
     """The lines of a display, out of what the format sets them in."""
-    body = display[display.lastgroup or 0]
+    body = BOXED.sub(r"\1", display[display.lastgroup or 0])
     framed = FRAME.fullmatch(body)
     whole: str = body if framed is None else framed[framed.lastindex or 0]
     return tuple(map(_aligned, whole.split(" \\\\\n")))

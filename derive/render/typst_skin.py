@@ -35,7 +35,8 @@ class TypstFormulas:
     def display(self, formula: Display) -> str:
         spoken = typst_string(aloud(formula))
         name = "fit" if formula.wide else "tall" if len(formula.lines) > TALL else "eq"
-        return f"{BLOCK}#{name}({spoken}, {DOLLAR} {typst(boxes_of_lines(formula.lines))} {DOLLAR})"
+        shown = f"#{name}({spoken}, {DOLLAR} {typst(boxes_of_lines(formula.lines))} {DOLLAR})"
+        return f"{BLOCK}#answer[{shown}]" if formula.boxed else f"{BLOCK}{shown}"
 
 
 def laid_out(page: str) -> str:

@@ -1,10 +1,10 @@
 """Runs the words of a kind: a Jinja template whose sentences refer to the steps of a derivation.
 
 In scope of a words template: `d`, `step(name)`, `facts`, `asked`, the filters `m`, `each`
-and `listed`, and the functions `show`, `inline`, `tell`, `table`, `plot`, `say`, `listing`, `path`, `em`,
-`strong`, `items`. Its blocks `question` and `phrases` are left out here. A step the words neither show nor
-tell is an error: nothing that was derived goes unsaid unnoticed. Steps are told in the order in which they
-were derived, so that nothing is used before it is found.
+and `listed`, and the functions `show`, `answer`, `inline`, `tell`, `table`, `plot`, `say`, `listing`, `path`,
+`em`, `strong`, `items`. Its blocks `question` and `phrases` are left out here. A step the words neither show
+nor tell is an error: nothing that was derived goes unsaid unnoticed. Steps are told in the order in which
+they were derived, so that nothing is used before it is found.
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ def words(
     values = Values(derivation.units, derivation.facts.style, notation.digits)
     speech = replace(speech, measured=values.relation)
     telling = Telling(
-        derivation, speech, skin, notation, plots or {}, files or {}, seen, values, numbers or {}
+        derivation, speech, skin, notation, plots or {}, files or {}, seen, values, numbers or {}, asked
     )
     for claim in derivation.claims:  # said in the JSON only, but their words must not be missing unnoticed
         telling.speech.claim(claim)
@@ -120,7 +120,8 @@ class Telling:
     files: Mapping[str, str]
     printed: list[Printed]
     values: Values
-    numbers: Mapping[str, int] = field(default_factory=dict)
+    numbers: Mapping[str, int]
+    asked: bool
     told: dict[str, int] = field(default_factory=dict)  # steps, and when each was told first
     said: list[Sayable] = field(default_factory=list)
 
@@ -128,7 +129,8 @@ class Telling:
         """What a words template can name."""
         return {
             "d": self.d, "step": self.d.step, "steps": self.steps, "facts": self.d.facts,
-            "show": self.show, "inline": self.inline, "tell": self.tell, "table": self.table,
+            "show": self.show, "answer": self.answer, "inline": self.inline, "tell": self.tell,
+            "table": self.table,
             "plot": self.plot, "em": self.skin.em, "strong": self.skin.strong, "items": self.skin.items,
             "listing": self.listing, "path": self.path, "math": self.math, "formula": self.formula,
             "say": self.say, "each": self.each, "cut": self.cut, "whole": self.whole, "fits": self.fits,
@@ -139,7 +141,13 @@ class Telling:
         """The outer steps of these rules, in their order."""
         return [step for step in self.d.steps if step.rule in rules]
 
-    def show(self, *names: Shown, trig: Trig = None, entries: str = "", lines: int = 2) -> str:
+    def answer(self, *names: Shown, trig: Trig = None, entries: str = "", lines: int = 2) -> str:
+        """The same as `show` for what was asked, which stands in a frame."""
+        return self.show(*names, trig=trig, entries=entries, lines=lines, boxed=self.asked)
+
+    def show(
+        self, *names: Shown, trig: Trig = None, entries: str = "", lines: int = 2, boxed: bool = False
+    ) -> str:
         """A displayed equation of one or several steps (or bare chains), side by side where they fit.
 
         Long entries of a matrix too wide for the page are named, and listed after it; `entries` are words to
@@ -158,16 +166,17 @@ class Telling:
             for chain, (shown, listed) in both
             if listed
         )
-        shown = self._display(tuple(chain for chain, _ in parts), printer, namings)
+        shown = self._display(tuple(chain for chain, _ in parts), printer, namings, boxed)
         listed = [self._display(chains, printer) for _, chains in parts if chains]
         return "".join((shown, f"\n{entries}\n" if entries and listed else "", *listed))
 
     def _display(
-        self, chains: tuple[tuple[Expr, ...], ...], printer: Printer, namings: tuple[Naming, ...] = ()
-    ) -> str:
+        self, chains: tuple[tuple[Expr, ...], ...], printer: Printer, namings: tuple[Naming, ...] = (),
+        boxed: bool = False,
+    ) -> str:  # fmt: skip
         display = lay_out(tuple(chain_links(chain, printer) for chain in chains), printer.notation)
         self.printed.append(Printed.display(display, printer.notation, namings))
-        return self.skin.display(display)
+        return self.skin.display(replace(display, boxed=boxed))
 
     def formula(self, *lines: str) -> str:
         """A general law, displayed as the words write it in LaTeX; what is derived goes through `show`."""
