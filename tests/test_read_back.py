@@ -14,7 +14,7 @@ from derive.build import build, derive_all
 from derive.errors import SheetErrors
 from derive.expression import Derivative, Expr, Matrix, Product, Sum, Symbol, cos, number, sin, symbols
 from derive.read_back import MISPRINTED, read_back, reading_of
-from derive.render import entries, latex, layout, names, phrases, trig, words
+from derive.render import entries, latex, layout, lettering, names, phrases, trig, words
 from derive.render.document import Document
 from derive.render.latex import Printer
 from derive.render.notation import Notation
@@ -132,10 +132,12 @@ MISTAKES: dict[str, Patch] = {
         latex, "short_index", lambda right, *given: right(*given).replace("1", "2")
     ),
     "indices in another order": of_printer(
-        "indexed", lambda right, base, lower, upper: right(base, lower[::-1], upper)
+        "indexed", lambda right, name: right(replace(name, lower=name.lower[::-1]))
     ),
-    "scripts above for those below": of_module(names, "name_parts", renamed),
+    "scripts above for those below": of_module(lettering, "name_parts", renamed),
     "the inner derivative by another name": of_printer("derivative", in_text(r"\partial ", "")),
+    "another unit": of_module(latex, "unit_latex", lambda right, unit: right("N" if unit == "m" else unit)),
+    "no unit": of_module(latex, "unit_latex", lambda right, unit: ""),
     "degrees as numbers": of_printer("rarer", in_text(r"^\circ", "")),
     "decimals cut": of_module(
         latex, "fraction_latex", lambda right, *given, **more: right(*given, **more)[:3]
