@@ -12,9 +12,8 @@ from derive.algebra.bounds import count, one_answer
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, normal, normal_matrix
 from derive.algebra.rationals import significant_digits
-from derive.algebra.readable.form import as_written, readable, readable_matrix
+from derive.algebra.readable.form import readable, readable_matrix
 from derive.algebra.readable.terms import Style
-from derive.algebra.readable.writing import opposite
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation
 from derive.expression import PI, Degrees, Expr, Indexed, Matrix, Number, Symbol, free_symbols, walk
@@ -26,7 +25,6 @@ from derive.names import require_free
 
 TREES = get_args(Expr)
 NAMES = (Symbol, Indexed)
-LONG = 10  # terms
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,16 +142,8 @@ class Problem:
         if key not in self.memo.written:
             self.memo.terms[value.ring] += len(value.numerator)
             count(len(value.numerator), self.memo.terms.total())
-            self.memo.written[key] = self._read(value)
+            self.memo.written[key] = readable(value, self.style)
         return self.memo.written[key]
-
-    def _read(self, value: Scalar) -> Expr:
-        """A long one whose opposite is written already is not searched for again."""
-        if len(value.numerator) > LONG:
-            known = self.memo.written.get((-value).key())
-            if known is not None:
-                return as_written(opposite(known), value)
-        return readable(value, self.style)
 
     def readable_matrix(self, value: ScalarMatrix) -> Matrix:
         """As a person would write it, entry by entry."""

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import random
+import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 
@@ -81,3 +85,27 @@ def test_the_order_does_not_depend_on_where_or_how_it_was_typed(seed: int) -> No
     together = ScalarMatrix.column([normal(shuffled(each, drawn)) for each in typed])
     alone = [readable(normal(each), style) for each in typed]
     assert [row[0] for row in readable_matrix(together, style).rows] == alone
+
+
+WRITTEN = """
+from derive.algebra.infix import text
+from derive.algebra.normal import normal
+from derive.algebra.readable.form import readable
+from tests.algebra.test_order import BOOKS
+from tests.trees import formula
+print([text(readable(normal(formula(each)))) for each in BOOKS])
+"""
+
+
+def test_the_order_does_not_depend_on_the_hashes_of_a_run() -> None:
+    runs = [
+        subprocess.run(
+            [sys.executable, "-c", WRITTEN],
+            env={**os.environ, "PYTHONHASHSEED": seed},
+            cwd=Path(__file__).parents[2],
+            capture_output=True,
+            check=True,
+        ).stdout
+        for seed in ("1", "2")
+    ]
+    assert runs[0] == runs[1]
