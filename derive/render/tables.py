@@ -34,6 +34,8 @@ def unit_text(unit: str) -> str:
 
 
 def _column(heading: Cell, cells: Sequence[Cell], values: Values) -> tuple[tuple[Cell, ...], str]:
+    if not any(isinstance(cell, TREES) for cell in cells):  # signs, or words
+        return tuple(cells), ""
     unit = next((unit for name, unit in values.units.items() if name == heading), "")
     unit = unit or _typed(cells)
     if unit.startswith("deg"):

@@ -81,8 +81,7 @@ class Postures:
 
     def found(self) -> tuple[Posture, ...]:
         """In the order of the sub-problems."""
-        chain = self.worked.chain
-        if chain.coupling:
+        if self.worked.chain.coupling or next(self.tried.solved, None) is None:
             return ()
         each = (self._of(solved) for solved in self.worked.solved if solved.two_valued)
         return tuple({posture.part: posture for posture in each if posture}.values())
