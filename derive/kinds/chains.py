@@ -6,8 +6,20 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from derive.algebra.infix import text
+from derive.algebra.readable.writing import opposite
 from derive.derivation import Step
-from derive.expression import Expr, Number, Quotient, children, walk
+from derive.expression import (
+    Degrees,
+    Expr,
+    Number,
+    Product,
+    Quotient,
+    Sum,
+    children,
+    multiply,
+    walk,
+    with_value,
+)
 
 
 def closing(step: Step, result: Expr) -> Step:
@@ -36,3 +48,14 @@ def _fractional(expr: Expr) -> bool:
     return isinstance(expr, Quotient) or (
         isinstance(expr, Number) and expr.value.denominator != 1 and not expr.decimal
     )
+
+
+def constants_together(tree: Expr) -> Expr:
+    """30 deg (3 - sqrt(5)) for 60 deg times 1/2 (3 - sqrt(5)); a sign goes into the sum."""
+    match tree:
+        case Product((Degrees(angle) as turn, Product((Number(size), *rest)))) if rest:
+            value, last = angle * size, multiply(*rest)
+            if value < 0 and isinstance(last, Sum):
+                value, last = -value, opposite(last)
+            return with_value(turn, value) * last
+    return tree

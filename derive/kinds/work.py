@@ -24,7 +24,7 @@ from derive.derivation import Claim, Derivation, PageFacts, Record, Result, Said
 from derive.errors import FormulaError, NotDerivable
 from derive.expression import Degrees, Expr, Indexed, Matrix, Symbol, free_symbols
 from derive.expression import replace as put_in
-from derive.kinds.chains import closing, distinct, piled
+from derive.kinds.chains import closing, constants_together, distinct, piled
 from derive.kinds.checks import TOLERANCE, agreement, law
 from derive.kinds.links import UNLINKED, links
 from derive.kinds.problem import Problem
@@ -197,7 +197,7 @@ class Work:
             return self
         if self.known.get(symbol) == symbol:
             raise NotDerivable(NAMESAKE.format(symbol.name))
-        filled = put_in(formula, self.definitions)
+        filled = constants_together(put_in(formula, self.definitions))
         if answer is None:  # a formula in the author's own symbols stays as books print it
             answer = formula if filled == formula else self.shown(formula)
         shown = (filled,) if not free_symbols(filled) and not piled(filled) else ()
