@@ -12,6 +12,7 @@ from derive.expression import Expr, Symbol, is_negative
 from derive.figures import described, solids
 from derive.figures.arm import SMALL, Joint, Part, Posed, joint_size, length_between, place_of
 from derive.figures.arm_frames import frames_of
+from derive.figures.arm_marks import Mark, marked
 from derive.figures.arm_values import values_of
 from derive.figures.held import held
 from derive.figures.poses import in_pose
@@ -23,15 +24,18 @@ MOST, JOINT = 250.0, 16.0  # points: how high an arm is drawn, and how large a j
 SHORT = 2.6  # sizes of a joint: a shorter offset along its axis is part of its cylinder
 
 
-def drawn(robot: Robot, where: Mapping[str, Expr], wish: Wish) -> Drawing:
-    """The arm in the pose that is wished for, or one that shows it; symbols have typical values."""
-    point, usual = values_of(robot, where)
+def drawn(robot: Robot, where: Mapping[str, Expr], wish: Wish, marks: Sequence[Mark] = ()) -> Drawing:
+    """The arm in the pose that is wished for, or one that shows it, with marks on it; symbols have typical
+    values."""
+    point, usual = values_of(robot, where, [part for mark in marks for part in mark.at])
     wanted = {name: number(value, {}) for name, value in wish.at.items()}
     view, found = in_pose(robot, point | wanted, usual, where, wanted)
     size = joint_size(found)
     joints, stubs = _apart(found, size, view)
     held(robot, where, found, joints, size)
     strokes, captions = _sketch(robot, view, found, joints, stubs, size)
+    for signs, names in marked(robot, view, found, marks, size):
+        strokes, captions = (*strokes, *signs), (*captions, *names)
     said = described.caption(robot, found, view), described.seen(robot, found, view)
     return Drawing("figure", strokes, captions, *said, _highest(strokes, size, found), schematic=True)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from derive.expression import Expr, Symbol, free_symbols
 from derive.figures.typical import names_in, typical
@@ -12,11 +12,15 @@ from derive.mechanics.motion import Motion, Move
 from derive.mechanics.oracle.values import trees_in
 from derive.mechanics.robot import DHRow, Robot, ScrewRow
 
+MIDDLE = 0.5  # of a usual length: how far a point is along its link
 OFFSET = 0.45  # of a usual length: an offset beside a link
 
 
-def values_of(robot: Robot, where: Mapping[str, Expr]) -> tuple[dict[str, float], float]:
-    """A value for every symbol but the joint variables, and the size of a usual length (m)."""
+def values_of(
+    robot: Robot, where: Mapping[str, Expr], points: Iterable[Expr] = ()
+) -> tuple[dict[str, float], float]:
+    """A value for every symbol but the joint variables, and the size of a usual length (m); coordinates of
+    `points` of links are shorter."""
     every = [move for link in robot.links for move in moves(link, robot)]
     more = [part for link in robot.links if isinstance(link.row, ScrewRow) for part in link.row.through]
     home: tuple[Move, ...] = ()
@@ -32,6 +36,9 @@ def values_of(robot: Robot, where: Mapping[str, Expr]) -> tuple[dict[str, float]
     for tree in trees_in((robot.base, rows, robot.tool, robot.home)):
         for name in names_in(tree, where) - set(robot.variables):
             point.setdefault(name, usual)
+    for tree in points:
+        for name in names_in(tree, where) - set(robot.variables):
+            point.setdefault(name, MIDDLE * usual)
     return point, usual
 
 

@@ -5,12 +5,17 @@ from __future__ import annotations
 from derive.control.system import System
 from derive.derivation import Drawing
 from derive.errors import NotDerivable
+from derive.expression import ZERO
+from derive.figures.arm_marks import Mark
 from derive.figures.wish import Wish
 from derive.kinds.problem import Problem
 from derive.mechanics.frames import Frames
 from derive.mechanics.motion import Motion
 from derive.mechanics.robot import Robot
 
+MASSES = frozenset(
+    {"dynamics", "inertia-matrix", "gravity", "christoffel", "coriolis-matrices", "properties"}
+)
 NOTHING = Wish()
 MOST_FRAMES = 8  # that one figure can show
 DRAWN = frozenset({"robot", "motion", "frames", "system", "motor"})  # the subjects that can be drawn
@@ -30,13 +35,30 @@ def explains(problem: Problem, solutions: bool) -> bool:
             return False
 
 
+def _marks(problem: Problem, robot: Robot) -> list[Mark]:
+    """The points that are asked about, and centers of mass where it is masses that matter."""
+    from derive.figures.arm_marks import Mark, centers
+
+    points = [getattr(options, "point", None) for _, options in problem.questions]
+    asked = [point for point in points if point and point.link and any(part != ZERO for part in point.at)]
+    marks = {
+        point.at: Mark(point.link, point.at, "o_c", False)
+        for point in asked
+        if point.link <= len(robot.links)
+    }
+    return [
+        *marks.values(),
+        *(centers(robot) if any(find in MASSES for find, _ in problem.questions) else ()),
+    ]
+
+
 def figure_of(problem: Problem, wish: Wish = NOTHING) -> Drawing:
     """The subject drawn, in a pose that shows it. Raises NotDerivable."""
     match problem.subject:
         case Robot():
             from derive.figures import arm_sketch
 
-            return arm_sketch.drawn(problem.subject, problem.where, wish)
+            return arm_sketch.drawn(problem.subject, problem.where, wish, _marks(problem, problem.subject))
         case Motion():
             from derive.figures import motions
 

@@ -80,6 +80,13 @@ def test_a_slip_in_what_is_drawn_is_refused(tmp_path: Path, monkeypatch: pytest.
     assert "the joint of theta2 is drawn off its axis" in caught.value.errors[0].message
 
 
+def test_centers_of_mass_and_points_asked_about_are_marked() -> None:
+    exercises = Path(__file__).parents[2] / "exercises"
+    for name, number, marks in (("week6", 1, {"o_c1", "o_c2"}), ("week4", 2, {"o_c"})):
+        drawing = assemble(load_sheet(exercises / f"{name}.yaml")).problems[number - 1].drawing
+        assert drawing and marks <= {getattr(caption.text, "name", "") for caption in drawing.captions}
+
+
 BODY = """\
 title: x
 problems:

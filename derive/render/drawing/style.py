@@ -54,6 +54,7 @@ ARROWS = {
     "before": Pen(FAINT, 1.0),
     "arc": Pen(INK, 0.8),
     "turn": Pen(INK, 0.8),
+    "measure": Pen(INK, 0.6),
     "way": Pen(GREY, 0.7, (3, 2)),
     "arrow": Pen(INK, 0.9),
 }
