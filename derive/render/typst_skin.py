@@ -21,7 +21,7 @@ LEAD_IN = re.compile(rf"(?<=\n\n)(?!{BLOCK}|#(?!(?:{IN_LINE})\b)|\])((?:.+\n)+)\
 SPOKEN = re.compile(rf'#[a-z]+\("[^"]*", {DOLLAR}')  # what is not seen of a formula, and begins it
 BY_ITSELF = 200  # letters and signs: more than two lines
 HELD = 14.0  # em, up to which a formula does not break in a line of text
-TALL = 9  # lines of a display that may break between pages
+TALL = 12  # rows of a display, those of its matrices too, from which it may break between its lines
 
 
 class TypstFormulas:
@@ -34,9 +34,14 @@ class TypstFormulas:
 
     def display(self, formula: Display) -> str:
         spoken = typst_string(aloud(formula))
-        name = "fit" if formula.wide else "tall" if len(formula.lines) > TALL else "eq"
+        name = "fit" if formula.wide else "tall" if _rows(formula) > TALL else "eq"
         shown = f"#{name}({spoken}, {DOLLAR} {typst(boxes_of_lines(formula.lines))} {DOLLAR})"
         return f"{BLOCK}#answer[{shown}]" if formula.boxed else f"{BLOCK}{shown}"
+
+
+def _rows(formula: Display) -> int:
+    """How many lines of text a display is about as tall as."""
+    return sum(max(part.count(r"\\") + 1 for part in line.split(r"\begin")) for line in formula.lines)
 
 
 def laid_out(page: str) -> str:
