@@ -8,11 +8,9 @@ from typing import Any, TypeAlias, get_args
 
 from derive.algebra.formulas.quantities import rational
 from derive.derivation import Phrase, Said, Table
-from derive.expression import Expr, Matrix, Number, Relation, Symbol, column, number
+from derive.expression import ZERO, Expr, Matrix, Measured, Number, Relation, Symbol, column, number
 
 TREES = get_args(Expr)
-NO_BREAK = "\u00a0"
-RAISED = {ord("^"): None, ord("2"): "²", ord("3"): "³"}
 Chain: TypeAlias = tuple[Expr, ...]
 
 
@@ -53,7 +51,7 @@ def _trees(part: Any) -> Iterator[Expr]:
             yield part
 
 
-def vector(parts: Sequence[Expr], unit: str = "") -> Phrase:
+def vector(parts: Sequence[Expr], unit: str = "") -> Expr:
     """A column, with the unit that its author gave it."""
     return measured(column(parts), unit or next(filter(None, map(unit_of, parts)), ""))
 
@@ -69,25 +67,20 @@ def as_typed(matrix: Matrix, places: int) -> Matrix:
     return Matrix(tuple(tuple(rounded(i, j, entry) for j, entry in enumerate(row)) for i, row in rows))
 
 
-def valued(name: str | Expr, value: Expr) -> Phrase:
+def valued(name: str | Expr, value: Expr) -> Relation:
     """`name = value`, with the unit that its author gave it."""
-    left = Symbol(name) if isinstance(name, str) else name
-    return Phrase("value", {"equation": Relation(left, "=", value), "unit": unit_of(value)})
+    return Relation(Symbol(name) if isinstance(name, str) else name, "=", measured(value))
 
 
-def measured(value: Expr, unit: str = "") -> Phrase:
-    """A value with its unit."""
-    return Phrase("measured", {"value": value, "unit": spaced(unit) or unit_of(value)})
+def measured(value: Expr, unit: str = "") -> Expr:
+    """A value with its unit, or with the one that its author gave it."""
+    unit = unit or unit_of(value)
+    return Measured(value, unit) if unit and value != ZERO else value
 
 
 def unit_of(value: Expr) -> str:
-    """What follows a number, with the space before it."""
-    return spaced(value.unit) if isinstance(value, Number) and value.value else ""
-
-
-def spaced(unit: str) -> str:
-    """A unit as it follows a number."""
-    return f"{'' if not unit or unit[0] == '/' else NO_BREAK}{unit.translate(RAISED)}"
+    """The unit of a number."""
+    return value.unit if isinstance(value, Number) and value.value else ""
 
 
 def names(given: Iterable[str]) -> tuple[Said, ...]:

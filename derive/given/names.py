@@ -25,8 +25,9 @@ def data(problem: Problem) -> Iterator[Datum]:
     used = _used(problem)
     if values := tuple(valued(name, value) for name, value in problem.where.items() if name in used):
         yield Datum(Phrase("where", {"values": values}))
+    free = used - problem.where.keys()
     for assumed, words in SAID.items():
-        of = [name for name, said in problem.assumptions.items() if said == assumed and name in used]
+        of = [name for name, said in problem.assumptions.items() if said == assumed and name in free]
         if of:
             yield Datum(Phrase(assumed, {"names": names(of)}), words=(words,))
 

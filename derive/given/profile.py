@@ -33,7 +33,7 @@ def data(profile: Profile, problem: Problem) -> Iterator[Datum]:
     yield from _sizes(profile, ("time",), units)
 
 
-def _said(value: Expr, key: str, units: Units) -> Phrase:
+def _said(value: Expr, key: str, units: Units) -> Expr:
     unit = units.time if key in TIMES else units.motion[RATES.get(key, 0)]
     return measured(value, unit)
 

@@ -8,7 +8,7 @@ from itertools import groupby
 
 from derive.derivation import Cell, Table
 from derive.expression import Number
-from derive.given.datum import Chain, Datum, unit_of
+from derive.given.datum import Chain, Datum, measured
 from derive.render.formulas import spelt
 from derive.render.latex import Printer
 from derive.render.layout import lay_out
@@ -77,7 +77,7 @@ class Telling:
         speech = self.speech(flat=True)
 
         def cell(entry: Cell) -> str:
-            return speech.say(entry) + (unit_of(entry) if isinstance(entry, Number) else "")
+            return speech.say(measured(entry) if isinstance(entry, Number) else entry)
 
         rows = [[cell(entry) for entry in row] for row in table.rows]
         return self.skin.table([cell(heading) for heading in table.headings], rows)

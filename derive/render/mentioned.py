@@ -13,7 +13,18 @@ from fractions import Fraction
 from math import lcm
 
 from derive.algebra.formulas.quantities import rational
-from derive.expression import Approximate, Degrees, Expr, Matrix, Number, free_symbols, number, rebuild, walk
+from derive.expression import (
+    Approximate,
+    Degrees,
+    Expr,
+    Matrix,
+    Measured,
+    Number,
+    free_symbols,
+    number,
+    rebuild,
+    walk,
+)
 from derive.given.datum import Datum
 from derive.render.latex import Printer
 from derive.render.names import name_latex
@@ -88,6 +99,7 @@ class Mentioned:
 
     def _has_column(self, tree: Expr) -> bool:
         """Whether its entries stand side by side, if it is a column with numbers in it."""
+        tree = tree.value if isinstance(tree, Measured) else tree
         if not isinstance(tree, Matrix) or not any(rational(entry) for (entry, *_) in tree.rows):
             return True
         written = Printer(Notation(), in_line=True).write(tree).removesuffix("^T")
@@ -107,6 +119,7 @@ def _bare(latex: str) -> str:
 
 
 def _numbers(tree: Expr) -> Iterator[Fraction]:
+    tree = tree.value if isinstance(tree, Measured) else tree
     for node in walk(tree):
         match node:
             case Number(Fraction(numerator=above, denominator=below), False) if (
