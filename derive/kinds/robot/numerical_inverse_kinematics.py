@@ -12,7 +12,7 @@ from derive.algebra.numbers.floats import matrix_numbers, scalar_number
 from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Derivation, PageFacts, Phrase, Plot, Result, Said, Step, Table
 from derive.errors import NotDerivable
-from derive.expression import Approximate, Expr, Matrix, Symbol, add, column, number, symbols
+from derive.expression import Approximate, Expr, Matrix, Measured, Symbol, add, column, number, symbols
 from derive.figures.axes import short
 from derive.kinds.fields import OptionsModel, Place, Quantity, read_point
 from derive.kinds.problem import Problem
@@ -221,7 +221,10 @@ def _facts(arm: Arm, options: Options, run: Iteration, rows: tuple[tuple[Expr, .
     again = options.method in explained
     found = run.verdict in ("converged", "unfinished")
     error = run.rows[-1].error
-    about: dict[str, Said] = {"steps": last, "error": Approximate(error if error >= CLOSE else 0.0)}
+    about: dict[str, Said] = {
+        "steps": last,
+        "error": _measured(Approximate(error if error >= CLOSE else 0.0), arm, options),
+    }
     fixed = None if newton else options.step
     first = not again
     return Facts(
@@ -239,6 +242,12 @@ def _facts(arm: Arm, options: Options, run: Iteration, rows: tuple[tuple[Expr, .
         drawn=sum(row.error >= CLOSE for row in run.rows) > 1,
         numbers=(),
     )
+
+
+def _measured(error: Expr, arm: Arm, options: Options) -> Expr:
+    """An error with its unit, where it has one."""
+    unit = _units(arm, options).get(Phrase("error"))
+    return Measured(error, unit) if unit else error
 
 
 def _end(verdict: Verdict, newton: bool) -> str:
