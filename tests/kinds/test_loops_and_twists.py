@@ -58,7 +58,7 @@ def test_a_loop_that_does_not_close(tmp_path: Path) -> None:
     assert found.results["closes"] == "no, yes"
     assert same(found.results["E_1"], matrix("1,0,0,0\n0,1,0,0\n0,0,1,h\n0,0,0,1"))
     (page,) = build([sheet(tmp_path, OPEN, "loop")], ["md"], None)
-    assert "does not close" in page and "its origin stands elsewhere" in page
+    assert "does not close" in page and "the origins differ" in page
 
 
 @pytest.mark.parametrize(
