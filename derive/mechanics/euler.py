@@ -32,6 +32,7 @@ class Convention:
 
     axes: tuple[str, str, str]
     about: Literal["current", "world"]
+    letters: str  # as it was typed
 
     @staticmethod
     def of(text: str) -> Convention:
@@ -41,7 +42,7 @@ class Convention:
         first, middle, last = tuple(text.lower())
         if middle in (first, last):
             raise ValueError("two rotations in a row about the same axis are one: only two angles remain")
-        return Convention((first, middle, last), "current" if text.isupper() else "world")
+        return Convention((first, middle, last), "current" if text.isupper() else "world", text)
 
     @property
     def proper(self) -> bool:

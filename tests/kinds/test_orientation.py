@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from fractions import Fraction
 from itertools import product
+from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
 from derive.algebra.numbers.floats import number, numbers
+from derive.build import build
 from derive.derivation import Phrase
+from derive.errors import SheetErrors
 from derive.expression import Degrees, Symbol
 from derive.kinds.problem import Problem
+from derive.mechanics import euler
 from derive.mechanics.frames import ByMatrix, Frame, Frames
 from derive.mechanics.motion import Motion, Move
 from tests.kinds.published import matrix
@@ -183,3 +187,15 @@ def test_the_notation_of_atan2_is_respected(tmp_path, order: str) -> None:
     (page,) = build([sheet], ["md"], None)
     written = r"\mathrm{Atan2}(r_{11}, r_{21})" if order == "xy" else r"\mathrm{atan2}(r_{21}, r_{11})"
     assert written in page
+
+
+@pytest.mark.parametrize(
+    "asked", ["find: euler-angles, convention: ZYZ", "find: euler-rates, convention: zxy"]
+)
+def test_axes_exchanged_in_a_convention(asked: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    sheet = tmp_path / "axes.yaml"
+    sheet.write_text("title: Axes\nproblems:\n- {motion: [{rotate: x, by: alpha}], " + asked + "}\n")
+    build([sheet], ["md"], None)
+    monkeypatch.setattr(euler, "_axis", lambda letter: {"x": "x", "y": "z", "z": "y"}[letter])
+    with pytest.raises(SheetErrors):
+        build([sheet], ["md"], None)

@@ -18,7 +18,7 @@ from derive.kinds.pose._meanings import entries_of
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
 from derive.mechanics.euler import Euler
-from derive.mechanics.oracle import made
+from derive.mechanics.oracle import in_sequence
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -58,8 +58,8 @@ def _named_as_meant(facts: Facts) -> Iterator[bool]:
 
 
 def rotation_at(euler: Euler, at: Point) -> NDArray[Any]:
-    """R (3 by 3) in NumPy, each rotation made in its turn."""
-    return made(euler.moves, at)[:3, :3]
+    """R (3 by 3) in NumPy, by the letters of the convention."""
+    return in_sequence(euler.convention.letters, (at[name] for name in euler.names))
 
 
 def _again(compared: Comparison, values: Mapping[str, Expr], sign: int, g: Expr) -> tuple[Route, Route]:

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import Annotated, Any
 
 from pydantic import AfterValidator
 
 from derive.algebra.normal import normal_matrix
+from derive.algebra.numbers.floats import number_rows
 from derive.derivation import Derivation, Phrase
 from derive.errors import NotDerivable
 from derive.expression import Product
 from derive.kinds.checks import is_rotation
 from derive.kinds.fields import Name
-from derive.kinds.pose._euler_checks import branches_at, put_back
+from derive.kinds.pose._euler_checks import branches_at, put_back, rotation_at
 from derive.kinds.pose._euler_steps import Comparison, factors_of
 from derive.kinds.pose._euler_steps import Facts as Facts
 from derive.kinds.pose._given import PoseOptions, given_pose
@@ -24,7 +26,7 @@ from derive.mechanics.euler import Convention, Euler
 ORDERS = {True: "about-current", False: "about-world"}  # of capital letters, and of small ones
 SUBJECTS = ("motion", "frames", "robot")
 DEFAULTS = (("phi", "theta", "psi"), ("alpha", "beta", "gamma"), ("phi_e", "theta_e", "psi_e"))
-CLAIMS = ("orthogonal", "right-handed", "branch-again|singular-again", "orientation-again")
+CLAIMS = ("orthogonal", "right-handed", "as-convention", "branch-again|singular-again", "orientation-again")
 CLAIMED = {"solutions": "branch-again|singular-again"}
 
 
@@ -59,6 +61,8 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     work = work.law(
         "order", (facts.order == Phrase(ORDERS[options.convention.isupper()]), facts.rotation == rotation)
     )
+    both = partial(number_rows, E), partial(rotation_at, euler)
+    work = work.agrees("as-convention", euler.names, *both)
     return put_back(work, compared, solutions, facts).answer(
         "euler-angles",
         {"R": E, "solutions": solutions},

@@ -76,7 +76,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         work = work.knowing({_b(i, j, k): value, _b(i, k, j): value})
     work = _matrices(work, arm, symbols)
     results = {name.name: work.matrix(name) for name in ((C, B) if n > 1 else (C,))}
-    changes, others = any(map(bool, values.values())), len(values) - len(shown)
+    changes, others = any(map(bool, values.values())), sum(ijk not in shown for ijk in values)
     made = _whole(arm, results["C"], results.get("B")) - work[V]
     work = arm.agrees(work.law("makes-v", not work.value_matrix(made)), "v", work[V])
     entries = {_b(*ijk).name: value for ijk, value in sorted(b.items())}

@@ -10,6 +10,6 @@ Arrays: T 4 by 4, vectors of 3, q of n.
 
 from derive.mechanics.oracle.arm import Oracle
 from derive.mechanics.oracle.calculus import STEP, exponential, slope, vee
-from derive.mechanics.oracle.poses import compose, elementary, made
+from derive.mechanics.oracle.poses import compose, elementary, in_sequence, made
 
-__all__ = ["STEP", "Oracle", "compose", "elementary", "exponential", "made", "slope", "vee"]
+__all__ = ["STEP", "Oracle", "compose", "elementary", "exponential", "in_sequence", "made", "slope", "vee"]

@@ -9,6 +9,8 @@ from derive.algebra.numbers.floats import number
 from derive.mechanics.motion import Axis, Move
 from derive.mechanics.oracle.values import Array, Value
 
+AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+
 
 def compose(sequence: Iterable[Move], point: Any, value: Value = number) -> Array:
     """T (4 by 4) of moves about current axes."""
@@ -30,6 +32,18 @@ def made(moves: Iterable[Move], point: Any) -> Array:
         step = elementary(move, point)
         T = step @ T if move.about == "world" else T @ step
     return T
+
+
+def in_sequence(letters: str, angles: Iterable[Any]) -> Array:
+    """R (3 by 3) of three angles, as the letters of a convention say: ZYX about current axes, xyz about those
+    of the world."""
+    import numpy as np
+
+    R: Array = np.eye(3)
+    for letter, angle in zip(letters, angles, strict=True):
+        step = turn(np.array(AXES[letter.lower()]), angle)
+        R = R @ step if letter.isupper() else step @ R
+    return R
 
 
 def elementary(move: Move, point: Any, value: Value = number) -> Array:
