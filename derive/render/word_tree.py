@@ -8,6 +8,7 @@ from typing import Any, TypeAlias
 from derive.render.formula.boxes import Box, Grid
 from derive.render.formula.omml import omml
 from derive.render.formula.tex import boxes
+from derive.render.typed import BOXED
 from derive.render.width import width
 
 Node: TypeAlias = Any  # of pandoc's tree, as JSON
@@ -111,16 +112,35 @@ def _width(node: Node) -> float:
 
 
 def _display(tex: str) -> str:
-    """A paragraph for an equation, a table without rules for several that meet at their signs."""
+    """A paragraph for an equation, a table for several that meet at their signs; an answer has a frame."""
+    framed = BOXED.fullmatch(tex.strip())
+    tex = framed[1] if framed else tex
     box = boxes(tex)
     if isinstance(box, Grid) and box.aligned:
         columns = _columns(tex)
-        return _small(_lines(box, columns), sum(columns) / EM)
+        return _small(_lines(box, columns, framed is not None), sum(columns) / EM)
+    wide = SLACK * width(tex)
+    frame = _frame("pBdr") + _indented(wide) if framed else ""
     equation = (
-        '<w:p><w:pPr><w:pStyle w:val="Equation"/></w:pPr><m:oMathPara><m:oMath>'
+        f'<w:p><w:pPr><w:pStyle w:val="Equation"/>{frame}</w:pPr><m:oMathPara><m:oMath>'
         f"{omml(box)}</m:oMath></m:oMathPara></w:p>"
     )
-    return _small(equation, SLACK * width(tex))
+    return _small(equation, wide)
+
+
+def _frame(of: str) -> str:
+    """Four rules around a paragraph or a table."""
+    rules = "".join(
+        f'<w:{side} w:val="single" w:sz="6" w:space="{0 if of == "tblBorders" else 6}" w:color="000000"/>'
+        for side in ("top", "left", "bottom", "right")
+    )
+    return f"<w:{of}>{rules}</w:{of}>"
+
+
+def _indented(wide: float) -> str:
+    """A paragraph as wide as its equation, in the middle."""
+    side = max(0, round(EM * (LINE - wide - 2) / 2))
+    return f'<w:ind w:left="{side}" w:right="{side}"/>'
 
 
 def _small(written: str, wide: float) -> str:
@@ -154,11 +174,12 @@ def _cells(line: str) -> list[str]:
     return cells
 
 
-def _lines(grid: Grid, columns: list[int]) -> str:
+def _lines(grid: Grid, columns: list[int], framed: bool) -> str:
     shape = "".join(f'<w:gridCol w:w="{column}"/>' for column in columns)
     rows = "".join(f"<w:tr><w:trPr><w:cantSplit/></w:trPr>{_row(row, columns)}</w:tr>" for row in grid.rows)
     return (
         f'<w:tbl><w:tblPr><w:tblW w:w="{sum(columns)}" w:type="dxa"/><w:jc w:val="center"/>'
+        f"{_frame('tblBorders') if framed else ''}"
         '<w:tblLayout w:type="fixed"/><w:tblCellMar><w:left w:w="0" w:type="dxa"/>'
         '<w:right w:w="0" w:type="dxa"/></w:tblCellMar></w:tblPr>'
         f"<w:tblGrid>{shape}</w:tblGrid>{rows}</w:tbl>"
