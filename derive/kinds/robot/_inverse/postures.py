@@ -38,6 +38,7 @@ MEANING: Mapping[tuple[Part, View], str] = {
     ("shoulder", "above"): "shoulder-means",
     ("elbow", "height"): "elbow-up-means",
     ("elbow", "above"): "elbow-left-means",
+    ("elbow", "drawn"): "elbow-drawn-means",
 }
 PARALLEL = 1e-9
 
@@ -211,8 +212,6 @@ def explained(postures: Sequence[Posture], chain: Chain) -> Iterator[Phrase]:
         match each.part, each.view:
             case "wrist", _:
                 yield Phrase("flip-means", dict(zip(("first", "middle", "last"), names, strict=True)))
-            case "elbow", "drawn":
-                continue
             case part, view:
                 about = dict(zip(("first", "second"), names, strict=True))
                 yield Phrase(MEANING[part, view], {**about, "end": _called(each.end, chain)})
