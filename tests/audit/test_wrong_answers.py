@@ -147,7 +147,7 @@ PLANTED = {
         ("matlab", "'theta/1', 'e/2'", "'theta_dot/1', 'e/2'"),
         ("python", '"-theta"', '"theta"'),
         ("python", "[J, b]", "[b, J]"),
-        ("python", "K_b*K_m*s", "K_b*K_m"),
+        ("python", "K_m*K_b*s", "K_m*K_b"),
         ("python", 'inputs=["r", "T_d"]', 'inputs=["T_d", "r"]'),
     ],
 )
