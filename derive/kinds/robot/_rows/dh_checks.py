@@ -248,8 +248,10 @@ def as_seen(work: Work, frames: tuple[FrameTold, ...]) -> Claim:
 
 
 def _stands(why: Phrase, named: Mapping[str, Array]) -> bool:
-    """Whether a frame stands as is told; not where it is told of axes that are none."""
+    """Whether a frame stands as is told; not where it is told of axes that are none, or by itself."""
     try:
+        if why.about["x"] == Symbol(f"x_{why.about['before']}"):
+            return False
         return MEANINGS[why.key](_Seen(named, why.about))
     except KeyError:
         return False
