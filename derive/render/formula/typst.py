@@ -84,14 +84,17 @@ def _is_word(box: Box) -> bool:
     return isinstance(part, Word) and not part.operator
 
 
-def _held_together(boxes: Iterable[Box]) -> Iterator[str]:
-    """The pieces of a row, with the signs that a line may not end with as plain ones between gaps."""
-    depth = 0
+def _held_together(boxes: Sequence[Box], depth: int = 0) -> Iterator[str]:
+    """The pieces of a row, with the signs that a line may not end with as plain ones between gaps; `depth`
+    counts the parentheses around."""
     for box, written in zip(boxes, _row(boxes), strict=True):
         if isinstance(box, Sign) and box.kind in ("opening", "closing"):
             depth += 1 if box.kind == "opening" else -1
         if isinstance(box, Sign) and (box.kind == "relation" or (box.kind == "binary" and depth)):
             yield f'{ROOM[box.kind]} class("normal", {_character(box.char)}) {ROOM[box.kind]}'
+        elif isinstance(box, Fenced) and isinstance(box.inside, Row):
+            inside = box.inside.boxes
+            yield _fenced(box, _beside(inside, _held_together(inside, depth + 1)))
         else:
             yield written
 
@@ -110,9 +113,8 @@ def _around(box: Box) -> str:
             return f"root({_given(degree)}, {_given(inside)})" if degree else f"sqrt({_given(inside)})"
         case Fenced(_, Fraction(above, below, _, False), _):
             return f"binom({_given(above)}, {_given(below)})"
-        case Fenced(opening, inside, closing):
-            fences = [_character(fence) if fence else "" for fence in (opening, closing)]
-            return f"lr({fences[0]} {_given(inside)} {fences[1]})"
+        case Fenced(_, inside, _):
+            return _fenced(box, _given(inside))
         case Accent(mark, over):
             return f"{ACCENTS.get(mark, mark)}({_given(over)})"
         case Stacked(base, over, under):
@@ -123,6 +125,11 @@ def _around(box: Box) -> str:
             return _grid(box)
         case _:
             raise TypeError(f"not a box: {box!r}")
+
+
+def _fenced(box: Fenced, inside: str) -> str:
+    opening, closing = (_character(fence) if fence else "" for fence in (box.opening, box.closing))
+    return f"lr({opening} {inside} {closing})"
 
 
 def _row(boxes: Iterable[Box]) -> Iterator[str]:
