@@ -16,6 +16,8 @@ from derive.render.notation import Notation
 from derive.render.phrases import Speech, lines_in, written
 from derive.render.printed import Printed
 from derive.render.skin import Skin
+from derive.render.tables import columns_of, headed, unit_text
+from derive.render.values import Values
 from derive.render.words import chain_links
 
 SHARED, OWN = "words/_given.j2", "words/{}/_given.j2"
@@ -73,11 +75,13 @@ class Telling:
         return self.skin.display(display)
 
     def table(self, table: Table) -> str:
-        """A number has the unit that its author gave it."""
+        """A number has the unit that its author gave it, in the heading where a column has one."""
         speech = self.speech(flat=True)
+        shown, units = columns_of(table, Values())
 
-        def cell(entry: Cell) -> str:
-            return speech.say(measured(entry) if isinstance(entry, Number) else entry)
+        def cell(entry: Cell, unit: str) -> str:
+            return speech.say(measured(entry) if isinstance(entry, Number) and not unit else entry)
 
-        rows = [[cell(entry) for entry in row] for row in table.rows]
-        return self.skin.table([cell(heading) for heading in table.headings], rows)
+        rows = [[cell(entry, unit) for entry, unit in zip(row, units, strict=True)] for row in shown.rows]
+        texts = [self.skin.plain(unit_text(unit)) for unit in units]
+        return self.skin.table([*headed([speech.say(each) for each in shown.headings], texts)], rows)
