@@ -102,7 +102,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     if not kinds.coupled:
         joints = [i for i, _ in found.moving]
         work = work.claim(sorts(problem, written, joints, kinds.turning, kinds.sliding, kinds.helical))
-    facts = _facts(found, point, kinds, made)
+    facts = _facts(found, point, kinds, made, end=options.point is None)
     return work.answer("jacobian", result, facts, matrices=frozenset(result))
 
 
@@ -154,9 +154,10 @@ def _pose(found: Chain, point: Tracked) -> ScalarMatrix:
     return found.T_tool if point.frame > len(found.T_local) else found.T[point.frame]
 
 
-def _facts(found: Chain, point: Tracked, kinds: Sorts, made: bool) -> Facts:
+def _facts(found: Chain, point: Tracked, kinds: Sorts, made: bool, end: bool) -> Facts:
     still = tuple(i for i, _ in found.moving if i > point.last)
-    where = Phrase("carried" if point.carried else "itself", {"link": point.frame, "point": point.name})
+    key = "end" if end else "carried" if point.carried else "origin"
+    where = Phrase(key, {"link": point.frame, "point": point.name})
     return Facts(
         point=where if made else None,
         sorts=kinds.told,
