@@ -67,6 +67,7 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
     figures: dict[int, str] = {}
     numbers = document.numbers()
     said: list[Said] = []
+    before: set[object] = set()  # what has been explained
     spoken_of: set[int] = set()  # problems that have said what q is
     for problem in document.problems:
         told: list[Printed] = []
@@ -78,7 +79,7 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
         given[problem.number, question.number] = asked
         if problem.number not in figures:
             figures[problem.number] = subject_figure(document, problem, skin, numbers, printed)
-        answer = _answer(document, problem, question, skin, printed, numbers)
+        answer = _answer(document, problem, question, skin, printed, numbers, before)
         if problem.variables and problem.number not in spoken_of and answer and speaks_of_q(printed):
             spoken_of.add(problem.number)
             said_first = coordinates(problem.variables, problem.notation, printed)
@@ -106,9 +107,12 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
 
 def _answer(
     document: Document, problem: ProblemPage, question: QuestionPage, skin: Skin, printed: list[Printed],
-    numbers: Mapping[str, int],
+    numbers: Mapping[str, int], before: set[object],
 ) -> str:  # fmt: skip
-    told = [_told(document, problem, question, worked, skin, printed, numbers) for worked in question.order]
+    told = [
+        _told(document, problem, question, worked, skin, printed, numbers, before)
+        for worked in question.order
+    ]
     if not told and document.solutions:
         told.append(_above(problem, question, skin))
     if question.rounded and document.solutions:
@@ -133,7 +137,7 @@ def _above(problem: ProblemPage, question: QuestionPage, skin: Skin) -> str:
 
 def _told(
     document: Document, problem: ProblemPage, question: QuestionPage, worked: Worked, skin: Skin,
-    printed: list[Printed], numbers: Mapping[str, int],
+    printed: list[Printed], numbers: Mapping[str, int], before: set[object],
 ) -> str:  # fmt: skip
     plots = {
         plot.name: plot_path(document.figures, problem.number, question.number, plot.name)
@@ -145,8 +149,9 @@ def _told(
     }
     notation = problem.notation
     return words(
-        worked.derivation, worked.folder, skin, notation, worked.asked, plots, files, printed, numbers
-    )
+        worked.derivation, worked.folder, skin, notation, worked.asked, plots, files, printed, numbers,
+        before,
+    )  # fmt: skip
 
 
 def _tidy(page: str) -> str:

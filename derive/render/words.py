@@ -2,9 +2,9 @@
 
 In scope of a words template: `d`, `step(name)`, `facts`, `asked`, the filters `m`, `each`
 and `listed`, and the functions `show`, `answer`, `inline`, `tell`, `table`, `plot`, `say`, `listing`, `path`,
-`em`, `strong`, `items`. Its blocks `question` and `phrases` are left out here. A step the words neither show
-nor tell is an error: nothing that was derived goes unsaid unnoticed. Steps are told in the order in which
-they were derived, so that nothing is used before it is found.
+`em`, `strong`, `items`, `again`. Its blocks `question` and `phrases` are left out here. A step the words
+neither show nor tell is an error: nothing that was derived goes unsaid unnoticed. Steps are told in
+the order in which they were derived, so that nothing is used before it is found.
 """
 
 from __future__ import annotations
@@ -56,10 +56,11 @@ def words(
     derivation: Derivation, folder: str, skin: Skin, notation: Notation, asked: bool = True,
     plots: Mapping[str, str] | None = None, files: Mapping[str, str] | None = None,
     printed: list[Printed] | None = None, numbers: Mapping[str, int] | None = None,
+    before: set[object] | None = None,
 ) -> str:  # fmt: skip
     """The sentences and equations of a derivation. `plots` maps names of plots to paths without suffix, whose
     `numbers` are those of the figures; `files` maps names of files to theirs; what is printed from trees is
-    added to `printed`.
+    added to `printed`. `before` is what the sheet has explained so far, and grows.
 
     Raises ForgottenStep, ForgottenFact, EarlyStep; where the derivation was not asked for, its words may
     leave facts out.
@@ -71,8 +72,9 @@ def words(
     values = Values(derivation.units, derivation.facts.style, notation.digits)
     speech = replace(speech, measured=values.relation)
     telling = Telling(
-        derivation, speech, skin, notation, plots or {}, files or {}, seen, values, numbers or {}, asked
-    )
+        derivation, speech, skin, notation, plots or {}, files or {}, seen, values, numbers or {}, asked,
+        (folder, derivation.kind), set() if before is None else before,
+    )  # fmt: skip
     for claim in derivation.claims:  # said in the JSON only, but their words must not be missing unnoticed
         telling.speech.claim(claim)
     template = words_of(folder, derivation.kind)
@@ -122,6 +124,8 @@ class Telling:
     values: Values
     numbers: Mapping[str, int]
     asked: bool
+    of: tuple[str, str]  # the folder and the kind
+    before: set[object]
     told: dict[str, int] = field(default_factory=dict)  # steps, and when each was told first
     said: list[Sayable] = field(default_factory=list)
 
@@ -134,12 +138,28 @@ class Telling:
             "plot": self.plot, "em": self.skin.em, "strong": self.skin.strong, "items": self.skin.items,
             "listing": self.listing, "path": self.path, "math": self.math, "formula": self.formula,
             "say": self.say, "each": self.each, "cut": self.cut, "whole": self.whole, "fits": self.fits,
-            "place": self.place,
+            "place": self.place, "again": self.again,
         }  # fmt: skip
 
     def steps(self, *rules: str) -> list[Step]:
         """The outer steps of these rules, in their order."""
         return [step for step in self.d.steps if step.rule in rules]
+
+    def again(self, explained: Phrase | Step | str | Iterable[Phrase]) -> bool:
+        """Whether the sheet has explained this before, in these words: a phrase or several, the law of
+        a step, or what the template calls so. It is told by that, and a short line will do."""
+        match explained:
+            case Phrase() | str():
+                about: object = explained
+            case Step():
+                self._note(explained)
+                about = explained.chain
+            case _:
+                explained = about = tuple(explained)
+        self.said.extend(parts(explained.chain if isinstance(explained, Step) else explained))
+        known = (*self.of, about) in self.before
+        self.before.add((*self.of, about))
+        return known
 
     def answer(self, *names: Shown, trig: Trig = None, entries: str = "", lines: int = 2) -> str:
         """The same as `show` for what was asked, which stands in a frame."""

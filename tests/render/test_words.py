@@ -25,8 +25,9 @@ class Facts(PageFacts):
 
 
 def tell(
-    monkeypatch: pytest.MonkeyPatch, source: str, asked: bool = True, facts: PageFacts | None = None
-) -> str:
+    monkeypatch: pytest.MonkeyPatch, source: str, asked: bool = True, facts: PageFacts | None = None,
+    before: set[object] | None = None,
+) -> str:  # fmt: skip
     loader = environment().loader
     assert loader is not None
     kept = ("markdown/skin.j2", "words/_english.j2")
@@ -34,7 +35,7 @@ def tell(
     templates["words/any/told.j2"] = source
     monkeypatch.setattr(environment(), "loader", DictLoader(templates))
     told = replace(TOLD, facts=facts or PageFacts())
-    return words(told, "any", MARKDOWN, Notation(), asked)
+    return words(told, "any", MARKDOWN, Notation(), asked, before=before)
 
 
 def test_a_step_the_words_forgot_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -129,3 +130,18 @@ def test_every_way_to_say_a_fact(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_what_is_not_there_is_not_listed(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(ValueError, match="nothing to list"):
         tell(monkeypatch, TOLD_ALL + "here {{ [] | listed }}")
+
+
+def test_what_was_explained_before_is_told_in_a_short_line(monkeypatch: pytest.MonkeyPatch) -> None:
+    source = (
+        "{% block phrases %}\nlong: It is {size}, and why\n{% endblock %}"
+        "{% if again(step('A')) %}As before{% else %}{{ inline('A') }}{% endif %}{{ tell('x') }}"
+        "{{ ', again' if again(facts.verdict) else say(facts.verdict) }}"
+    )
+    before: set[object] = set()
+    facts = Facts(verdict=Phrase("long", {"size": A}))
+    first = tell(monkeypatch, source, facts=facts, before=before)
+    assert "$A = B = 3$" in first and "It is $A$, and why" in first
+    assert tell(monkeypatch, source, facts=facts, before=before) == "As before, again"
+    other = Facts(verdict=Phrase("long", {"size": B}))
+    assert tell(monkeypatch, source, facts=other, before=before) == "As beforeIt is $B$, and why"
