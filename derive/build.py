@@ -26,7 +26,7 @@ from derive.render.printed import Printed
 from derive.render.titles import without_solutions
 from derive.render.trig import alike_letters, meant_indices
 from derive.sheet.load import load_sheet
-from derive.sheet.model import Angles, Problem, Question, Sheet
+from derive.sheet.model import Angles, Problem, Question, Sheet, Steps
 from derive.verify import answered, in_decimals
 from derive.writing import Progress, render, write
 
@@ -47,19 +47,22 @@ def build(
     audit: Audit = lambda sheets, documents: None,
     space: bool = False,
     figures: bool = True,
+    steps: Steps | None = None,
 ) -> tuple[Path | str, ...]:
     """Builds every sheet and says what was written; without `output` it gives the pages as texts.
 
     `warn` is told what is strange about a sheet, though it can be built; `audit` sees the documents before
     anything is written, and may raise; `space` leaves room for answers. Without `figures` only those subjects
-    are drawn whose sheets ask for it. Raises SheetErrors, before
-    anything is written, with the faults of all the sheets; PagesFailed where some pages were written.
+    are drawn whose sheets ask for it; `steps` says how much of every answer is told. Raises SheetErrors,
+    before anything is written, with the faults of all the sheets; PagesFailed where some pages were written.
     """
     if faults := _namesakes(paths):
         raise SheetErrors(faults)
     sheets = load_all(paths, progress)
     if not figures:
         sheets = [_undrawn(sheet) for sheet in sheets]
+    if steps:
+        sheets = [_told_in(sheet, steps) for sheet in sheets]
     for warning in (found for sheet in sheets for found in sheet.warnings):
         warn(warning)
     derived = derive_all(sheets, not problems, progress, warn)
@@ -133,6 +136,15 @@ def assemble(sheet: Sheet, solutions: bool = True, warn: Warn = lambda _: None) 
     )
 
 
+def _told_in(sheet: Sheet, steps: Steps) -> Sheet:
+    """The sheet with all its answers told in so many steps."""
+    problems = (
+        replace(each, questions=tuple(replace(question, steps=steps) for question in each.questions))
+        for each in sheet.problems
+    )
+    return replace(sheet, problems=tuple(problems))
+
+
 def _undrawn(sheet: Sheet) -> Sheet:
     """The sheet without figures that its author did not ask for."""
     problems = (replace(problem, figure=problem.figure or False) for problem in sheet.problems)
@@ -176,8 +188,10 @@ def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool, warn: Wa
     notation = _notation(sheet, working, answers)
     questions: list[QuestionPage] = []
     for question, answer in zip(problem.questions, answers, strict=True):
-        order = tuple(_order(answer, asked, printed, working.name)) if solutions else ()
-        page = _question(sheet, question, answer if solutions else None, order, working)
+        brief = (question.steps or sheet.steps) != "full"  # what it rests on is told where it is needed
+        order = tuple(_order(answer, asked, [*printed] if brief else printed, working.name))
+        printed.extend([answer] if brief else ())
+        page = _question(sheet, question, answer if solutions else None, order if solutions else (), working)
         if not page.text:
             page = _asked_by_default(page, problem, question, answer, notation)
         questions.append(replace(page, rounded=0 if questions else places))
@@ -282,7 +296,7 @@ def _question(
     folder = words_folder(working.name, answer.kind) if answer else ""
     return QuestionPage(
         question.number, question.find, question.text, marks, question.hint, answer, order, at,
-        folder=folder, place=question.place, claims=claims, once=left,
+        folder=folder, place=question.place, claims=claims, once=left, steps=question.steps or sheet.steps,
     )  # fmt: skip
 
 

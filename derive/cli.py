@@ -14,9 +14,10 @@ from derive.messages import guarded, page, progress, report, say, warn
 if TYPE_CHECKING:
     from derive.build import Audit
     from derive.render.document import Document
-    from derive.sheet.model import Sheet
+    from derive.sheet.model import Sheet, Steps
     from derive.writing import Progress
 
+STEPS = ("full", "key", "answers")
 FORMATS = ("md", "tex", "pdf", "html", "docx", "json")
 
 
@@ -82,6 +83,7 @@ SHEETS = click.argument(
 
 def _build_options(command: Callable[..., Any]) -> Callable[..., Any]:
     engines = click.Choice(["typst", "latex"])
+    told = "All the working, formula and result, or the result alone."
     said = f"Comma-separated: {', '.join(FORMATS)}."
     where = "Directory to write to; - prints one page of md, tex or json."
     engine = "latex needs a TeX installation, typst nothing."
@@ -92,6 +94,7 @@ def _build_options(command: Callable[..., Any]) -> Callable[..., Any]:
         click.option("--output", default="output", show_default=True, help=where),
         click.option("--problems", is_flag=True, help="Leave the solutions out: SHEET-problems.md, ..."),
         click.option("--space", is_flag=True, help="Leave room for answers on problem sheets."),
+        click.option("--steps", type=click.Choice(STEPS), help=told),
         click.option(
             "--audit", is_flag=True, help="Have SymPy derive every answer again, from the sheet alone."
         ),
@@ -117,6 +120,7 @@ def build(
     output: str,
     problems: bool,
     space: bool,
+    steps: Steps | None,
     audit: bool,
     explain: bool,
     no_figures: bool,
@@ -129,7 +133,7 @@ def build(
     if target is None and len(sheets) > 1:
         raise click.UsageError("--output - prints one sheet")
     with guarded():
-        _build(sheets, formats, target, problems, space, audit, explain, no_figures, pdf_engine)
+        _build(sheets, formats, target, problems, space, steps, audit, explain, no_figures, pdf_engine)
 
 
 def _build(
@@ -138,6 +142,7 @@ def _build(
     target: Path | None,
     problems: bool,
     space: bool,
+    steps: Steps | None,
     audit: bool,
     explain: bool,
     no_figures: bool,
@@ -169,6 +174,7 @@ def _build(
                 _looked(audit, seen, step),
                 space,
                 figures=not no_figures,
+                steps=steps,
             )
     except PagesFailed as failed:
         _say_pages(failed.files, target)
@@ -273,6 +279,7 @@ def watch(
     output: str,
     problems: bool,
     space: bool,
+    steps: Steps | None,
     audit: bool,
     explain: bool,
     no_figures: bool,
@@ -288,7 +295,16 @@ def watch(
         try:
             with guarded():
                 _build(
-                    (sheet,), formats, Path(output), problems, space, audit, explain, no_figures, pdf_engine
+                    (sheet,),
+                    formats,
+                    Path(output),
+                    problems,
+                    space,
+                    steps,
+                    audit,
+                    explain,
+                    no_figures,
+                    pdf_engine,
                 )
         except SystemExit:  # the faults are printed already
             pass

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath
+from typing import Literal
 
 from derive.derivation import Claim, Derivation, Drawing, Figure
 from derive.errors import Place
@@ -57,6 +58,7 @@ class QuestionPage:
     place: Place | None = None
     claims: tuple[Claim, ...] = ()
     once: tuple[str, ...] = ()
+    steps: Literal["full", "key", "answers"] = "full"
     given: tuple[Datum, ...] = ()
 
     @property

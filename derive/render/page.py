@@ -112,6 +112,7 @@ def _answer(
     told = [
         _told(document, problem, question, worked, skin, printed, numbers, before)
         for worked in question.order
+        if question.steps == "full" or _is_asked(worked, question)
     ]
     if not told and document.solutions:
         told.append(_above(problem, question, skin))
@@ -124,6 +125,10 @@ def _answer(
             )
         )
     return spelt("\n\n".join(filter(None, told)), skin.formulas, printed)
+
+
+def _is_asked(worked: Worked, question: QuestionPage) -> bool:
+    return question.derivation is not None and worked.derivation.results is question.derivation.results
 
 
 def _above(problem: ProblemPage, question: QuestionPage, skin: Skin) -> str:
@@ -150,7 +155,7 @@ def _told(
     notation = problem.notation
     return words(
         worked.derivation, worked.folder, skin, notation, worked.asked, plots, files, printed, numbers,
-        before,
+        before, question.steps,
     )  # fmt: skip
 
 

@@ -49,6 +49,7 @@ APART = (QUESTION, PHRASES, "results", "example")  # said elsewhere: see render/
 Mathematics = Expr | Step | str | int | tuple[Expr, ...]
 Shown = str | Step | tuple[Expr, ...]  # a step or a bare chain
 Trig = Literal["short", "long"] | None
+Steps = Literal["full", "key", "answers"]
 LANGUAGES = {".m": "matlab", ".py": "python"}
 
 
@@ -56,24 +57,27 @@ def words(
     derivation: Derivation, folder: str, skin: Skin, notation: Notation, asked: bool = True,
     plots: Mapping[str, str] | None = None, files: Mapping[str, str] | None = None,
     printed: list[Printed] | None = None, numbers: Mapping[str, int] | None = None,
-    before: set[object] | None = None,
+    before: set[object] | None = None, steps: Steps = "full",
 ) -> str:  # fmt: skip
     """The sentences and equations of a derivation. `plots` maps names of plots to paths without suffix, whose
     `numbers` are those of the figures; `files` maps names of files to theirs; what is printed from trees is
     added to `printed`. `before` is what the sheet has explained so far, and grows.
+    With `steps` less than full only what was asked for is told: its formula and result, or its result alone;
+    all of it where that is no formula.
 
     Raises ForgottenStep, ForgottenFact, EarlyStep; where the derivation was not asked for, its words may
     leave facts out.
     """
     notation = replace(notation, short_names=frozenset(derivation.facts.short_names))
     seen = [] if printed is None else printed
+    already = len(seen)
     printer = Printer(notation)
     speech = on_page(folder, derivation.kind, printer, skin.plain, seen, strong=skin.strong, em=skin.em)
     values = Values(derivation.units, derivation.facts.style, notation.digits)
     speech = replace(speech, measured=values.relation)
     telling = Telling(
         derivation, speech, skin, notation, plots or {}, files or {}, seen, values, numbers or {}, asked,
-        (folder, derivation.kind), set() if before is None else before,
+        (folder, derivation.kind), set() if before is None else before, steps,
     )  # fmt: skip
     for claim in derivation.claims:  # said in the JSON only, but their words must not be missing unnoticed
         telling.speech.claim(claim)
@@ -91,6 +95,9 @@ def words(
         raise ForgottenFact(derivation.kind, unsaid)
     if first := early(derivation, telling.told):
         raise EarlyStep(derivation.kind, first)
+    if steps != "full" and telling.answered:
+        seen[already:] = telling.kept
+        written = "".join(telling.answered)
     return written.strip()
 
 
@@ -126,8 +133,11 @@ class Telling:
     asked: bool
     of: tuple[str, str]  # the folder and the kind
     before: set[object]
+    level: Steps
     told: dict[str, int] = field(default_factory=dict)  # steps, and when each was told first
     said: list[Sayable] = field(default_factory=list)
+    answered: list[str] = field(default_factory=list)  # what stands in frames
+    kept: list[Printed] = field(default_factory=list)  # and its mathematics
 
     def scope(self) -> dict[str, Any]:
         """What a words template can name."""
@@ -176,6 +186,8 @@ class Telling:
         """
         printer, widest = self._printer(trig), LINE if entries else NAMED_BEYOND
         whole = [self._chain(name, printer, lines) for name in names]
+        if boxed and self.level == "answers":
+            whole = [(chain[0], chain[-1]) if len(chain) > 1 else chain for chain in whole]
         parts = [
             with_named_entries(chain, printer, widest, self._entries(name))
             for chain, name in zip(whole, names, strict=True)
@@ -186,9 +198,14 @@ class Telling:
             for chain, (shown, listed) in both
             if listed
         )
+        first = len(self.printed)
         shown = self._display(tuple(chain for chain, _ in parts), printer, namings, boxed)
         listed = [self._display(chains, printer) for _, chains in parts if chains]
-        return "".join((shown, f"\n{entries}\n" if entries and listed else "", *listed))
+        written = "".join((shown, f"\n{entries}\n" if entries and listed else "", *listed))
+        if boxed:
+            self.answered.append(written)
+            self.kept.extend(self.printed[first:])
+        return written
 
     def _display(
         self, chains: tuple[tuple[Expr, ...], ...], printer: Printer, namings: tuple[Naming, ...] = (),

@@ -11,6 +11,7 @@ from derive.sheet.tex import Text
 
 Assumption: TypeAlias = Literal["positive", "nonnegative", "nonzero", "integer", "real"]
 Line: TypeAlias = Annotated[Text, Field(max_length=300)]
+Steps: TypeAlias = Literal["full", "key", "answers"]
 Style: TypeAlias = Literal["spong", "siciliano", "craig", "lynch"]
 Letter: TypeAlias = Annotated[Name, Field(pattern=r"^[A-Za-z]+$", max_length=20)]
 
@@ -40,6 +41,7 @@ class GivenSheet(_Model):
     author: Line = ""
     date: Line = ""
     language: Literal["en"] = "en"
+    steps: Steps = "full"
     marks: bool = True
     problems_title: Line = ""
     notation: GivenNotation = GivenNotation()
@@ -103,6 +105,7 @@ class GivenAsked(_Model):
     hint: Text = ""
     evaluate: Evaluate | None = None
     answer: dict[str, Any] | None = None
+    steps: Steps | None = None
 
 
 class GivenQuestion(GivenAsked):

@@ -61,6 +61,7 @@ def sheet_of(at: At) -> Sheet:
         notation,
         _warnings(at, problems),
         given.problems_title,
+        given.steps,
     )
 
 

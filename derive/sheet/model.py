@@ -14,6 +14,7 @@ from derive.figures.wish import Wish
 from derive.sheet.source import At
 
 Angles: TypeAlias = Literal["deg", "rad"] | None
+Steps: TypeAlias = Literal["full", "key", "answers"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +50,7 @@ class Question:
     evaluate: Mapping[str, Expr] | None = None
     answer: Mapping[str, Any] | None = None
     answer_at: At | None = None
+    steps: Steps | None = None  # None: as of the sheet
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,3 +94,4 @@ class Sheet:
     notation: Notation = Notation()
     warnings: tuple[SheetError, ...] = ()
     problems_title: str = ""
+    steps: Steps = "full"

@@ -97,7 +97,7 @@ def _read(
     place = at.place(("find",))
     return Question(
         number, given.find, kind, options, place, text, given.marks, given.hint, evaluate, given.answer,
-        at / "answer",
+        at / "answer", given.steps,
     )  # fmt: skip
 
 
