@@ -133,6 +133,7 @@ def assemble(sheet: Sheet, solutions: bool = True, warn: Warn = lambda _: None) 
         name=_name(sheet, solutions),
         figures=folder,
         solutions=solutions,
+        paper=sheet.paper,
     )
 
 

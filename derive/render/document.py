@@ -120,6 +120,7 @@ class Document:
     figures: str = ""
     solutions: bool = True
     space: bool = False
+    paper: Literal["a4", "letter"] = "a4"
 
     @property
     def marks(self) -> int | None:

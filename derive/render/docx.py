@@ -30,6 +30,8 @@ PARTS = {  # of the document whose styles and footer are taken, and where they a
     "word/styles.xml": "styles.xml", "word/footer.xml": "footer.xml",
 }  # fmt: skip
 
+SIZES = {"a4": 'w:w="11906" w:h="16838"', "letter": 'w:w="12240" w:h="15840"'}  # twentieths of a point
+
 
 def write_docx(document: Document, target: Path, read: Reader = unread) -> None:
     """Writes a docx; its equations are native ones, its plots are drawn as PNG. Raises PandocFailed, and what
@@ -46,7 +48,7 @@ def write_docx(document: Document, target: Path, read: Reader = unread) -> None:
                 Path(folder, path).with_suffix(".png").write_bytes(with_density(drawn(target.parent / path)))
                 markdown = markdown.replace(path, f"{path.removesuffix('.svg')}.png")
         styles = Path(folder, "styles.docx")
-        styles.write_bytes(_reference())
+        styles.write_bytes(_reference(document.paper))
         arguments = [f"--reference-doc={styles}", f"--resource-path={folder}{pathsep}{target.parent}"]
         tree = json.loads(pandoc(markdown, "json", ["--shift-heading-level-by=-1"], _metadata(document)))
         tree["blocks"] = [*in_word(tree["blocks"])]
@@ -61,12 +63,13 @@ def _metadata(document: Document) -> dict[str, str]:
 
 
 @cache
-def _reference() -> bytes:
-    """A document of no pages that has our styles, our paper and our footer."""
+def _reference(paper: str) -> bytes:
+    """A document of no pages that has our styles, its paper and our footer."""
     file = BytesIO()
     with ZipFile(file, "w", ZIP_DEFLATED) as archive:
         for name, kept in PARTS.items():
-            archive.writestr(ZipInfo(name), (templates() / "docx" / kept).read_text(encoding="utf-8"))
+            part = (templates() / "docx" / kept).read_text(encoding="utf-8")
+            archive.writestr(ZipInfo(name), part.replace(SIZES["a4"], SIZES[paper]))
     return file.getvalue()
 
 

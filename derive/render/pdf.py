@@ -31,12 +31,15 @@ LATEX_ENGINES = {
 NO_GLYPH = re.compile(r'the text `"(.+?)"` could not be displayed')
 
 
+PAPERS = {"a4": "a4", "letter": "us-letter"}  # as Typst calls them
+
+
 def metadata(document: Document) -> dict[str, str]:
     """What a page template prints outside the body."""
     byline = " · ".join(filter(None, (document.course, document.author, document.date)))
     return {
         "title": document.title, "author": document.author, "byline": byline, "lang": document.language,
-        "course": document.course,
+        "course": document.course, "paper": PAPERS[document.paper],
     }  # fmt: skip
 
 

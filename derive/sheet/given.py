@@ -42,6 +42,7 @@ class GivenSheet(_Model):
     date: Line = ""
     language: Literal["en"] = "en"
     steps: Steps = "full"
+    paper: Literal["a4", "letter"] = "a4"
     marks: bool = True
     problems_title: Line = ""
     notation: GivenNotation = GivenNotation()

@@ -62,6 +62,7 @@ def sheet_of(at: At) -> Sheet:
         _warnings(at, problems),
         given.problems_title,
         given.steps,
+        given.paper,
     )
 
 

@@ -95,3 +95,4 @@ class Sheet:
     warnings: tuple[SheetError, ...] = ()
     problems_title: str = ""
     steps: Steps = "full"
+    paper: Literal["a4", "letter"] = "a4"
