@@ -28,6 +28,6 @@ def test_the_size_of_a_page(paper: str, tmp_path: Path) -> None:
     found = re.search(r"Page size:\s+([\d.]+) x ([\d.]+)", said)
     assert found and (round(float(found[1])), round(float(found[2]))) == SIZES[paper]
     with ZipFile(tmp_path / "paper.docx") as archive:
-        size = re.search(r'w:w="(\d+)" w:h="(\d+)"', archive.read("word/document.xml").decode())
-    assert size and (round(int(size[1]) / 20), round(int(size[2]) / 20)) == SIZES[paper]
+        size = re.search(r'<w:pgSz w:h="(\d+)" w:w="(\d+)"', archive.read("word/document.xml").decode())
+    assert size and (round(int(size[2]) / 20), round(int(size[1]) / 20)) == SIZES[paper]
     assert f"{paper}paper]" in (tmp_path / "paper.tex").read_text()
