@@ -20,6 +20,7 @@ from derive.render.tables import columns_of, headed, unit_text
 from derive.render.values import Values
 from derive.render.words import chain_links
 
+AS_TYPED = Values(digits=15)  # what is given is not rounded
 SHARED, OWN = "words/_given.j2", "words/{}/_given.j2"
 
 
@@ -77,7 +78,7 @@ class Telling:
     def table(self, table: Table) -> str:
         """A number has the unit that its author gave it, in the heading where a column has one."""
         speech = self.speech(flat=True)
-        shown, units = columns_of(table, Values())
+        shown, units = columns_of(table, AS_TYPED)
 
         def cell(entry: Cell, unit: str) -> str:
             return speech.say(measured(entry) if isinstance(entry, Number) and not unit else entry)

@@ -7,7 +7,7 @@ Only LaTeX that GitHub, KaTeX, pandoc and pdflatex all read: no `\\!`, no tall b
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import pairwise
 
@@ -154,7 +154,8 @@ class Printer:
         shown = top[1:] if first.value.numerator == 1 else top
         rest = factors[count + 1 :]
         above, below = self.write(Product(shown)), first.value.denominator
-        fraction = f"{above}/{below}" if self.flat else rf"\frac{{{above}}}{{{below}}}"
+        flat = self.flat and not rest  # a/2 b could be read as a/(2 b)
+        fraction = f"{above}/{below}" if flat else rf"\frac{{{above}}}{{{below}}}"
         return [(first, fraction), *((rest[k], self._factor(rest, k, True)) for k in range(len(rest)))]
 
     def _factor(self, factors: tuple[Expr, ...], place: int, inside: bool) -> str:
@@ -162,7 +163,8 @@ class Printer:
         factor = factors[place]
         if is_written_out(factor, self.notation) and is_letter(*factors[place + 1 : place + 2]):
             return self._enclosed_function(factor)
-        written, tightness = self.measured(factor)
+        among = replace(self, flat=False) if len(factors) > 1 else self
+        written, tightness = among.measured(factor)
         bare = tightness >= PRODUCT or (
             place == 0 and not inside and isinstance(factor, Number | Approximate | Product | Quotient)
         )

@@ -25,7 +25,7 @@ from derive.names import entry_symbol
 NEEDS = ("bodies",)
 CLAIMS = ("names", "symmetric", "skew-symmetric", "others-vanish")
 Index = tuple[int, int, int]
-MOST_SHOWN = 3  # joints; with more, the symbols that vanish are only counted
+MOST_SHOWN = 2  # joints; with more, the symbols that vanish are only counted
 HALF = number("1/2")
 
 

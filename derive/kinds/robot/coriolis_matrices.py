@@ -26,7 +26,7 @@ CLAIMS = ("makes-v", "names", "rates-alone")
 measures = of_joints("v", effort=True)
 
 
-MOST_SHOWN = 3  # joints; with more, the symbols that vanish are only counted
+MOST_SHOWN = 2  # joints; with more, the symbols that vanish are only counted
 HALF, TWO = number("1/2"), number(2)
 C, B, V = Symbol("C"), Symbol("B"), Symbol("v")
 
