@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from math import degrees
@@ -14,6 +15,8 @@ from derive.mechanics.robot import Robot
 
 ALIGNED = 1e-6  # of a direction from an axis of the base
 BASE = (("x0", (1.0, 0.0, 0.0)), ("y0", (0.0, 1.0, 0.0)), ("z0", (0.0, 0.0, 1.0)))
+
+ARTICLE = re.compile(r"^(?:an?|the)\s+", re.IGNORECASE)
 
 
 def caption(robot: Robot, posed: Posed, view: View) -> Phrase:
@@ -30,7 +33,8 @@ def seen(robot: Robot, posed: Posed, view: View) -> Phrase:
 
 
 def _name(robot: Robot) -> Said:
-    return robot.name or Phrase("unnamed")
+    """As its author calls it, without the article of a sentence: the words have their own."""
+    return ARTICLE.sub("", robot.name) or Phrase("unnamed")
 
 
 def _pose(robot: Robot, posed: Posed, view: View) -> Phrase:
