@@ -9,7 +9,7 @@ from derive.render.author_text import typst_prose
 from derive.render.formula.tex import boxes, boxes_of_lines
 from derive.render.formula.typst import in_text, typst
 from derive.render.formulas import spelt
-from derive.render.layout import Display
+from derive.render.layout import LINE, Display
 from derive.render.plain_text import typst_string, typst_text
 from derive.render.skin import Skin
 from derive.render.width import width
@@ -21,6 +21,7 @@ LEAD_IN = re.compile(rf"(?<=\n\n)(?!{BLOCK}|#(?!(?:{IN_LINE})\b)|\])((?:.+\n)+)\
 SPOKEN = re.compile(rf'#[a-z]+\("[^"]*", {DOLLAR}')  # what is not seen of a formula, and begins it
 BY_ITSELF = 200  # letters and signs: more than two lines
 HELD = 14.0  # em, up to which a formula does not break in a line of text
+FRAME = 2.4  # em that a frame takes from a line
 TALL = 12  # rows of a display, those of its matrices too, from which it may break between its lines
 
 
@@ -34,9 +35,15 @@ class TypstFormulas:
 
     def display(self, formula: Display) -> str:
         spoken = typst_string(aloud(formula))
-        name = "fit" if formula.wide else "tall" if _rows(formula) > TALL else "eq"
+        name = "fit" if _is_wide(formula) else "tall" if _rows(formula) > TALL else "eq"
         shown = f"#{name}({spoken}, {DOLLAR} {typst(boxes_of_lines(formula.lines))} {DOLLAR})"
         return f"{BLOCK}#answer[{shown}]" if formula.boxed else f"{BLOCK}{shown}"
+
+
+def _is_wide(formula: Display) -> bool:
+    """Whether it may be wider than the line, with the frame that it stands in."""
+    framed = formula.boxed and max(width(line.replace("&", "")) for line in formula.lines) > LINE - FRAME
+    return formula.wide or framed
 
 
 def _rows(formula: Display) -> int:
