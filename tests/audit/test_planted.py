@@ -1,5 +1,6 @@
 """Mistakes in what answers and claims could have in common, or on the way out of the house: the audit, which
-has nothing in common with them, contradicts each. No claim is asked here: the audit is alone."""
+has nothing in common with them, contradicts each. No claim is asked here, and no figure drawn, which is held
+to its subject too: the audit is alone."""
 
 from __future__ import annotations
 
@@ -28,7 +29,8 @@ from derive.writing import render
 ARM = """
 title: An arm
 problems:
-- robot:
+- figure: false
+  robot:
     links:
     - {theta: theta1*, d: d1, a: a1, alpha: 90 deg, mass: m1, com: [x1, y1, z1],
        inertia: {cylinder: {radius: r, length: h}, axis: y}, motor: {inertia: J_m, ratio: G}}
@@ -36,7 +38,7 @@ problems:
     - {theta: 40 deg, d: d3*, a: 0, alpha: 0, mass: m3, com: [0, 0, x3], inertia: {box: [a, b, c]}}
   find: KIND
 """
-MODIFIED = ARM.replace("- robot:\n", "- robot:\n    convention: modified\n").replace(
+MODIFIED = ARM.replace("  robot:\n", "  robot:\n    convention: modified\n").replace(
     "com: center", "com: [0, 0, 0]"
 )
 SPHERE = ARM.replace("{rod: a2, axis: x}", "{sphere: r}").replace("{box: [a, b, c]}", "point")
