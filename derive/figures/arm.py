@@ -11,9 +11,9 @@ from derive.algebra.numbers.floats import number
 from derive.expression import Expr, free_symbols
 from derive.figures.view import Vector, between, dot, unit
 from derive.mechanics.dh import moves
-from derive.mechanics.motion import Move
+from derive.mechanics.motion import Axis, Move
 from derive.mechanics.oracle import compose
-from derive.mechanics.robot import Robot, ScrewRow
+from derive.mechanics.robot import Robot
 
 SMALL = 1e-9
 
@@ -69,17 +69,14 @@ def posed(robot: Robot, point: Mapping[str, float]) -> Posed:
     joints: list[Joint] = []
     T = _run(T, robot.base, None, point, parts, joints)
     poses = [T]
-    for link in robot.links:
-        if isinstance(link.row, ScrewRow):
-            joints.append(_screw(link.row, link.variable or "", T, point))
-            continue
-        T = _run(T, moves(link, robot), link.variable, point, parts, joints)
-        poses.append(T)
     if robot.by_screws:
-        from derive.figures.screw_links import links
+        from derive.figures.screw_links import chained
 
-        T = T @ _home(robot, point)
-        parts += links(robot, joints, place_of(T))
+        T = chained(T, robot, point, parts, joints)
+    else:
+        for link in robot.links:
+            T = _run(T, moves(link, robot), link.variable, point, parts, joints)
+            poses.append(T)
     T = _run(T, robot.tool, None, point, parts, joints)
     return Posed(tuple(parts), tuple(joints), tuple(poses), T, point)
 
@@ -99,8 +96,8 @@ def _run(
         moving = variable is not None and variable in free_symbols(move.by)
         start, end = place_of(T), place_of(after)
         if moving:
-            axis = _direction(T, move, point)
-            before = (float(T[0, 0]), float(T[1, 0]), float(T[2, 0]))
+            axis = direction(T, move.axis, point)
+            before = direction(T, "x", point)
             joints.append(Joint(start, axis, variable or "", move.kind == "translate", before))
         if move.kind == "translate" and length_between(start, end) > SMALL:
             beside = turned is not None and move.axis == turned.axis and not moving
@@ -112,26 +109,13 @@ def _run(
     return T
 
 
-def _direction(T: Any, move: Move, point: Mapping[str, float]) -> Vector:
-    if isinstance(move.axis, str):
-        k = "xyz".index(move.axis)
+def direction(T: Any, axis: Axis, point: Mapping[str, float]) -> Vector:
+    """An axis of a pose (4 by 4) in the base frame, of length 1."""
+    if isinstance(axis, str):
+        k = "xyz".index(axis)
         return float(T[0, k]), float(T[1, k]), float(T[2, k])
-    local = [number(part, point) for part in move.axis]
+    local = [number(part, point) for part in axis]
     return unit([float(sum(T[i, j] * local[j] for j in range(3))) for i in range(3)])
-
-
-def _screw(row: ScrewRow, name: str, T: Any, point: Mapping[str, float]) -> Joint:
-    import numpy
-
-    at = T @ numpy.array([*(number(part, point) for part in row.through), 1.0])
-    axis = _direction(T, Move("rotate", row.axis, row.by), point)
-    return Joint((float(at[0]), float(at[1]), float(at[2])), axis, name, row.slide, (1.0, 0.0, 0.0))
-
-
-def _home(robot: Robot, point: Mapping[str, float]) -> Any:
-    from derive.mechanics.oracle import Oracle
-
-    return Oracle(robot, {}).home(point)
 
 
 def place_of(T: Any) -> Vector:

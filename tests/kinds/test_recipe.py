@@ -67,7 +67,13 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     after = state(where)
     touched = {str(path) for path in after if after[path] != before.get(path)}
     pages = {f"output/{kind}.{suffix}" for _, kind in KINDS for suffix in ("md", "tex")}
-    assert touched == {*FILLED, *pages, "README.md"}
+    drawn = {
+        f"output/{kind}/problem-1-figure.{suffix}"
+        for subject, kind in KINDS
+        if subject == "robot"  # an arm is drawn where its sheet says nothing of a figure
+        for suffix in ("pdf", "svg")
+    }
+    assert touched == {*FILLED, *pages, *drawn, "README.md"}
     return where
 
 
