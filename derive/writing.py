@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
-from shutil import copyfile
+from shutil import copyfile, rmtree
 
 from derive.errors import Place, SheetError, SheetErrors
 from derive.placing import aside, put
@@ -73,6 +73,8 @@ def write(
                 except PageFailed as error:
                     failed.append(page)
                     faults += _failed(error, page.name, sheet)
+            if not any(page.stem == document.name and page.suffix != ".json" for page in pages):
+                rmtree(folder / document.figures, ignore_errors=True)  # no page shows them
         if not pages:
             raise SheetErrors(faults)
         made = {path for path in folder.glob("*/**/*") if path.is_file()}

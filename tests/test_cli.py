@@ -112,8 +112,16 @@ def test_letters_that_the_pdf_has_no_font_for(folder: Path) -> None:
     assert done.exit_code == 1
     assert "week1.yaml:2:9: week1.pdf: no font of ours has 王伟😀" in done.stderr
     assert "1 fault; the other pages were written" in done.stderr
-    assert sorted(path.name for path in (folder / "output").iterdir()) == ["week1.json", "week1.md"]
-    assert run("week1.yaml", "--format", "pdf").exit_code == 1
+    output = folder / "output"
+    assert _files(output) == ["week1.json", "week1.md", "week1/problem-1-figure.svg"]  # which the md shows
+    assert run("week1.yaml", "--format", "pdf", "--output", "alone").exit_code == 1
+    assert not _files(folder / "alone")
+    assert run("week1.yaml", "--format", "pdf,json", "--output", "unseen").exit_code == 1
+    assert _files(folder / "unseen") == ["week1.json"]
+
+
+def _files(folder: Path) -> list[str]:
+    return sorted(str(path.relative_to(folder)) for path in folder.rglob("*") if path.is_file())
 
 
 def test_a_question_without_text_is_asked_all_the_same(folder: Path) -> None:
@@ -128,7 +136,9 @@ def test_a_question_without_text_is_asked_all_the_same(folder: Path) -> None:
 
 def test_lengths_keep_their_unit_in_the_table(folder: Path) -> None:
     (folder / "week1.yaml").write_text(SHEET.replace("d: 0,", "d: 100 mm,"), encoding="utf-8")
-    assert "| $0.1$ m |" in run("week1.yaml", "--format", "md", "--output", "-").stdout
+    page = run("week1.yaml", "--format", "md", "--output", "-").stdout
+    assert "| $d_i$ [m] |" in page
+    assert re.search(r"^\| \$1\$ .* \| \$0\.1\$ \| \$L\$ ", page, re.MULTILINE)
 
 
 def test_a_long_line_is_cut_around_the_fault() -> None:

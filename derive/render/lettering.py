@@ -18,6 +18,9 @@ ENTRY = re.compile(r"_(\d{2}|\d+,\d+|[ijk]{2})(?!\d)")  # of a matrix: two indic
 CONSTANT = "_0"  # g_0 is no entry of g
 BEFORE = r"(?<![\\A-Za-z^])(?<!\^\{)"  # a letter that is one: of no word, and no T of a transpose
 OPERATIONS = frozenset({"T", "-1", "*"})  # as superscripts
+FRAMED = re.compile(
+    rf"{BEFORE}(?P<stem>[TR])_(?P<lower>\w)\^(?P<upper>(?!T)\w)"
+)  # a typed pose, or a rotation
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,12 +78,17 @@ class Lettering:
 
     def latex(self, typed: str) -> str:
         """A formula that was typed in LaTeX, with the letters that are printed."""
+        typed = FRAMED.sub(self._framed, typed)
         for ours, theirs in self.stems:
             letter = name_latex(theirs).replace("\\", r"\\")
             typed = re.sub(rf"{BEFORE}{re.escape(name_latex(ours))}(?![A-Za-z])", letter, typed)
             if ours != ours.lower():
                 typed = re.sub(rf"{BEFORE}{ours.lower()}(?=_\{{[ijk]{{2}}\}})", theirs.lower(), typed)
         return typed
+
+    def _framed(self, typed: re.Match[str]) -> str:
+        """T_i^0 with its indices where this sheet has them; its letter is changed like any other."""
+        return str(Lettering(frames=self.frames).parts(typed[0]))
 
     def _node(self, node: Expr) -> Expr:
         match node:

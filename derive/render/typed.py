@@ -38,7 +38,7 @@ def typed_in(written: str, printed: Collection[Printed], notation: Notation) -> 
 
 def relettered(written: str, printed: Collection[Printed], letters: Lettering) -> str:
     """The text with the letters of the sheet in the formulas that were typed; the others have them."""
-    if not letters.stems:
+    if not letters:
         return written
     ours = {line for formula in printed if formula.chains for line in map(_aligned, formula.lines)}
 

@@ -31,6 +31,11 @@ WORLD = problem(
     Move("rotate", "x", degrees(60), "world"),
     Move("rotate", "y", degrees(90), "world"),
 )
+SUMS = problem(
+    Move("rotate", "z", degrees(15), "world"),
+    Move("rotate", "x", degrees(45), "world"),
+    Move("rotate", "y", degrees(60), "world"),
+)
 MIXED = problem(
     Move("rotate", "x", phi, "world"), Move("rotate", "z", psi), Move("rotate", "y", theta, "world")
 )
@@ -63,13 +68,25 @@ def test_world_axes_published():
     assert holds(d)
 
 
-def test_decimals_leave_no_roots_on_the_page():
-    d = WORLD.ask("rotation-matrix", evaluate=())
-    shown = [node for step in d.steps for expr in step.chain for node in walk(expr)]
-    assert not any(isinstance(node, Call) and node.function == "sqrt" for node in shown)
-    assert any(isinstance(node, Approximate) for node in shown)
-    assert any(isinstance(node, Call) for node in walk(d.results["R"]))
-    assert np.allclose(d.evaluated["R"], numbers(d.results["R"], {}))
+def test_decimals_leave_no_long_roots_on_the_page():
+    """Exact entries stand just before their decimals where they are short, and nowhere where they are not."""
+    short, long = WORLD.ask("rotation-matrix", evaluate=()), SUMS.ask("rotation-matrix", evaluate=())
+    assert _with_roots(short) == [("R", -2)]
+    assert _with_roots(long) == []
+    for d in (short, long):
+        assert d.steps[-1].chain[-1].rows[0][0] == Approximate(d.evaluated["R"][0][0])
+        assert any(isinstance(node, Call) for node in walk(d.results["R"]))
+        assert np.allclose(d.evaluated["R"], numbers(d.results["R"], {}))
+
+
+def _with_roots(d):
+    """The names of the steps that show a root, and the place of it in the chain, from behind."""
+    chains = [(step.name, k - len(step.chain), expr) for step in d.steps for k, expr in enumerate(step.chain)]
+    return [(name, place) for name, place, expr in chains if any(map(_is_root, walk(expr)))]
+
+
+def _is_root(node):
+    return isinstance(node, Call) and node.function == "sqrt"
 
 
 def test_mixed_axes_published():

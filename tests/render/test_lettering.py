@@ -33,6 +33,7 @@ BOOKS = {  # the pose, the inertia matrix and an entry, gravity, the columns of 
     ),
     "lynch": (r"T_{02} = T_{01} T_{12}", "M = M_1 + M_2", r"\partial m_{11}", "g_1 =", CRAIG),
 }  # fmt: skip
+ROTATIONS = {"craig": "{}^0_i R", "lynch": "R_{0i}"}
 
 
 def page(tmp_path: Path, notation: str, mass: str = "m_2") -> str:
@@ -51,6 +52,7 @@ def test_a_book(book: str, tmp_path: Path) -> None:
     heading = next(line for line in text.splitlines() if line.startswith("|") and "theta_i" in line)
     assert [cell.strip(" $\\") for cell in heading.split("|")[2:6]] == columns.split()
     assert all(part in text for part in (pose, inertia, entry, gravity))
+    assert f"the rotation ${ROTATIONS.get(book, 'R_i^0')}$ maps" in text  # typed in the words
 
 
 def test_a_letter_that_means_something_else_stays(tmp_path: Path) -> None:
