@@ -18,9 +18,7 @@ ENTRY = re.compile(r"_(\d{2}|\d+,\d+|[ijk]{2})(?!\d)")  # of a matrix: two indic
 CONSTANT = "_0"  # g_0 is no entry of g
 BEFORE = r"(?<![\\A-Za-z^])(?<!\^\{)"  # a letter that is one: of no word, and no T of a transpose
 OPERATIONS = frozenset({"T", "-1", "*"})  # as superscripts
-FRAMED = re.compile(
-    rf"{BEFORE}(?P<stem>[TR])_(?P<lower>\w)\^(?P<upper>(?!T)\w)"
-)  # a typed pose, or a rotation
+FRAMED = re.compile(rf"{BEFORE}[TR]_\w\^(?!T)\w")  # a pose or a rotation that was typed
 
 
 @dataclass(frozen=True, slots=True)
