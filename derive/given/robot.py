@@ -9,6 +9,7 @@ from derive.expression import ZERO, Degrees, Expr, Symbol, number
 from derive.given.bodies import bodies
 from derive.given.datum import Datum, as_typed, measured, unit_of, vector
 from derive.given.moves import axis_said, moves_said
+from derive.given.screws_held import held
 from derive.kinds.problem import Problem, expressions
 from derive.kinds.robot._rows.dh_rows import Rows
 from derive.mechanics.frames import ByMatrix
@@ -18,10 +19,10 @@ from derive.mechanics.screws import screw_form
 
 
 def data(robot: Robot, problem: Problem) -> Iterator[Datum]:
-    """The chain from base to end-effector, then what it carries."""
+    """The chain from base to end-effector, then what it carries. Raises Misgiven."""
     if _asked_for_rows(robot, problem):
         unit = next(filter(None, map(unit_of, expressions(robot))), "")
-        yield from _screws(screw_form(robot, problem.readable), unit)
+        yield from _screws(held(screw_form(robot, problem.readable), problem), unit)
     elif robot.by_screws:
         yield from _screws(robot)
     else:
