@@ -14,7 +14,7 @@ stop = 14;  % the simulation ends here [s]
 
 %% Transfer functions
 s = tf('s');
-G = K_m/((J*s^2 + b*s)*(R_a + L_a*s) + K_b*K_m*s);
+G = K_m/((J*s^2 + b*s)*(L_a*s + R_a) + K_m*K_b*s);
 C = K_p + K_d*s/(T_f*s + 1);
 T = minreal(feedback(C*G, 1));
 [y, t] = step(T, stop);
@@ -33,11 +33,11 @@ add_block('simulink/Continuous/Transfer Fcn', [model '/u_D'], ...
     'Numerator', '[K_d, 0]', 'Denominator', '[T_f, 1]');
 add_block('simulink/Math Operations/Sum', [model '/V_a'], 'Inputs', '++');
 add_block('simulink/Sources/Step', [model '/T_d'], 'Time', '0', 'After', '0');
+add_block('simulink/Math Operations/Gain', [model '/T_m'], 'Gain', 'K_m');
 add_block('simulink/Math Operations/Sum', [model '/sum_I_a'], 'Inputs', '+-');
 add_block('simulink/Continuous/Transfer Fcn', [model '/I_a'], ...
     'Numerator', '[1]', 'Denominator', '[L_a, R_a]');
 add_block('simulink/Math Operations/Gain', [model '/V_b'], 'Gain', 'K_b');
-add_block('simulink/Math Operations/Gain', [model '/T_m'], 'Gain', 'K_m');
 add_block('simulink/Math Operations/Sum', [model '/T_L'], 'Inputs', '+-');
 add_block('simulink/Continuous/Transfer Fcn', [model '/theta_dot'], ...
     'Numerator', '[1]', 'Denominator', '[J, b]');
@@ -51,11 +51,11 @@ add_line(model, 'e/1', 'u_P/1', 'autorouting', 'on');
 add_line(model, 'e/1', 'u_D/1', 'autorouting', 'on');
 add_line(model, 'u_P/1', 'V_a/1', 'autorouting', 'on');
 add_line(model, 'u_D/1', 'V_a/2', 'autorouting', 'on');
+add_line(model, 'I_a/1', 'T_m/1', 'autorouting', 'on');
 add_line(model, 'V_a/1', 'sum_I_a/1', 'autorouting', 'on');
 add_line(model, 'V_b/1', 'sum_I_a/2', 'autorouting', 'on');
 add_line(model, 'sum_I_a/1', 'I_a/1', 'autorouting', 'on');
 add_line(model, 'theta_dot/1', 'V_b/1', 'autorouting', 'on');
-add_line(model, 'I_a/1', 'T_m/1', 'autorouting', 'on');
 add_line(model, 'T_m/1', 'T_L/1', 'autorouting', 'on');
 add_line(model, 'T_d/1', 'T_L/2', 'autorouting', 'on');
 add_line(model, 'T_L/1', 'theta_dot/1', 'autorouting', 'on');

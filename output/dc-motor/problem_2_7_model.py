@@ -22,7 +22,7 @@ stop = 14  # the simulation ends here [s]
 
 # Transfer functions
 s = control.tf("s")
-G = K_m/((J*s**2 + b*s)*(R_a + L_a*s) + K_b*K_m*s)
+G = K_m/((J*s**2 + b*s)*(L_a*s + R_a) + K_m*K_b*s)
 C = K_p + K_d*s/(T_f*s + 1)
 T = control.feedback(C * G, 1)
 
@@ -32,10 +32,10 @@ blocks = [
     control.tf([K_p], [1], inputs="e", outputs="u_P"),
     control.tf([K_d, 0], [T_f, 1], inputs="e", outputs="u_D"),
     control.summing_junction(["u_P", "u_D"], "V_a"),
+    control.tf([K_m], [1], inputs="I_a", outputs="T_m"),
     control.summing_junction(["V_a", "-V_b"], "sum_I_a"),
     control.tf([1], [L_a, R_a], inputs="sum_I_a", outputs="I_a"),
     control.tf([K_b], [1], inputs="theta_dot", outputs="V_b"),
-    control.tf([K_m], [1], inputs="I_a", outputs="T_m"),
     control.summing_junction(["T_m", "-T_d"], "T_L"),
     control.tf([1], [J, b], inputs="T_L", outputs="theta_dot"),
     control.tf([1], [1, 0], inputs="theta_dot", outputs="theta"),
