@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from derive.derivation import Cell, Phrase, Table
-from derive.expression import ZERO, Degrees, Expr, Symbol, number
+from derive.expression import ZERO, Degrees, number
 from derive.given.bodies import bodies
 from derive.given.datum import Datum, as_typed, measured, unit_of, vector
 from derive.given.moves import axis_said, moves_said
@@ -85,6 +85,5 @@ def _screws(robot: Robot, unit: str = "") -> Iterator[Datum]:
 
 
 def _line(i: int, link: Link, row: ScrewRow, helical: bool, unit: str) -> tuple[Cell, ...]:
-    by: Expr = row.by if link.variable is None else Symbol(link.variable)
-    cells = (str(i), by, Phrase(link.joint), axis_said(row.axis), vector(row.through, unit))
+    cells = (str(i), row.by, Phrase(link.joint), axis_said(row.axis), vector(row.through, unit))
     return (*cells, measured(row.pitch)) if helical else cells
