@@ -231,3 +231,11 @@ def test_an_option_of_that_name_is_one(tmp_path: Path) -> None:
     path.write_text(arm, encoding="utf-8")
     (only,) = load_sheet(path).problems
     assert only.given is None and only.questions[0].options.given == ("x", "y")
+
+
+def test_a_screw_is_given_with_its_offset(tmp_path: Path) -> None:
+    path = tmp_path / "sheet.yaml"
+    screw = "{screw: {axis: z, through: [L, 0, 0]}, variable: theta1* + 30 deg}"
+    arm = ARM.replace("{given}", "given: true").replace("{theta: theta1*, d: 0, a: L, alpha: 0}", screw)
+    path.write_text(arm, encoding="utf-8")
+    assert "| 1 | $\\theta_1 + 30^\\circ$ | revolute | $z$-axis | $(L, 0, 0)^T$ |" in derived(path)[1]
