@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from math import atan2, pi
+from math import atan2, pi, remainder
 
 from derive.algebra.numbers.floats import number
 from derive.derivation import Caption, Drawing, Stroke
@@ -21,6 +21,7 @@ from derive.figures.wish import Wish
 from derive.mechanics.robot import Robot
 
 MOST, JOINT = 250.0, 16.0  # points: how high an arm is drawn, and how large a joint of it
+NEARLY = 0.02  # of an angle that is drawn
 SHORT = 2.6  # sizes of a joint: a shorter offset along its axis is part of its cylinder
 
 
@@ -186,18 +187,29 @@ def _turns(view: View, joints: Sequence[Joint], size: float) -> Iterator[tuple[l
         yield [Stroke(arc, "turn")], Caption(at, joint.name, towards, "joint", tuple(others))
 
 
+def _sweep(view: View, joint: Joint, end: Vector, start: float) -> float:
+    """The angle from a direction to the link that ends there, in (-pi, pi]."""
+    now = view.place(between(joint.at, end))
+    return (atan2(now[1], now[0]) - start + pi) % (2 * pi) - pi
+
+
+def _is_value(sweep: float, value: float) -> bool:
+    """Whether an angle is that of a joint, seen from either side; a link that does not lie along x is not."""
+    return any(abs(remainder(sweep - sign * value, 2 * pi)) < NEARLY for sign in (1, -1))
+
+
 def _angles(view: View, posed: Posed, size: float) -> Iterator[tuple[list[Stroke], Caption]]:
     """The angle of each revolute joint in a plane, from where it counts to the link it turns."""
     for joint in posed.joints:
         after = next((p for p in posed.parts if length_between(p.start, joint.at) < 1e-6), None)
-        if after is None and not joint.slides:
-            yield [], Caption(view.place(joint.at), joint.name, (-1.0, 1.0), "joint", clear=0.5 * size)
-        if joint.slides or after is None:
+        if joint.slides:
             continue
-        center = view.place(joint.at)
-        zero, now = view.place(joint.before), view.place(between(joint.at, after.end))
-        start, end = atan2(zero[1], zero[0]), atan2(now[1], now[0])
-        sweep = (end - start + pi) % (2 * pi) - pi
+        center, zero = view.place(joint.at), view.place(joint.before)
+        start = atan2(zero[1], zero[0])
+        sweep = _sweep(view, joint, after.end, start) if after else None
+        if sweep is None or not _is_value(sweep, posed.values.get(joint.name, 0.0)):
+            yield [], Caption(center, joint.name, (-1.0, 1.0), "joint", clear=0.5 * size)
+            continue
         radius = 1.7 * size
         arc = [around(center, radius, start + sweep * k / 24) for k in range(25)]
         dashed = (center, around(center, 2.3 * size, start))
