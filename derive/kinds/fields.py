@@ -29,6 +29,7 @@ from derive.algebra.formulas.tokens import tokens
 from derive.algebra.formulas.units import (
     ACCELERATION,
     ANGLE,
+    ANGLE_UNITS,
     ANY,
     FORCE,
     INERTIA,
@@ -37,6 +38,7 @@ from derive.algebra.formulas.units import (
     SPEED,
     TIME,
     TORQUE,
+    UNITS,
     Wanted,
     spoken,
 )
@@ -91,7 +93,8 @@ class _Reader:
 
     def _checked(self, typed: Any, tree: Expr, info: ValidationInfo) -> Expr:
         """The tree; what is strange about it is said."""
-        if not is_as_typed(text_of(typed), tree):
+        units = ANGLE_UNITS if self.dimension is None else UNITS.keys() - declared(info)
+        if not is_as_typed(text_of(typed), tree, units):
             raise FormulaError("this was read as another number", hint="please report this with the sheet")
         if self.dimension is not None:
             for word in words_like_units(text_of(typed)):

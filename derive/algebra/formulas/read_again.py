@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Container
 
 from derive.algebra.numbers.floats import number
 from derive.expression import Expr, free_symbols
@@ -20,13 +21,15 @@ SI = {
 NEARLY = 1e-12
 
 
-def is_as_typed(text: str, tree: Expr) -> bool:
+def is_as_typed(text: str, tree: Expr, units: Container[str] = SI) -> bool:
     """Whether the tree of `30 deg`, `0.2 m/s` or `5` has the value typed; true of all other formulas."""
     found = MEASURED.fullmatch(text)
-    if not found or free_symbols(tree):
+    if not found:
         return True
     unit, per = found["unit"], found["per"] or ""
     if unit not in SI or per not in SI:
         return True
+    if free_symbols(tree):  # where a letter is no unit it is a name
+        return unit not in units
     value = float(found["value"]) * SI[unit] / SI[per] ** int(found["power"] or 1)
     return math.isclose(number(tree, {}), value, rel_tol=NEARLY)

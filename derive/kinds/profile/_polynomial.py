@@ -42,6 +42,14 @@ class Facts(PageFacts):
     limits: tuple[LimitTold, ...]
 
 
+def _from_to(ends: Ends, journey: Journey) -> Iterator[bool]:
+    """Whether what is named at each end is what is given there."""
+    first = journey.start, journey.start_velocity, journey.start_acceleration
+    last = journey.end, journey.end_velocity, journey.end_acceleration
+    for named, given in ((ends.start, first), (ends.end, last)):
+        yield [ends.values.get(name, name) for name in named] == [*given[: ends.order]]
+
+
 def polynomial(
     profile: Profile, kind: str, order: int, evaluate: Place | None, problem: Problem
 ) -> Derivation:
@@ -80,7 +88,7 @@ def polynomial(
     told_too = (*printed, *((name, value) for name, value, _ in facts.given), (ends.T, facts.T))
     rates = {name: rate for places in (ends.start, ends.end) for rate, name in enumerate(places)}
     told_rates = [rate == (None if name == ends.T else rates[name]) for name, _, rate in facts.given]
-    work = work.law("said", (*told_rates, *_said(facts, len(names))))
+    work = work.law("said", (*told_rates, *_said(facts, len(names)), *_from_to(ends, journey)))
     work = as_told(work, means.names, told_too, "both-ends", symbols=problem.symbols | {t.name})
     moments: dict[Expr, Expr] = {ends.T: profile.time or ONE}
     work = work.claim(*drawn.claims(((results["q"], None),), facts.limits, facts.drawn, moments=moments))

@@ -72,6 +72,12 @@ class Rows:
         ]
         return Table((Symbol("i"), *headings), tuple(lines))
 
+    def _counted(self) -> bool:
+        """Whether the table has a_i and alpha_i, or those of the row before, as its convention does."""
+        headings = (each for each in self.table().headings if isinstance(each, Indexed))
+        before = {each.base for each in headings if each.lower != (Symbol("i"),)}
+        return before == {"standard": set(), "modified": {"a", "alpha"}}[self.convention]
+
     def pose(self) -> ScalarMatrix:
         """T (4 by 4) of the end-effector by these rows."""
         made = [composed(CONVENTIONS[self.convention](row)) for row in self.rows]
@@ -87,7 +93,7 @@ class Rows:
             normal_matrix(problem.readable_matrix(each), problem.names)
             for each in (T, chain_of(problem).T_tool)
         )
-        work = work.law("pose", exact == given)
+        work = work.law("pose", exact == given).law("columns", self._counted())
         return work.agrees(
             "arm-composed", problem.symbols, lambda at: self._typed(work, at)[-1], oracle_of(problem).tool
         )
