@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from derive.build import build
+from derive.sheet.model import Steps
 
 SHEET = """
 title: Steps
@@ -24,10 +25,10 @@ problems:
 """
 
 
-def page(tmp_path: Path, said: str = "", **given: str) -> str:
+def page(tmp_path: Path, said: str = "", steps: Steps | None = None) -> str:
     sheet = tmp_path / "steps.yaml"
     sheet.write_text(SHEET.replace("STEPS", said))
-    (text,) = build([sheet], ["md"], None, **given)  # type: ignore[arg-type]
+    (text,) = build([sheet], ["md"], None, steps=steps)
     return str(text)
 
 
