@@ -9,7 +9,7 @@ from derive.expression import ZERO, Degrees, number
 from derive.given.bodies import bodies
 from derive.given.datum import Datum, as_typed, measured, unit_of, vector
 from derive.given.moves import axis_said, moves_said
-from derive.given.screws_held import held
+from derive.given.screws_held import Misgiven, held
 from derive.kinds.problem import Problem, expressions
 from derive.kinds.robot._rows.dh_rows import Rows
 from derive.mechanics.frames import ByMatrix
@@ -39,17 +39,20 @@ def _asked_for_rows(robot: Robot, problem: Problem) -> bool:
 
 
 def _rows(robot: Robot) -> Iterator[Datum]:
-    """The link parameters, and the moves of the base, of rows of another form, and of the tool."""
+    """The link parameters, the moves of the base, of rows of another form, of the tool. Raises Misgiven."""
     if robot.base:
         yield Datum(Phrase("base"), items=(*moves_said(robot.base),))
     kept = [(i, link, link.row) for i, link in enumerate(robot.links, 1) if isinstance(link.row, DHRow)]
     if kept:
-        table = Rows(
+        rows = Rows(
             robot.convention,
             tuple(row for _, _, row in kept),
             tuple(link.variable for _, link, _ in kept),
             tuple(link.joint for _, link, _ in kept),
-        ).table()
+        )
+        table = rows.table()
+        if not rows.as_listed(table).holds:
+            raise Misgiven("the table has not the columns of its convention, or other rows")
         lines = tuple(
             (str(i), *(ZERO if entry == Degrees(ZERO.value) else entry for entry in line[1:]))
             for (i, _, _), line in zip(kept, table.rows, strict=True)
