@@ -15,6 +15,7 @@ from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._singular.checks import Checked
 from derive.kinds.robot._singular.facts import Facts as Facts
 from derive.kinds.robot._singular.facts import facts_of
+from derive.kinds.robot._singular.lengths import at_special_lengths, lengths_told
 from derive.kinds.robot._singular.saying import branches
 from derive.kinds.robot._singular.sets import Analysed, analysed
 from derive.kinds.robot._singular.ways import Way, by_determinant, by_minors, by_wrist
@@ -47,13 +48,15 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     _refuse_out_of_proportion(task)
     way = _way(task, options)
     sets = _analysed(task, way)
-    solutions, facts = branches(problem, sets, way.point), facts_of(problem, way, sets)
+    lengths = lengths_told(task, sets)
+    solutions, facts = branches(problem, sets, way.point), facts_of(problem, way, sets, lengths)
     results: dict[str, Result] = {
         "det": problem.final(way.det),
         "solutions": solutions,
         "complete": way.complete,
     }
     work = way.work.claim(*Checked(task, way, sets, solutions, facts.sets).claims())
+    work = work.claim(*at_special_lengths(task, sets, lengths))
     return work.answer("singularities", results, facts, plots=_drawn(task, sets))
 
 

@@ -20,13 +20,21 @@ from derive.kinds.checks import close, random_points, route
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._singular.facts import CaseTold, SetTold
 from derive.kinds.robot._singular.postures import Postures
-from derive.kinds.robot._singular.search import Values, inside, placed, put, zeros_along
+from derive.kinds.robot._singular.search import (
+    SMALL,
+    Values,
+    inside,
+    placed,
+    put,
+    rank_at,
+    singular_values,
+    zeros_along,
+)
 from derive.kinds.robot._singular.sets import Analysed, Block, Case
 from derive.kinds.robot._singular.ways import Way
 from derive.kinds.robot._velocity.task import Task
 from derive.mechanics.task import ROWS
 
-SMALL = 1e-5  # a singular value, relative to the largest; differences leave less
 DIFFERENCES = 1e-6
 POINTS, TRIES = 3, 60
 IN_A_SET = 1, 36  # lines along which lower ranks are sought, and places on each
@@ -57,7 +65,7 @@ class Checked:
         if self.way.name == "wrist":
             yield route("center-seen", (each for at in some for each in self._centered(at)))
         full = min(self.task.J.shape)
-        yield route("full-rank", (_rank(self.task.numbers(at)) == full for at in some))
+        yield route("full-rank", (rank_at(self.task.numbers(at)) == full for at in some))
         for branch, each, case in self._listed():
             yield from self._of_branch(branch, each, case)
             if case is not None and case.J is not None:
@@ -119,7 +127,7 @@ class Checked:
             return
         names = ", ".join(branch.values) or ", ".join(map(text, each.equations))
         exact, rank = "rank" in branch.facts, branch.facts.get("rank", branch.facts.get("rank_at_most"))
-        ranks = [_rank(self.task.numbers(here)) for here in there]
+        ranks = [rank_at(self.task.numbers(here)) for here in there]
         yield route("rank", (r == rank if exact else r <= rank for r in ranks), rank=rank, names=names)
         yield route("on-it", (inside(branch, here, self._slides) for here in there), names=names)
         seen = self._postures(each.block)
@@ -157,7 +165,10 @@ class Checked:
             yield from (close(each, J, DIFFERENCES) for each in printed)
             yield from (bool(np.abs(J @ N).max() <= size * max(1.0, np.abs(N).max())) for N in null)
             yield from (bool(np.abs(U.T @ J).max() <= size * max(1.0, np.abs(U).max())) for U in lost)
-            yield from (_rank(np.hstack([J, R])) == _rank(R) == case.rank for R in spanned)
+            moved = [{**here, **dict(zip(block.rows, map(float, column), strict=True))} for column in J.T]
+            sums = (numeric.number(each[0], there) for each in case.satisfied for there in moved)
+            yield from (abs(each) <= size for each in sums)
+            yield from (rank_at(np.hstack([J, R])) == rank_at(R) == case.rank for R in spanned)
 
     def _postures(self, block: Block) -> Postures:
         hand = tuple(i for i, _ in self.task.found.moving)[-3:] if self.way.name == "wrist" else ()
@@ -173,7 +184,7 @@ class Checked:
         J, full = self.task, min(self.task.J.shape)
         for here in zeros_along(compiled(self.way.det), at, J.found.variables, self._slides):
             told = any(inside(branch, here, self._slides) for branch in self.solutions)
-            yield told and _rank(J.numbers(here)) < full
+            yield told and rank_at(J.numbers(here)) < full
 
     def _inner(self, branches: Sequence[Branch], at: Values) -> Iterator[bool]:
         """What a search finds in the sets, and where two of them cross if all is decided of each."""
@@ -186,7 +197,7 @@ class Checked:
             both = {**one.values, **other.values}
             crossing = put(both, at) if len(both) == len(one.values) + len(other.values) > 1 else None
             if crossing is not None and one.values and other.values:
-                yield from self._lower(both, _rank(self.task.numbers(crossing)), at)
+                yield from self._lower(both, rank_at(self.task.numbers(crossing)), at)
 
     def _lower(self, own: Mapping[str, Expr], rank: int, at: Values) -> Iterator[bool]:
         """Whether each configuration with these values in which the rank is less, as a search along a line
@@ -194,12 +205,12 @@ class Checked:
 
         def height(there: Values) -> float:
             here = put(own, there)
-            return 1.0 if here is None else float(_singular_values(self.task.numbers(here))[rank - 1]) ** 2
+            return 1.0 if here is None else float(singular_values(self.task.numbers(here))[rank - 1]) ** 2
 
         free = [name for name in self.task.found.variables if name not in own]
         for there in zeros_along(height, at, free, self._slides, *IN_A_SET) if rank and free else ():
             if (here := put(own, there)) is not None:
-                lower = _rank(self.task.numbers(here))
+                lower = rank_at(self.task.numbers(here))
                 around = [each for each in self.solutions if inside(each, here, self._slides)]
                 yield lower in [each.facts.get("rank", each.facts.get("rank_at_most")) for each in around]
 
@@ -209,17 +220,6 @@ def _sampled(each: Analysed) -> list[Values]:
     return [here for zeros in each.places for here in each.block.seeing.places(zeros)]
 
 
-def _singular_values(J: Any) -> Any:
-    import numpy as np
-
-    return np.linalg.svd(J, compute_uv=False)
-
-
-def _rank(J: Any) -> int:
-    values = _singular_values(J)
-    return int((values > SMALL * max(1.0, values[0])).sum())
-
-
 def _spaces(task: Task, each: Analysed, case: Case) -> Iterator[bool]:
     """J x = 0 and u J = 0 of the block in numbers, and its rank."""
     import numpy as np
@@ -227,7 +227,7 @@ def _spaces(task: Task, each: Analysed, case: Case) -> Iterator[bool]:
     for here in each.block.seeing.places(case.zeros):
         J = block_numbers(task, each.block, here)
         size = max(1.0, float(np.abs(J).max()))
-        yield _rank(J) == case.rank
+        yield rank_at(J) == case.rank
         for vectors, matrix in ((case.null, J), (case.lost, J.T)):
             for vector in vectors:
                 v = np.array(numeric.matrix_numbers(vector, here))

@@ -8,7 +8,7 @@ from typing import TypeAlias
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.derivation import PageFacts, Phrase, Record, Said
-from derive.expression import ZERO, Expr, Product, Symbol, transpose
+from derive.expression import ZERO, Expr, Product, Symbol, add, multiply, transpose
 from derive.kinds.problem import Problem
 from derive.kinds.robot._singular.saying import clauses
 from derive.kinds.robot._singular.sets import Analysed, Case, rooted, written
@@ -19,7 +19,9 @@ Chain: TypeAlias = tuple[Expr, ...]
 
 
 class CaseTold(Record):
-    """One branch of a set; the basis of a space is a chain, left out where there is none."""
+    """One branch of a set; the basis of a space is a chain, left out where there is none. Where velocities
+    and angular velocities stand in one vector, which have no common unit, there are equations `satisfied` by
+    what remains in place of a direction that is lost."""
 
     places: tuple[tuple[Expr, Expr], ...]
     looks: tuple[Phrase, ...]
@@ -30,6 +32,7 @@ class CaseTold(Record):
     null: tuple[Chain, ...]
     range: tuple[Chain, ...]
     lost: tuple[Chain, ...]
+    satisfied: tuple[Chain, ...]
 
 
 class Inside(Record):
@@ -71,15 +74,15 @@ class Facts(PageFacts):
     none: bool
 
 
-def facts_of(problem: Problem, way: Way, sets: tuple[Analysed, ...]) -> Facts:
-    """The way, and each set with its cases."""
+def facts_of(problem: Problem, way: Way, sets: tuple[Analysed, ...], lengths: Phrase | None) -> Facts:
+    """The way, and each set with its cases; what is taken for granted of `lengths`."""
     inner = tuple(each for each in sets if each.inner)
     none, outer = not sets and way.complete, len(sets) - len(inner)
     return Facts(
         way=way.name,
         parts=_parts(way),
         taken=_taken(way),
-        lengths=None if none else _lengths(len(problem.symbols - set(problem.subject.variables))),
+        lengths=None if none else lengths,
         where=Phrase(_where(way, none, outer)),
         sets=tuple(_set(problem, way, each) for each in sets if not each.inner),
         inner=tuple(_inside(each) for each in inner),
@@ -113,11 +116,6 @@ def _taken(way: Way) -> Phrase | None:
     J, wide = Symbol(block.name), len(block.rows) < len(block.variables)
     gram = Product((J, transpose(J)) if wide else (transpose(J), J))
     return Phrase("more-columns" if wide else "more-rows", {"gram": gram})
-
-
-def _lengths(count: int) -> Phrase | None:
-    """What is taken for granted of so many symbols."""
-    return None if not count else Phrase("one-length" if count == 1 else "lengths")
 
 
 def _where(way: Way, none: bool, count: int) -> str:
@@ -181,7 +179,8 @@ def _choices(cases: Sequence[Case]) -> tuple[tuple[tuple[Expr, Expr], ...], ...]
 def _case(problem: Problem, way: Way, each: Analysed, case: Case) -> CaseTold:
     shown = case.J is not None and not rooted(case.J)
     J = Symbol(each.block.name)
-    N, R, U = _letters(problem)
+    mixed = len({row[0] for row in each.block.rows}) > 1
+    null, spanned, lost = _letters(problem, (case.null, case.range, case.lost))
     return CaseTold(
         places=case.values,
         looks=clauses(case, each.block, way.point),
@@ -189,15 +188,25 @@ def _case(problem: Problem, way: Way, each: Analysed, case: Case) -> CaseTold:
         block=J if each.block.name in ("J_11", "J_22") else None,
         rank=case.rank,
         J=((J, written(problem, case.J)),) if shown and case.J is not None else (),
-        null=_basis(problem, N, case.null),
-        range=_basis(problem, R, case.range if shown else ()),
-        lost=_basis(problem, U, case.lost),
+        null=_basis(problem, null, case.null),
+        range=_basis(problem, spanned, case.range if shown else ()),
+        lost=() if mixed else _basis(problem, lost, case.lost),
+        satisfied=tuple(_satisfied(problem, each.block.rows, u) for u in case.lost if mixed),
     )
 
 
-def _letters(problem: Problem) -> tuple[Symbol, ...]:
-    """Names of the null space, the range and the lost directions that the sheet does not use itself."""
-    return tuple(Symbol(free(problem.taken, letter, f"{letter}_J")) for letter in ("N", "R", "U"))
+def _satisfied(problem: Problem, rows: tuple[str, ...], u: ScalarMatrix) -> Chain:
+    """u^T (v, omega) = 0, which holds of all that the joints can do."""
+    coefficients = [entry for (entry,) in written(problem, u).rows]
+    return (add(*(multiply(c, Symbol(row)) for c, row in zip(coefficients, rows, strict=True))), ZERO)
+
+
+def _letters(problem: Problem, bases: Sequence[tuple[ScalarMatrix, ...]]) -> tuple[Symbol, ...]:
+    """Names of a null space, a range and lost directions that the sheet does not use itself: of a vector a
+    small letter, of a matrix of several columns a large one."""
+    pairs = zip(("n", "r", "u"), bases, strict=True)
+    letters = (letter.upper() if len(basis) > 1 else letter for letter, basis in pairs)
+    return tuple(Symbol(free(problem.taken, letter, f"{letter}_J")) for letter in letters)
 
 
 def _basis(problem: Problem, name: Symbol, columns: tuple[ScalarMatrix, ...]) -> tuple[Chain, ...]:

@@ -7,6 +7,7 @@ import math
 import random
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
+from typing import Any
 
 from derive.algebra.numbers.floats import number
 from derive.derivation import Branch, Phrase
@@ -15,6 +16,7 @@ from derive.expression import Expr, Relation
 LINES, SAMPLES, HALVINGS = 5, 64, 60
 PARABOLAS = 8
 LOW, NOTHING = 0.3, 1e-12  # of the largest value on a line: what may lead down to zero, and what is zero
+SMALL = 1e-5  # a singular value, relative to the largest; differences leave less
 CLOSE = 1e-5  # of a variable or an equation, at a zero found
 Values = dict[str, float]
 
@@ -136,3 +138,16 @@ def placed(values: Mapping[str, Expr], points: Iterator[Values], most: int = 3) 
         count += 1
         if count == most:
             return
+
+
+def singular_values(J: Any) -> Any:
+    """Of a matrix (an array, m by n), the largest first."""
+    import numpy as np
+
+    return np.linalg.svd(J, compute_uv=False)
+
+
+def rank_at(J: Any) -> int:
+    """Singular values that are more than differences leave."""
+    values = singular_values(J)
+    return int((values > SMALL * max(1.0, values[0])).sum())
