@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from derive.algebra.numbers.floats import number as at
-from derive.derivation import Claim, Phrase, Step, Table
+from derive.derivation import Claim, Phrase, Step
 from derive.expression import Symbol
 from derive.expression import number as _tree
 from derive.kinds.checks import route
@@ -91,8 +91,8 @@ def proofs(
     """`results` are those that are printed, `told` is what the words say."""
     dof, idle = results["dof"], results.get("idle", 0)
     built = Built.of(mechanism)
-    yield route("constraints-of-a-joint", (_is_counted(row, built) for row in told.table.rows))
-    yield route("as-written", _lines(steps, built, dof))
+    yield route("constraints-of-a-joint", (_is_counted(each, built) for each in told.takes))
+    yield route("as-written", _lines(steps, built, dof, idle))
     if built.instance is None:
         yield route("random-joints", (dof == built.index,))
     else:
@@ -105,8 +105,8 @@ def proofs(
         yield route("idle-rods", (idle == sum(map(built.instance.spins, built.legs)),))
 
 
-def _lines(steps: tuple[Step, ...], built: Built, dof: int) -> Iterator[bool]:
-    """Each formula of the two lines in numbers; a line without one says nothing."""
+def _lines(steps: tuple[Step, ...], built: Built, dof: int, idle: int) -> Iterator[bool]:
+    """Each formula of the lines in numbers; a line without one says nothing."""
     from derive.kinds.mechanism import _oracle as made
 
     size = len(made.COORDINATES[built.space])
@@ -116,22 +116,28 @@ def _lines(steps: tuple[Step, ...], built: Built, dof: int) -> Iterator[bool]:
     for step, worth in ((known["constraints"], taken), (known["dof"], dof)):
         yield len(step.chain) > 1
         yield from (at(expr, {"C": float(taken)}) == worth for expr in step.chain[1:])
+    yield ("effective" in known) == bool(idle)
+    for expr in known["effective"].chain if idle else ():
+        yield at(expr, {"dof": float(dof)}) == dof - idle
 
 
-def _is_counted(row: tuple[object, ...], built: Built) -> bool:
-    """A row of the table: joint, number, freedoms, constraints of each, constraints together."""
+def _is_counted(told: Phrase, built: Built) -> bool:
+    """What a joint of a sort leaves, and what it takes away."""
     from derive.kinds.mechanism import _oracle as made
 
-    sort, *told = row
-    if not isinstance(sort, Phrase):
-        return False
-    count, freedoms, each, together = (round(at(cell, {})) for cell in told if isinstance(cell, TREES))
-    if sort.key == "other":
-        known = {s.constraints for s in built.sorts if not s.name}
-        right = each in known
+    freedoms, each = _number(told, "freedoms"), _number(told, "constraints")
+    sort = told.about.get("sort")
+    if isinstance(sort, Phrase):
+        right = told.key == "takes" and each == made.constraints_of(built.space, made.Sort(sort.key, 1))
     else:
-        right = each == made.constraints_of(built.space, made.Sort(sort.key, 1))
-    return right and freedoms + each == len(made.COORDINATES[built.space]) and together == count * each
+        right = told.key == "other-takes" and each in {s.constraints for s in built.sorts if not s.name}
+    return right and freedoms + each == len(made.COORDINATES[built.space])
+
+
+def _number(phrase: Phrase, field: str) -> int:
+    """What is said there; -1 where it is no number."""
+    said = phrase.about.get(field)
+    return round(at(said, {})) if isinstance(said, TREES) else -1
 
 
 def _sign(value: int) -> int:
@@ -142,14 +148,17 @@ def _said(mechanism: Mechanism, told: Facts, built: Built) -> Iterator[bool]:
     """Everything the words tell, worked out again."""
     pairs = built.pairs
     yield told.space == built.space
-    yield told.bodies == _tree(built.bodies)
-    yield told.loops == (_tree(built.loops) if built.loops > 0 else None)
-    yield _totals(told.table) == {name or "other": count for name, count in pairs.items()}
+    yield told.bodies == (Symbol("n"), _tree(built.bodies))
+    several_loops = Phrase("loops", {"count": _tree(built.loops)})
+    yield told.loops == (several_loops if built.loops > 1 else Phrase("one-loop") if built.loops else None)
+    yield _totals(told.together) == {name or "other": count for name, count in pairs.items()}
+    yield {_sort(each) for each in told.takes} == {_sort(each) for each in told.together}
     stuck = built.loops > 0 > built.index
     yield told.sign == _sign(built.index) and told.missing == (_tree(-built.index) if stuck else None)
     rods = mechanism.rods
-    idle = (_tree(rods), _tree(built.index - rods)) if rods else (None, None)
-    yield (told.idle, told.effective) == idle
+    yield told.idle == (_tree(rods) if rods else None)
+    yield told.motors == (_tree(built.index - rods) if built.index > rods else None)
+    yield told.sliders == ("prismatic" in pairs)
     yield told.legs == tuple((chain, _tree(n), _tree(len(chain[1:]))) for chain, n in mechanism.legs)
     several = [each for each in built.sorts if each.joining > 2]
     yield told.coincident == tuple(
@@ -161,10 +170,17 @@ def _said(mechanism: Mechanism, told: Facts, built: Built) -> Iterator[bool]:
     ]
     yield all(size == (Symbol("lambda"), _tree(_size(space))) for space, size, _ in told.others)
     spatial = built.space == "spatial" and built.loops > 0
-    held_twice = spatial and not rods and pairs["spherical"] > 1
+    held_twice = spatial and not rods and not mechanism.legs and pairs["spherical"] > 1
     yield told.may_spin == (Phrase("idle-rods-apart") if held_twice else None)
     known = spatial and built.loops == 1 and pairs.keys() == {"revolute"} and 3 < pairs.total() < 7
     yield told.pairs == (_tree(pairs.total()) if known else None)
+    yield not known or pairs.total() < 6 or _freedoms_of_sarrus() == 1
+
+
+def _freedoms_of_sarrus() -> int:
+    from derive.kinds.mechanism import _oracle as made
+
+    return made.freedoms_of_sarrus()
 
 
 def _size(space: Space) -> int:
@@ -179,10 +195,15 @@ def _idle(mechanism: Mechanism, results: Mapping[str, int]) -> Iterator[bool]:
     yield dict(results) == {"dof": results["dof"], **rods}
 
 
-def _totals(table: Table) -> dict[str, int]:
-    """The pairs of each sort by a table."""
+def _totals(together: tuple[Phrase, ...]) -> dict[str, int]:
+    """The pairs of each sort, as they are told."""
     found = Counter[str]()
-    for sort, count, *_ in table.rows:
-        if isinstance(sort, Phrase) and isinstance(count, TREES):
-            found[sort.key] += round(at(count, {}))
+    for each in together:
+        found[_sort(each)] += 1 if each.key == "one" else _number(each, "count")
     return dict(found)
+
+
+def _sort(phrase: Phrase) -> str:
+    """Which joints it speaks of."""
+    sort = phrase.about.get("sort")
+    return sort.key if isinstance(sort, Phrase) else "other"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
-from derive.derivation import PageFacts, Phrase, Table
+from derive.derivation import PageFacts, Phrase
 from derive.expression import Expr
 from derive.mechanics.mobility import Space
 
@@ -13,15 +13,17 @@ Other: TypeAlias = tuple[Space, tuple[Expr, Expr], Expr]  # its lambda, and the 
 
 class Facts(PageFacts):
     space: Space
-    bodies: Expr
+    bodies: tuple[Expr, Expr]
     pairs: Expr | None  # revolute joints of a loop that may move though the formula does not see it
-    loops: Expr | None  # that are closed
-    table: Table
+    loops: Phrase | None  # that are closed
+    takes: tuple[Phrase, ...]  # what a joint of each sort takes away
+    together: tuple[Phrase, ...]  # how many of each sort there are
     coincident: tuple[tuple[Phrase | None, Expr, Expr], ...]  # joints: name, bodies, pairs
     legs: tuple[tuple[str, Expr, Expr], ...]  # chain, count, bodies between
     sign: int  # of the degrees of freedom
     missing: Expr | None  # where there are less than none
     idle: Expr | None
-    effective: Expr | None  # without the idle ones
+    motors: Expr | None  # that drive it
     may_spin: Phrase | None
+    sliders: bool  # among its joints
     others: tuple[Other, ...]

@@ -190,6 +190,17 @@ def _assembled(space: Space, bodies: int, sorts: Sequence[Sort], seed: int) -> I
     return Instance(len(COORDINATES[space]), bodies, tuple(pairs))
 
 
+def freedoms_of_sarrus() -> int:
+    """Ways to move of a loop of six revolute joints, three axes of which are parallel to one line and three
+    to another."""
+    draw = np.random.default_rng(3)
+    axes = draw.normal(size=(2, 3))
+    turns = [
+        twist for k in range(6) for twist in _twists("revolute", draw.normal(size=3), axes[k // 3], draw)
+    ]
+    return len(turns) - rank(np.array(turns))
+
+
 # -- joints -------------------------------------------------------------------------------------------
 
 LETTERS = {

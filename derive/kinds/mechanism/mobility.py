@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from derive.algebra.numbers.floats import number as at
-from derive.derivation import Cell, Derivation, Phrase, Step, Table
+from derive.derivation import Derivation, Phrase, Said, Step
 from derive.expression import ONE, Expr, add, number, symbols
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.mechanism._checks import proofs
@@ -11,11 +11,10 @@ from derive.kinds.mechanism._facts import Facts as Facts
 from derive.kinds.mechanism._facts import Other
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
-from derive.mechanics.mobility import FREEDOMS, LAMBDA, Joints, Mechanism, Space
+from derive.mechanics.mobility import LAMBDA, Joints, Mechanism, Space
 
 C, DOF, SIZE, N, C_I, F_I = symbols("C dof lambda n c_i f_i")
 MOVING_LOOPS = (4, 5, 6)  # revolute joints of single loops that move although the formula says they do not
-HEADINGS = ("joint", "number", "freedoms", "constraints-of-each", "constraints-together")
 OTHERS: dict[Space, tuple[Space, ...]] = {"spatial": ("planar", "spherical"), "planar": (), "spherical": ()}
 
 CLAIMS = (
@@ -31,9 +30,11 @@ def derive(mechanism: Mechanism, options: Options, problem: Problem) -> Derivati
     free = number(size) * (number(mechanism.bodies) + -1)
     formulas = (free - C, number(size * (mechanism.bodies - 1)) - taken)
     of_joint, gruebler = _laws(mechanism, taken)
-    work = Work(problem).showing(Step("size", (SIZE, number(size)), "given"), of_joint)
-    work = work.line(C, _total(mechanism), value=taken, label="constraints").showing(gruebler)
+    work = Work(problem).showing(Step("size", (SIZE, number(size)), "given"), of_joint, gruebler)
+    work = work.line(C, _total(mechanism), value=taken, label="constraints")
     work = work.line(DOF, *formulas, value=number(mechanism.dof))
+    if mechanism.rods:
+        work = _without_idle(work, number(mechanism.dof), number(mechanism.rods))
     told, results = _facts(mechanism, size), _results(mechanism)
     found = {name: round(at(tree, {})) for name, tree in results.items()}
     work = work.claim(*proofs(mechanism, work.steps, told, found))
@@ -52,6 +53,11 @@ def _laws(mechanism: Mechanism, taken: Expr) -> tuple[Step, Step]:
     )
 
 
+def _without_idle(work: Work, counted: Expr, idle: Expr) -> Work:
+    """What the count leaves without the rotations that move nothing."""
+    return work.line(DOF - idle, counted - idle, label="effective")
+
+
 def _results(mechanism: Mechanism) -> dict[str, Expr]:
     found: dict[str, Expr] = {"dof": number(mechanism.dof)}
     if mechanism.rods:
@@ -61,17 +67,29 @@ def _results(mechanism: Mechanism) -> dict[str, Expr]:
 
 def _total(mechanism: Mechanism) -> Expr:
     """Each sort: how many times how much."""
-    return add(*(number(each.pairs) * number(each.constraints) for each in mechanism.joints))
+    return add(*(number(each.pairs) * number(each.constraints) for each in _sorts(mechanism)))
+
+
+def _sorts(mechanism: Mechanism) -> tuple[Joints, ...]:
+    """The joints, those alike together; each joins two bodies."""
+    found: dict[tuple[str, int], int] = {}
+    for each in mechanism.joints:
+        alike = each.name, each.constraints
+        found[alike] = found.get(alike, 0) + each.pairs
+    return tuple(Joints(name, count, constraints) for (name, constraints), count in found.items())
 
 
 def _facts(mechanism: Mechanism, size: int) -> Facts:
     spherical = sum(each.pairs for each in mechanism.joints if each.name == "spherical")
+    effective = mechanism.dof - mechanism.rods
+    given_apart = mechanism.space == "spatial" and not mechanism.rods and not mechanism.legs
     return Facts(
         space=mechanism.space,
-        bodies=number(mechanism.bodies),
+        bodies=(N, number(mechanism.bodies)),
         pairs=number(mechanism.pairs) if _known(mechanism) else None,
-        loops=number(mechanism.loops) if mechanism.loops else None,
-        table=_table(mechanism.joints, size),
+        loops=_loops(mechanism),
+        takes=tuple(_takes(each, size) for each in _sorts(mechanism)),
+        together=tuple(map(_together, _sorts(mechanism))),
         coincident=tuple(
             (
                 Phrase(each.name) if each.name else None,
@@ -85,23 +103,37 @@ def _facts(mechanism: Mechanism, size: int) -> Facts:
         sign=(mechanism.dof > 0) - (mechanism.dof < 0),
         missing=number(-mechanism.dof) if mechanism.loops and mechanism.dof < 0 else None,
         idle=number(mechanism.rods) if mechanism.rods else None,
-        effective=number(mechanism.dof - mechanism.rods) if mechanism.rods else None,
-        may_spin=Phrase("idle-rods-apart")
-        if mechanism.space == "spatial" and not mechanism.rods and spherical >= 2 and mechanism.loops > 0
-        else None,
+        motors=number(effective) if effective > 0 else None,
+        may_spin=Phrase("idle-rods-apart") if given_apart and spherical >= 2 and mechanism.loops else None,
+        sliders=any(each.name == "prismatic" for each in mechanism.joints),
         others=_others(mechanism),
     )
 
 
-def _table(joints: tuple[Joints, ...], size: int) -> Table:
-    """How each sort is counted."""
-    return Table(tuple(map(Phrase, HEADINGS)), tuple(_row(each, size) for each in joints))
+def _loops(mechanism: Mechanism) -> Phrase | None:
+    """That their constraints are taken to be independent."""
+    if mechanism.loops < 2:
+        return Phrase("one-loop") if mechanism.loops else None
+    return Phrase("loops", {"count": number(mechanism.loops)})
 
 
-def _row(each: Joints, size: int) -> tuple[Cell, ...]:
-    freedoms = FREEDOMS[each.name] if each.name else size - each.constraints
-    counts = (each.pairs, freedoms, each.constraints, each.total)
-    return Phrase(each.name or "other"), *map(number, counts)
+def _takes(each: Joints, size: int) -> Phrase:
+    """What one joint of the sort leaves, and what it takes away."""
+    about: dict[str, Said] = {
+        "freedoms": number(size - each.constraints),
+        "constraints": number(each.constraints),
+    }
+    return (
+        Phrase("takes", {"sort": Phrase(each.name), **about}) if each.name else Phrase("other-takes", about)
+    )
+
+
+def _together(each: Joints) -> Phrase:
+    """So many of them."""
+    about: dict[str, Said] = {"sort": Phrase(each.name or "other")}
+    return (
+        Phrase("joints", {"count": number(each.count), **about}) if each.count > 1 else Phrase("one", about)
+    )
 
 
 def _others(mechanism: Mechanism) -> tuple[Other, ...]:
