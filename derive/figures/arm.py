@@ -129,7 +129,9 @@ def length_between(a: Vector, b: Vector) -> float:
 
 
 def joint_size(posed: Posed) -> float:
-    """Of a joint on paper: a share of the whole arm."""
+    """Of a joint on paper: a share of the whole arm, a larger one of a wrist that stands alone."""
     places = posed.places
     spans = [max(p[k] for p in places) - min(p[k] for p in places) for k in range(3)]
-    return max(spans) * 0.1 if max(spans) > SMALL else 0.1
+    turning = [joint.at for joint in posed.joints if not joint.slides]
+    wrist = len(posed.parts) == 1 and len(turning) > 2
+    return max(spans) * (0.22 if wrist else 0.1) if max(spans) > SMALL else 0.1

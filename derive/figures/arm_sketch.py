@@ -4,25 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from math import atan2, pi, remainder
 
 from derive.algebra.numbers.floats import number
 from derive.derivation import Caption, Drawing, Stroke
 from derive.expression import Expr, Symbol, is_negative
 from derive.figures import described, solids
 from derive.figures.arm import SMALL, Joint, Part, Posed, joint_size, length_between, place_of
+from derive.figures.arm_angles import SHORT, angles, reach, turns
+from derive.figures.arm_bodies import hanging, shown_by_body, solid_bodies
 from derive.figures.arm_frames import frames_of
 from derive.figures.arm_marks import Mark, marked
 from derive.figures.arm_values import values_of
+from derive.figures.body_names import body_names
+from derive.figures.gripper import gripper
 from derive.figures.held import held
 from derive.figures.poses import in_pose
-from derive.figures.view import Vector, View, along, around, between, dot, length, unit
+from derive.figures.view import Vector, View, along, between, dot, length, unit
 from derive.figures.wish import Wish
 from derive.mechanics.robot import Robot
 
+MIDDLE, ASIDE = (0.5, 0.35, 0.65, 0.2, 0.8), (0.76, 0.24, 0.5, 0.85, 0.65)  # of a link: its name
 MOST, JOINT = 250.0, 16.0  # points: how high an arm is drawn, and how large a joint of it
-NEARLY = 0.02  # of an angle that is drawn
-SHORT = 2.6  # sizes of a joint: a shorter offset along its axis is part of its cylinder
 
 
 def drawn(robot: Robot, where: Mapping[str, Expr], wish: Wish, marks: Sequence[Mark] = ()) -> Drawing:
@@ -31,20 +33,23 @@ def drawn(robot: Robot, where: Mapping[str, Expr], wish: Wish, marks: Sequence[M
     point, usual = values_of(robot, where, [part for mark in marks for part in mark.at])
     wanted = {name: number(value, {}) for name, value in wish.at.items()}
     view, found = in_pose(robot, point | wanted, usual, where, wanted)
+    found = replace(found, parts=(*found.parts, *hanging(robot, found)))
     size = joint_size(found)
     joints, stubs = _apart(found, size, view)
     held(robot, where, found, joints, size)
     strokes, captions = _sketch(robot, view, found, joints, stubs, size)
+    captions = (*captions, *_lengths(view, found, size, ASIDE if marks else MIDDLE))
     for signs, names in marked(robot, view, found, marks, size):
         strokes, captions = (*strokes, *signs), (*captions, *names)
     said = described.caption(robot, found, view), described.seen(robot, found, view)
-    return Drawing("figure", strokes, captions, *said, _highest(strokes, size, found), schematic=True)
+    high = _highest(strokes, size, len(found.joints) + 2 * len(marks))
+    return Drawing("figure", strokes, captions, *said, high, schematic=True)
 
 
-def _highest(strokes: Sequence[Stroke], size: float, posed: Posed) -> float:
-    """How high an arm is drawn, in points: higher with more joints, and none of them too large."""
+def _highest(strokes: Sequence[Stroke], size: float, named: int) -> float:
+    """How high an arm is drawn, in points: higher with more joints and marks, and no joint too large."""
     heights = [y for stroke in strokes for _, y in stroke.places]
-    return min(MOST, 125 + 22 * len(posed.joints), (max(heights) - min(heights)) / size * JOINT + 30)
+    return min(MOST, 125 + 22 * named, (max(heights) - min(heights)) / size * JOINT + 30)
 
 
 def _sketch(
@@ -56,19 +61,25 @@ def _sketch(
         base = place_of(posed.poses[0])
     foot = base if view.flat or robot.by_screws else _foot(posed, joints, base, size)
     things = [solids.ground(view, foot, size), *_links(view, posed.parts, size), *_stubs(view, stubs, size)]
+    things += solid_bodies(robot, view, posed, size)
     things += [_joint(view, joint, size) for joint in joints]
     strokes = [stroke for thing in sorted(things, key=lambda each: each.depth) for stroke in thing.strokes]
     captions: list[Caption] = []
-    last = posed.parts[-1] if posed.parts else None
-    if last is not None:
-        strokes += solids.tip(view, last.end, unit(between(last.start, last.end)), size)
-    for arcs, caption in _angles(view, posed, size) if view.flat else _turns(view, joints, size):
+    if posed.parts and not (shown_by_body(robot) or hanging(robot, posed)):
+        index = "_e" if robot.ends_in_tool or robot.by_screws else str(len(posed.poses) - 1)
+        jaws, names = gripper(view, posed, joints, size, index)
+        strokes += jaws
+        captions += names
+    for arcs, names in angles(robot, view, posed, size) if view.flat else turns(view, joints, size):
         strokes += arcs
-        captions.append(caption)
+        captions += names
+    for more, names in body_names(robot, view, posed, size):
+        strokes += more
+        captions += names
     for stroke, caption in frames_of(robot, view, posed, size):
         strokes.append(stroke)
         captions.append(caption)
-    return tuple(strokes), (*captions, *_lengths(view, posed, size))
+    return tuple(strokes), tuple(captions)
 
 
 # -- where joints stand -------------------------------------------------------------------------------
@@ -144,22 +155,14 @@ def _stubs(view: View, parts: Sequence[Part], size: float) -> Iterator[solids.So
 def _joint(view: View, joint: Joint, size: float) -> solids.Solid:
     if joint.slides:
         return solids.box(view, joint.at, joint.axis, size)
-    return solids.cylinder(view, joint.at, joint.axis, size, *_reach(joint, size))
-
-
-def _reach(joint: Joint, size: float) -> tuple[float, float]:
-    """From where to where along its axis a cylinder goes, in sizes: a short offset is part of it."""
-    if not 0 < abs(joint.offset) < SHORT * size:
-        return -0.7, 0.7
-    ends = sorted((0.0, joint.offset / size))
-    return ends[0] - 0.45, ends[1] + 0.45
+    return solids.cylinder(view, joint.at, joint.axis, size, *reach(joint, size))
 
 
 # -- names --------------------------------------------------------------------------------------------
 
 
-def _lengths(view: View, posed: Posed, size: float) -> Iterator[Caption]:
-    """The name of a length beside its piece of a link, on either side."""
+def _lengths(view: View, posed: Posed, size: float, spots: Sequence[float]) -> Iterator[Caption]:
+    """The name of a length beside its piece of a link, on either side, at shares of it in order."""
     for part in posed.parts:
         a, b = view.place(part.start), view.place(part.end)
         way = (b[0] - a[0], b[1] - a[1])
@@ -168,54 +171,6 @@ def _lengths(view: View, posed: Posed, size: float) -> Iterator[Caption]:
         below = (way[1], -way[0]) if way[0] >= 0 else (-way[1], way[0])
         above = (-below[0], -below[1])
         name = -part.by if is_negative(part.by) else part.by
-        shares = [(a[0] + t * way[0], a[1] + t * way[1]) for t in (0.5, 0.35, 0.65, 0.2, 0.8)]
+        shares = [(a[0] + t * way[0], a[1] + t * way[1]) for t in spots]
         others = tuple((place, side) for place in shares for side in (below, above))
         yield Caption(shares[0], name, below, "length", others[1:])
-
-
-def _turns(view: View, joints: Sequence[Joint], size: float) -> Iterator[tuple[list[Stroke], Caption]]:
-    """An arrow round each revolute joint in space, the way in which it turns, and its variable."""
-    for joint in joints:
-        if joint.slides:
-            continue
-        low, high = _reach(joint, size)
-        arc = solids.turn(view, along(joint.at, ((low + high) / 2 * size, joint.axis)), joint.axis, size)
-        places = [arc[len(arc) // 2], arc[-1], arc[0]]
-        center = view.place(joint.at)
-        sides = [(place, (place[0] - center[0], place[1] - center[1])) for place in places]
-        (at, towards), *others = sides
-        yield [Stroke(arc, "turn")], Caption(at, joint.name, towards, "joint", tuple(others))
-
-
-def _sweep(view: View, joint: Joint, end: Vector, start: float) -> float:
-    """The angle from a direction to the link that ends there, in (-pi, pi]."""
-    now = view.place(between(joint.at, end))
-    return (atan2(now[1], now[0]) - start + pi) % (2 * pi) - pi
-
-
-def _is_value(sweep: float, value: float) -> bool:
-    """Whether an angle is that of a joint, seen from either side; a link that does not lie along x is not."""
-    return any(abs(remainder(sweep - sign * value, 2 * pi)) < NEARLY for sign in (1, -1))
-
-
-def _angles(view: View, posed: Posed, size: float) -> Iterator[tuple[list[Stroke], Caption]]:
-    """The angle of each revolute joint in a plane, from where it counts to the link it turns."""
-    for joint in posed.joints:
-        after = next((p for p in posed.parts if length_between(p.start, joint.at) < 1e-6), None)
-        if joint.slides:
-            continue
-        center, zero = view.place(joint.at), view.place(joint.before)
-        start = atan2(zero[1], zero[0])
-        sweep = _sweep(view, joint, after.end, start) if after else None
-        if sweep is None or not _is_value(sweep, posed.values.get(joint.name, 0.0)):
-            yield [], Caption(center, joint.name, (-1.0, 1.0), "joint", clear=0.5 * size)
-            continue
-        radius = 1.7 * size
-        arc = [around(center, radius, start + sweep * k / 24) for k in range(25)]
-        dashed = (center, around(center, 2.3 * size, start))
-        spots = [around(center, radius, start + sweep * share) for share in (0.5, 0.7, 0.3)]
-        (at, towards), *others = [(spot, (spot[0] - center[0], spot[1] - center[1])) for spot in spots]
-        yield (
-            [Stroke(dashed, "hidden"), Stroke(tuple(arc), "arc")],
-            Caption(at, joint.name, towards, "angle", tuple(others)),
-        )

@@ -27,11 +27,11 @@ def cylinder(
     along that."""
     a, b = across(axis)
     ends = [along(at, (side * size, axis)) for side in (low, high)]
-    rims = [_circle(view, end, a, b, 0.5 * size) for end in ends]
+    rims = [circle(view, end, a, b, 0.5 * size) for end in ends]
     front = 1 if dot(view.front, axis) >= 0 else 0
     if view.flat and abs(dot(view.front, axis)) > 0.99:
-        rim = _circle(view, at, a, b, 0.42 * size)
-        pin = _circle(view, at, a, b, 0.09 * size)
+        rim = circle(view, at, a, b, 0.42 * size)
+        pin = circle(view, at, a, b, 0.09 * size)
         return Solid(view.depth(at) + size, (Stroke(rim, "cap"), Stroke(pin, "pin")))
     body = hull((*rims[0], *rims[1]))
     middle = along(at, ((low + high) / 2 * size, axis))
@@ -70,7 +70,8 @@ def _crossed(view: View, axis: Vector) -> Vector:
     return along((0.0, 0.0, 0.0), (-y, view.right), (x, view.up))
 
 
-def _circle(view: View, at: Vector, a: Vector, b: Vector, radius: float) -> tuple[Place, ...]:
+def circle(view: View, at: Vector, a: Vector, b: Vector, radius: float) -> tuple[Place, ...]:
+    """A circle in space in the plane of two unit vectors, as it is seen."""
     turns = (2 * pi * k / CORNERS for k in range(CORNERS))
     return tuple(view.place(along(at, (radius * cos(t), a), (radius * sin(t), b))) for t in turns)
 
@@ -79,7 +80,7 @@ def ground(view: View, at: Vector, size: float) -> Solid:
     """Where the base is fixed: a hatched line below it, or a disc under it."""
     x, y = view.place(at)
     if not view.flat:
-        rim = _circle(view, at, (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), 1.15 * size)
+        rim = circle(view, at, (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), 1.15 * size)
         return Solid(view.depth(at) - 10 * size, (Stroke(rim, "ground"),))
     low, half = y - 0.75 * size, 0.9 * size
     feet = [((x, y), (x - 0.45 * size, low)), ((x, y), (x + 0.45 * size, low))]
@@ -104,16 +105,3 @@ def triad(
         if max(map(abs, towards)) < 0.15 * size:
             continue
         yield Stroke((start, end), role or letter), Caption(end, f"{letter}{index}", towards, role or letter)
-
-
-def tip(view: View, at: Vector, towards: Vector, size: float) -> tuple[Stroke, ...]:
-    """A gripper at the end of an arm, as seen on paper."""
-    x, y = view.place(at)
-    dx, dy = dot(view.right, towards), dot(view.up, towards)
-    norm = (dx * dx + dy * dy) ** 0.5
-    if norm < 0.2:
-        return ()
-    dx, dy = dx / norm * 0.55 * size, dy / norm * 0.55 * size
-    left, right = (x - dy, y + dx), (x + dy, y - dx)
-    fingers = ((left[0] + dx, left[1] + dy), left, right, (right[0] + dx, right[1] + dy))
-    return (Stroke(fingers, "gripper"),)
