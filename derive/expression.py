@@ -168,7 +168,8 @@ class Derivative(Tree):
 @dataclass(frozen=True, slots=True)
 class Measured(Tree):
     """A quantity as it is said on a page: a number, an angle in degrees or a vector, with its SI unit, "N m",
-    or what degrees are divided by, "/s". Only whole expressions are one; the value is that of `value`."""
+    or what degrees are divided by, "/s". A whole expression is one, or what was put in for a name; the value
+    is that of `value`."""
 
     value: Expr
     unit: str
@@ -374,6 +375,18 @@ def rebuild(expr: Expr, change: Callable[[Expr], Expr]) -> Expr:
             return Measured(change(value), unit)
         case _:
             return expr
+
+
+def measured(value: Expr, unit: str) -> Expr:
+    """A number with its unit; of one in degrees they are a part."""
+    if isinstance(value, Degrees):
+        unit = unit.removeprefix("deg")
+    return Measured(value, unit) if unit and isinstance(value, Number | Degrees) and value != ZERO else value
+
+
+def unmeasured(expr: Expr) -> Expr:
+    """Without the units in it."""
+    return unmeasured(expr.value) if isinstance(expr, Measured) else rebuild(expr, unmeasured)
 
 
 def replace(expr: Expr, values: Mapping[Expr, Expr]) -> Expr:

@@ -13,9 +13,9 @@ from derive.algebra.fingerprint import fingerprint
 from derive.algebra.formulas.tokens import Kind, Token
 from derive.answers.latex.printed import SIGNS, parts_of, read_part, require_tex
 from derive.answers.latex.scripts import Tokens
-from derive.answers.latex.units import without_unit
+from derive.answers.latex.units import without_units
 from derive.errors import FormulaError, SheetError, SheetErrors, Unfit
-from derive.expression import Approximate, Expr, Indexed, Matrix, Measured, Symbol, walk
+from derive.expression import Approximate, Expr, Indexed, Matrix, Measured, Symbol, children, unmeasured, walk
 from derive.expression import replace as written_out
 from derive.render.document import Document
 from derive.render.layout import Chain
@@ -155,13 +155,21 @@ def _says(part: tuple[tuple[Kind, str], ...], tree: Expr, notation: Notation) ->
     """Whether tokens say what a tree does, to the digits that are printed. Raises FormulaError."""
     tree = notation.letters.tree(tree)
     tokens = tuple(Token(kind, text, place, place) for place, (kind, text) in enumerate(part))
-    if isinstance(tree, Measured):
-        tokens, unit = without_unit(tokens)
-        if unit != tree.unit:
-            raise FormulaError(f"the unit {unit} stands for {tree.unit}", 0)
-        tree = tree.value
+    if wanted := (*_units(tree),):
+        tokens, units = without_units(tokens)
+        if units != wanted:
+            raise FormulaError(f"the units {', '.join(units)} stand for {', '.join(wanted)}", 0)
+        tree = unmeasured(tree)
     read = read_part(tokens, tree, notation.atan2 == "xy")
     return fingerprint(read, notation.digits) == fingerprint(tree, notation.digits)
+
+
+def _units(tree: Expr) -> Iterator[str]:
+    """Those in it, in the order in which they are written."""
+    for part in children(tree):
+        yield from _units(part)
+    if isinstance(tree, Measured):
+        yield tree.unit
 
 
 def _names_entries(naming: Naming) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from fractions import Fraction
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -12,7 +13,21 @@ import pytest
 
 from derive.build import build, derive_all
 from derive.errors import SheetErrors
-from derive.expression import Derivative, Expr, Matrix, Product, Sum, Symbol, cos, number, sin, symbols
+from derive.expression import (
+    Degrees,
+    Derivative,
+    Expr,
+    Matrix,
+    Measured,
+    Number,
+    Product,
+    Sum,
+    Symbol,
+    cos,
+    number,
+    sin,
+    symbols,
+)
 from derive.read_back import MISPRINTED, read_back, reading_of
 from derive.render import entries, latex, layout, lettering, names, phrases, trig, words
 from derive.render.document import Document
@@ -222,6 +237,25 @@ def test_what_tex_would_refuse_or_the_tree_does_not_say_is_refused(latex: str, w
     with pytest.raises(SheetErrors) as caught:
         read_back([said])
     assert why in caught.value.errors[0].message
+
+
+@pytest.mark.parametrize(
+    ("latex", "held"),
+    [
+        (r"\frac{120 \cdot 9^\circ}{0.01\ \mathrm{s}}", True),
+        (r"\frac{120 \cdot 9^\circ}{0.01\ \mathrm{m}}", False),
+        (r"\frac{120 \cdot 9^\circ}{0.01}", False),
+        (r"\frac{120 \cdot 9^\circ\ \mathrm{s}}{0.01\ \mathrm{s}}", False),
+    ],
+)
+def test_units_of_what_was_put_in_are_read(latex: str, held: bool) -> None:
+    tree = 120 * Degrees(Fraction(9)) / Measured(Number(Fraction(1, 100), True), "s")
+    said = [Said("1.1", None, (Printed.inline(latex, says(tree, latex), Notation()),))]
+    if held:
+        assert read_back(said).read == 1
+    else:
+        with pytest.raises(SheetErrors, match="1 fault"):
+            read_back(said)
 
 
 def wide(printer: Printer) -> Said:

@@ -19,6 +19,7 @@ from derive.expression import (
     Expr,
     Indexed,
     Matrix,
+    Measured,
     Number,
     Power,
     Product,
@@ -66,6 +67,8 @@ class Infix:
                 return self.product((number(value / 180), PI)) if value else ("0", ATOM)
             case Approximate(value):
                 return repr(value), ATOM if value >= 0 else SUM
+            case Measured(value):
+                return self.measured(value)
             case _:
                 return self.rarer(expr), ATOM
 

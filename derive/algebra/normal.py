@@ -43,6 +43,7 @@ from derive.expression import (
     Expr,
     Indexed,
     Matrix,
+    Measured,
     Number,
     Power,
     Product,
@@ -161,6 +162,8 @@ class Walk:
                 if expr not in self.known:
                     self.known[expr] = self.value(of).diff(by.name)
                 return self.known[expr]
+            case Measured(quantity):
+                return self.value(quantity)
             case _:
                 raise NotDerivable("a floating-point number has no exact value")
 

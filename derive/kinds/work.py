@@ -22,7 +22,7 @@ from derive.algebra.signs import sign_of
 from derive.algebra.values import Value, matrix_of
 from derive.derivation import Claim, Derivation, PageFacts, Record, Result, Said, Step, as_matrix
 from derive.errors import FormulaError, NotDerivable
-from derive.expression import Degrees, Expr, Indexed, Matrix, Symbol, free_symbols
+from derive.expression import Degrees, Expr, Indexed, Matrix, Symbol, free_symbols, measured
 from derive.expression import replace as put_in
 from derive.kinds.chains import closing, constants_together, distinct, piled
 from derive.kinds.checks import TOLERANCE, agreement, law
@@ -41,13 +41,14 @@ class Work:
     `known` are names of the page and what they stand for, the same name for a quantity that its author calls
     so; `aside` are names that chains may hold and no page defines. `uses` are the derivations this one rests
     on. `angular` writes multiples of pi in degrees, as the author typed them. An answer whose name is `taken`
-    by the author gets a `_p` on the page.
+    by the author gets a `_p` on the page. Numbers that are put in for names have the `units` of these.
     """
 
     problem: Problem
     known: Mapping[Expr, Expr] = field(default_factory=dict)
     angular: bool = False
     taken: frozenset[str] = frozenset()
+    units: Mapping[Expr, str] = field(default_factory=dict)
     aside: Mapping[Expr, Expr] = field(default_factory=dict)
     uses: tuple[Derivation, ...] = ()
     steps: tuple[Step, ...] = ()
@@ -200,6 +201,8 @@ class Work:
         filled = constants_together(put_in(formula, self.definitions))
         if answer is None:  # a formula in the author's own symbols stays as books print it
             answer = formula if filled == formula else self.shown(formula)
+        if self.units:
+            filled = put_in(formula, self._measured)
         shown = (filled,) if not free_symbols(filled) and not piled(filled) else ()
         step = Step(name, distinct((symbol, formula, *shown, answer)), rule)
         return replace(self, steps=(*self.steps, step), known={**self.known, symbol: answer})
@@ -234,6 +237,11 @@ class Work:
             return self.readable(normal(expr, self.definitions))
         except FormulaError:
             return put_in(expr, self.definitions)
+
+    @property
+    def _measured(self) -> dict[Expr, Expr]:
+        """What every name stands for, with its unit."""
+        return {name: measured(value, self.units.get(name, "")) for name, value in self.definitions.items()}
 
     # -- what is claimed of it --------------------------------------------------------------------
 

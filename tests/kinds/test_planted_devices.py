@@ -179,7 +179,7 @@ def test_an_inertia_without_the_square_of_the_gear(tmp_path: Path, monkeypatch: 
     right = Work.worked
 
     def worked(self: Work, name: str, formula: Expr, *more: Any, **others: Any) -> Work:
-        wrong = Symbol("G") * Symbol("J_m") + Symbol("J_l") if name == "J_load" else formula
+        wrong = Symbol("G") * Symbol("J_m") + Symbol("J_l") if name == "J_eff_l" else formula
         return right(self, name, wrong, *more, **others)
 
     monkeypatch.setattr(Work, "worked", worked)

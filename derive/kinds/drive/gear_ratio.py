@@ -86,7 +86,7 @@ def _best(work: Work, J_m: Expr, J_l: Expr, tau_m: Expr, tau_l: Expr | None) -> 
     open_ = open_ or bool(free_symbols(work.problem.final(work.shown(pull))))
     work = work.worked("G_opt", root, put_in(root) if open_ else None)
     force = tau_m / (2 * BEST * J_m)
-    return work.worked("alpha_max", force, put_in(force) if open_ else None)
+    return work.worked("alpha_max", force, force if open_ else None)  # with the root put in it is longer
 
 
 def measures(drive: Drive) -> dict[str, str]:

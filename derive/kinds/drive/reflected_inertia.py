@@ -21,9 +21,8 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
     """The kinetic energy in the speed of the one and of the other (Lynch and Park, section 8.9)."""
     gear = drive.gear or ONE
     work, (J_m, J_l, G) = Work(problem).naming(J_m=drive.rotor, J_l=drive.load, G=gear)
-    work = work.worked("J_load", G**2 * J_m + J_l)
-    work = work.worked("J_motor", J_m + J_l / G**2)
-    results = {name: work.final(name) for name in ("J_load", "J_motor")}
+    work = work.worked("J_eff_l", G**2 * J_m + J_l).worked("J_eff_m", J_m + J_l / G**2)
+    results = {"J_load": work.final("J_eff_l"), "J_motor": work.final("J_eff_m")}
     work = work.claim(route("same-energy", same_energy(drive, problem, results)))
     speeds = (OMEGA, OMEGA_M)
     facts = Facts(

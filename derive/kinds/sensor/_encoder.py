@@ -22,7 +22,7 @@ UNITS: Mapping[Expr, str] = {
 
 def counted(problem: Problem, encoder: Encoder) -> tuple[Work, Symbol | None]:
     """The work up to the angle of one count, at the motor and at the link; and the name of the gear."""
-    work, formula = _counts(Work(problem, angular=True, taken=problem.symbols & {"N"}), encoder)
+    work, formula = _counts(Work(problem, angular=True, taken=problem.symbols & {"N"}, units=UNITS), encoder)
     work = work.worked("N", formula, _power(encoder, problem))
     N = work.symbol("N")
     open_ = isinstance(work[N], Power)

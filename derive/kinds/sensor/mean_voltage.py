@@ -45,7 +45,8 @@ def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivatio
     results = {"mean": work.final(mean), "duty": work.final(duty)}
     if voltage.frequency is not None:
         work, (f,) = work.naming(f=voltage.frequency)
-        work = work.worked("t_on", duty / f)
+        period = Step("period", (PERIOD, ONE / f), "law", instance={PERIOD: ONE / work[f], f: work[f]})
+        work = work.showing(period).worked("t_on", duty / f)
         results["t_on"] = work.final("t_on")
     facts = Facts(
         given=work.typed, inverse=voltage.duty is None, high=high, low=low if bipolar else None, duty=duty,
