@@ -105,8 +105,9 @@ def _listed(context: Context, values: Iterable[Any], conjunction: str = "") -> s
     return joined([_mathematics(context, value) for value in values], conjunction)
 
 
-def joined(texts: Sequence[str], conjunction: str = "") -> str:
+def joined(texts: Iterable[str], conjunction: str = "") -> str:
     """`{{ texts | joined }}`: as `a, b and c`. Raises ValueError where there is nothing."""
+    texts = [*texts]
     if not texts:
         raise ValueError("nothing to list")
     return f" {conjunction or english('conjunction')} ".join(

@@ -18,14 +18,12 @@ from derive.control.signals import signals
 from derive.control.system import System
 from derive.derivation import Claim, Derivation, Phrase, Record, Step
 from derive.errors import NotDerivable
-from derive.expression import Approximate, Expr, Number, Symbol, free_symbols, number, walk
+from derive.expression import Expr, Number, Symbol, free_symbols, number, walk
 from derive.kinds.checks import law
 from derive.kinds.fields import Place
 from derive.kinds.problem import Problem
+from derive.kinds.system._pairs import Roots
 from derive.names import free
-
-WHOLE_BELOW = 10**6
-J = Symbol("j")
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,8 +104,8 @@ class AtPoint(Record):
 
     shown: tuple[tuple[Expr, ...], ...]
     point: tuple[tuple[Expr, ...], ...]
-    poles: tuple[Expr, ...] = ()
-    zeros: tuple[Expr, ...] = ()
+    poles: Roots | None = None
+    zeros: Roots | None = None
     verdict: Phrase | None = None  # where the poles lie
 
 
@@ -166,22 +164,6 @@ def verdict(polynomial: Polynomial) -> str:
     if not axis:
         return "stable"
     return "integrator" if [pole.value for pole in axis] == [0] else "oscillator"
-
-
-def root_tree(root: complex) -> Expr:
-    """A root as it is printed, with j for the imaginary unit."""
-    re, im = rounded(root.real), rounded(abs(root.imag))
-    if root.imag == 0:
-        return re
-    imaginary = J if im == number(1) else im * J
-    signed = -imaginary if root.imag < 0 else imaginary
-    return signed if root.real == 0 else re + signed
-
-
-def rounded(value: float) -> Expr:
-    """A whole number stays exact."""
-    whole = abs(value) < WHOLE_BELOW and value == int(value)
-    return number(int(value)) if whole else Approximate(value)
 
 
 def point_chains(point: Place | None, where: Mapping[str, Expr]) -> tuple[tuple[Expr, ...], ...]:

@@ -15,7 +15,8 @@ from derive.control.rational import written as collected
 from derive.control.roots import roots
 from derive.derivation import Phrase
 from derive.expression import ZERO, Expr, Relation, Symbol, number
-from derive.kinds.system._plant import root_tree, rounded, verdict
+from derive.kinds.system._pairs import root_tree, rounded
+from derive.kinds.system._plant import verdict
 from derive.kinds.system._stability_answer import Answer
 from derive.kinds.system._stability_facts import NEVER, Facts, StabilityAtPoint
 from derive.kinds.system._stability_limit import (

@@ -15,7 +15,8 @@ from derive.derivation import Claim, Phrase, Plot, Result
 from derive.expression import ZERO, Expr, Relation, Symbol
 from derive.kinds.checks import route
 from derive.kinds.fields import TREES
-from derive.kinds.system._oracle import IMAGINARY_UNIT, Held, as_printed, reals
+from derive.kinds.system._oracle import Held, as_printed, reals
+from derive.kinds.system._pairs import Roots, said_roots
 from derive.kinds.system._step_facts import COURSES, FIGURES, NONE, Facts
 
 CLOSE = 1e-6  # of transforms against each other, and of roots against the polynomial they are of
@@ -106,10 +107,11 @@ def _transforms_back(response: StepResponse, transfer: Expr, sizes: Sequence[flo
         yield is_close(response.transform(s), value(transfer, {"s": s}) / s, CLOSE)
 
 
-def _roots(printed: Sequence[Expr], den: Sequence[float]) -> Iterator[bool]:
+def _roots(printed: Roots | None, den: Sequence[float]) -> Iterator[bool]:
     """The poles on the page make up the denominator."""
-    found = [value(tree, {IMAGINARY_UNIT: 1j}) for tree in printed]
+    found = said_roots(printed)
     yield len(found) == len(den) - 1
+    yield printed is None or printed.several == (len(found) > 1)
     for size in {abs(root) for root in found} - {0.0} or {1.0}:
         s = size * TURNED
         yield is_close(poles.product(den[0], found, s), quotient(den, (1.0,), s), CLOSE)

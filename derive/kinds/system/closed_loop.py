@@ -25,13 +25,13 @@ from derive.kinds.system._loop_facts import Facts as Facts
 from derive.kinds.system._loop_facts import LoopAtPoint
 from derive.kinds.system._options import ControllerField
 from derive.kinds.system._oracle import Held, as_drawn, as_printed, controller_as_printed
+from derive.kinds.system._pairs import roots_told
 from derive.kinds.system._plant import (
     Plant,
     asked,
     plant,
     point_chains,
     poles_json,
-    root_tree,
     transfer_json,
     verdict,
     zeros_json,
@@ -228,8 +228,8 @@ def _evaluated(found: Closed, options: Options) -> tuple[dict[str, Any], LoopAtP
     poles, zeros = roots(numeric.den), roots(numeric.num) if numeric.num else ()
     return {**functions, "poles": poles_json(numeric), "zeros": zeros_json(numeric)}, replace(
         told,
-        poles=tuple(map(root_tree, poles)),
-        zeros=tuple(map(root_tree, zeros)),
+        poles=roots_told(poles),
+        zeros=roots_told(zeros),
         verdict=Phrase(verdict(whole.den)),
         hidden=Phrase("growth-cancels") if verdict(numeric.den) == "stable" != verdict(whole.den) else None,
     )

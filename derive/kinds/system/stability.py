@@ -22,7 +22,8 @@ from derive.kinds.problem import Problem
 from derive.kinds.system._checked_array import Printed
 from derive.kinds.system._options import ControllerField
 from derive.kinds.system._oracle import Held
-from derive.kinds.system._plant import mixed, point_chains, poles_json, root_tree, verdict
+from derive.kinds.system._pairs import roots_told
+from derive.kinds.system._plant import mixed, point_chains, poles_json, verdict
 from derive.kinds.system._routh_steps import entry_steps, law_step
 from derive.kinds.system._stability_answer import Answer, answered, right_of_axis
 from derive.kinds.system._stability_checks import claims_about, signs_at
@@ -151,7 +152,7 @@ def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], Stabil
     }
     return {**array, **values}, replace(
         told,
-        poles=tuple(map(root_tree, poles)),
+        poles=roots_told(poles),
         verdict=Phrase(verdict(numeric.den)),
         met=_met(answer, tuple(each for each, holds in zip(answer.written, met, strict=True) if not holds)),
     )

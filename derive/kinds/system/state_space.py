@@ -23,6 +23,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.system._delay_checks import fraction_claims
 from derive.kinds.system._matrix_checks import routes
 from derive.kinds.system._oracle import Held, given_claims, motor_claims
+from derive.kinds.system._pairs import roots_told
 from derive.kinds.system._plant import (
     AtPoint,
     Plant,
@@ -31,7 +32,6 @@ from derive.kinds.system._plant import (
     delay_steps,
     mixed,
     point_chains,
-    root_tree,
     verdict,
 )
 from derive.kinds.system._state_checks import characteristic_of, claims_about
@@ -192,5 +192,5 @@ def _evaluated(answer: Answer, options: Options) -> tuple[dict[str, Any], AtPoin
         return values, told
     poles = roots(characteristic)
     return {**values, "poles": [as_json(pole) for pole in poles]}, replace(
-        told, poles=tuple(map(root_tree, poles)), verdict=Phrase(verdict(characteristic))
+        told, poles=roots_told(poles), verdict=Phrase(verdict(characteristic))
     )

@@ -18,7 +18,8 @@ from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._options import ControllerField
 from derive.kinds.system._oracle import Held
-from derive.kinds.system._plant import Plant, point_chains, root_tree, rounded, verdict
+from derive.kinds.system._pairs import roots_told, rounded
+from derive.kinds.system._plant import Plant, point_chains, verdict
 from derive.kinds.system._step_checks import as_marked, proofs
 from derive.kinds.system._step_facts import FIGURES, NONE
 from derive.kinds.system._step_facts import Facts as Facts
@@ -150,7 +151,7 @@ def _facts(answer: Answer, options: Options) -> Facts:
         jump=Phrase("reference-jumps", {"start": start}) if options.controller else jump,
         step=1 / S,
         point=point_chains(options.evaluate, answer.plant.problem.where),
-        poles=tuple(map(root_tree, roots(answer.numeric.den))),
+        poles=roots_told(roots(answer.numeric.den)),
         course=_course(answer, found),
         figures=() if returns else tuple(_figures(response)),
         none=Phrase("returns") if returns else None,

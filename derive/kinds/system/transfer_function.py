@@ -22,6 +22,7 @@ from derive.kinds.fields import Evaluation, Name, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._delay_checks import fraction_claims
 from derive.kinds.system._oracle import Held, as_drawn, as_printed, given_claims, motor_claims
+from derive.kinds.system._pairs import roots_told
 from derive.kinds.system._plant import (
     AtPoint,
     Plant,
@@ -30,7 +31,6 @@ from derive.kinds.system._plant import (
     plant,
     point_chains,
     poles_json,
-    root_tree,
     transfer_json,
     verdict,
     zeros_json,
@@ -251,7 +251,7 @@ def _evaluated(solved: Plant, options: Options) -> tuple[dict[str, Any], AtPoint
     values = {"G": transfer_json(numeric), "poles": poles_json(numeric), "zeros": zeros_json(numeric)}
     return values, replace(
         told,
-        poles=tuple(map(root_tree, poles)),
-        zeros=tuple(map(root_tree, zeros)),
+        poles=roots_told(poles),
+        zeros=roots_told(zeros),
         verdict=Phrase(verdict(numeric.den)) if poles else None,
     )
