@@ -86,6 +86,7 @@ def _build_options(command: Callable[..., Any]) -> Callable[..., Any]:
     told = "All the working, formula and result, or the result alone."
     said = f"Comma-separated: {', '.join(FORMATS)}."
     where = "Directory to write to; - prints one page of md, tex or json."
+    look = "Directory of templates of your own, which change how pages look and what they say."
     engine = "latex needs a TeX installation, typst nothing."
     options = (
         click.option(
@@ -104,6 +105,7 @@ def _build_options(command: Callable[..., Any]) -> Callable[..., Any]:
         click.option(
             "--no-figures", is_flag=True, help="Draw no subject whose sheet does not say figure: true."
         ),
+        click.option("--templates", type=click.Path(exists=True, file_okay=False, path_type=Path), help=look),
         click.option("--pdf-engine", type=engines, default="typst", show_default=True, help=engine),
     )
     for option in reversed(options):
@@ -124,6 +126,7 @@ def build(
     audit: bool,
     explain: bool,
     no_figures: bool,
+    templates: Path | None,
     pdf_engine: str,
 ) -> None:
     """Build solution sheets (the default command). A directory stands for the sheets in it."""
@@ -133,7 +136,9 @@ def build(
     if target is None and len(sheets) > 1:
         raise click.UsageError("--output - prints one sheet")
     with guarded():
-        _build(sheets, formats, target, problems, space, steps, audit, explain, no_figures, pdf_engine)
+        _build(
+            sheets, formats, target, problems, space, steps, audit, explain, no_figures, templates, pdf_engine
+        )  # fmt: skip
 
 
 def _build(
@@ -146,6 +151,7 @@ def _build(
     audit: bool,
     explain: bool,
     no_figures: bool,
+    templates: Path | None,
     pdf_engine: str,
 ) -> None:
     if space and not problems:
@@ -157,11 +163,12 @@ def _build(
     import gc
 
     from derive.build import build as build_sheets
+    from derive.render.own_templates import dressed
     from derive.writing import PagesFailed
 
     gc.set_threshold(100_000, 50, 50)  # trees are many and hold no cycles
     try:
-        with progress() as step:
+        with dressed(templates), progress() as step:
             seen: list[Document] = []
             made = build_sheets(
                 sheets,
@@ -283,9 +290,10 @@ def watch(
     audit: bool,
     explain: bool,
     no_figures: bool,
+    templates: Path | None,
     pdf_engine: str,
 ) -> None:
-    """Rebuild a sheet whenever it, or a YAML file beside it, is saved. Ctrl-C ends it."""
+    """Rebuild a sheet whenever it, a YAML file beside it or a template is saved. Ctrl-C ends it."""
     from watchfiles import watch as changes
 
     if output == "-":
@@ -304,6 +312,7 @@ def watch(
                     audit,
                     explain,
                     no_figures,
+                    templates,
                     pdf_engine,
                 )
         except SystemExit:  # the faults are printed already
@@ -312,8 +321,15 @@ def watch(
 
     try:
         again()
-        for changed in changes(sheet.parent):
-            if any(Path(path).suffix in (".yaml", ".yml") for _, path in changed):
+        for changed in changes(sheet.parent, *filter(None, [templates])):
+            if any(_is_source(Path(path), templates) for _, path in changed):
                 again()
     except KeyboardInterrupt:
         return
+
+
+def _is_source(path: Path, templates: Path | None) -> bool:
+    """Whether a page is made of it."""
+    return path.suffix in (".yaml", ".yml") or (
+        templates is not None and path.resolve().is_relative_to(templates.resolve())
+    )

@@ -20,6 +20,7 @@ from derive.expression import replace as written_out
 from derive.render.document import Document
 from derive.render.layout import Chain
 from derive.render.notation import Notation
+from derive.render.own_templates import written_at
 from derive.render.printed import Naming, Printed, Reading, Said
 from derive.render.typed import is_law
 
@@ -62,7 +63,8 @@ def read_back(said: Sequence[Said]) -> Reading:
                 doubts = _unread(formula)
             except Misprinted as error:
                 message = f"question {part.question} failed its own check: {MISPRINTED}: {error}"
-                faults.append(SheetError(message, part.place, REPORT))
+                own = None if formula.chains else written_at(formula.lines)
+                faults.append(SheetError(message, own or part.place, "" if own else REPORT))
                 continue
             typed += not formula.chains
             read += bool(formula.chains and not doubts)

@@ -23,8 +23,10 @@ def render(document: Document, kind: str) -> str:
     if kind == "json":
         from derive.json_back import read_json
         from derive.render.json_result import render_json
+        from derive.render.own_templates import undressed
 
-        text = render_json(document)
+        with undressed():
+            text = render_json(document)
         read_json(document, text)
         return text
     from derive.read_back import read_back

@@ -19,7 +19,7 @@ from derive.render.figures import draw
 from derive.render.page import render_for_pandoc
 from derive.render.pandoc import pandoc, pandoc_from_tree
 from derive.render.printed import Reader, unread
-from derive.render.skin import templates
+from derive.render.skin import Dressing, environment
 from derive.render.word_tree import in_word
 
 TABLE = re.compile(rb'(?<=<w:tblStyle w:val="Table" />)(<w:tblW [^>]*/>)')
@@ -62,13 +62,17 @@ def _metadata(document: Document) -> dict[str, str]:
     }  # fmt: skip
 
 
-@cache
 def _reference(paper: str) -> bytes:
     """A document of no pages that has our styles, its paper and our footer."""
+    return _made_of(paper, environment())
+
+
+@cache
+def _made_of(paper: str, templates: Dressing) -> bytes:
     file = BytesIO()
     with ZipFile(file, "w", ZIP_DEFLATED) as archive:
         for name, kept in PARTS.items():
-            part = (templates() / "docx" / kept).read_text(encoding="utf-8")
+            part = templates.text(f"docx/{kept}")
             archive.writestr(ZipInfo(name), part.replace(SIZES["a4"], SIZES[paper]))
     return file.getvalue()
 

@@ -18,9 +18,10 @@ from derive.render.html_skin import HTML
 from derive.render.markdown_math import left_alone, rows_apart
 from derive.render.plain_text import latex_text, markdown_text
 from derive.render.printed import Printed, Reader, Said, unread
-from derive.render.skin import HELD_LINE, Skin, english, environment
+from derive.render.skin import HELD_LINE, Skin, english, environment, require_texts, words_file
 from derive.render.subject_figure import subject_figure
 from derive.render.typst_skin import TYPST, laid_out
+from derive.render.untold import Untold
 from derive.render.words import words
 
 MARKDOWN = Skin("markdown", markdown_prose, markdown_text)
@@ -62,6 +63,7 @@ def render_html(document: Document, read: Reader = unread) -> str:
 
 
 def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
+    environment().begin()
     answers: dict[tuple[int, int], str] = {}
     given: dict[tuple[int, int], str] = {}
     figures: dict[int, str] = {}
@@ -89,19 +91,26 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
     taken: list[Printed] = []
     known = spelt(conventions(said, taken), skin.formulas, taken) if document.solutions else ""
     said.append(Said("conventions", None, tuple(taken)))
-    template = environment().get_template(f"{skin.name}/page.j2")
+    look = f"{skin.name}/page.j2"
     alone = sum(1 for _ in document.alone())
     verified = Proved.of(document.verified(), read(said), alone).said() if document.solutions else ""
-    page = template.render(
-        document=document,
-        answers=answers,
-        figures=figures,
-        given=given,
-        skin=skin,
-        front=front,
-        conventions=known and skin.boxed(english("conventions"), known),
-        verified=verified,
+    boxed = known and skin.boxed(english("conventions"), known)
+    page = (
+        environment()
+        .get_template(look)
+        .render(
+            document=document,
+            answers=answers,
+            figures=figures,
+            given=given,
+            skin=skin,
+            front=front,
+            conventions=boxed,
+            verified=verified,
+        )
     )
+    if look in environment().own:
+        require_texts(page, [boxed, *given.values(), *answers.values()], look)
     return spelt(page, skin.formulas, [formula for part in said for formula in part.printed])
 
 
@@ -152,11 +161,14 @@ def _told(
         name: file_path(document.figures, problem.number, question.number, name)
         for name in worked.derivation.files
     }
-    notation = problem.notation
-    return words(
-        worked.derivation, worked.folder, skin, notation, worked.asked, plots, files, printed, numbers,
-        before, question.steps,
-    )  # fmt: skip
+    try:
+        return words(
+            worked.derivation, worked.folder, skin, problem.notation, worked.asked, plots, files, printed,
+            numbers, before, question.steps,
+        )  # fmt: skip
+    except Untold as untold:
+        untold.template = untold.template or words_file(worked.folder, worked.derivation.kind)
+        raise
 
 
 def _tidy(page: str) -> str:

@@ -40,7 +40,9 @@ from derive.render.latex import Printer
 from derive.render.layout import Chain
 from derive.render.notation import Notation
 from derive.render.printed import Printed, links_of, says
+from derive.render.skin import block as written_block
 from derive.render.skin import environment, joined, words_file
+from derive.render.untold import Untold
 
 PHRASES = "phrases"  # the block of a words template that holds them
 STRONG, EM = ("**", "\x1e"), ("*", "\x1f")  # what is typed, and what stands for it until a phrase is written
@@ -48,7 +50,7 @@ T = TypeVar("T")
 LATEX_SIGNS = {"<=": r"\leq", ">=": r"\geq", "!=": r"\neq"}
 
 
-class PhraseError(Exception):
+class PhraseError(Untold):
     """Words of a kind are missing, or are not written as they have to be."""
 
 
@@ -239,22 +241,23 @@ def shared_lines() -> dict[str, str]:
 
 
 def lines_in(name: str, block: str = PHRASES) -> dict[str, str]:
-    """The lines `key: words` of a block of a template; none where there is no such template. Raises
-    PhraseError for a line that is none."""
-    found = [line.partition(": ") for line in block_of(name, block).splitlines() if line]
-    if wrong := [key for key, _, words in found if not words]:
-        raise PhraseError(f"{name}: a line of the block {block} is 'key: words', not '{wrong[0]}'")
-    return {key: words for key, _, words in found}
+    """The lines `key: words` of a block of a template, ours and before them those of one's own; none where
+    there is no such template. Raises PhraseError for a line that is none."""
+    found: dict[str, str] = {}
+    for layer in environment().layers(name):
+        lines = [line.partition(": ") for line in block_of(layer, block).splitlines() if line]
+        if wrong := [key for key, _, words in lines if not words]:
+            raise PhraseError(f"{name}: a line of the block {block} is 'key: words', not '{wrong[0]}'")
+        found |= {key: words for key, _, words in lines}
+    return found
 
 
 def block_of(name: str, block: str) -> str:
     """A block of a template that holds nothing but text; "" where there is none."""
     try:
-        template = environment().get_template(name)
+        return written_block(name, block, {})
     except TemplateNotFound:
         return ""
-    found = template.blocks.get(block)
-    return "".join(found(template.new_context({}))) if found else ""
 
 
 def _in_style(tree: Expr, style: Style) -> Expr:

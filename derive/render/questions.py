@@ -15,9 +15,9 @@ from derive.render.latex import Printer
 from derive.render.layout import one_line
 from derive.render.phrases import block_of, lines_in
 from derive.render.printed import Printed
-from derive.render.skin import words_file
+from derive.render.skin import block, words_file
 from derive.render.values import in_unit
-from derive.render.words import QUESTION, chain_links, words_of
+from derive.render.words import QUESTION, chain_links
 
 
 def question_text(
@@ -25,10 +25,6 @@ def question_text(
 ) -> str:
     """The question in Markdown, as an author writes it; "" where the words of the kind ask none. Its
     mathematics is added to `printed`."""
-    template = words_of(folder, kind)
-    block = template.blocks.get(QUESTION)
-    if block is None:
-        return ""
 
     def mathematics(value: Any, _: Any = None, unit: str = "") -> str:
         trees = [Symbol(each) if isinstance(each, str) else each for each in chained(value)]
@@ -38,7 +34,7 @@ def question_text(
         return f"${written}$"
 
     scope = {"options": options, "subject": subject, "name": name, "math": mathematics}
-    return " ".join("".join(block(template.new_context(scope))).split())
+    return " ".join(block(words_file(folder, kind), QUESTION, scope).split())
 
 
 def chained(value: Any) -> tuple[Any, ...]:

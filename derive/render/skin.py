@@ -4,29 +4,79 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Sequence
+from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path, PurePosixPath
-from typing import Any
+from typing import Any, TypeVar
 
-from jinja2 import ChoiceLoader, Environment, FileSystemLoader, FunctionLoader, StrictUndefined, pass_context
+from jinja2 import (
+    BaseLoader,
+    ChoiceLoader,
+    Environment,
+    FileSystemLoader,
+    FunctionLoader,
+    PrefixLoader,
+    StrictUndefined,
+    pass_context,
+)
 from jinja2.runtime import Context
 
 from derive.render.formulas import Formulas
 from derive.render.layout import Display
 from derive.render.plain_text import typst_string
+from derive.render.untold import Withheld
+
+D = TypeVar("D", bound="Dressing")
 
 PACKAGE = Path(__file__).resolve().parent.parent
 
 HELD_LINE = "\x1e"  # ends a line of a listing until the page is laid out, which may move other lines
 
 
+HOUSE = "house"  # the folder in which our templates are found whatever stands before them
+AS_GIVEN = ("display", "em", "strong", "items", "table", "boxed")  # print each text that they are given
+
+
+class Dressing(Environment):
+    """The templates of the house, or of one's own before them."""
+
+    own: frozenset[str] = frozenset()  # the paths of one's own
+
+    def layers(self, name: str) -> tuple[str, ...]:
+        """What stands at a path: our template, and before it one's own."""
+        return (f"{HOUSE}/{name}", name) if name in self.own else (name,)
+
+    def text(self, name: str) -> str:
+        """A file among the templates, as it stands."""
+        assert self.loader is not None
+        return self.loader.get_source(self, name)[0]
+
+    def begin(self) -> None:
+        """A page begins."""
+
+
+DRESSING: ContextVar[Dressing | None] = ContextVar("dressing", default=None)
+
+
+def environment() -> Dressing:
+    """The templates that pages are made with here."""
+    return DRESSING.get() or _undressed()
+
+
 @cache
-def environment() -> Environment:
-    """The templates, compiled once a process for all formats."""
-    made = Environment(
-        loader=ChoiceLoader([FileSystemLoader(templates()), FunctionLoader(_beside_the_module)]),
+def _undressed() -> Dressing:
+    """Those of the house, compiled once a process for all formats."""
+    return with_templates(Dressing)
+
+
+def with_templates(kind: type[D], before: BaseLoader | None = None) -> D:
+    """Our templates in an environment of this kind, behind others."""
+    house = FileSystemLoader(templates())
+    loaders = [house, FunctionLoader(_beside_the_module), PrefixLoader({HOUSE: house})]
+    made = kind(
+        loader=ChoiceLoader([*([before] if before else []), *loaders]),
         undefined=StrictUndefined,
         trim_blocks=True,
         lstrip_blocks=True,
@@ -41,6 +91,21 @@ def environment() -> Environment:
     made.filters["said"] = _said
     made.filters["string_of_typst"] = _typst_string
     return made
+
+
+def named(name: str, template: str) -> Any:
+    """What a template calls so: a macro, a text. Where one's own template has no such name, ours has."""
+    modules = (environment().get_template(each).module for each in reversed(environment().layers(template)))
+    return next(found for module in modules if (found := getattr(module, name, None)) is not None)
+
+
+def block(template: str, name: str, scope: dict[str, Any]) -> str:
+    """A block of a template, that of ours where one's own has none; "" where neither has."""
+    layers = [environment().get_template(each) for each in reversed(environment().layers(template))]
+    found = [layer.blocks[name] for layer in layers if name in layer.blocks]
+    context = layers[0].new_context(scope)
+    context.blocks[name] = found
+    return "".join(found[0](context)) if found else ""
 
 
 def words_file(folder: str, kind: str) -> str:
@@ -117,7 +182,7 @@ def joined(texts: Iterable[str], conjunction: str = "") -> str:
 
 def english(name: str) -> str:
     """One of the fixed words of a sheet."""
-    return str(getattr(environment().get_template("words/_english.j2").module, name))
+    return str(named(name, "words/_english.j2"))
 
 
 def _fence(text: str) -> str:
@@ -185,11 +250,23 @@ class Skin:
         return f"{english('above')} {number}."
 
     def _macro(self, name: str, *arguments: Any) -> str:
-        module = environment().get_template(f"{self.name}/skin.j2").module
-        return str(getattr(module, name)(*arguments))
+        template = f"{self.name}/skin.j2"
+        written = str(named(name, template)(*arguments))
+        if name in AS_GIVEN and template in environment().own:
+            require_texts(written, arguments, template, name)
+        return written
 
 
 def templates() -> Path:
     """The folder that holds `words`, `markdown`, `latex`, `typst` and `html`."""
     installed = PACKAGE / "templates"
     return installed if installed.is_dir() else PACKAGE.parent / "templates"
+
+
+def require_texts(written: str, given: Any, template: str, macro: str = "") -> None:
+    """Raises Withheld where a text that a template was given is not among what it wrote."""
+    if isinstance(given, list | tuple):
+        for part in given:
+            require_texts(written, part, template, macro)
+    elif isinstance(given, str) and given not in written and given.replace(r"&\qquad ", "& ") not in written:
+        raise Withheld(template, given, macro)

@@ -6,6 +6,7 @@ import re
 
 from derive.render.aloud import aloud
 from derive.render.author_text import typst_prose
+from derive.render.failures import PageFailed
 from derive.render.formula.tex import boxes, boxes_of_lines
 from derive.render.formula.typst import in_text, typst
 from derive.render.formulas import spelt
@@ -52,10 +53,10 @@ def _rows(formula: Display) -> int:
 
 
 def laid_out(page: str) -> str:
-    """The page with its dollars, each paragraph that leads to a block held to it. Raises ValueError for
+    """The page with its dollars, each paragraph that leads to a block held to it. Raises PageFailed for
     mathematics that is still in TeX."""
     if "$" in page:
-        raise ValueError(f"a formula is still in TeX: {page[page.index('$') :][:80]}")
+        raise PageFailed(f"a formula is still in TeX: {page[page.index('$') :][:80]}")
     return LEAD_IN.sub(_led, page).replace(BLOCK, "").replace(DOLLAR, "$")
 
 

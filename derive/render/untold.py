@@ -8,28 +8,44 @@ from itertools import pairwise
 from derive.derivation import Derivation, Step
 
 
-class ForgottenStep(Exception):
+class Untold(Exception):
+    """A template does not tell what it has to. `template` is its path, `macro` the one of its macros."""
+
+    template = ""
+    macro = ""
+
+
+class Withheld(Untold):
+    """A template of one's own does not print what it is given to print."""
+
+    def __init__(self, template: str, text: str, macro: str = "") -> None:
+        super().__init__(f"it does not print what it is given: {text}")
+        self.template = template
+        self.macro = macro
+
+
+class ForgottenStep(Untold):
     """The words of a kind left out steps of its derivation."""
 
     def __init__(self, kind: str, names: Iterable[str]) -> None:
         super().__init__(f"the words of {kind} neither show nor tell: {', '.join(names)}")
 
 
-class UnknownFamily(Exception):
+class UnknownFamily(Untold):
     """The words of a kind speak of names that its derivation has not."""
 
     def __init__(self, kind: str, letter: str) -> None:
         super().__init__(f"the words of {kind} speak of {letter} with an index, and nothing is called so")
 
 
-class ForgottenFact(Exception):
+class ForgottenFact(Untold):
     """The words of a kind leave out what its derivation gives them to say."""
 
     def __init__(self, kind: str, names: Iterable[str]) -> None:
         super().__init__(f"the words of {kind} do not say these facts: {', '.join(names)}")
 
 
-class EarlyStep(Exception):
+class EarlyStep(Untold):
     """The words of a kind tell steps in another order than they were derived in."""
 
     def __init__(self, kind: str, names: Iterable[str]) -> None:

@@ -6,9 +6,12 @@ no square. The words are those of `templates/words/_spoken.j2`.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, lru_cache
+
+from jinja2 import Environment
 
 from derive.render.formula.boxes import (
     Accent,
@@ -29,6 +32,7 @@ from derive.render.formula.boxes import (
 )
 from derive.render.formula.signs import GREEK
 from derive.render.phrases import lines_in
+from derive.render.skin import environment
 
 GREEK_NAMES = {letter: name for name, letter in reversed(GREEK.items())} | {"φ": "phi", "ε": "epsilon"}
 TRANSPOSE, MINUS, BARS = Letter("T"), Sign("−", "prefix"), {"|": "absolute", "‖": "norm"}
@@ -36,25 +40,34 @@ DIFFERENTIALS = (Letter("d"), Sign("∂"))
 INVERSE = Row((MINUS, Digits("1")))
 ATAN2 = {"atan2": (0, 1), "Atan2": (1, 0)}  # where the upper and the lower argument stand
 WIDE = 1.0  # em between formulas side by side
+FIELD = re.compile(r"\{(\w+)\}")
 RAISED = {"2": "squared", "3": "cubed"}
 
 
-@cache
 def words() -> dict[str, str]:
     """The words for signs and shapes, by their keys."""
+    return _words(environment())
+
+
+@cache
+def _words(templates: Environment) -> dict[str, str]:
     return lines_in("words/_spoken.j2")
 
 
 def say(key: str, **parts: str | int) -> str:
     """The words of a key with its fields filled; a key without words is its own."""
     line = words().get(key, key)
-    return line.format(**parts) if parts else line
+    return FIELD.sub(lambda field: str(parts[field[1]]), line) if parts else line
 
 
-@lru_cache(4096)
 def spoken(box: Box, names: frozenset[Box] | None = None) -> str:
     """A formula in words; `names` are the boxes of names whose upper indices are no powers. Where nothing is
     known of them, what has a lower index too is taken for a name."""
+    return _spoken(box, names, environment())
+
+
+@lru_cache(4096)
+def _spoken(box: Box, names: frozenset[Box] | None, templates: Environment) -> str:
     said = _Speaker(names).say(box)
     return " ".join(said.split()).replace(" ,", ",").replace(" ;", ";").replace(" .", ".")
 
