@@ -6,14 +6,16 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from derive.derivation import Phrase
-from derive.expression import Expr, Symbol, number
-from derive.given.datum import Datum, measured, names, valued, vector
+from derive.expression import ONE, ZERO, Expr, Matrix, Symbol, number
+from derive.given.datum import Datum, measured, names, unit_of, valued, vector
 
 if TYPE_CHECKING:
     from derive.control.controllers import Controller
     from derive.kinds.robot._point import PointOn
 
 ORDINALS = {1: "first", 2: "second", 3: "third", 4: "fourth", 5: "fifth", 6: "sixth", 7: "seventh"}
+PLACES, AXES = ("pose", "orientation"), ("x", "y", "z")  # of an end-effector
+ELEMENTS = frozenset(f"r{i}{j}" for i in range(1, 4) for j in range(1, 4))
 Said = Callable[[Any, Any], Datum | None]  # of the value of an option, and of all options
 
 
@@ -27,12 +29,31 @@ def data(options: Any, at: Mapping[str, Expr]) -> Iterator[Datum]:
             and (datum := SAID[key](value, options))
         ):
             yield datum
-    if at:
+    if at and getattr(options, "given", None) in PLACES and not ELEMENTS - at.keys():
+        yield _pose(at)
+    elif at:
         yield _values("evaluate", tuple(at.items()))
 
 
 def _values(key: str, values: tuple[tuple[str, Expr], ...]) -> Datum:
     return Datum(Phrase(key, {"values": tuple(valued(name, value) for name, value in values)}))
+
+
+def _pose(at: Mapping[str, Expr]) -> Datum:
+    """The point where a pose or an orientation is known by its elements: that as a matrix, then the rest."""
+    whole = not {*AXES} - at.keys()
+    turned = ([at[f"r{i}{j}"] for j in range(1, 4)] for i in range(1, 4))
+    rows = [(*row, at[axis]) if whole else (*row,) for row, axis in zip(turned, AXES, strict=True)]
+    matrix = Matrix((*rows, (ZERO, ZERO, ZERO, ONE)) if whole else tuple(rows))
+    unit = next(filter(None, map(unit_of, (at[axis] for axis in AXES if whole))), "")
+    place = (
+        Phrase("pose-in", {"unit": unit}) if unit else Phrase("pose-here" if whole else "orientation-here")
+    )
+    told = ELEMENTS | {*AXES} if whole else ELEMENTS
+    others = tuple(valued(name, value) for name, value in at.items() if name not in told)
+    if others:
+        return Datum(Phrase("evaluate-there", {"values": others, "place": place}), equations=((matrix,),))
+    return Datum(Phrase("evaluate-place", {"place": place}), equations=((matrix,),))
 
 
 def _point(point: PointOn | tuple[Expr, ...], _: Any) -> Datum:

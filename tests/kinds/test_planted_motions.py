@@ -30,7 +30,7 @@ from derive.kinds.lagrange import (
 )
 from derive.kinds.motion import _factors, _product, equivalent_sequences, rotation_vector, velocity
 from derive.kinds.points import _rows, _svd
-from derive.kinds.pose import _euler_steps, _given, axis_angle, euler_rates, quaternion
+from derive.kinds.pose import _euler_steps, _given, _numbers, axis_angle, euler_rates, quaternion
 from derive.kinds.profile import _axis, _blends, _drawn, _ends, _spline_laws, _trapezoid
 from derive.mechanics import euler, fitting, frame_tree, lagrangian, sequences
 from derive.render.questions import example_of
@@ -201,10 +201,14 @@ MISTAKES = {
         "motion.rotation_vector",
     ),
     # rotations
-    "w = 2 cos(theta) k": Mistake(
-        axis_angle._facts, "2 * sin(names.angle)", "2 * cos(names.angle)", "pose.axis_angle"
+    "trace 1 + cos(theta)": Mistake(axis_angle._facts, "1 + 2 * cos", "1 + cos", "pose.axis_angle"),
+    "the turn along another axis": Mistake(
+        _numbers.along, "ratio * sign", "abs(ratio) * sign", "pose.axis_angle"
     ),
-    "r_00 in the trace": Mistake(axis_angle._trace, "(1, 2, 3)", "(0, 1, 2)", "pose.axis_angle"),
+    "w = 2 cos(theta) k": Mistake(
+        axis_angle._facts, "axis * sin(names.angle)", "axis * cos(names.angle)", "pose.axis_angle"
+    ),
+    "r_00 in the trace": Mistake(axis_angle._diagonal, "(1, 2, 3)", "(0, 1, 2)", "pose.axis_angle"),
     "R = 2 k k^T + 1": Mistake(axis_angle._half_facts, "- Symbol", "+ Symbol", HALF_TURN),
     "entries of w exchanged": Mistake(
         _given.lacking, '("r_32", "r_23")', '("r_23", "r_32")', "pose.quaternion"

@@ -5,18 +5,35 @@ from __future__ import annotations
 from functools import partial
 from typing import Any
 
-from derive.algebra.normal import normal
+from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numbers.floats import Point, numbers
+from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts, Phrase
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Call, Expr, Matrix, Symbol, column, multiply, walk
+from derive.expression import (
+    ONE,
+    PI,
+    ZERO,
+    Approximate,
+    Call,
+    Expr,
+    Matrix,
+    Symbol,
+    column,
+    free_symbols,
+    multiply,
+    number,
+    walk,
+)
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.meanings import Names, as_told, column_of
 from derive.kinds.pose._meanings import printed, turn_of
+from derive.kinds.pose._numbers import along, size
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.motion import Motion
 from derive.mechanics.oracle import exponential, made
+from derive.names import free
 
 CLAIMS = ("exponential", "as-told")
 
@@ -30,17 +47,17 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
 
     Raises NotDerivable where the rotation has no single axis.
     """
-    turn, r = problem.ask("axis-angle"), Symbol("r")
+    turn, r = problem.ask("axis-angle"), Symbol(free(problem.taken, "rho", "r"))
     angle, axis = turn.results["angle"], turn.results["axis"]
     names, work = _named(turn), Work(problem, uses=(turn,))
     nothing = axis == "any"
     if nothing:  # whatever the axis is
-        work = work.line(r, value=column((ZERO, ZERO, ZERO)), rule="rotation-vector")
+        work = work.line(r, value=column((ZERO, ZERO, ZERO)), label="r")
     elif not isinstance(axis, Matrix) or isinstance(angle, tuple | Phrase | float | str | Matrix):
         raise NotDerivable("this rotation has no single axis")
     else:
         vector = column(_entry(angle, entry, problem) for (entry,) in axis.rows)
-        work = work.line(r, names[0] * names[1], value=vector, rule="rotation-vector")
+        work = _line(work, r, names, (angle, axis, vector)).knowing({r: vector})
     work = work.linked(but=("r",)).agrees(
         "exponential",
         problem.symbols,
@@ -48,8 +65,8 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
         lambda at: made(motion.moves, at)[:3, :3],
         1e-8,
     )
-    facts = Facts(way=Phrase("nothing-turned" if nothing else "as-long-as-the-angle"))
-    work = as_told(work, partial(_meant, motion, names, work.matrix(r)))
+    facts = Facts(way=Phrase("nothing-turned" if nothing else "as-long-as-the-angle"), page_names={"r": r})
+    work = as_told(work, partial(_meant, motion, names, r, work.matrix(r)))
     still = set(work.entries(r)) == {ZERO}
     work = work.law("said", facts.way == Phrase("nothing-turned" if still else "as-long-as-the-angle"))
     return work.answer("rotation-vector", {"r": work[r]}, facts)
@@ -64,10 +81,24 @@ def _named(turn: Derivation) -> tuple[Symbol, Symbol]:
     return Symbol("theta"), Symbol("k")
 
 
-def _meant(motion: Motion, names: tuple[Symbol, Symbol], r: Matrix, at: Point) -> Names:
+def _line(work: Work, r: Symbol, names: tuple[Symbol, Symbol], of: tuple[Expr, Matrix, Matrix]) -> Work:
+    """The angle times the axis, with what they are (`of`), and the vector: of numbers in decimals."""
+    angle, axis, vector = of
+    if free_symbols(vector):
+        return work.line(r, names[0] * names[1], value=vector, label="r")
+    turns = (normal(angle) / Scalar.symbol("pi")).constant
+    whole = along(axis)
+    length = size(normal_matrix(whole.T * whole)[0, 0], work.problem)
+    unit = whole if length == ONE else multiply(ONE / length, whole)
+    known = () if turns is None else (multiply(number(turns), PI, unit),)
+    decimals = column(map(Approximate, numbers(vector, {})))
+    return work.line(r, names[0] * names[1], *known, value=decimals, label="r")
+
+
+def _meant(motion: Motion, names: tuple[Symbol, Symbol], r: Symbol, of: Matrix, at: Point) -> Names:
     """The vector, the angle and the axis of the motion made in numbers."""
-    angle, axis = turn_of(made(motion.moves, at)[:3, :3], printed(r, at))
-    return {names[0]: angle, names[1]: column_of(axis), Symbol("r"): column_of(angle * axis)}
+    angle, axis = turn_of(made(motion.moves, at)[:3, :3], printed(of, at))
+    return {names[0]: angle, names[1]: column_of(axis), r: column_of(angle * axis)}
 
 
 def _entry(angle: Expr, entry: Expr, problem: Problem) -> Expr:

@@ -9,11 +9,25 @@ from typing import Any
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point, completed, number
+from derive.algebra.readable.operation_count import operations
+from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts
 from derive.errors import NotDerivable
-from derive.expression import ONE, Derivative, Expr, Symbol, add, free_symbols, multiply, symbols, transpose
+from derive.expression import (
+    ONE,
+    Call,
+    Derivative,
+    Expr,
+    Symbol,
+    add,
+    free_symbols,
+    multiply,
+    symbols,
+    transpose,
+)
 from derive.kinds.fields import Name, OptionsModel
 from derive.kinds.meanings import Names, as_told, column_of
+from derive.kinds.pose._numbers import size
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.lagrangian import TIME
@@ -25,6 +39,7 @@ from derive.names import free
 
 DIFFERENCES = 1e-6
 R, R_DOT, P, S, V = symbols("R R_dot p S v")
+LONGEST_SPEED = 12  # operations above which the size of omega is left out
 CLAIMS = ("skew-symmetric", "differences")
 
 
@@ -59,6 +74,11 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
     turn, omega = work.value_matrix(S), Symbol(free(problem.taken, "omega", "w", "omega_R"))
     spin = ScalarMatrix.column((turn[2, 1], turn[0, 2], turn[1, 0]))
     work = work.line(omega, value=spin, rule="read-off", label="omega")
+    square = sum((part * part for (part,) in spin.rows), Scalar.of(0))
+    speed = size(square, problem)
+    if operations(speed) <= LONGEST_SPEED:
+        work = work.line(Call("abs", (omega,)), value=speed, rule="speed", label="speed")
+    work = work.linked(but=("speed",))
     results = {"omega": work.final(omega), "S": work.final(S)}
     if shifting:
         work = work.line(V, _by_chain_rule(P, shifting), rule="chain-rule")

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from derive.algebra.numbers.floats import Point, number, numbers
@@ -13,7 +14,8 @@ from derive.expression import ZERO, Call, Expr, Relation, Symbol, column, cos, f
 from derive.kinds.checks import route
 from derive.kinds.fields import Place
 from derive.kinds.meanings import Chain, Names, told
-from derive.kinds.pose._euler_steps import Case, Comparison, Facts
+from derive.kinds.pose._euler_facts import Case, Facts
+from derive.kinds.pose._euler_steps import Comparison
 from derive.kinds.pose._meanings import entries_of
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
@@ -39,7 +41,20 @@ def put_back(work: Work, compared: Comparison, solutions: tuple[Branch, ...], fa
     for case, told_of in zip(compared.singular_cases, facts.cases, strict=True):
         work = work.claim(_singular(compared, euler.singular_angles(case), told_of, facts, steps))
     work = work.claim(*_entries(compared, facts, steps), route("angles", _named_as_meant(facts)))
+    if facts.chosen or facts.same:
+        meant = partial(_angles_meant, (*facts.chosen, *facts.same), euler)
+        work = work.agrees("angles-said", compared.problem.symbols, meant, compared.given.turns)
     return _answers(work, compared, solutions, facts)
+
+
+def _angles_meant(told: tuple[tuple[Expr, Expr], ...], euler: Euler, at: Point) -> NDArray[Any]:
+    """The rotation by the angles as they are said to be."""
+    return rotation_at(euler, {name: number(value, at) for name, value in told_by_name(told)})
+
+
+def told_by_name(told: tuple[tuple[Expr, Expr], ...]) -> Iterator[tuple[str, Expr]]:
+    """Values by the names of angles."""
+    return ((name.name, value) for name, value in told if isinstance(name, Symbol))
 
 
 def _named_as_meant(facts: Facts) -> Iterator[bool]:

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from dataclasses import replace as replace_fields
 from functools import cached_property
-from typing import TypeAlias
+from itertools import permutations, product
 
 from derive.algebra.normal import normal, normal_matrix
+from derive.algebra.numbers.floats import number
 from derive.algebra.readable.form import readable_matrix
 from derive.algebra.scalar import Scalar
-from derive.derivation import Branch, Claim, PageFacts, Phrase, Record, Step
+from derive.derivation import Branch, Claim, Phrase, Step
 from derive.expression import (
     MINUS_ONE,
     ZERO,
@@ -26,6 +28,7 @@ from derive.expression import (
     Symbol,
     add,
     cos,
+    free_symbols,
     multiply,
     rebuild,
     replace,
@@ -34,48 +37,12 @@ from derive.expression import (
 from derive.expression import number as exact_number
 from derive.kinds.chains import distinct
 from derive.kinds.checks import law
+from derive.kinds.pose._euler_facts import Case, Entries, Equation, Facts, Regular
 from derive.kinds.pose._given import Given
-from derive.kinds.pose._numbers import fixed_angle, known_angle, shortened, turns_of
+from derive.kinds.pose._numbers import NEARLY, fixed_angle, known_angle, shortened, turns_of
 from derive.kinds.problem import Problem
 from derive.mechanics.elementary import factor_name, rotation_matrix
 from derive.mechanics.euler import SIGNS, Direction, Euler, Sign, Singular
-
-Equation: TypeAlias = tuple[Expr, Expr]
-
-
-class Regular(Record):
-    sign: int
-    steps: tuple[str, ...]
-
-
-class Case(Record):
-    """A singular case."""
-
-    matrix: str  # a step
-    determined: str  # a step
-    sum: Expr  # of the outer angles
-    middle: Equation
-    entry: Equation
-    relations: tuple[Equation, Equation]
-
-
-class Entries(Record):
-    middle: Equation
-    pairs: tuple[tuple[Equation, ...], ...]  # of the first and the last angle
-    size: Expr  # of g
-
-
-class Facts(PageFacts):
-    rotation: Symbol
-    order: Phrase  # in which the rotations are multiplied
-    first: Symbol
-    middle: Symbol
-    last: Symbol
-    entries: Entries | None  # where they determine the angles
-    g: Expr  # vanishes in the singular cases
-    branches: tuple[Regular, ...]
-    cases: tuple[Case, ...]
-    free: Phrase | None  # what is left open in these
 
 
 def factors_of(euler: Euler) -> dict[Expr, Expr]:
@@ -195,6 +162,35 @@ class Comparison:
         terms = filled.terms if isinstance(filled, Sum) else (filled,)
         return add(*(known_angle(term, self.problem) for term in terms))
 
+    @cached_property
+    def chosen(self) -> tuple[Equation, ...]:
+        """The angles of a singular rotation of numbers, where the last of them is chosen zero."""
+        if not self.given.numeric or self.regular:
+            return ()
+        (case,) = self.singular_cases
+        first, middle, last = self.euler.outer
+        angles = self.euler.singular_angles(case)
+        value = self._value(replace(angles[first], {Symbol(last): ZERO}))
+        turns = turns_of(value)
+        if abs(number(value, {}) - math.pi * turns) < NEARLY:
+            value = fixed_angle(turns, self.problem)
+        found = (value, self.middle_value(case), ZERO)
+        return tuple(zip(map(Symbol, (first, middle, last)), found, strict=True))
+
+    @cached_property
+    def same(self) -> tuple[Equation, ...]:
+        """The three symbols of the given rotation that stand in it as the angles do, or their opposites."""
+        symbols = frozenset().union(*map(free_symbols, self.given.entries.values()))
+        if len(symbols) != len(self.euler.names) or not self.regular:
+            return ()
+        for order in permutations(map(Symbol, sorted(symbols))):
+            for signs in product(SIGNS, repeat=len(order)):
+                turned = tuple(_signed(sign, angle) for sign, angle in zip(signs, order, strict=True))
+                same = tuple(zip(map(Symbol, self.euler.names), turned, strict=True))
+                if normal_matrix(self.written, {**dict(same)}) == self.given.R:
+                    return same
+        return ()
+
     # -- claims and facts -------------------------------------------------------------------------
 
     def laws(self) -> Iterator[Claim]:
@@ -226,6 +222,8 @@ class Comparison:
             ),
             cases=tuple(self._case(k, case) for k, case in enumerate(self.singular_cases, 1)),
             free=self._free(),
+            chosen=self.chosen,
+            same=self.same,
             met=True,
             angle_results=euler.names,
             style=self.problem.style,

@@ -11,7 +11,19 @@ from derive.algebra.numbers.floats import number
 from derive.algebra.rationals import as_fraction
 from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar
-from derive.expression import PI, ZERO, Call, Degrees, Expr, Product, atan2, multiply, sqrt
+from derive.expression import (
+    PI,
+    ZERO,
+    Call,
+    Degrees,
+    Expr,
+    Matrix,
+    Product,
+    atan2,
+    column,
+    multiply,
+    sqrt,
+)
 from derive.expression import number as exact
 from derive.kinds.problem import Problem
 
@@ -65,6 +77,19 @@ def over(part: Scalar, square: Scalar, problem: Problem) -> Expr:
         return problem.readable(part / taken)
     below = math.lcm(*(as_fraction(each).denominator for each in part.numerator.coeffs()))
     return problem.readable(part * below) / multiply(exact(below), size(square, problem))
+
+
+def along(axis: Matrix) -> Matrix:
+    """A vector (n by 1) along one of numbers, in whole numbers where there are some."""
+    entries = [entry for (entry,) in axis.rows]
+    largest = max(entries, key=lambda entry: abs(number(entry, {})))
+    found = [(normal(entry) / normal(largest)).constant for entry in entries]
+    ratios = [ratio for ratio in found if ratio is not None]
+    if len(ratios) < len(found):
+        return axis
+    sign = 1 if number(largest, {}) > 0 else -1
+    whole = math.lcm(*(ratio.denominator for ratio in ratios))
+    return column(exact(ratio * sign * whole) for ratio in ratios)
 
 
 def shortened(expr: Expr, problem: Problem) -> Expr:

@@ -5,17 +5,20 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from functools import partial
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point
+from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts, Result
 from derive.expression import (
     ONE,
     ZERO,
+    Call,
     Expr,
     Matrix,
     Symbol,
@@ -34,7 +37,7 @@ from derive.kinds.meanings import Chain, Names, as_told, column_of, told
 from derive.kinds.pose._given import Given, given_pose, lacking
 from derive.kinds.pose._given import PoseOptions as Options
 from derive.kinds.pose._meanings import entries_of, printed, turn_of
-from derive.kinds.pose._numbers import known_angle, over, size
+from derive.kinds.pose._numbers import along, fixed_angle, known_angle, over, size
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.motion import Move
@@ -44,6 +47,7 @@ from derive.names import free
 
 SUBJECTS = ("motion", "frames", "robot")
 CLAIMS = ("as-told",)
+LONGEST_ANGLE = 8  # operations above which the angle of symbols is left in what it is made of
 
 
 class Facts(PageFacts):
@@ -51,8 +55,13 @@ class Facts(PageFacts):
     angle: Symbol | None = None
     axis: Symbol | None = None
     turned: Symbol | None = None  # along the axis; it may vanish
+    plus: Expr | None = None  # then: R and the identity, whose columns lie along the axis of half a turn
     twice: tuple[Expr, Expr] | None = None  # what that is
     law: tuple[Expr, Expr] | None = None  # of half a turn
+    trace: tuple[Expr, Expr] | None = None  # of R, by the angle
+    half: Expr | None = None  # a turn, the largest angle
+    by: Expr | None = None  # of numbers: the angle, and a vector
+    along: Matrix | None = None  # along the axis
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,9 +81,9 @@ class _Names:
         )
 
     @property
-    def components(self) -> tuple[Symbol, ...]:
-        """Of that vector."""
-        return tuple(Symbol(f"{self.turn.name}_{letter}") for letter in "xyz")
+    def length(self) -> Expr:
+        """Of that vector: twice the sine."""
+        return Call("abs", (self.turn,))
 
 
 def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
@@ -100,6 +109,8 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
         angle_results=("angle",),
         style=problem.style,
         page_names={"angle": names.angle, "axis": names.axis},
+        by=angle if given.numeric else None,
+        along=along(axis) if given.numeric else None,
     )
     work = as_told(
         work,
@@ -121,10 +132,9 @@ def _meant(given: Given, names: _Names, axis: Matrix | None, at: Point) -> Names
 
 def _called(names: _Names, R: Any, angle: float, k: Any) -> dict[Expr, Any]:
     """What stands for the entries of a rotation, its angle, its axis and w."""
-    w = 2 * math.sin(angle) * k
     return {
-        **entries_of(R), names.angle: angle, names.axis: column_of(k), names.turn: column_of(w),
-        **dict(zip(names.components, w, strict=True)),
+        **entries_of(R), names.angle: angle, names.axis: column_of(k),
+        names.turn: column_of(2 * math.sin(angle) * k), cos(names.angle): math.cos(angle),
     }  # fmt: skip
 
 
@@ -146,9 +156,16 @@ def _of_entries(formula: Expr, means: Names) -> bool:
 
 def _told(given: Given, names: _Names, facts: Facts) -> Iterator[Chain]:
     """The law that is told, and what the words call the rotation, its angle, its axis and w."""
-    called = ((given.rotation, facts.rotation), (names.angle, facts.angle), (names.axis, facts.axis))
+    called = (
+        (given.rotation, facts.rotation),
+        (names.angle, facts.angle),
+        (names.angle, facts.by),
+        (names.axis, facts.axis),
+    )
     yield from ((name, told) for name, told in (*called, (names.turn, facts.turned)) if told is not None)
-    yield from (law for law in (facts.law, facts.twice) if law is not None)
+    if facts.along is not None:
+        yield names.axis, facts.along / Call("abs", (facts.along,))
+    yield from (law for law in (facts.law, facts.twice, facts.trace) if law is not None)
 
 
 def _facts(given: Given, names: _Names) -> Facts:
@@ -158,7 +175,10 @@ def _facts(given: Given, names: _Names) -> Facts:
         angle=names.angle,
         axis=names.axis,
         turned=None if given.numeric else names.turn,
-        twice=(names.turn, 2 * sin(names.angle) * names.axis),
+        plus=None if given.numeric else given.rotation + Symbol("I"),
+        twice=(names.turn, 2 * names.axis * sin(names.angle)),
+        trace=(_diagonal(), 1 + 2 * cos(names.angle)),
+        half=fixed_angle(Fraction(1), given.problem),
     )
 
 
@@ -168,9 +188,14 @@ def _half_facts(given: Given, names: _Names) -> Facts:
     return Facts(rotation=given.rotation, law=(given.rotation, twice - Symbol("I")))
 
 
+def _diagonal() -> Expr:
+    """The trace of R."""
+    return add(*(Symbol(f"r_{i}{i}") for i in (1, 2, 3)))
+
+
 def _trace() -> Expr:
-    """That of R, less one: twice the cosine of the angle."""
-    return add(*(Symbol(f"r_{i}{i}") for i in (1, 2, 3)), number(-1))
+    """That, less one: twice the cosine of the angle."""
+    return _diagonal() - 1
 
 
 def _nothing(work: Work, given: Given, names: _Names) -> Derivation:
@@ -184,26 +209,26 @@ def _nothing(work: Work, given: Given, names: _Names) -> Derivation:
 
 
 def _general(work: Work, given: Given, names: _Names) -> tuple[Work, Expr, Matrix]:
-    """w = 2 sin(angle) k, the trace is 1 + 2 cos(angle); with the values where these can be read. An angle is
-    checked by its second route alone."""
-    length = sqrt(add(*map(squared, names.components)))
-    angle_of, axis_of = atan2(length, _trace()), names.turn / length
-    found = _value(given) if given.short else None
-    if found is None or not given.shows(found[0]):
-        angle, axis = _long(given)
+    """w = 2 sin(angle) k, the trace is 1 + 2 cos(angle); with the values where these can be read, else with
+    those of w and the cosine. Angle and axis are checked by their second route alone."""
+    angle_of, axis_of = atan2(names.length, _trace()), names.turn / names.length
+    angle, axis = _value(given) if given.short else _long(given)
+    shown = given.short and given.shows(angle) and (given.numeric or operations(angle) <= LONGEST_ANGLE)
+    exact = known_angle(angle, work.problem) if given.numeric and shown else angle
+    if given.short:
+        work = work.line(names.turn, column(lacking()), label="w")
+    else:
         work = work.line(names.turn, value=column(lacking()), label="w")
+    if given.short and not given.numeric:
+        work = work.line(cos(names.angle), _trace() / 2, rule="cosine", label="cosine")
+    if shown:
+        work = work.line(names.angle, angle_of, angle, value=exact, label="angle")
+        work = work.line(names.axis, axis_of, value=axis, label="axis")
+    else:
         work = work.line(names.angle, value=angle_of, label="angle")
         work = work.line(names.axis, value=axis_of, label="axis")
         work = work.knowing({names.angle: angle, names.axis: axis})
-        return work.linked(but=("w", "angle", "axis")), angle, axis
-    angle, axis = found
-    exact = known_angle(angle, work.problem) if given.numeric else angle
-    parts = map(work.problem.readable, given.lacking)
-    work = replace(work, aside=dict(zip(names.components, parts, strict=True)))
-    work = work.line(names.turn, column(lacking()), label="w")
-    work = work.line(names.angle, angle_of, angle, value=exact, label="angle")
-    work = work.line(names.axis, axis_of, value=axis, label="axis").linked(but=("angle",))
-    return work, exact, axis
+    return work.linked(but=("angle", "axis") if given.short else ("w", "angle", "axis")), exact, axis
 
 
 def _value(given: Given) -> tuple[Expr, Matrix]:

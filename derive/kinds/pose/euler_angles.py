@@ -16,8 +16,8 @@ from derive.expression import Product
 from derive.kinds.checks import is_rotation
 from derive.kinds.fields import Name
 from derive.kinds.pose._euler_checks import branches_at, put_back, rotation_at
+from derive.kinds.pose._euler_facts import Facts as Facts
 from derive.kinds.pose._euler_steps import Comparison, factors_of
-from derive.kinds.pose._euler_steps import Facts as Facts
 from derive.kinds.pose._given import PoseOptions, given_pose
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work

@@ -28,6 +28,7 @@ from derive.kinds.fields import Name, OptionsModel
 from derive.kinds.meanings import as_told, column_of
 from derive.kinds.pose._euler_checks import rotation_at
 from derive.kinds.pose._euler_steps import factors_of
+from derive.kinds.pose._numbers import fixed_angle, turns_of
 from derive.kinds.pose.euler_angles import known_convention, three, usual_angles
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
@@ -86,7 +87,7 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     facts = Facts(
         body=body,
         axes=tuple(axis.name for axis in axes),
-        zeros=tuple((Symbol(middle), value) for value in singular),
+        zeros=tuple((Symbol(middle), fixed_angle(turns_of(value), problem)) for value in singular),
         outer=(Symbol(euler.outer[0]), Symbol(euler.outer[2])),
         short_names=euler.names,
     )
