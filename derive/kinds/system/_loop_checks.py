@@ -16,6 +16,7 @@ from derive.kinds.checks import route
 from derive.kinds.system._loop_facts import Facts
 from derive.kinds.system._oracle import Held, Point, reals
 from derive.kinds.system._point_checks import is_named, point_claims
+from derive.kinds.system._reach import is_reach
 from derive.kinds.system._transfer_checks import denominator_degree, is_degree
 
 
@@ -47,6 +48,7 @@ def _degrees(
         return 1 - value(results["T"], {**at, "s": s})
 
     yield from is_degree(told.order, denominator_degree(whole, at))
+    yield from is_reach(told.reach, held, whole, told.order, at)
     lose = Phrase("motion-cancels", {"count": lost}) if lost else Phrase("factor-cancels", {"s": Symbol("s")})
     yield told.cancelled == (None if left is None else lose)
     if left is not None and (after := denominator_degree(left, at)) is not None:

@@ -18,6 +18,7 @@ class Facts(PageFacts):
     output: Symbol
     motor: tuple[str, ...]
     order: int
+    reach: Phrase | None  # of the gains
     derivative: Phrase | None  # that cannot be built
     tracks: Phrase | None  # a constant reference without error
     cancelled: Phrase | None

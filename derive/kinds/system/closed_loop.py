@@ -37,6 +37,7 @@ from derive.kinds.system._plant import (
     zeros_json,
 )
 from derive.kinds.system._point_checks import AT_POINT
+from derive.kinds.system._reach import reach
 from derive.kinds.work import Work
 
 SUBJECTS = ("system", "motor")
@@ -165,6 +166,7 @@ def _facts(found: Closed, at: LoopAtPoint | None, drawn: bool) -> Facts:
         output=solved.system.output,
         motor=solved.system.motor,
         order=len(found.transfer.den) - 1,
+        reach=_reach(found),
         derivative=_derivative(found),
         tracks=Phrase("tracks", {"origin": Relation(Symbol("s"), "=", ZERO)}) if _tracks(found) else None,
         cancelled=_cancelled(found),
@@ -172,6 +174,11 @@ def _facts(found: Closed, at: LoopAtPoint | None, drawn: bool) -> Facts:
         drawn=drawn,
         numbers=(),
     )
+
+
+def _reach(found: Closed) -> Phrase | None:
+    order, taken = len(found.transfer.den) - 1, found.plant.system.names
+    return reach(found.controller, found.plant.rational.num, order, taken)
 
 
 def _derivative(found: Closed) -> Phrase | None:
