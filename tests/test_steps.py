@@ -33,7 +33,11 @@ def page(tmp_path: Path, said: str = "", steps: Steps | None = None) -> str:
 
 
 def boxes(text: str) -> list[str]:
-    return re.findall(r"\\boxed\{\n(.*?)\n\}\n\$\$", text, re.DOTALL)
+    return re.findall(r"\\boxed\{\n(.*?)\n\}\n\\tag\{\d+\}\n\$\$", text, re.DOTALL)
+
+
+def numbers(text: str) -> list[str]:
+    return re.findall(r"\\tag\{(\d+)\}", text)
 
 
 def test_less_and_less(tmp_path: Path) -> None:
@@ -42,6 +46,7 @@ def test_less_and_less(tmp_path: Path) -> None:
     assert {*boxes(full)} == {*boxes(key)} and "A revolute joint" in full and "A revolute joint" not in key
     assert [box.split("=")[0].strip() for box in boxes(key)] == ["J_{v_x,v_y}", "T_2^0"]
     assert "T_1^0 T_2^1" in boxes(key)[1] and "T_1^0 T_2^1" not in boxes(answers)[1]
+    assert sorted(numbers(key)) == numbers(full) == ["1", "2"] and numbers(key) == numbers(answers)
     assert all("\\det J" in text for text in (full, key, answers))  # no formula answers that question
     assert all("At $" in text for text in (full, key, answers))
 

@@ -16,6 +16,7 @@ from derive.render.width import RELATION, width
 
 HOUSE = Notation()
 LINE = 40.5  # em: the text width of the pages, 160 mm at 11 pt
+FRAMED = LINE - 2.4 - 3.2  # in a frame that has a number beside it
 GAP = 2.0  # em between equations side by side
 INDENT, HANGING = r"&\quad ", 1.0  # of a sum that goes on in the next line, and its width in em
 SIGN_SPACE = 0.44  # em around a sign between terms, more than around one in front
@@ -53,20 +54,20 @@ class Display:
 Chain: TypeAlias = tuple[Link, ...]
 
 
-def lay_out(chains: tuple[Chain, ...], notation: Notation = HOUSE) -> Display:
-    """One display for all chains, which were printed in this notation."""
-    return replace(_laid_out(chains), chains=chains, notation=notation)
+def lay_out(chains: tuple[Chain, ...], notation: Notation = HOUSE, room: float = LINE) -> Display:
+    """One display for all chains, which were printed in this notation, in lines of so much room (em)."""
+    return replace(_laid_out(chains, room), chains=chains, notation=notation)
 
 
-def _laid_out(chains: tuple[Chain, ...]) -> Display:
+def _laid_out(chains: tuple[Chain, ...], room: float) -> Display:
     whole = [one_line(chain) for chain in chains]
     widths = [width(line) for line in whole]
     if len(chains) == 1:
-        return Display((whole[0],)) if widths[0] <= LINE else _broken(chains)
+        return Display((whole[0],)) if widths[0] <= room else _broken(chains, room)
     for count in _column_counts(len(chains)):
-        if _grid_width(chains, count) <= LINE:
+        if _grid_width(chains, count) <= room:
             return Display(_grid_lines(chains, count))
-    return _broken(chains)
+    return _broken(chains, room)
 
 
 def one_line(chain: Chain) -> str:
@@ -108,18 +109,18 @@ def _aligned(chain: Chain) -> str:
     return f"{first.latex} &{tail}"
 
 
-def _broken(chains: tuple[Chain, ...]) -> Display:
+def _broken(chains: tuple[Chain, ...], room: float) -> Display:
     """Every chain on lines of its own, all aligned at the first equal sign."""
     head = max(chain[0].width if len(chain) > 1 else 0.0 for chain in chains)
     lines: list[str] = []
     widest = 0.0
     for chain in chains:
-        for line in _chain_lines(chain, LINE - head):
+        for line in _chain_lines(chain, room - head):
             lines.append(line)
             widest = max(widest, head + width(line.partition("&")[2]))
     if len(lines) == 1:
-        return Display((one_line(chains[0]),), widest > LINE)
-    return Display(tuple(lines), widest > LINE)
+        return Display((one_line(chains[0]),), widest > room)
+    return Display(tuple(lines), widest > room)
 
 
 def _chain_lines(chain: Chain, room: float) -> list[str]:

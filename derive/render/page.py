@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 
 from derive.render import html_skin
 from derive.render.author_text import latex_prose, markdown_prose
@@ -19,6 +18,7 @@ from derive.render.markdown_math import left_alone, rows_apart
 from derive.render.plain_text import latex_text, markdown_text
 from derive.render.printed import Printed, Reader, Said, unread
 from derive.render.skin import HELD_LINE, Skin, english, environment, require_texts, words_file
+from derive.render.so_far import SoFar
 from derive.render.subject_figure import subject_figure
 from derive.render.typst_skin import TYPST, laid_out
 from derive.render.untold import Untold
@@ -69,7 +69,7 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
     figures: dict[int, str] = {}
     numbers = document.numbers()
     said: list[Said] = []
-    before: set[object] = set()  # what has been explained
+    so_far = SoFar(numbers)
     spoken_of: set[int] = set()  # problems that have said what q is
     for problem in document.problems:
         told: list[Printed] = []
@@ -81,7 +81,8 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
         given[problem.number, question.number] = asked
         if problem.number not in figures:
             figures[problem.number] = subject_figure(document, problem, skin, numbers, printed)
-        answer = _answer(document, problem, question, skin, printed, numbers, before)
+        so_far.problem = problem.number
+        answer = _answer(document, problem, question, skin, printed, so_far)
         if problem.variables and problem.number not in spoken_of and answer and speaks_of_q(printed):
             spoken_of.add(problem.number)
             said_first = coordinates(problem.variables, problem.notation, printed)
@@ -111,18 +112,21 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
     )
     if look in environment().own:
         require_texts(page, [boxed, *given.values(), *answers.values()], look)
-    return spelt(page, skin.formulas, [formula for part in said for formula in part.printed])
+    whole = spelt(page, skin.formulas, [formula for part in said for formula in part.printed])
+    return so_far.settled(whole, skin.numbered)
 
 
 def _answer(
     document: Document, problem: ProblemPage, question: QuestionPage, skin: Skin, printed: list[Printed],
-    numbers: Mapping[str, int], before: set[object],
+    so_far: SoFar,
 ) -> str:  # fmt: skip
-    told = [
-        _told(document, problem, question, worked, skin, printed, numbers, before)
-        for worked in question.order
-        if question.steps == "full" or _is_asked(worked, question)
-    ]
+    told: list[str] = []
+    for worked in question.order:
+        kept = question.steps == "full" or _is_asked(worked, question)
+        its: list[Printed] = printed if kept else []  # what is left out is counted all the same
+        with so_far.telling(worked.derivation):
+            written = _told(document, problem, question, worked, skin, its, so_far)
+        told += [written] if kept else []
     if not told and document.solutions:
         told.append(_above(problem, question, skin))
     if question.rounded and document.solutions:
@@ -151,7 +155,7 @@ def _above(problem: ProblemPage, question: QuestionPage, skin: Skin) -> str:
 
 def _told(
     document: Document, problem: ProblemPage, question: QuestionPage, worked: Worked, skin: Skin,
-    printed: list[Printed], numbers: Mapping[str, int], before: set[object],
+    printed: list[Printed], so_far: SoFar,
 ) -> str:  # fmt: skip
     plots = {
         plot.name: plot_path(document.figures, problem.number, question.number, plot.name)
@@ -164,7 +168,7 @@ def _told(
     try:
         return words(
             worked.derivation, worked.folder, skin, problem.notation, worked.asked, plots, files, printed,
-            numbers, before, question.steps,
+            so_far, question.steps,
         )  # fmt: skip
     except Untold as untold:
         untold.template = untold.template or words_file(worked.folder, worked.derivation.kind)

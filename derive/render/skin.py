@@ -207,6 +207,10 @@ class Skin:
             return self._macro("display", self.formulas.display(display))
         return self._macro("display", list(display.lines), display.wide, display.boxed)
 
+    def numbered(self, written: str, number: int) -> str:
+        """A display as it was written, with the number of its equation at the margin."""
+        return self._macro("numbered", written, number)
+
     def em(self, text: str) -> str:
         return self._macro("em", text)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from typing import Any, TypeAlias
 
@@ -17,6 +18,9 @@ LINE = 40.5  # em, a line of text
 EM = 220  # twentieths of a point, of 11 pt
 SLACK = 1.12  # Word's letters are wider than those that were measured,
 MOST = 1.35  # and those of other programs may be wider still
+NUMBER = 3.0  # em, for the number of an equation at the margin
+INSET = 140  # twentieths of a point, that a frame needs beside an equation
+TAGGED = re.compile(r"(.*?)\s*\\tag\{(\d+)\}", re.DOTALL)
 CHARACTER, MARGIN = 0.56, 1.6  # em, of a text and beside a column
 
 
@@ -112,20 +116,39 @@ def _width(node: Node) -> float:
 
 
 def _display(tex: str) -> str:
+    """An equation, with its number at the margin in a table of one row."""
+    numbered = TAGGED.fullmatch(tex.strip())
+    return _numbered(_equation(numbered[1], LINE - 2 * NUMBER), numbered[2]) if numbered else _equation(tex)
+
+
+def _numbered(written: str, number: str) -> str:
+    side, middle = round(EM * NUMBER), round(EM * (LINE - 2 * NUMBER))
+    label = f"<w:r><w:t>({number})</w:t></w:r>"
+    cells = ((side, _line("", "left")), (middle, written), (side, _line(label, "right")))
+    row = "".join(_in_cell(inside, wide) for wide, inside in cells)
+    return _table([row], [side, middle, side], "")
+
+
+def _line(inside: str, side: str) -> str:
+    """A paragraph of a table that sets equations."""
+    return f'<w:p><w:pPr><w:pStyle w:val="EquationLine"/><w:jc w:val="{side}"/></w:pPr>{inside}</w:p>'
+
+
+def _equation(tex: str, room: float = LINE) -> str:
     """A paragraph for an equation, a table for several that meet at their signs; an answer has a frame."""
     framed = BOXED.fullmatch(tex.strip())
     tex = framed[1] if framed else tex
     box = boxes(tex)
     if isinstance(box, Grid) and box.aligned:
-        columns = _columns(tex)
-        return _small(_lines(box, columns, framed is not None), sum(columns) / EM)
+        columns = _columns(tex, room)
+        return _small(_lines(box, columns, framed is not None), sum(columns) / EM, room)
     wide = SLACK * width(tex)
-    frame = _frame("pBdr") + _indented(wide) if framed else ""
+    frame = _frame("pBdr") + _indented(wide, room) if framed else ""
     equation = (
         f'<w:p><w:pPr><w:pStyle w:val="Equation"/>{frame}</w:pPr><m:oMathPara><m:oMath>'
         f"{omml(box)}</m:oMath></m:oMathPara></w:p>"
     )
-    return _small(equation, wide)
+    return _small(equation, wide, room)
 
 
 def _frame(of: str) -> str:
@@ -137,21 +160,21 @@ def _frame(of: str) -> str:
     return f"<w:{of}>{rules}</w:{of}>"
 
 
-def _indented(wide: float) -> str:
+def _indented(wide: float, room: float) -> str:
     """A paragraph as wide as its equation, in the middle."""
-    side = max(0, round(EM * (LINE - wide - 2) / 2))
+    side = max(INSET, round(EM * (room - wide - 2) / 2))
     return f'<w:ind w:left="{side}" w:right="{side}"/>'
 
 
-def _small(written: str, wide: float) -> str:
+def _small(written: str, wide: float, room: float) -> str:
     """An equation in letters so small that it fits, but never under 65 % of their size."""
-    if wide <= LINE:
+    if wide <= room:
         return written
-    size = round(22 * max(0.65, LINE / wide))  # half points
+    size = round(22 * max(0.65, room / wide))  # half points
     return written.replace("<m:t ", f'<w:rPr><w:sz w:val="{size}"/><w:szCs w:val="{size}"/></w:rPr><m:t ')
 
 
-def _columns(tex: str) -> list[int]:
+def _columns(tex: str, room: float) -> list[int]:
     """How wide the columns of aligned lines are, in twentieths of a point."""
     body = tex.split("{aligned}")[1].removesuffix("\\end")
     found: list[float] = []
@@ -159,7 +182,7 @@ def _columns(tex: str) -> list[int]:
         for k, cell in enumerate(_cells(line)):
             found += [0.0] * (k + 1 - len(found))
             found[k] = max(found[k], width(cell))
-    scale = max(SLACK, min(MOST, LINE / sum(found)))
+    scale = max(SLACK, min(MOST, room / sum(found)))
     return [round(EM * (scale * each + 0.3)) for each in found]
 
 
@@ -175,23 +198,30 @@ def _cells(line: str) -> list[str]:
 
 
 def _lines(grid: Grid, columns: list[int], framed: bool) -> str:
+    rows = [_row(row, columns) for row in grid.rows]
+    return _table(rows, columns, _frame("tblBorders") if framed else "")
+
+
+def _table(rows: Sequence[str], columns: Sequence[int], frame: str) -> str:
+    """A table in the middle, and a low line that keeps it from the next."""
     shape = "".join(f'<w:gridCol w:w="{column}"/>' for column in columns)
-    rows = "".join(f"<w:tr><w:trPr><w:cantSplit/></w:trPr>{_row(row, columns)}</w:tr>" for row in grid.rows)
+    whole = "".join(f"<w:tr><w:trPr><w:cantSplit/></w:trPr>{row}</w:tr>" for row in rows)
     return (
-        f'<w:tbl><w:tblPr><w:tblW w:w="{sum(columns)}" w:type="dxa"/><w:jc w:val="center"/>'
-        f"{_frame('tblBorders') if framed else ''}"
+        f'<w:tbl><w:tblPr><w:tblW w:w="{sum(columns)}" w:type="dxa"/><w:jc w:val="center"/>{frame}'
         '<w:tblLayout w:type="fixed"/><w:tblCellMar><w:left w:w="0" w:type="dxa"/>'
         '<w:right w:w="0" w:type="dxa"/></w:tblCellMar></w:tblPr>'
-        f"<w:tblGrid>{shape}</w:tblGrid>{rows}</w:tbl>"
+        f"<w:tblGrid>{shape}</w:tblGrid>{whole}</w:tbl>"
         '<w:p><w:pPr><w:spacing w:line="120" w:lineRule="exact"/></w:pPr></w:p>'
     )
 
 
 def _row(cells: tuple[Box, ...], columns: list[int]) -> str:
-    return "".join(
-        f'<w:tc><w:tcPr><w:tcW w:w="{column}" w:type="dxa"/><w:vAlign w:val="center"/></w:tcPr>'
-        f'<w:p><w:pPr><w:pStyle w:val="EquationLine"/></w:pPr>{_cell(cells, k)}</w:p></w:tc>'
-        for k, column in enumerate(columns)
+    return "".join(_in_cell(_line(_cell(cells, k), "left"), wide) for k, wide in enumerate(columns))
+
+
+def _in_cell(inside: str, wide: int) -> str:
+    return (
+        f'<w:tc><w:tcPr><w:tcW w:w="{wide}" w:type="dxa"/><w:vAlign w:val="center"/></w:tcPr>{inside}</w:tc>'
     )
 
 

@@ -2,9 +2,9 @@
 
 In scope of a words template: `d`, `step(name)`, `facts`, `asked`, the filters `m`, `each`
 and `listed`, and the functions `show`, `answer`, `inline`, `tell`, `table`, `plot`, `say`, `listing`, `path`,
-`em`, `strong`, `items`, `again`. Its blocks `question` and `phrases` are left out here. A step the words
-neither show nor tell is an error: nothing that was derived goes unsaid unnoticed. Steps are told in
-the order in which they were derived, so that nothing is used before it is found.
+`em`, `strong`, `items`, `again`, `cited`, `found`. Its blocks `question` and `phrases` are left out here. A
+step the words neither show nor tell is an error: nothing that was derived goes unsaid unnoticed. Steps are
+told in the order in which they were derived, so that nothing is used before it is found.
 """
 
 from __future__ import annotations
@@ -33,12 +33,13 @@ from derive.render.columns import in_order
 from derive.render.entries import NAMED_BEYOND, Names, with_named_entries
 from derive.render.facts import Sayable, parts, sayable
 from derive.render.latex import Printer, is_approximate
-from derive.render.layout import LINE, Chain, Display, Link, lay_out, one_line
+from derive.render.layout import FRAMED, LINE, Chain, Display, Link, lay_out, one_line
 from derive.render.notation import Notation
 from derive.render.phrases import PHRASES, Speech, on_page
 from derive.render.printed import Naming, Printed
 from derive.render.room import abridged, has_room, kept
-from derive.render.skin import Skin, environment, words_file
+from derive.render.skin import Skin, environment, joined, words_file
+from derive.render.so_far import Equation, SoFar
 from derive.render.tables import columns_of, headed, unit_text
 from derive.render.typed import relettered, typed_in
 from derive.render.untold import EarlyStep, ForgottenFact, ForgottenStep, UnknownFamily, early, forgotten
@@ -56,12 +57,11 @@ LANGUAGES = {".m": "matlab", ".py": "python"}
 def words(
     derivation: Derivation, folder: str, skin: Skin, notation: Notation, asked: bool = True,
     plots: Mapping[str, str] | None = None, files: Mapping[str, str] | None = None,
-    printed: list[Printed] | None = None, numbers: Mapping[str, int] | None = None,
-    before: set[object] | None = None, steps: Steps = "full",
+    printed: list[Printed] | None = None, so_far: SoFar | None = None, steps: Steps = "full",
 ) -> str:  # fmt: skip
-    """The sentences and equations of a derivation. `plots` maps names of plots to paths without suffix, whose
-    `numbers` are those of the figures; `files` maps names of files to theirs; what is printed from trees is
-    added to `printed`. `before` is what the sheet has explained so far, and grows.
+    """The sentences and equations of a derivation. `plots` maps names of plots to paths without suffix;
+    `files` maps names of files to theirs; what is printed from trees is added to `printed`. `so_far` is what
+    the sheet has told before, and grows.
     With `steps` less than full only what was asked for is told: its formula and result, or its result alone;
     all of it where that is no formula.
 
@@ -76,8 +76,8 @@ def words(
     values = Values(derivation.units, derivation.facts.style, notation.digits)
     speech = replace(speech, measured=values.relation)
     telling = Telling(
-        derivation, speech, skin, notation, plots or {}, files or {}, seen, values, numbers or {}, asked,
-        (folder, derivation.kind), set() if before is None else before, steps,
+        derivation, speech, skin, notation, plots or {}, files or {}, seen, values, asked,
+        (folder, derivation.kind), so_far or SoFar(), steps,
     )  # fmt: skip
     for claim in derivation.claims:  # said in the JSON only, but their words must not be missing unnoticed
         telling.speech.claim(claim)
@@ -117,6 +117,11 @@ def chain_links(chain: tuple[Expr, ...], printer: Printer) -> Chain:
     return tuple(links)
 
 
+def _numbers(references: Iterable[str | None]) -> str:
+    found = [*references]
+    return f" {joined([*filter(None, found)])}" if all(found) else ""
+
+
 @dataclass(slots=True)
 class Telling:
     """One derivation being told in one format; remembers which steps were."""
@@ -129,11 +134,11 @@ class Telling:
     files: Mapping[str, str]
     printed: list[Printed]
     values: Values
-    numbers: Mapping[str, int]
     asked: bool
     of: tuple[str, str]  # the folder and the kind
-    before: set[object]
+    so_far: SoFar
     level: Steps
+    displays: int = 0
     told: dict[str, int] = field(default_factory=dict)  # steps, and when each was told first
     said: list[Sayable] = field(default_factory=list)
     answered: list[str] = field(default_factory=list)  # what stands in frames
@@ -148,16 +153,17 @@ class Telling:
             "plot": self.plot, "em": self.skin.em, "strong": self.skin.strong, "items": self.skin.items,
             "listing": self.listing, "path": self.path, "math": self.math, "formula": self.formula,
             "say": self.say, "each": self.each, "cut": self.cut, "whole": self.whole, "fits": self.fits,
-            "place": self.place, "again": self.again,
+            "place": self.place, "again": self.again, "cited": self.cited, "found": self.found,
         }  # fmt: skip
 
     def steps(self, *rules: str) -> list[Step]:
         """The outer steps of these rules, in their order."""
         return [step for step in self.d.steps if step.rule in rules]
 
-    def again(self, explained: Phrase | Step | str | Iterable[Phrase]) -> bool:
-        """Whether the sheet has explained this before, in these words: a phrase or several, the law of
-        a step, or what the template calls so. It is told by that, and a short line will do."""
+    def again(self, explained: Phrase | Step | str | Iterable[Phrase]) -> str:
+        """Where the sheet has explained this already, in these words: a phrase or several, the law of
+        a step, or what the template calls so; "" where nowhere. It is told by that, and a short line will
+        do: "as before", or "as in Problem 1"."""
         match explained:
             case Phrase() | str():
                 about: object = explained
@@ -167,16 +173,28 @@ class Telling:
             case _:
                 explained = about = tuple(explained)
         self.said.extend(parts(explained.chain if isinstance(explained, Step) else explained))
-        known = (*self.of, about) in self.before
-        self.before.add((*self.of, about))
-        return known
+        return self.so_far.explanation((*self.of, about))
+
+    def cited(self, *whats: Step | Expr) -> str:
+        """ " (2) and (5)": the numbers of the equations of this problem that say what these names are, and of
+        laws that the sheet has told; "" where one of them was not displayed."""
+        return _numbers(
+            self.so_far.law(self.values.shown(what.chain))
+            if isinstance(what, Step)
+            else self.so_far.value(what, self.d)
+            for what in whats
+        )
+
+    def found(self, *kinds: str) -> str:
+        """The same for the answers of these kinds, on which this one rests."""
+        return _numbers(self.so_far.answer(kind, self.d) for kind in kinds)
 
     def answer(self, *names: Shown, trig: Trig = None, entries: str = "", lines: int = 2) -> str:
         """The same as `show` for what was asked, which stands in a frame."""
-        return self.show(*names, trig=trig, entries=entries, lines=lines, boxed=self.asked)
+        return self.show(*names, trig=trig, entries=entries, lines=lines, answer=True)
 
     def show(
-        self, *names: Shown, trig: Trig = None, entries: str = "", lines: int = 2, boxed: bool = False
+        self, *names: Shown, trig: Trig = None, entries: str = "", lines: int = 2, answer: bool = False
     ) -> str:
         """A displayed equation of one or several steps (or bare chains), side by side where they fit.
 
@@ -185,6 +203,7 @@ class Telling:
         takes more than so many `lines`.
         """
         printer, widest = self._printer(trig), LINE if entries else NAMED_BEYOND
+        boxed = answer and self.asked
         whole = [self._chain(name, printer, lines) for name in names]
         if boxed and self.level == "answers":
             whole = [(chain[0], chain[-1]) if len(chain) > 1 else chain for chain in whole]
@@ -199,7 +218,7 @@ class Telling:
             if listed
         )
         first = len(self.printed)
-        shown = self._display(tuple(chain for chain, _ in parts), printer, namings, boxed)
+        shown = self._display(tuple(chain for chain, _ in parts), printer, namings, answer)
         listed = [self._display(chains, printer) for _, chains in parts if chains]
         written = "".join((shown, f"\n{entries}\n" if entries and listed else "", *listed))
         if boxed:
@@ -209,11 +228,16 @@ class Telling:
 
     def _display(
         self, chains: tuple[tuple[Expr, ...], ...], printer: Printer, namings: tuple[Naming, ...] = (),
-        boxed: bool = False,
+        answer: bool = False,
     ) -> str:  # fmt: skip
-        display = lay_out(tuple(chain_links(chain, printer) for chain in chains), printer.notation)
+        links = tuple(chain_links(chain, printer) for chain in chains)
+        boxed = answer and self.asked
+        display = lay_out(links, printer.notation, FRAMED if boxed else LINE)
         self.printed.append(Printed.display(display, printer.notation, namings))
-        return self.skin.display(replace(display, boxed=boxed))
+        written = self.skin.display(replace(display, boxed=boxed))
+        self.displays += 1
+        equation = Equation(self.so_far.problem, chains, self.d, self.displays, answer)
+        return self.so_far.marked(written, equation, boxed)
 
     def formula(self, *lines: str) -> str:
         """A general law, displayed as the words write it in LaTeX; what is derived goes through `show`."""
@@ -291,7 +315,8 @@ class Telling:
             alt = Speech(self.speech.lines).say(figure.alt or figure.caption)
             caption = self.speech.say(figure.caption)
         path = self.plots[name]
-        return self.skin.figure(path + ".svg", self.skin.caption(self.numbers.get(path), caption), alt)
+        number = self.so_far.figures.get(path)
+        return self.skin.figure(path + ".svg", self.skin.caption(number, caption), alt)
 
     def listing(self, name: str) -> str:
         """A file of this derivation, printed as it stands."""

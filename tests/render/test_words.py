@@ -11,6 +11,7 @@ from derive.expression import Approximate, Expr, Symbol, number
 from derive.render.notation import Notation
 from derive.render.page import LATEX, MARKDOWN
 from derive.render.skin import HELD_LINE, environment
+from derive.render.so_far import SoFar
 from derive.render.untold import EarlyStep, ForgottenFact, ForgottenStep, UnknownFamily
 from derive.render.words import words
 
@@ -26,7 +27,7 @@ class Facts(PageFacts):
 
 def tell(
     monkeypatch: pytest.MonkeyPatch, source: str, asked: bool = True, facts: PageFacts | None = None,
-    before: set[object] | None = None,
+    so_far: SoFar | None = None,
 ) -> str:  # fmt: skip
     loader = environment().loader
     assert loader is not None
@@ -35,7 +36,7 @@ def tell(
     templates["words/any/told.j2"] = source
     monkeypatch.setattr(environment(), "loader", DictLoader(templates))
     told = replace(TOLD, facts=facts or PageFacts())
-    return words(told, "any", MARKDOWN, Notation(), asked, before=before)
+    return words(told, "any", MARKDOWN, Notation(), asked, so_far=so_far)
 
 
 def test_a_step_the_words_forgot_is_an_error(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -135,13 +136,14 @@ def test_what_is_not_there_is_not_listed(monkeypatch: pytest.MonkeyPatch) -> Non
 def test_what_was_explained_before_is_told_in_a_short_line(monkeypatch: pytest.MonkeyPatch) -> None:
     source = (
         "{% block phrases %}\nlong: It is {size}, and why\n{% endblock %}"
-        "{% if again(step('A')) %}As before{% else %}{{ inline('A') }}{% endif %}{{ tell('x') }}"
+        "{% set before = again(step('A')) %}{% if before %}{{ before }}{% else %}"
+        "{{ inline('A') }}{% endif %}{{ tell('x') }}"
         "{{ ', again' if again(facts.verdict) else say(facts.verdict) }}"
     )
-    before: set[object] = set()
+    so_far = SoFar()
     facts = Facts(verdict=Phrase("long", {"size": A}))
-    first = tell(monkeypatch, source, facts=facts, before=before)
+    first = tell(monkeypatch, source, facts=facts, so_far=so_far)
     assert "$A = B = 3$" in first and "It is $A$, and why" in first
-    assert tell(monkeypatch, source, facts=facts, before=before) == "As before, again"
+    assert tell(monkeypatch, source, facts=facts, so_far=so_far) == "as before, again"
     other = Facts(verdict=Phrase("long", {"size": B}))
-    assert tell(monkeypatch, source, facts=other, before=before) == "As beforeIt is $B$, and why"
+    assert tell(monkeypatch, source, facts=other, so_far=so_far) == "as beforeIt is $B$, and why"

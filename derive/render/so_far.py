@@ -1,0 +1,136 @@
+"""What a page has told so far: what was explained, and its equations, of which answers have numbers and those
+that a later sentence refers to.
+
+Which they are is known at the end, so until then equations and references stand in the page between marks.
+They are counted as they are told in full, so that a sheet has the same numbers where only the key to it is
+printed, and in every format.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+
+from derive.derivation import Derivation
+from derive.expression import Expr
+from derive.render.skin import english
+
+SHOWN = re.compile("\x03(\\d+)\x04(.*?)\x05", re.DOTALL)
+CITED = re.compile("\x06(\\d+)\x07")
+
+Chains = tuple[tuple[Expr, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Equation:
+    """A display of a problem: its chains, the derivation it is of, its place there, and whether it says the
+    answer."""
+
+    problem: int
+    chains: Chains
+    of: Derivation
+    place: int
+    answer: bool
+
+    def same(self, other: Equation) -> bool:
+        """Whether it is told again, which a key may do elsewhere."""
+        return self.of.results is other.of.results and self.place == other.place
+
+
+@dataclass(slots=True)
+class SoFar:
+    """`figures` are the numbers of all figures by their paths; `explained` says in which problem first."""
+
+    figures: Mapping[str, int] = field(default_factory=dict)
+    problem: int = 0
+    explained: dict[object, int] = field(default_factory=dict)
+    equations: list[Equation] = field(default_factory=list)
+    counted: set[int] = field(default_factory=set)
+    begun: dict[int, dict[object, int]] = field(default_factory=dict)  # what was explained before each
+
+    @contextmanager
+    def telling(self, derivation: Derivation) -> Iterator[None]:
+        """While a derivation is told: a second time, as a key may, in the words of the first."""
+        key, now = id(derivation.results), self.explained
+        if key not in self.begun:
+            self.begun[key] = dict(now)
+            yield
+            return
+        self.explained = dict(self.begun[key])
+        yield
+        self.explained = now
+
+    def explanation(self, about: object) -> str:
+        """Where something was explained already, "as before" or "as in Problem 1"; "" where it is now."""
+        if about not in self.explained:
+            self.explained[about] = self.problem
+            return ""
+        first = self.explained[about]
+        return english("as_before") if first == self.problem else f"{english('as_in_problem')} {first}"
+
+    def marked(self, written: str, equation: Equation, framed: bool) -> str:
+        """A display between its marks."""
+        told = (k for k, each in enumerate(self.equations) if each.same(equation))
+        key = next(told, len(self.equations))
+        if framed:
+            self.counted.add(key)
+        self.equations[key : key + 1] = [equation]
+        inside = written.strip("\n")
+        return written.replace(inside, f"\x03{key}\x04{inside}\x05")
+
+    def law(self, chain: tuple[Expr, ...]) -> str | None:
+        """A reference to the display of a law, wherever on the sheet; None where there is none."""
+        return self._reference(k for k, each in enumerate(self.equations) if chain in each.chains)
+
+    def value(self, name: Expr, here: Derivation) -> str | None:
+        """A reference to the last display of this problem that says what a name is, the same as here."""
+        known = here.definitions.get(name)
+        return self._reference(
+            k
+            for k, each in self._of_the_problem()
+            if _says(each, name) and each.of.definitions.get(name) == known
+        )
+
+    def answer(self, kind: str, here: Derivation) -> str | None:
+        """A reference to the answer of a kind, on which this derivation rests."""
+        used = [each.results for each in _used(here) if each.kind == kind]
+        return self._reference(
+            k
+            for k, each in self._of_the_problem()
+            if each.answer and any(each.of.results is results for results in used)
+        )
+
+    def _of_the_problem(self) -> Iterator[tuple[int, Equation]]:
+        """The displays told last first."""
+        found = [(k, each) for k, each in enumerate(self.equations) if each.problem == self.problem]
+        return reversed(found)
+
+    def _reference(self, found: Iterable[int]) -> str | None:
+        first = next(iter(found), None)
+        if first is None:
+            return None
+        self.counted.add(first)
+        return f"\x06{first}\x07"
+
+    def settled(self, page: str, numbered: Callable[[str, int], str]) -> str:
+        """The page with its numbers, and without the marks."""
+        number = {key: count for count, key in enumerate(sorted(self.counted), 1)}
+
+        def shown(found: re.Match[str]) -> str:
+            key, written = int(found[1]), found[2]
+            return numbered(written, number[key]) if key in number else written
+
+        return CITED.sub(lambda found: f"({number[int(found[1])]})", SHOWN.sub(shown, page))
+
+
+def _used(derivation: Derivation) -> Iterator[Derivation]:
+    """What a derivation rests on, and what that rests on."""
+    for used in derivation.uses:
+        yield used
+        yield from _used(used)
+
+
+def _says(equation: Equation, name: Expr) -> bool:
+    return any(len(chain) > 1 and chain[0] == name for chain in equation.chains)
