@@ -8,7 +8,8 @@ from typing import Any
 
 from derive.derivation import Caption, Stroke
 from derive.figures.arm import Posed, place_of
-from derive.figures.view import Vector, View, along
+from derive.figures.solids import pointing
+from derive.figures.view import Vector, View, along, length
 from derive.mechanics.robot import Robot
 
 LONG, LONGER = 1.7, 2.2  # sizes of a joint: an arrow, and one whose direction another letter has as well
@@ -70,3 +71,15 @@ def _same(one: Arrow, other: Arrow, size: float) -> bool:
     apart = max(abs(a - b) for a, b in zip(one.origin, other.origin, strict=True))
     turned = max(abs(a - b) for a, b in zip(one.way, other.way, strict=True))
     return apart < 0.01 * size and turned < 1e-3
+
+
+def pointing_at_reader(
+    view: View, arrows: Sequence[Arrow], size: float
+) -> Iterator[tuple[list[Stroke], Caption]]:
+    """The sign of each axis that is seen end on, with its names."""
+    for arrow in arrows:
+        start, end = view.place(arrow.origin), view.place(along(arrow.origin, (size, arrow.way)))
+        if length((end[0] - start[0], end[1] - start[1])) < SEEN * size:
+            text = arrow.names if len(arrow.names) > 1 else arrow.names[0]
+            name = Caption(start, text, (-1.0, -1.0), arrow.letter, clear=0.1 * size)
+            yield [*pointing(view, arrow.origin, arrow.way, 0.1 * size)], name

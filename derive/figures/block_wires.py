@@ -21,7 +21,7 @@ CIRCLE = 28
 TAP, OUTER, DOT = 9.0, 23.0, 1.7  # points behind a block where wires branch, and the radius of the dot there
 SOURCE, OUT = 22.0, 30.0  # points that a wire leads in from outside, and out
 BELOW = 14.0  # points beyond everything that a wire runs which goes round
-INSIDE = 0.54  # of the radius of a sum: how far from its middle a sign stands
+BACK, ASIDE = 4.5, 5.5  # points from the head of an arrow to the sign with which it is summed
 
 
 @dataclass(slots=True)
@@ -60,7 +60,7 @@ class Wires:
         self.ways.append((source.name, way))
         self.strokes.append(Stroke(way, "arrow"))
         if target.shape == "sum":
-            self.signs.append(_sign(way, self.layout.at[target.name], target.signs[line.port - 1]))
+            self.signs.append(_sign(way, target.signs[line.port - 1]))
         if way[0][0] > self.layout.at[source.name][0] + self.layout.half[source.name]:
             self.strokes.append(Stroke(tuple(_dot(way[0])), "pin"))
         apart = source.shape == "source" and way[0][1] != 0.0  # comes in at each place anew
@@ -135,10 +135,14 @@ class Wires:
         return (ax, y), (ax, side * edge), (bx, side * edge), (bx, y + side * reach)
 
 
-def _sign(way: tuple[Place, ...], middle: Place, sign: int) -> Caption:
-    """Inside the sum, where the wire ends: beside the wire it would be read with the name of a signal."""
-    (x, y), (ex, ey) = middle, way[-1]
-    return Caption((x + INSIDE * (ex - x), y + INSIDE * (ey - y)), "+" if sign > 0 else "-", role="sign")
+def _sign(way: tuple[Place, ...], sign: int) -> Caption:
+    """Outside the sum, beside the head of the arrow: on its right, and below one that comes from the left,
+    above which the name of its signal stands."""
+    (sx, sy), (ex, ey) = way[-2:]
+    back = (sx > ex) - (sx < ex), (sy > ey) - (sy < ey)
+    side = (1, 0) if back[1] else (0, -1)
+    at = ex + BACK * back[0] + ASIDE * side[0], ey + BACK * back[1] + ASIDE * side[1]
+    return Caption(at, "+" if sign > 0 else "-", role="sign")
 
 
 def _dot(center: Place) -> Iterator[Place]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from math import degrees, isclose
 
-from derive.derivation import Label, Panels, Phrase, Place, Plot
+from derive.derivation import Label, Panels, Phrase, Place, Plot, Said
 from derive.expression import Approximate, Expr, Relation, Symbol
 from derive.figures.axes import IN_TIME, axis, short
 from derive.mechanics.course import Course, Points, extremes, sampled
@@ -15,6 +15,12 @@ NAMES = tuple(map(Symbol, ("q", "q_dot", "q_ddot")))
 LIMIT, OTHER_LIMIT = Phrase("limit"), Phrase("limit-back")
 UNITS = {"length": ("m", "m/s", "m/s²"), "angle": ("rad", "rad/s", "rad/s²")}
 IN_DEGREES = ("°", "°/s", "°/s²")
+SHAPES = {
+    (3,): "shape-cubic",
+    (5,): "shape-quintic",
+    (2, 1, 2): "shape-trapezoid",
+    (2, 2): "shape-triangle",
+}
 SAME = 1e-9  # of times that are one
 PAST = 0.2  # of a limit: how far back a motion goes for the limit to be drawn there too
 
@@ -40,8 +46,26 @@ def panels(
         points = tuple((t, degrees(q) if turned else q) for t, q in through) if not order else ()
         label = axis(symbol, unit)
         plots.append(Plot(symbol.name, IN_TIME, label, curves, marks, merged(moments), points=points))
-    words = Phrase("drawn-motion", dict(zip(("q", "v", "a"), NAMES, strict=True)))
-    return Panels(name, tuple(plots), caption=words, alt=_alternative(courses, units, turned))
+    return Panels(
+        name, tuple(plots), caption=_caption(courses, units, turned), alt=_alternative(courses, units, turned)
+    )
+
+
+def _caption(courses: Mapping[Label, Course], units: tuple[str, ...], turned: bool) -> Phrase:
+    """What moves how, from where to where, and what is drawn of it."""
+    about: dict[str, Said] = dict(zip(("q", "v", "a"), NAMES, strict=True))
+    first = next(iter(courses.values()))
+    about["shape"] = _shape(first)
+    if len(courses) > 1:
+        return Phrase("drawn-together", {**about, "count": len(courses)})
+    ends = _told(first, units, turned).about
+    return Phrase("drawn-motion", {**about, **{name: ends[name] for name in ("start", "end", "time")}})
+
+
+def _shape(course: Course) -> Phrase:
+    """What a course is, by the degrees of its pieces."""
+    degrees_ = tuple(len(piece.coefficients) - 1 for piece in course)
+    return Phrase(SHAPES.get(degrees_, "shape-spline" if {*degrees_} == {3} else "shape-pieces"))
 
 
 def merged(moments: Mapping[Expr, float]) -> dict[Label, float]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from math import pi
+from collections.abc import Sequence
 
 from derive.derivation import Caption, Stroke
 from derive.figures.arm import SMALL, Joint, Posed, length_between, place_of
-from derive.figures.view import Vector, View, along, around, between, cross, dot, length, unit
+from derive.figures.solids import pointing
+from derive.figures.view import Vector, View, along, between, cross, dot, length, unit
 
 STEM = 0.35  # sizes of a joint: what holds a gripper that stands on one
 JAW, THICK = (
@@ -17,7 +17,6 @@ JAW, THICK = (
 SEEN = 0.25  # of a direction: one that is seen shorter points at the reader
 ROUND = 0.24  # sizes of a joint: the sign of an axis that does
 PARALLEL = 0.95
-CORNERS = 24
 
 Marked = tuple[list[Stroke], list[Caption]]
 
@@ -44,18 +43,6 @@ def gripper(view: View, posed: Posed, joints: Sequence[Joint], size: float, inde
     fingers = (along(left, (JAW * size, way)), left, right, along(right, (JAW * size, way)))
     stem = [at, along(at, (-STEM * size, way))] if at != posed.parts[-1].end else []
     return [Stroke(tuple(map(view.place, line)), "gripper") for line in (fingers, stem) if line], []
-
-
-def pointing(view: View, at: Vector, way: Vector, radius: float) -> Iterator[Stroke]:
-    """The sign of an axis that points at the reader, a dot in a circle, or away, a cross in one."""
-    center = view.place(at)
-    rim = tuple(around(center, radius, 2 * pi * k / CORNERS) for k in range(CORNERS))
-    yield Stroke(rim, "box")
-    if dot(view.front, way) > 0:
-        yield Stroke(tuple(around(center, 0.3 * radius, 2 * pi * k / 12) for k in range(12)), "pin")
-        return
-    for turn in (pi / 4, 3 * pi / 4):
-        yield Stroke((around(center, radius, turn), around(center, radius, turn + pi)), "thin")
 
 
 def _end(view: View, posed: Posed, joints: Sequence[Joint], size: float) -> tuple[Vector, Vector]:

@@ -9,20 +9,23 @@ from typing import Any
 from derive.algebra.numbers.floats import number
 from derive.derivation import Caption, Drawing, Phrase, Place, Said, Stroke
 from derive.expression import Expr, Symbol
-from derive.figures.arm import place_of
-from derive.figures.arm_frames import LONG, arrows_drawn, shared
+from derive.figures.arm import direction, place_of
+from derive.figures.arm_frames import LONG, Arrow, arrows_drawn, pointing_at_reader, shared
+from derive.figures.clear_views import clearest
 from derive.figures.solids import turn
 from derive.figures.triads import apart, wish_values
 from derive.figures.typical import completed, typical
-from derive.figures.view import Vector, View, along, in_space, unit
+from derive.figures.view import Vector, View, along, dot
 from derive.figures.wish import Wish
 from derive.mechanics.motion import Motion, Move
 from derive.mechanics.oracle import compose
 from derive.mechanics.sequences import in_product_order
 
 A_ROW = 4  # panels side by side
-LOW = 150.0  # points: how high a row of them may be
 ROOM = 0.5  # of an axis, between panels
+AXIS = 1.15  # of an axis: how far that of a turn is drawn
+SLANTED = "k"  # one that is no axis of a frame
+LARGE, WIDE = 42.0, 320.0  # points: an axis of a frame in every such figure, and all panels side by side
 
 
 def of_motion(motion: Motion, where: Mapping[str, Expr], wish: Wish) -> Drawing:
@@ -32,7 +35,8 @@ def of_motion(motion: Motion, where: Mapping[str, Expr], wish: Wish) -> Drawing:
     point = completed(typical(motion.moves, (), where, ())[0] | wish_values(wish), where)
     made = motion.moves
     poses = [numpy.eye(4), *(compose(in_product_order(made[: k + 1]), point) for k in range(len(made)))]
-    view = in_space()
+    turns = [_axis(move, poses, k, point) for k, move in enumerate(made) if move.kind == "rotate"]
+    view = clearest(poses, turns)
     size = apart(view, [place_of(T) for T in poses], 0.8)
     panels = [_panel(view, poses, k, move, point, size) for k, move in enumerate(made)]
     boxes = [_bounds(strokes) for strokes, _ in panels]
@@ -46,13 +50,12 @@ def of_motion(motion: Motion, where: Mapping[str, Expr], wish: Wish) -> Drawing:
             Stroke(tuple(moved_by(place, shift) for place in stroke.places), stroke.role) for stroke in drawn
         ]
         captions += [moved(text, shift) for text in texts]
-        title = (k % A_ROW) * wide, -(k // A_ROW) * high - 0.45 * size
+        title = (k % A_ROW) * wide, -(k // A_ROW) * high - 0.6 * size
         captions.append(Caption(title, _step(made[k], k + 1), (0.0, 0.0), "note"))
-    rows = -(-len(made) // A_ROW)
     steps = tuple(_step(move, k + 1) for k, move in enumerate(made))
     return Drawing(
         "figure", tuple(strokes), tuple(captions), Phrase("steps"), Phrase("steps-seen", {"steps": steps}),
-        highest=LOW * rows,
+        unit=min(LARGE / size, WIDE / (wide * min(A_ROW, len(made)))),
     )  # fmt: skip
 
 
@@ -60,54 +63,69 @@ def _panel(
     view: View, poses: Sequence[Any], k: int, move: Move, point: Mapping[str, float], size: float
 ) -> tuple[list[Stroke], list[Caption]]:
     """The frame after move k, the one before it, and how the move leads from one to the other."""
-    before, after = poses[k], poses[k + 1]
-    strokes = [
-        Stroke(stroke.places, "before")
-        for stroke, _ in arrows_drawn(view, shared([("", before)], "xyz", size), size / LONG)
-    ]
-    strokes += _way(view, poses, k, move, point, size)
-    captions = []
-    for stroke, caption in arrows_drawn(view, shared([(str(k + 1), after)], "xyz", size), size / LONG):
+    before = shared([("", poses[k])], "xyz", size)
+    strokes = [Stroke(stroke.places, "before") for stroke, _ in arrows_drawn(view, before, size / LONG)]
+    arrows = shared([(str(k + 1), poses[k + 1])], "xyz", size)
+    captions: list[Caption] = []
+    if move.kind == "translate":
+        strokes += _shift(view, place_of(poses[k]), place_of(poses[k + 1]))
+    else:
+        axis, name = _axis(move, poses, k, point), _axis_name(move, k)
+        captions += _named_along(view, arrows, axis, name, place_of(poses[k]), size)
+        strokes += _turn(view, place_of(poses[k]), axis, number(move.by, point), size)
+    for stroke, caption in arrows_drawn(view, arrows, size / LONG):
         strokes.append(stroke)
+        captions.append(caption)
+    for signs, caption in pointing_at_reader(view, arrows, size):
+        strokes += signs
         captions.append(caption)
     return strokes, captions
 
 
-def _way(
-    view: View, poses: Sequence[Any], k: int, move: Move, point: Mapping[str, float], size: float
-) -> Iterator[Stroke]:
-    """A turn about its axis, or the way that is moved."""
-    base = poses[0] if move.about == "world" else poses[k]
-    if move.kind == "translate":
-        ends = place_of(poses[k]), place_of(poses[k + 1])
-        if ends[0] != ends[1]:
-            yield Stroke((view.place(ends[0]), view.place(ends[1])), "way")
-        return
-    axis = _axis(move, base, point)
-    if number(move.by, point) < 0:
-        axis = (-axis[0], -axis[1], -axis[2])
-    start = place_of(poses[k])
-    yield Stroke((view.place(start), view.place(along(start, (0.95 * size, axis)))), "hidden")
+def _shift(view: View, start: Vector, end: Vector) -> Iterator[Stroke]:
+    """The way that is moved."""
+    if start != end:
+        yield Stroke((view.place(start), view.place(end)), "way")
+
+
+def _turn(view: View, start: Vector, axis: Vector, by: float, size: float) -> Iterator[Stroke]:
+    """The axis of a turn, dashed, and an arrow round it."""
+    yield Stroke((view.place(start), view.place(along(start, (AXIS * size, axis)))), "hidden")
     at = along(start, (0.62 * size, axis))
-    yield Stroke(turn(view, at, axis, 0.22 * size), "turn")
+    circle = turn(view, at, axis, 0.26 * size)
+    yield Stroke(circle if by >= 0 else tuple(reversed(circle)), "turn")
 
 
-def _axis(move: Move, base: Any, point: Mapping[str, float]) -> Vector:
+def _named_along(
+    view: View, arrows: list[Arrow], axis: Vector, name: str, start: Vector, size: float
+) -> Iterator[Caption]:
+    """The name of the axis of a turn: with that of the axis of the frame that lies on it, or at its end."""
+    for k, arrow in enumerate(arrows):
+        if dot(arrow.way, axis) > 1 - 1e-6:
+            arrows[k] = replace(arrow, names=(name, *(each for each in arrow.names if each != name)))
+            return
+    foot, end = view.place(start), view.place(along(start, (AXIS * size, axis)))
+    yield Caption(end, name, (end[0] - foot[0], end[1] - foot[1]), "before")
+
+
+def _axis(move: Move, poses: Sequence[Any], k: int, point: Mapping[str, float]) -> Vector:
     """The unit vector about which a move turns."""
-    if isinstance(move.axis, str):
-        k = "xyz".index(move.axis)
-        return float(base[0][k]), float(base[1][k]), float(base[2][k])
-    local = [number(part, point) for part in move.axis]
-    return unit([float(sum(base[i][j] * local[j] for j in range(3))) for i in range(3)])
+    return direction(poses[0] if move.about == "world" else poses[k], move.axis, point)
+
+
+def _axis_name(move: Move, k: int) -> str:
+    """`z0` of the world, `z1` of the frame that is turned, `k` for a slanted axis."""
+    if not isinstance(move.axis, str):
+        return SLANTED
+    return f"{move.axis}{0 if move.about == 'world' else k}"
 
 
 def _step(move: Move, number_: int) -> Phrase:
     """What a move does, by its axis: `30 deg about z_0`, about the world's or its own."""
     about: dict[str, Said] = {"by": move.by}
-    if not isinstance(move.axis, str):
-        return Phrase(f"{move.kind}-aslant", about)
-    axis = Symbol(f"{move.axis}0") if move.about == "world" else Symbol(f"{move.axis}{number_ - 1}")
-    return Phrase(move.kind, {**about, "axis": axis})
+    if move.kind == "translate" and not isinstance(move.axis, str):
+        return Phrase("translate-aslant", about)
+    return Phrase(move.kind, {**about, "axis": Symbol(_axis_name(move, number_ - 1))})
 
 
 def _bounds(strokes: Sequence[Stroke]) -> tuple[float, float, float, float]:

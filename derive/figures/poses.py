@@ -99,8 +99,8 @@ def clarity(shown: Posed, view: View) -> float:
     gap = min((dist(a, b) / spread for k, a in enumerate(flat) for b in flat[:k]), default=1.0)
     low = min((p[2] for p in distinct), default=0.0) / spread
     met = sum(_meet(a, b) for k, a in enumerate(lines) for b in lines[: max(0, k - 1)])
-    folded = sum(_folded(a, b) for a, b in pairwise(lines))
-    return min(1.0, seen / 0.5) - max(0.0, 0.12 - gap) * 4 + min(0.0, low) - 0.6 * met - 0.8 * folded
+    back = sum(folded(a, b) for a, b in pairwise(lines))
+    return min(1.0, seen / 0.5) - max(0.0, 0.12 - gap) * 4 + min(0.0, low) - 0.6 * met - 0.8 * back
 
 
 def _meet(a: tuple[Place, Place], b: tuple[Place, Place]) -> bool:
@@ -113,7 +113,7 @@ def _meet(a: tuple[Place, Place], b: tuple[Place, Place]) -> bool:
     return side(p, q, r) * side(p, q, s) <= SMALL and side(r, s, p) * side(r, s, q) <= SMALL
 
 
-def _folded(a: tuple[Place, Place], b: tuple[Place, Place]) -> bool:
+def folded(a: tuple[Place, Place], b: tuple[Place, Place]) -> bool:
     """Whether a link lies back upon the one before."""
     (p, q), (_, s) = a, b
     back, on = unit((p[0] - q[0], p[1] - q[1], 0.0)), unit((s[0] - q[0], s[1] - q[1], 0.0))

@@ -13,9 +13,9 @@ from derive.figures.arm import Part, Posed, place_of, posed
 from derive.figures.arm_values import values_of
 from derive.figures.held import Misdrawn, held
 from derive.figures.motions import moved, moved_by
-from derive.figures.poses import PLANAR, view_of
+from derive.figures.poses import PLANAR, folded, view_of
 from derive.figures.typical import completed
-from derive.figures.view import View
+from derive.figures.view import View, around
 from derive.mechanics.robot import Robot
 
 HIGH = 130.0  # points
@@ -64,18 +64,21 @@ def _posed(
 def _pose(
     view: View, pose: Posed, case: Mapping[str, Expr], reach: float
 ) -> tuple[list[Stroke], list[Caption]]:
-    """Links by turns wide and narrow, so that one that lies upon another is seen."""
+    """Links alike, but for one that lies back upon the one before, which is narrow so that both are seen; the
+    end marked, and an arrow both ways along what is lost."""
     size = JOINT * reach
     joints = [view.place(joint.at) for joint in pose.joints]
     tip = view.place(place_of(pose.end))
     strokes = [*solids.ground(view, pose.joints[0].at, size).strokes]
-    for k, ends in enumerate(_ends(view, part) for part in pose.parts):
-        strokes.append(Stroke(ends, "rod" if k % 2 else "link"))
+    links = [_ends(view, part) for part in pose.parts]
+    for k, ends in enumerate(links):
+        strokes.append(Stroke(ends, "rod" if k and folded(links[k - 1], ends) else "link"))
     for joint in pose.joints:
         strokes += solids.cylinder(view, joint.at, joint.axis, size).strokes
     lost = _lost(joints, tip, reach)
     across = [(tip[0] + s * LOST * reach * lost[0], tip[1] + s * LOST * reach * lost[1]) for s in (-0.5, 0.5)]
-    strokes.append(Stroke(tuple(across), "lost"))
+    strokes += [Stroke((tip, end), "lost") for end in across]
+    strokes.append(Stroke(tuple(around(tip, 0.3 * size, 2 * pi * k / 24) for k in range(24)), "pin"))
     low = min(y for stroke in strokes for _, y in stroke.places)
     middle = sum(x for x, _ in (*joints, tip)) / (len(joints) + 1)
     title = Caption((middle, low), Phrase("drawn-at", {"at": _said(case)}), (0.0, -1.0), "note")

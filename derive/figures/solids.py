@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import atan2, cos, pi, radians, sin
 
-from derive.derivation import Caption, Place, Stroke
-from derive.figures.view import Vector, View, across, along, dot, hull
+from derive.derivation import Place, Stroke
+from derive.figures.view import Vector, View, across, along, around, dot, hull
 
 CORNERS = 36  # of a circle
 
@@ -91,17 +91,13 @@ def ground(view: View, at: Vector, size: float) -> Solid:
     return Solid(view.depth(at) - 10 * size, tuple(Stroke(line, "thin") for line in lines))
 
 
-def triad(
-    view: View, pose: Sequence[Sequence[float]], size: float, index: str, axes: str = "xyz", role: str = ""
-) -> Iterator[tuple[Stroke, Caption]]:
-    """The axes of a frame that do not point at the reader, as arrows with their names."""
-    origin = (pose[0][3], pose[1][3], pose[2][3])
-    for k, letter in enumerate("xyz"):
-        if letter not in axes:
-            continue
-        tip = along(origin, (size, (pose[0][k], pose[1][k], pose[2][k])))
-        start, end = view.place(origin), view.place(tip)
-        towards = (end[0] - start[0], end[1] - start[1])
-        if max(map(abs, towards)) < 0.15 * size:
-            continue
-        yield Stroke((start, end), role or letter), Caption(end, f"{letter}{index}", towards, role or letter)
+def pointing(view: View, at: Vector, way: Vector, radius: float) -> Iterator[Stroke]:
+    """The sign of an axis that points at the reader, a dot in a circle, or away, a cross in one."""
+    center = view.place(at)
+    rim = tuple(around(center, radius, 2 * pi * k / 24) for k in range(24))
+    yield Stroke(rim, "box")
+    if dot(view.front, way) > 0:
+        yield Stroke(tuple(around(center, 0.3 * radius, 2 * pi * k / 12) for k in range(12)), "pin")
+        return
+    for turn in (pi / 4, 3 * pi / 4):
+        yield Stroke((around(center, radius, turn), around(center, radius, turn + pi)), "thin")

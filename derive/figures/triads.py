@@ -11,7 +11,8 @@ from derive.derivation import Caption, Drawing, Phrase, Said, Stroke
 from derive.expression import Expr, Symbol
 from derive.figures import bodies
 from derive.figures.arm import place_of
-from derive.figures.arm_frames import LONG, arrows_drawn, shared
+from derive.figures.arm_frames import LONG, arrows_drawn, pointing_at_reader, shared
+from derive.figures.clear_views import clearest
 from derive.figures.described import direction
 from derive.figures.typical import completed, typical
 from derive.figures.view import Vector, View, in_space, length
@@ -22,7 +23,7 @@ from derive.mechanics.oracle import compose
 from derive.mechanics.sequences import in_product_order
 
 LOW = 165.0  # points: how high frames alone are drawn
-SHARE, WITH_BODY = 0.55, 0.34  # of how far frames are apart: an axis, and one that stands on a body
+SHARE, WITH_BODY = 0.4, 0.34  # of how far frames are apart: an axis, and one that stands on a body
 
 
 def of_frames(frames: Frames, where: Mapping[str, Expr], wish: Wish) -> Drawing:
@@ -37,7 +38,7 @@ def of_frames(frames: Frames, where: Mapping[str, Expr], wish: Wish) -> Drawing:
     poses = [numpy.eye(4)]
     for frame in frames.frames:
         poses.append(poses[frame.parent] @ _pose(frame.source, point))
-    view = in_space()
+    view = in_space() if wish.body else clearest(poses)
     numbers = range(len(poses))
     origins = {f"o{k}": place_of(T) for k, T in enumerate(poses)}
     size = apart(view, [*origins.values()], WITH_BODY if wish.body else SHARE)
@@ -56,15 +57,21 @@ def of_frames(frames: Frames, where: Mapping[str, Expr], wish: Wish) -> Drawing:
     named = [(str(k), poses[k]) for k in numbers]
     arrows = [*arrows_drawn(view, shared(named, "xyz", size), size / LONG)]
     strokes += [stroke for stroke, _ in arrows]
-    texts = (*(text for _, text in arrows), *origin_names(view, named), *captions)
-    name = "frames-on-body" if wish.body else "frames"
+    signs = [*pointing_at_reader(view, shared(named, "xyz", size), size)]
+    strokes += [stroke for sign, _ in signs for stroke in sign]
+    texts = (*(text for _, text in (*arrows, *signs)), *origin_names(view, named), *captions)
+    ways = sum(stroke.role == "way" for stroke in strokes)
+    apart_ = "frames-together" if not ways else "frames" if ways == len(frames.frames) else "frames-partly"
+    name = "frames-on-body" if wish.body else apart_
     about: dict[str, Said] = {"last": Symbol(f"o{len(poses) - 1}")}
     return Drawing(
         "figure",
         tuple(strokes),
         texts,
         Phrase(name, about),
-        Phrase(f"{name}-seen", {"frames": tuple(_seen(poses)), **about}),
+        Phrase(
+            "frames-on-body-seen" if wish.body else "frames-seen", {"frames": tuple(_seen(poses)), **about}
+        ),
         0.0 if wish.body else LOW,
     )
 

@@ -31,9 +31,8 @@ class View:
         return dot(self.front, point)
 
 
-def in_space() -> View:
-    """The view of everything that is not plane."""
-    a, e = AZIMUTH, ELEVATION
+def in_space(a: float = AZIMUTH, e: float = ELEVATION) -> View:
+    """The view of everything that is not plane, from a direction round z and above the plane of x and y."""
     return View(
         (-sin(a), cos(a), 0.0),
         (-cos(a) * sin(e), -sin(a) * sin(e), cos(e)),

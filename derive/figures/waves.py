@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from derive.derivation import Curve, Label, Panels, Phrase, Plot, Span
-from derive.expression import Symbol
+from derive.expression import ONE, Expr, Relation, Symbol
 from derive.figures.axes import short
 
 PERIODS = 2  # of a voltage
@@ -18,17 +18,22 @@ BEFORE = 0.1  # of a line, before the first edge
 
 
 def switched(
-    levels: Mapping[Label, float], mean: tuple[Label, float], duty: tuple[Label, float], period: Label
+    levels: Mapping[Label, float],
+    mean: tuple[Label, float],
+    duty: tuple[Label, float],
+    period: Expr,
+    frequency: Expr | None = None,
 ) -> Plot:
     """Two periods of a voltage with its upper and its lower level, in this order, its mean, and when it is
-    switched off; times are shares of a period."""
+    switched off; times are shares of a period, which is said by its frequency where that has a name."""
     high, low = levels.values()
     _, share = duty
     times = [t for k in range(PERIODS) for t in (k, k, k + share, k + share)]
     values = [low, high, high, low] * PERIODS
     curve: Curve = ((*map(float, times), float(PERIODS)), (*values, low))
     about = {"share": short(100 * share), "height": short(100 * (mean[1] - low) / (high - low or 1.0))}
-    caption = Phrase("drawn-wave", {"u": VOLTAGE, "T": period, "mean": mean[0]})
+    long = Relation(period, "=", ONE / frequency) if frequency else period
+    caption = Phrase("drawn-wave", {"u": VOLTAGE, "T": long, "mean": mean[0]})
     return Plot(
         "wave", Symbol("t"), VOLTAGE, {"": curve}, {mean[0]: mean[1]}, {duty[0]: share, period: 1.0},
         levels=levels, unscaled=True, caption=caption, alt=Phrase("seen-wave", about),

@@ -94,7 +94,8 @@ def test_triads_of_frames(tmp_path: Path) -> None:
 def test_a_motion_is_drawn_step_by_step(tmp_path: Path) -> None:
     found = drawn(tmp_path, MOTION)
     named = {*written(found, "x"), *written(found, "y"), *written(found, "z")}
-    assert named == {f"{letter}{k}" for letter in "xyz" for k in (1, 2)}
+    on_the_axis = str(("x0", "x1"))  # about which it turns
+    assert named == {on_the_axis, "y1", "z1", "x2", "y2", "z2"}
     assert [c.text.key for c in found.captions if isinstance(c.text, Phrase)] == ["rotate", "translate"]
 
 

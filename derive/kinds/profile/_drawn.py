@@ -11,7 +11,7 @@ from typing import Any
 
 from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Claim, Figure, Record
-from derive.expression import Approximate, Degrees, Expr, Relation
+from derive.expression import Approximate, Degrees, Expr, Relation, walk
 from derive.figures.courses import panels
 from derive.kinds.checks import close, law, route
 from derive.kinds.fields import Place
@@ -21,7 +21,7 @@ from derive.kinds.profile._written import Written
 from derive.kinds.sure import place
 from derive.kinds.values_at import point_of
 from derive.mechanics.course import Course, at, extremes, sampled
-from derive.mechanics.profile import Profile
+from derive.mechanics.profile import Profile, Sort
 
 SLACK = 1e-9
 NONE: Mapping[str, Expr] = MappingProxyType({})
@@ -68,9 +68,16 @@ class Drawn:
         knots = [(piece.start, piece.at(piece.start)) for piece in kept] + [
             (kept[-1].end, at(kept, kept[-1].end))
         ]
-        turned, limits = self.problem.style.degrees, limits_drawn(self.profile, self.problem)
+        turned = self.problem.style.degrees or self._in_degrees
+        sort: Sort = "angle" if self._in_degrees and not self.profile.sort else self.profile.sort
+        limits = limits_drawn(self.profile, self.problem)
         times = self.marked(moments)
-        return (panels(name, {"": kept}, self.profile.sort, turned, times, limits, knots if through else ()),)
+        return (panels(name, {"": kept}, sort, turned, times, limits, knots if through else ()),)
+
+    @property
+    def _in_degrees(self) -> bool:
+        """Whether the values with which it is drawn are."""
+        return any(isinstance(node, Degrees) for _, value in self.evaluate or () for node in walk(value))
 
     def marked(self, moments: Mapping[Expr, Expr]) -> dict[Expr, float]:
         """The moments in seconds."""

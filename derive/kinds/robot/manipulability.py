@@ -114,7 +114,7 @@ def _at_point(options: Options, problem: Problem, place: Place) -> Derivation:
     task = task_of(problem, options.rows, options.point)
     if not decided(task, place):
         return base
-    found = at_point(task, place)
+    found = at_point(task, place, _compared(options, problem))
     w = base.scalar("w")
     size = number(w, found.place)
     shown = (W, Approximate(size))
@@ -133,6 +133,16 @@ def _at_point(options: Options, problem: Problem, place: Place) -> Derivation:
             units=_units(task, place),
         )
     )
+
+
+def _compared(options: Options, problem: Problem) -> list[Place]:
+    """The configurations of all questions about these velocities of this arm."""
+    asked = [other for _, other in problem.questions if isinstance(other, Options)]
+    return [
+        each.evaluate
+        for each in asked
+        if each.evaluate and each.model_copy(update={"evaluate": options.evaluate}) == options
+    ]
 
 
 def _units(task: Task, place: Place) -> dict[Expr | Phrase, str]:

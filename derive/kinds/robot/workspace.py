@@ -33,6 +33,7 @@ from derive.mechanics.reach import moving_joints, turns_freely
 from derive.mechanics.robot import Robot
 
 NOTHING, NEARLY = 1e-9, 1e-3  # of a hole, and of the corners of a circle
+EXAMPLE = 0.6  # of the first link: a second one of which nothing is known, so that a hole is seen
 CLAIMS = ("largest-distance", "smallest-distance", "lines", "link-lengths", "hole", "called")
 measures = together(of_variables, r_min="m", r_max="m")
 
@@ -123,6 +124,8 @@ def _pictures(
             return ()
         known, sure = completed(typical((), trees, problem.where, ())[0], problem.where), False
     *lengths, offset, side = (abs(numeric.number(tree, known)) for tree in trees)
+    if not sure and region.lengths[0] != region.lengths[1]:
+        lengths[1] = EXAMPLE * lengths[0]
     sizes = Sizes(lengths, unit if sure else "", sure, offset, side)
     if region.kind != "planar":
         return (cross_section(sizes),)

@@ -43,6 +43,7 @@ def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivatio
     work = work.showing(Step("mean_law", (mean, _mean(high, low, duty, bipolar)), "area"))
     work = _solved(work, voltage, (high, low, mean, duty), bipolar)
     results = {"mean": work.final(mean), "duty": work.final(duty)}
+    f: Expr | None = None
     if voltage.frequency is not None:
         work, (f,) = work.naming(f=voltage.frequency)
         period = Step("period", (PERIOD, ONE / f), "law", instance={PERIOD: ONE / work[f], f: work[f]})
@@ -54,7 +55,7 @@ def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivatio
     )  # fmt: skip
     work = work.claim(route("sampled-mean", sampled(voltage, problem, results)))
     work = work.claim(route("as-said", said(voltage, work, facts)))
-    plot = _wave(voltage, problem, results, (high, low, mean, duty))
+    plot = _wave(voltage, problem, results, (high, low, mean, duty), f)
     work = work.claim(route("drawn", as_drawn(plot, voltage, problem, results)))
     return work.answer("mean-voltage", results, facts, units=UNITS, plots=(plot,))
 
@@ -64,12 +65,13 @@ def _wave(
     problem: Problem,
     results: Mapping[str, Expr],
     names: tuple[Symbol, Expr, Symbol, Symbol],
+    frequency: Expr | None,
 ) -> Plot:
     """With the values that are known, or some that show what is meant."""
     high, low, mean, duty = names
     U, U_0, D = drawn_values(voltage, problem, results)
     levels: dict[Label, float] = {high: U, low: U_0}
-    return switched(levels, (mean, D * U + (1 - D) * U_0), (duty * PERIOD, D), PERIOD)
+    return switched(levels, (mean, D * U + (1 - D) * U_0), (duty * PERIOD, D), PERIOD, frequency)
 
 
 def _mean(high: Expr, low: Expr, duty: Expr, bipolar: bool) -> Expr:

@@ -17,7 +17,7 @@ from derive.render.drawing.style import FAINT, INK, LETTERS, PALE, WIDEST, Pen
 
 MARGIN = 2.0  # points round everything
 WIDE, HIGH, LOW, PANEL, SQUARE = WIDEST - 46, 150.0, 90.0, 68.0, 150.0  # of what is inside the axes
-SIDE, SIDE_WIDE = 118.0, 150.0  # of one of two beside each other
+ONE, OTHER = (88.0, 96.0), (150.0, 165.0)  # high and wide: what stands before another, and that one
 BETWEEN, APART = 9.0, 22.0  # panels above each other, and beside each other
 TICK, AIR = 3.0, 3.0
 ROOM_X, ROOM_Y = 42.0, 24.0  # points that ticks are apart at least
@@ -37,7 +37,10 @@ def sketched(picture: Plot | Panels) -> Sketch:
             high = SQUARE if picture.equal else LOW if picture.unscaled else HIGH
             return _alone(picture, framed(picture, high))
         case Panels(plots=plots, beside=True):
-            return _row([_alone(plot, framed(plot, SIDE, SIDE_WIDE)) for plot in plots])
+            *first, last = plots
+            return _row(
+                [*(_alone(plot, framed(plot, *ONE)) for plot in first), _alone(last, framed(last, *OTHER))]
+            )
         case Panels(plots=plots):
             return _stack(plots)
 

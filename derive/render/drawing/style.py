@@ -42,7 +42,6 @@ LINES = {
     "thin": Pen(INK, 0.8),
     "hidden": Pen(GREY, 0.6, (3, 2)),
     "edge": Pen(INK, 0.9, cap="round"),
-    "lost": Pen(RED, 1.1, (4, 2.5)),
     "leader": Pen(GREY, 0.4),
     "wire": Pen(INK, 0.9),
     "other": Pen("#cfcfcf", 4.0, cap="round"),
@@ -57,6 +56,7 @@ ARROWS = {
     "measure": Pen(INK, 0.6),
     "way": Pen(GREY, 0.7, (3, 2)),
     "arrow": Pen(INK, 0.9),
+    "lost": Pen(RED, 1.2, (4, 2)),
 }
 AREAS = {
     "body": ("#dcdcdc", Pen(INK, 0.7)),

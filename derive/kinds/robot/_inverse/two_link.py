@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -47,6 +47,7 @@ from derive.kinds.robot._inverse.placed import Placed
 from derive.kinds.robot._inverse.sampled import sample_points
 from derive.kinds.robot._inverse.signs import opposite, over, signed, square, total
 from derive.kinds.robot._inverse.target import SAME, Target, Values
+from derive.kinds.robot._lengths import unit_of_lengths
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.goal import of_coordinates
@@ -194,7 +195,11 @@ class _Writing:
         point = completed(values_of(robot, where)[0], where)
         lengths = tuple(abs(scalar_number(length, point)) for length in (self.arm.a_1, self.arm.a_2))
         names = (self.arm.theta_1, self.arm.theta_2), (self.x.name, self.y.name)
-        return drawn(TwoLinks((lengths[0], lengths[1]), self.lengths, *names, told.r, told.elbow))
+        unit = unit_of_lengths(self.problem)
+        first, second = (
+            replace(length, unit=unit) if isinstance(length, Number) else length for length in self.lengths
+        )
+        return drawn(TwoLinks((lengths[0], lengths[1]), (first, second), *names, told.r, told.elbow))
 
 
 def _tried(branches: Sequence[Branch], target: Target, points: Sequence[Values]) -> Tried:

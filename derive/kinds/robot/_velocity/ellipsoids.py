@@ -50,8 +50,9 @@ class Ellipsoids:
     told: PointTold
 
 
-def at_point(task: Task, place: Place) -> Ellipsoids:
-    """By the singular values of J (m by n) at the place. Raises NotDerivable for a name without a value."""
+def at_point(task: Task, place: Place, compared: Sequence[Place] = ()) -> Ellipsoids:
+    """By the singular values of J (m by n) at the place, drawn to one scale with places that are `compared`.
+    Raises NotDerivable for a name without a value."""
     import numpy as np
 
     here = dict.fromkeys(task.problem.symbols, 0.0) | _numbers(task, place)  # a height has no part in J
@@ -65,7 +66,7 @@ def at_point(task: Task, place: Place) -> Ellipsoids:
     pushes = tuple(Approximate(force) if force != INFINITE else force for force in forces)
     turned = [directions[k] for k in order]
     unit = unit_of_lengths(task.problem, (value for _, value in place))
-    plots = _pictures(task, here, J, sizes, directions, unit)
+    plots = _pictures(task, here, J, sizes, directions, unit, [*_elsewhere(task, compared)])
     told = PointTold(
         point=tuple((Symbol(name), value) for name, value in place),
         table=_table(task, sizes, directions),
@@ -223,6 +224,7 @@ def _pictures(
     values: list[float],
     directions: list[list[float]],
     unit: str,
+    compared: Sequence[tuple[float, float]],
 ) -> tuple[Panels, ...]:
     """The arm with both ellipses at its tip, where two components in a plane are asked for."""
     if tuple(sorted(task.rows)) not in PLANE or not values[-1]:
@@ -234,8 +236,20 @@ def _pictures(
         unit=unit,
         sizes=(values[0], values[1]),
         directions=[(along[0], along[1]) for along in directions],
+        compared=compared,
     )
     return (at_the_tip(tip, _rates(task, J, values, directions, unit)),)
+
+
+def _elsewhere(task: Task, places: Sequence[Place]) -> Iterator[tuple[float, float]]:
+    """The semi-axes of the ellipse at other places where it can be drawn."""
+    import numpy as np
+
+    for place in places:
+        if decided(task, place):
+            values = np.linalg.svd(np.array(numeric.matrix_numbers(task.J, _numbers(task, place))))[1]
+            if len(values) == 2 and values[-1] >= NONE * values[0]:
+                yield float(values[0]), float(values[1])
 
 
 def _rates(task: Task, J: Any, values: list[float], directions: list[list[float]], unit: str) -> Rates | None:
