@@ -10,6 +10,7 @@ from derive.derivation import Claim, Phrase, Step
 from derive.expression import ONE, Expr, Product, Quotient, Relation, Symbol, free_symbols
 from derive.kinds.checks import route
 from derive.kinds.fields import TREES
+from derive.kinds.system._drift import DriftAtPoint, is_drift, is_drift_there
 from derive.kinds.system._oracle import Held, Point, reals
 from derive.kinds.system._transfer_facts import Facts, Told
 
@@ -29,7 +30,7 @@ def said(held: Held, told: Facts, steps: Sequence[Step], G: Expr) -> Claim:
         (told.input, told.output) == (held.source, system.output),
         *(_zero(held, step) for step in steps if step.rule == "superposition"),
     ]
-    return route("as-said", [*plain, *held.compared(lambda at: _degrees(told, steps, G, at))])
+    return route("as-said", [*plain, *held.compared(lambda at: _degrees(held, told, steps, G, at))])
 
 
 def _asked_before(held: Held, described: Phrase) -> bool:
@@ -51,7 +52,7 @@ def _zero(held: Held, step: Step) -> bool:
     return step.facts.said == wanted
 
 
-def _degrees(told: Facts, steps: Sequence[Step], G: Expr, at: Point) -> Iterator[bool]:
+def _degrees(held: Held, told: Facts, steps: Sequence[Step], G: Expr, at: Point) -> Iterator[bool]:
     whole = next(step.chain[2] for step in steps if step.name == "G")
     left = next((step.result for step in steps if step.rule == "cancel"), None)
     order, lost = denominator_degree(whole, at), told.cancelled.about.get("count", 0) if told.cancelled else 0
@@ -64,16 +65,23 @@ def _degrees(told: Facts, steps: Sequence[Step], G: Expr, at: Point) -> Iterator
     if vanishes:
         return
     nature = told.nature.key if told.nature else ""
-    yield nature in ("", "improper", "integrates")
+    yield nature in ("", "improper", "integrates", "integrates-often")
     far, near = (degree(lambda s: value(G, {**at, "s": s}), inward) for inward in (False, True))
-    if told.nature and nature == "integrates":
+    yield from is_drift(steps, nature == "integrates", held, at)
+    if told.nature and nature.startswith("integrates"):
         about = {"s": Symbol("s"), "input": told.input, "output": told.output}
         yield told.nature.about == {"order": told.nature.about["order"], **about}
         yield order is None or told.nature.about["order"] == order
     if far is not None:
         yield (nature == "improper") == (far > 0)
     if near is not None and nature != "improper":
-        yield near < 0 if nature == "integrates" else near >= 0 or bool(lost)
+        yield near == -1 if nature == "integrates" else near < 0 if nature else near >= 0 or bool(lost)
+
+
+def drift_claims(held: Held, told: DriftAtPoint | None, steps: Sequence[Step]) -> Iterator[Claim]:
+    """The rate in numbers of a system that integrates."""
+    if told and told.drift:
+        yield route("rate-in-numbers", held.compared(lambda at: is_drift_there(told, steps, held, at)))
 
 
 def is_degree(told: int, seen: int | None) -> Iterator[bool]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from derive.derivation import PageFacts, Phrase, Record
 from derive.expression import Symbol
-from derive.kinds.system._plant import AtPoint
+from derive.kinds.system._drift import DriftAtPoint
 
 
 class Told(Record):
@@ -21,5 +21,5 @@ class Facts(PageFacts):
     output: Symbol
     cancelled: Phrase | None
     nature: Phrase | None  # improper, or integrating
-    at: AtPoint | None
+    at: DriftAtPoint | None
     drawn: bool

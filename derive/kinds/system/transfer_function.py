@@ -21,10 +21,10 @@ from derive.kinds.checks import law
 from derive.kinds.fields import Evaluation, Name, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.system._delay_checks import fraction_claims
+from derive.kinds.system._drift import DriftAtPoint, drift, in_decimals, integrates_once, way_of
 from derive.kinds.system._oracle import Held, as_drawn, as_printed, given_claims, motor_claims
 from derive.kinds.system._pairs import roots_told
 from derive.kinds.system._plant import (
-    AtPoint,
     Plant,
     delay_claims,
     delay_steps,
@@ -36,7 +36,7 @@ from derive.kinds.system._plant import (
     zeros_json,
 )
 from derive.kinds.system._point_checks import AT_POINT, point_claims
-from derive.kinds.system._transfer_checks import eliminations, said
+from derive.kinds.system._transfer_checks import drift_claims, eliminations, said
 from derive.kinds.system._transfer_facts import Facts as Facts
 from derive.kinds.system._transfer_facts import Told
 from derive.kinds.work import Work
@@ -76,6 +76,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
         *motor_claims(held),
         eliminations(held, work.steps),
         said(held, told, work.steps, G),
+        *drift_claims(replace(held, given=dict(options.evaluate or ())), told.at, work.steps),
         *point_claims(replace(held, given=dict(options.evaluate or ())), evaluated, "G", told.at),
     )
     if not picture:
@@ -169,6 +170,8 @@ def _transfer(solved: Plant) -> Iterator[Step]:
     result = _result(solved)
     if any(node in solved.problem.names for node in walk(chain[-1])):
         yield Step("final", (G, result), "substitute")
+    if integrates_once(solved.rational):
+        yield Step("drift", drift(solved, solved.rational), "drift")
 
 
 def _forms(solved: Plant) -> tuple[Expr, Expr]:
@@ -187,7 +190,7 @@ def _result(solved: Plant) -> Expr:
     return unexpanded if operations(unexpanded) <= operations(collected) else collected
 
 
-def _facts(solved: Plant, at: AtPoint | None, drawn: bool, before: int | None) -> Facts:
+def _facts(solved: Plant, at: DriftAtPoint | None, drawn: bool, before: int | None) -> Facts:
     system, rational = solved.system, solved.rational
     ends = {"input": solved.solution.source, "output": system.output}
     return Facts(
@@ -221,7 +224,8 @@ def _nature(solved: Plant) -> Phrase | None:
         return Phrase("improper")
     if rational.num and not rational.den[-1] and rational.num[-1]:
         ends = {"input": solved.solution.source, "output": solved.system.output}
-        return Phrase("integrates", {"order": len(rational.den) - 1, "s": S, **ends})
+        key = "integrates" if integrates_once(rational) else "integrates-often"
+        return Phrase(key, {"order": len(rational.den) - 1, "s": S, **ends})
     return None
 
 
@@ -238,17 +242,20 @@ def _multiplies(solved: Plant) -> bool:
     return reduced.value == solved.rational.value
 
 
-def _evaluated(solved: Plant, options: Options) -> tuple[dict[str, Any], AtPoint | None]:
+def _evaluated(solved: Plant, options: Options) -> tuple[dict[str, Any], DriftAtPoint | None]:
     """What goes to the JSON, and what the words print."""
     if options.evaluate is None:
         return {}, None
     numeric = solved.there(solved.rational.reduced())
     shown = ((solved.named("G"), numeric.expr(solved.style)),)
-    told = AtPoint(shown=shown, point=point_chains(options.evaluate, solved.problem.where))
+    told = DriftAtPoint(shown=shown, point=point_chains(options.evaluate, solved.problem.where))
     if numeric.symbols():
         return {"G": transfer_json(numeric)}, told
     poles, zeros = roots(numeric.den), roots(numeric.num) if numeric.num else ()
     values = {"G": transfer_json(numeric), "poles": poles_json(numeric), "zeros": zeros_json(numeric)}
+    if numeric.num and verdict(numeric.den) == "integrator" and integrates_once(numeric):
+        chain = drift(solved, numeric)
+        told = replace(told, drift=in_decimals(chain, solved), way=way_of(chain, solved))
     return values, replace(
         told,
         poles=roots_told(poles),
