@@ -35,6 +35,12 @@ class Iteration:
     rows: tuple[Row, ...]
     verdict: Verdict
 
+    @property
+    def share(self) -> float:
+        """What a step takes off the error on average, geometrically; 0 of none."""
+        steps = len(self.rows) - 1
+        return 1 - float((self.rows[-1].error / self.rows[0].error) ** (1 / steps)) if steps else 0.0
+
 
 def iterate(
     pose: Pose, target: Sequence[float], start: Sequence[float], method: str, most: int, fixed: float | None

@@ -185,6 +185,9 @@ class Printer:
         below, tightness = self.measured(bottom)
         if self.flat and tightness >= POWER and not isinstance(top, Sum) and "frac" not in above:
             return f"{above}/{below}", SUM
+        match top:
+            case Product((Number(value), Sum() as whole)) if value == -1:  # the bar holds the sum together
+                above = "-" + self.write(whole)
         sign = "-" if above.startswith("-") and not isinstance(top, Sum) else ""
         written = rf"{sign}\frac{{{above.removeprefix(sign)}}}{{{below}}}"
         return written, SUM if sign else PRODUCT

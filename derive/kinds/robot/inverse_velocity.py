@@ -10,7 +10,7 @@ from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point, number
 from derive.derivation import Claim, Derivation, PageFacts, Phrase, Said
 from derive.errors import NotReal
-from derive.expression import ZERO, Expr, Relation, Symbol, column, transpose
+from derive.expression import ONE, ZERO, Expr, Relation, Symbol, column, transpose
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -70,7 +70,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         least=None if task.square else _least(task.redundant),
         spare=Phrase("null-space") if task.redundant else None,
     )
-    return _answer(task, _law(task, solved), problem.final(solved.qdot), facts)
+    return _answer(task, _law(task, solved), problem.final(solved.qdot), facts, solved.apart)
 
 
 def _law(task: Task, solved: Solved) -> Work:
@@ -89,7 +89,7 @@ def _least(redundant: bool) -> Phrase:
     return Phrase("least-rates" if redundant else "least-error", about)
 
 
-def _answer(task: Task, work: Work, qdot: Expr, facts: Facts) -> Derivation:
+def _answer(task: Task, work: Work, qdot: Expr, facts: Facts, apart: Expr = ONE) -> Derivation:
     """With NumPy's pseudo-inverse of a Jacobian by differences as the second route."""
     names = [name.name for name in task.velocities]
 
@@ -99,19 +99,20 @@ def _answer(task: Task, work: Work, qdot: Expr, facts: Facts) -> Derivation:
         return np.linalg.pinv(task.numbers(at)) @ np.array([at[name] for name in names])
 
     work = work.agrees("pseudo-inverse", task.symbols.union(names), qdot, seen, DIFFERENCES)
-    work = work.claim(_fails_where(task, facts))
+    work = work.claim(_fails_where(task, facts, apart))
     return work.answer("inverse-velocity", {"qdot": qdot}, facts)
 
 
-def _fails_where(task: Task, facts: Facts) -> Claim:
+def _fails_where(task: Task, facts: Facts, apart: Expr) -> Claim:
     """That the equations of the places without an inverse say det J = 0: what stands there vanishes, and
-    together they are the determinant of the Jacobian by differences, but for its sign."""
+    together, with the factors `apart` that never do, they are the determinant of the Jacobian by differences,
+    but for its sign."""
     import numpy as np
 
     tried = [chain[-1] == ZERO for chain in facts.zero]
     for point in random_points(task.symbols, POINTS) if task.square else ():
         with suppress(NotReal, KeyError):  # det J_11 of a wrist stands there by its name
             at = oracle_of(task.problem).at(point)
-            product = math.prod(number(chain[-2], at) for chain in facts.zero)
+            product = number(apart, at) * math.prod(number(chain[-2], at) for chain in facts.zero)
             tried.append(close(abs(product), abs(float(np.linalg.det(task.numbers(at)))), DIFFERENCES))
     return route("no-inverse", tried)

@@ -12,7 +12,21 @@ from derive.algebra.numbers.floats import matrix_numbers, scalar_number
 from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Derivation, PageFacts, Phrase, Plot, Result, Said, Step, Table
 from derive.errors import NotDerivable
-from derive.expression import Approximate, Expr, Matrix, Measured, Symbol, add, column, number, symbols
+from derive.expression import (
+    ZERO,
+    Approximate,
+    Expr,
+    Matrix,
+    Measured,
+    Product,
+    Relation,
+    Symbol,
+    add,
+    column,
+    number,
+    symbols,
+    transpose,
+)
 from derive.figures.axes import short
 from derive.kinds.fields import OptionsModel, Place, Quantity, read_point
 from derive.kinds.problem import Problem
@@ -31,7 +45,8 @@ from derive.mechanics.task import ROWS, moving_rows
 
 CLAIMED = {"iterations": "as-listed", "solution": "last-row"}
 CLAIMS = ("rows-in-numbers", "place", "begun", "numbered", "errors", "ended", "as-listed", "last-row")
-J, R, F, H, ALPHA = symbols("J r_d f H alpha")
+J, R, F, E, ALPHA = symbols("J r_d f e alpha")
+ROUNDING = 1e-12  # an error below is what rounding leaves
 
 
 Start = Annotated[Place, PlainValidator(read_point), WithJsonSchema({"type": "object"})]
@@ -62,8 +77,9 @@ class Facts(PageFacts):
     best: Phrase | None  # no step is given
     alpha: tuple[Expr, Expr] | None
     measure: Phrase | None
-    table: Table
+    table: Table | None  # of more than the start
     ended: Phrase
+    stopped: Phrase | None  # why, by the Jacobian there
     solution: tuple[tuple[Symbol, Expr], ...]
     outlook: Phrase | None
     drawn: bool
@@ -84,7 +100,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     listed = [[k, *map(float, row.q), row.error, row.H] for k, row in enumerate(run.rows)]
     evaluated = {"iterations": listed, "solution": list(map(float, run.rows[-1].q))}
     rows = tuple(_row(k, row) for k, row in enumerate(run.rows))
-    facts, forward = _facts(arm, options, run, rows), arm.forward()
+    table = Table(
+        (Symbol("k"), *map(Symbol, arm.variables), Phrase("error")), tuple(row[:-1] for row in rows)
+    )
+    facts, forward = _facts(arm, options, run, table), arm.forward()
     solution = _solution(arm, run)
     results: dict[str, Result] = {
         "iterations": rows,
@@ -93,14 +112,18 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     given = {**problem.where, **dict(options.evaluate or ()), **dict(options.start)}
     here = {**arm.here, **place(given)}
     again = Repeated(task, here, arm.turning, target, options.method, fixed, options.iterations)
-    work = Work(problem, uses=(task.base,), known={F: forward, R: column(options.target)})
+    known: dict[Expr, Expr] = {F: forward, R: column(options.target)}
+    work = Work(problem, uses=(problem.ask("forward-kinematics"),), known=known)
     work = work.showing(Step("r_d", (R, work[R]), "given"), Step("f", (F, forward), "forward"))
     work = task.proved(work.line(J, value=task.J, rule="rows"))
     work = work.agrees("place", problem.symbols, forward, again.place)
     told = {name.name: value_of(value, {}) for name, value in solution}
-    work = work.claim(*again.claims(facts.table, listed, here, run.verdict, told))
+    work = work.claim(*again.claims(table, listed, here, run.verdict, told))
     if _explained(problem, options):
         work = replace(work, steps=work.steps[:1])
+    if facts.stopped:
+        there = _there(arm, run, target)
+        work = work.step(*there).claim(again.stops(arm.at(run.rows[-1].q), *(step.result for step in there)))
     units = _units(arm, options)
     plot = _plot(run, options.method == "newton", units.get(Phrase("error"), "")) if facts.drawn else None
     return work.answer(
@@ -121,7 +144,7 @@ def _units(arm: Arm, options: Options) -> dict[Expr | Phrase, str]:
         Symbol(name): in_degrees(unit, turned) for name, unit in of_variables(problem.subject).items()
     }
     if unit_of_lengths(problem, options.target) and all(row[0] == "v" for row in arm.task.rows):
-        units |= {Phrase("error"): "m", H: "m^2", R: "m"}
+        units |= {Phrase("error"): "m", R: "m", E: "m"}
     return units
 
 
@@ -215,7 +238,7 @@ def _value(tree: Expr, here: Mapping[str, float]) -> float:
         raise NotDerivable(f"no value is known for {error.args[0]} in the target", "target") from error
 
 
-def _facts(arm: Arm, options: Options, run: Iteration, rows: tuple[tuple[Expr, ...], ...]) -> Facts:
+def _facts(arm: Arm, options: Options, run: Iteration, table: Table) -> Facts:
     problem, last = arm.task.problem, len(run.rows) - 1
     newton, explained = options.method == "newton", _explained(problem, options)
     again = options.method in explained
@@ -223,7 +246,9 @@ def _facts(arm: Arm, options: Options, run: Iteration, rows: tuple[tuple[Expr, .
     error = run.rows[-1].error
     about: dict[str, Said] = {
         "steps": last,
-        "error": _measured(Approximate(error if error >= CLOSE else 0.0), arm, options),
+        "error": _measured(Approximate(error), arm, options),
+        "bound": _measured(number(10) ** number(-10), arm, options),
+        "share": Approximate(100 * run.share),
     }
     fixed = None if newton else options.step
     first = not again
@@ -234,12 +259,13 @@ def _facts(arm: Arm, options: Options, run: Iteration, rows: tuple[tuple[Expr, .
         gradient=None if newton or again else Phrase("gradient"),
         best=Phrase("best-step") if first and not newton and fixed is None else None,
         alpha=(ALPHA, fixed) if fixed is not None and first else None,
-        measure=None if explained else Phrase("measure", {"r_d": R, "f": F, "H": H}),
-        table=Table((Symbol("k"), *map(Symbol, arm.variables), Phrase("error"), H), rows),
-        ended=Phrase(_end(run.verdict, newton), about),
+        measure=None if explained or not last else Phrase("measure", {"r_d": R, "f": F}),
+        table=table if last else None,
+        ended=Phrase(_end(run.verdict, newton) + ("" if last or found else "-at-once"), about),
+        stopped=_stopped(run.verdict, arm.task.square),
         solution=_solution(arm, run) if found else (),
-        outlook=Phrase(_outlook(run.verdict, newton, fixed is not None)) if found else None,
-        drawn=sum(row.error >= CLOSE for row in run.rows) > 1,
+        outlook=Phrase(_outlook(run.verdict, newton, fixed is not None), about) if found else None,
+        drawn=sum(row.error >= ROUNDING for row in run.rows) > 1,
         numbers=(),
     )
 
@@ -264,6 +290,27 @@ def _end(verdict: Verdict, newton: bool) -> str:
     return "not-yet"
 
 
+def _stopped(verdict: Verdict, square: bool) -> Phrase | None:
+    """What the Jacobian is like where an iteration cannot go on."""
+    match verdict:
+        case "singular":
+            return Phrase("no-inverse" if square else "no-pseudo-inverse")
+        case "stuck":
+            return Phrase("no-slope", {"slope": Relation(Product((transpose(J), E)), "=", ZERO)})
+    return None
+
+
+def _there(arm: Arm, run: Iteration, target: Sequence[float]) -> tuple[Step, ...]:
+    """J where the iteration ended, and where it is stuck the error e."""
+    place, J_now = arm.pose(run.rows[-1].q)
+    J_here = Matrix(tuple(tuple(Approximate(float(each)) for each in row) for row in J_now))
+    step = Step("J_here", (J, J_here), "numbers")
+    if run.verdict == "singular":
+        return (step,)
+    error = column(Approximate(r - f) for r, f in zip(target, place, strict=True))
+    return step, Step("e_here", (E, error), "numbers")
+
+
 def _outlook(verdict: Verdict, newton: bool, fixed: bool) -> str:
     """What is said of how fast it goes, or would go on."""
     if verdict == "converged":
@@ -280,9 +327,15 @@ def _solution(arm: Arm, run: Iteration) -> tuple[tuple[Symbol, Expr], ...]:
 
 
 def _row(k: int, row: Row) -> tuple[Expr, ...]:
-    """One line of the table."""
-    error = row.error if row.error >= CLOSE else 0.0  # below, it is what rounding leaves
+    """One row of the results."""
+    error = row.error if row.error >= CLOSE else 0.0
     return (number(k), *map(Approximate, row.q), Approximate(error), Approximate(error**2 / 2))
+
+
+def _line(k: int, row: Row) -> tuple[Expr, ...]:
+    """One line of the table."""
+    error = row.error if row.error >= ROUNDING else 0.0
+    return (number(k), *map(Approximate, row.q), Approximate(error))
 
 
 def _explained(problem: Problem, options: Options) -> frozenset[str]:
@@ -295,7 +348,7 @@ def _explained(problem: Problem, options: Options) -> frozenset[str]:
 def _plot(run: Iteration, newton: bool, unit: str) -> Plot:
     """The errors that are more than what rounding leaves, on a logarithmic scale: Newton's method falls ever
     more steeply, the gradient method along a line."""
-    kept = [(float(k), row.error) for k, row in enumerate(run.rows) if row.error >= CLOSE]
+    kept = [(float(k), row.error) for k, row in enumerate(run.rows) if row.error >= ROUNDING]
     counts, errors = zip(*kept, strict=True)
     about = {"steps": str(len(run.rows) - 1), "first": short(errors[0]), "last": short(run.rows[-1].error)}
     name, k = Phrase("error"), {"k": Symbol("k")}

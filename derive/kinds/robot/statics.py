@@ -9,7 +9,7 @@ from pydantic import Field
 
 from derive.algebra.normal import normal
 from derive.algebra.numbers import floats as numeric
-from derive.derivation import Derivation, PageFacts
+from derive.derivation import Derivation, PageFacts, Phrase
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol, column, free_symbols, transpose
 from derive.kinds.fields import OptionsModel, Quantity
@@ -17,6 +17,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._point import PointOn, tracked
 from derive.kinds.robot._units import of_joints
+from derive.kinds.robot._velocity.linear import combined
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
@@ -42,6 +43,7 @@ class Options(OptionsModel):
 
 class Facts(PageFacts):
     rows: tuple[Symbol, ...]  # none where all are meant
+    where: Phrase  # the force acts
     revolute: bool
     moments: bool
 
@@ -58,7 +60,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         raise NotDerivable(f"{len(force)} components of the force for {which}; give one for each")
     work = task.board(Work(problem).given(F, column(force)))
     written = work.matrix(J).T * work[F]
-    work = work.line(TAU, transpose(J) * F, written, rule="virtual-work")
+    turned = transpose(J) * F
+    work = work.line(TAU, turned, written, value=_by_components(work, turned, force), rule="virtual-work")
     work = work.agrees(
         "work-done",
         task.symbols.union(*map(free_symbols, force)),
@@ -67,6 +70,13 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         DIFFERENCES,
     ).closed(TAU)
     return work.answer("statics", {"tau": work.final(TAU)}, _facts(task))
+
+
+def _by_components(work: Work, turned: Expr, force: tuple[Expr, ...]) -> Expr:
+    """J^T F with a term for each component of the force, where these are names."""
+    if not all(isinstance(each, Symbol) for each in force):
+        return work.problem.readable_matrix(work.value_matrix(turned))
+    return column(combined(zip(row, force, strict=True)) for row in work.matrix(J).T.rows)
 
 
 def _symbol(row: str, problem: Problem) -> Symbol:
@@ -98,6 +108,15 @@ def _by_work(task: Task, force: tuple[Expr, ...], at: Mapping[str, float]) -> An
 def _facts(task: Task) -> Facts:
     return Facts(
         rows=() if set(task.rows) >= {"vx", "vy", "vz", "wx", "wy", "wz"} else task.velocities,
+        where=_where(task.asked, task.point.name),
         revolute=all(joint.type == "revolute" for _, joint in task.found.moving),
         moments=any(row[0] == "w" for row in task.rows),
     )
+
+
+def _where(asked: PointOn | None, name: Symbol) -> Phrase:
+    if asked is None:
+        return Phrase("at-the-end-effector")
+    if asked.link is None:
+        return Phrase("at-an-origin", {"frame": asked.frame or 0})
+    return Phrase("at-a-point", {"point": name, "link": asked.link})

@@ -10,9 +10,10 @@ from functools import partial
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
+from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.floats import number
 from derive.derivation import Claim, Table
-from derive.expression import Symbol
+from derive.expression import Expr, Symbol
 from derive.kinds.checks import close, route
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._velocity.task import Task
@@ -23,20 +24,19 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 NEAR = 1e-7  # of an error, a step, relative to their sizes
-REACHED = 1e-9  # an error that is none: a table has zero below 1e-10
+REACHED = 1e-10  # an error that is none
 RANK, LEVEL = 1e-7, 1e-8  # a singular value, a slope that is none
 ROUNDING = 1e-14  # of an error
 
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One line of the table: its number, every name with the joint variables under their headings, the error
-    and half its square."""
+    """One line of the table: its number, every name with the joint variables under their headings, and the
+    error."""
 
     k: float
     at: dict[str, float]
     error: float
-    H: float
 
 
 @dataclass(frozen=True)
@@ -70,15 +70,22 @@ class Repeated:
         if len(rows) > 1:
             yield route("steps-repeated", (self._follows(*pair) for pair in pairwise(rows)))
         yield route("ended", self._ended(first, last, verdict) and self._went_on(rows, verdict))
-        told_rows = ([row.k, *(row.at[name] for name in names), row.error, row.H] for row in rows)
+        told_rows = ([row.k, *(row.at[name] for name in names), row.error, row.error**2 / 2] for row in rows)
         yield route("as-listed", map(partial(close, tolerance=NEAR), told_rows, listed))
         yield route("last-row", (told.get(name) == last.at[name] for name in names))
 
+    def stops(self, last: Mapping[str, float], J: Expr, e: Expr | None = None) -> Claim:
+        """That the Jacobian, and the error, that are shown are those of the last row."""
+        shown = [close(arrays(J, {}), self.task.numbers(last), NEAR)]
+        if e is not None:
+            shown.append(close(arrays(e, {}), self._gap(last), NEAR))
+        return route("there", shown)
+
     def _row(self, table: Table, row: Sequence[Any]) -> Row:
-        """By the headings: k, the joint variables, the error, H."""
-        k, *q, error, H = (number(cell, {}) for cell in row)
-        names = [heading.name for heading in table.headings[1:-2] if isinstance(heading, Symbol)]
-        return Row(k, {**self.here, **dict(zip(names, q, strict=True))}, error, H)
+        """By the headings: k, the joint variables, the error."""
+        k, *q, error = (number(cell, {}) for cell in row)
+        names = [heading.name for heading in table.headings[1:-1] if isinstance(heading, Symbol)]
+        return Row(k, {**self.here, **dict(zip(names, q, strict=True))}, error)
 
     def place(self, at: Mapping[str, float]) -> NDArray[Any]:
         """f(q)."""
@@ -102,9 +109,8 @@ class Repeated:
         return angle + 2 * math.pi * round((counted - angle) / (2 * math.pi))
 
     def _measured(self, row: Row) -> bool:
-        """Whether the error and H are those of its joint variables."""
-        error = math.hypot(*self._gap(row.at))
-        return abs(error - row.error) < NEAR and abs(error**2 / 2 - row.H) < NEAR * max(1.0, error)
+        """Whether the error is that of its joint variables."""
+        return abs(math.hypot(*self._gap(row.at)) - row.error) < NEAR
 
     def _follows(self, row: Row, after: Row) -> bool:
         """Newton: the least step with J dq = e, or nearest to it. Gradient: along J^T e, by the fixed step or
@@ -142,7 +148,7 @@ class Repeated:
                 return bool(error > REACHED and sizes[-1] <= RANK * sizes[0])
             case "stuck":
                 return bool(error > REACHED and np.linalg.norm(J.T @ e) <= LEVEL * error)
-        return last.error > REACHED / 10 and (verdict == "diverging") == (last.error > first.error)
+        return last.error > REACHED and (verdict == "diverging") == (last.error > first.error)
 
 
 def _nearest(J: NDArray[Any], e: NDArray[Any], dq: NDArray[Any]) -> bool:

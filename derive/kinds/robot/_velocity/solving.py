@@ -16,10 +16,13 @@ from derive.expression import (
     Call,
     Expr,
     Matrix,
+    Number,
+    Power,
     Product,
     Symbol,
     add,
     column,
+    factors_of,
     is_negative,
     multiply,
     squared,
@@ -29,6 +32,7 @@ from derive.expression import (
 from derive.expression import replace as replaced
 from derive.kinds.problem import Problem
 from derive.kinds.robot._determinants import as_product, determinant, natural
+from derive.kinds.robot._velocity.linear import collected
 from derive.kinds.robot._velocity.task import Task
 from derive.kinds.work import Work
 from derive.mechanics.minors import minors
@@ -41,7 +45,8 @@ ADJ = Call("adj", (J,))
 @dataclass(frozen=True, slots=True)
 class Solved:
     """The board with the lines to qdot, and that written out; `exact` over `det` is its normal form. `zero`
-    is the equation of the configurations in which it fails."""
+    is the equation of the configurations in which it fails, without the factors that are known not to vanish
+    (`apart`)."""
 
     way: str
     work: Work
@@ -49,6 +54,7 @@ class Solved:
     exact: ScalarMatrix
     det: Scalar
     zero: tuple[Expr, ...]
+    apart: Expr = ONE
 
 
 def by_inverse(task: Task) -> Solved:
@@ -65,12 +71,31 @@ def by_inverse(task: Task) -> Solved:
     tree = as_product(problem, det, variables)
     inverse, shown = Call("inverse", (J,)), _over(tree, problem.readable_matrix(adjugate))
     exact = adjugate @ normal_matrix(velocity)
-    qdot = column(quotient(problem, entry, det, variables) for entry in exact.entries)
+    qdot = column(quotient(problem, entry, det, variables, task.velocities) for entry in exact.entries)
     work = task.board().knowing({V: velocity})
     work = work.line(determinant(J), value=tree, rule="determinant", label="det")
     work = work.line(inverse, ADJ / determinant(J), value=shown, rule="adjugate", label="adj")
     work = work.line(RATES, inverse * V, value=qdot, rule="solve", label="qdot").closed(RATES)
-    return Solved("adjugate", work, qdot, exact, det, (_unsigned(tree), ZERO))
+    kept, apart = _vanishing(problem, _unsigned(tree))
+    return Solved("adjugate", work, qdot, exact, det, (kept, ZERO), apart)
+
+
+def _vanishing(problem: Problem, det: Expr) -> tuple[Expr, Expr]:
+    """The factors that may vanish, and those that the sheet says do not."""
+    apart = [each for each in factors_of(det) if _never_zero(problem, each)]
+    kept = [each for each in factors_of(det) if each not in apart]
+    return (multiply(*kept), multiply(*apart)) if kept else (det, ONE)
+
+
+def _never_zero(problem: Problem, factor: Expr) -> bool:
+    match factor:
+        case Number(value):
+            return value != 0
+        case Power(base, _):
+            return _never_zero(problem, base)
+        case Symbol(name):
+            return problem.assumptions.get(name) in ("positive", "nonzero")
+    return False
 
 
 def _unsigned(tree: Expr) -> Expr:
@@ -138,15 +163,22 @@ def _by_gram(task: Task, gram: ScalarMatrix, det: Scalar) -> tuple[Work, Matrix,
     problem, variables = task.problem, task.found.variables
     adjugate = gram.adjugate()
     exact = adjugate @ (task.J.T @ normal_matrix(column(task.velocities)))
-    qdot = column(quotient(problem, entry, det, variables) for entry in exact.entries)
+    qdot = column(quotient(problem, entry, det, variables, task.velocities) for entry in exact.entries)
     tree = as_product(problem, det, variables)
     work = Work(problem).line(determinant(A), value=tree, rule="determinant", label="det")
     shown = ONE / determinant(A) * problem.readable_matrix(adjugate)
     return work.line(Call("inverse", (A,)), value=shown, rule="adjugate", label="A_inv"), qdot, exact
 
 
-def quotient(problem: Problem, top: Scalar, bottom: Scalar, variables: tuple[str, ...]) -> Expr:
-    """A fraction without what both sides share, its denominator factored."""
+def quotient(
+    problem: Problem,
+    top: Scalar,
+    bottom: Scalar,
+    variables: tuple[str, ...],
+    components: tuple[Symbol, ...] = (),
+) -> Expr:
+    """A fraction without what both sides share, its denominator factored, and a sign in front of it; with
+    `components` above a term for each of these."""
     if not top:
         return ZERO
     if top.denominator is None and bottom.denominator is None:
@@ -154,11 +186,18 @@ def quotient(problem: Problem, top: Scalar, bottom: Scalar, variables: tuple[str
         number = _shared_number(problem, bottom, variables)
         top, bottom = top / number, bottom / number
     if bottom.constant is not None:
-        return problem.readable(top / bottom)
+        return _above(problem, top / bottom, components)
     below = as_product(problem, bottom, variables)
     if is_negative(below):
         top, below = -top, -below
-    return problem.readable(top) / below
+    above = _above(problem, top, components)
+    if components and is_negative(above):
+        return -(_above(problem, -top, components) / below)
+    return above / below
+
+
+def _above(problem: Problem, value: Scalar, components: tuple[Symbol, ...]) -> Expr:
+    return collected(problem, value, components) if components else problem.readable(value)
 
 
 def _shared_number(problem: Problem, value: Scalar, variables: tuple[str, ...]) -> Scalar:

@@ -104,7 +104,7 @@ def _half(
     variables = tuple(rate.name.removesuffix("_dot") for rate in rates)
     known = normal_matrix(column(_components(vector)))
     exact = J.adjugate() @ known
-    found = tuple(quotient(problem, entry, det, variables) for entry in exact.entries)
+    found = tuple(quotient(problem, entry, det, variables, _components(vector)) for entry in exact.entries)
     block = Symbol(name)
     work = work.line(block, value=J, rule="block")
     tree = as_product(problem, det, variables)
