@@ -154,6 +154,10 @@ class Table:
     headings: tuple[Cell, ...]
     rows: tuple[tuple[Cell, ...], ...]
 
+    def __post_init__(self) -> None:
+        if any(len(row) != len(self.headings) for row in self.rows):
+            raise ValueError("each row of a table has a cell under each heading")
+
 
 Place: TypeAlias = tuple[float, float]  # to the right and up
 Curve: TypeAlias = tuple[tuple[float, ...], tuple[float, ...]]  # to the right, and up

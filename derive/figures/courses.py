@@ -8,7 +8,7 @@ from math import degrees, isclose
 from derive.derivation import Label, Panels, Phrase, Place, Plot, Said
 from derive.expression import Approximate, Expr, Relation, Symbol
 from derive.figures.axes import IN_TIME, axis, short
-from derive.mechanics.course import Course, Points, extremes, sampled
+from derive.mechanics.course import Course, Points, extremes, is_joined, sampled
 from derive.mechanics.profile import Sort
 
 NAMES = tuple(map(Symbol, ("q", "q_dot", "q_ddot")))
@@ -35,7 +35,10 @@ def panels(
     through: Sequence[Place] = (),
 ) -> Panels:
     """Three plots, one above the other; `courses` are named as in the legend, `moments` on the axis of time,
-    `limits` are those of velocity and acceleration. A course goes `through` places at times."""
+    `limits` are those of velocity and acceleration. A course goes `through` places at times. Raises
+    ValueError where one has a gap."""
+    if not all(map(is_joined, courses.values())):
+        raise ValueError("a course has a gap")
     turned = sort == "angle" and in_degrees
     units = IN_DEGREES if turned else UNITS.get(sort, ("", "", ""))
     plots = []

@@ -35,6 +35,7 @@ def links(steps: Iterable[Step], names: Names) -> tuple[Claim, ...]:
     exact = [(name, [expr for expr in chain if not _rounded(expr)]) for name, chain in chains]
     walk_of = walk_over([expr for _, chain in exact for expr in chain], names)
     found = [_link(name, chain, walk_of) for name, chain in exact if len(chain) > 1]
+    found += [_circular(step) for step in inner if _defines_itself(step)]
     found += [claim for name, chain in chains for claim in _in_floats(name, chain, walk_of)]
     return (*found, *(in_its_instance(step, names) for step in inner if step.rule == "law" and step.instance))
 
@@ -45,6 +46,16 @@ def _with_content(step: Step, names: Names) -> tuple[Expr, ...]:
     if isinstance(head, Symbol | Indexed) and (head not in names or names[head] in rest):
         return tuple(dict.fromkeys(rest))
     return step.chain
+
+
+def _defines_itself(step: Step) -> bool:
+    """Whether a name stands in the formulas that say what it is."""
+    head, *formulas = step.chain or (None,)
+    return isinstance(head, Symbol | Indexed) and any(head in walk(expr) for expr in formulas)
+
+
+def _circular(step: Step) -> Claim:
+    return Claim("links", NORMAL_FORM, False, {"step": step.name}, link=True)
 
 
 def _link(name: str, chain: Sequence[Expr], walk_of: Walk) -> Claim:

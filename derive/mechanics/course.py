@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
+from math import isclose
 
 SAMPLES = 160  # over the whole course
+CLOSE = 1e-9  # of places where pieces meet
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,6 +32,17 @@ class Piece:
 
 Course = tuple[Piece, ...]
 Points = tuple[tuple[float, ...], tuple[float, ...]]
+
+
+def is_joined(course: Sequence[Piece]) -> bool:
+    """Whether it begins at the time 0, and each piece begins when and where the one before it ends."""
+    if course[0].start:
+        return False
+    size = max(abs(piece.at(t)) for piece in course for t in (piece.start, piece.end))
+    return all(
+        isclose(a.end, b.start) and isclose(a.at(a.end), b.at(b.start), rel_tol=CLOSE, abs_tol=CLOSE * size)
+        for a, b in pairwise(course)
+    )
 
 
 def at(course: Sequence[Piece], t: float, order: int = 0) -> float:

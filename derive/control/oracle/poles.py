@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import pi
 
 VERDICTS = frozenset({"stable", "integrator", "oscillator", "unstable"})
 NEAR = 1e-5  # of its size: how far a root lies from the axis that may lie on it, repeated ones among them
+SEEN = 0.1  # of the last value: how large a mode is that is seen
 ON = 1e-11  # what a polynomial comes to at a root on the axis, as a share of its terms
 
 
@@ -41,6 +43,25 @@ def on_right(coefficients: Sequence[float]) -> tuple[int, int]:
     found = roots_of(coefficients)
     least = sum(root.real > NEAR * abs(root) for root in found)
     return least, sum(root.real > -NEAR * abs(root) for root in found if root)
+
+
+def worth_seeing(num: Sequence[float], den: Sequence[float]) -> float:
+    """The least time over which a step response shows what it does [s]: the longest time constant of what is
+    seen to decay, or twenty periods of the fastest swing; zero where something grows."""
+    import numpy
+
+    found = [root for root in roots_of(den) if root]
+    if any(root.real > NEAR * abs(root) for root in found):
+        return 0.0
+    with numpy.errstate(divide="ignore"):  # a root that comes twice: it is seen
+        slopes = numpy.abs(numpy.polyval(numpy.polyder(numpy.array(den)), found) * found)
+        sizes = numpy.abs(numpy.polyval(numpy.array(num), found)) / slopes
+    seen = [
+        root for root, size in zip(found, sizes, strict=True) if size > SEEN * abs(num[-1] / (den[-1] or 1))
+    ]
+    slow = max((1 / -root.real for root in seen if root.real < -NEAR * abs(root)), default=0.0)
+    swing = max((abs(root.imag) for root in found), default=0.0)
+    return min(slow, 40 * pi / swing) if swing else slow
 
 
 def is_zero_at(coefficients: Sequence[float], root: complex) -> bool:

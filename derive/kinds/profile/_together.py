@@ -8,9 +8,9 @@ from functools import cached_property
 
 from derive.algebra.numbers.floats import Point
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Cell, Claim, Phrase, Record, Result, Said, Step, Table
+from derive.derivation import Cell, Claim, Phrase, Record, Result, Said, Step, Table, as_matrix
 from derive.errors import NotDerivable
-from derive.expression import Expr, Matrix, Relation, Symbol, column, number
+from derive.expression import Expr, Relation, Symbol, column, number
 from derive.kinds.checks import close, route
 from derive.kinds.fields import TREES
 from derive.kinds.problem import Problem
@@ -68,16 +68,20 @@ class Together:
     def _about(self, axis: Solved, prefix: str, k: int, together: TogetherTold) -> Iterator[Claim]:
         """The claims of an axis, also for what the results and the table say of axis k."""
         steps = {step.name: step for step in (*steps_of(axis, prefix), *self.steps)}
-        results = self.results() if k else {}
-        said = {
-            name: [result.rows[k - 1][0]] for name, result in results.items() if isinstance(result, Matrix)
-        }
+        said = self._results_of(k) if k and not self.infeasible else {}
         if k and (table := together.table):
             for name, cell in zip(NAMES, table.rows[k - 1][2:], strict=True):
                 said.setdefault(name, []).extend([cell] if isinstance(cell, TREES) else [])
         shown = (together.axes[k - 1],) if k else together.alone[self.alone.index(axis) :]
         told_of = next(iter(shown), None) or told(axis, prefix, among=True, again=k == self.place)
         return claims_about(axis, steps, told_of, said)
+
+    def _results_of(self, k: int) -> dict[str, list[Expr]]:
+        """What the results say of axis k: each is a column over the axes, but for the time they share."""
+        found = self.results()
+        columns = {name: as_matrix(found[name], name) for name in NAMES if name != "t_3"}
+        shared = [found["t_3"]] if isinstance(found["t_3"], TREES) else []
+        return {"t_3": shared} | {name: [each.rows[k - 1][0]] for name, each in columns.items()}
 
     def _slowest_again(self, said: TogetherTold) -> Claim:
         """The time of all is the longest that any axis needs by search, and is told to be that axis's; the

@@ -22,10 +22,11 @@ NEARLY, LONGER = 1e-6, 1.2  # of the time that is simulated
 
 @dataclass(frozen=True, slots=True)
 class Files:
-    """The scripts, with how long the response takes and the polynomial of its motions, in numbers."""
+    """The scripts, with how long the response takes and its polynomials, in numbers."""
 
     texts: Mapping[str, str]
     takes: float
+    num: Sequence[float]
     den: Sequence[float]
 
 
@@ -102,6 +103,7 @@ def _simulates(name: str, text: str, held: Held, files: Files) -> Iterator[bool]
     yield held.controller is None or reference not in held.system.names
     stop = script.names["stop"].real
     yield files.takes * (1 - NEARLY) <= stop <= files.takes * LONGER
+    yield stop >= poles.worth_seeing(files.num, files.den)
 
 
 def _said(held: Held, files: Files, told: Facts) -> Iterator[bool]:

@@ -111,7 +111,7 @@ class Array:
 
 
 def law_step(array: Array) -> Step:
-    """How an entry follows from the two rows above it, tried on the first that does, or else on numbers."""
+    """How an entry follows from the two rows above it, tried on an array of numbers."""
     i, j = Symbol("i"), Symbol("j")
 
     def named(up: int, column: Expr) -> Indexed:
@@ -120,21 +120,13 @@ def law_step(array: Array) -> Step:
 
     pivot, after = named(1, ONE), j + ONE
     law = (pivot * named(2, after) - named(2, ONE) * named(1, after)) / pivot
-    return Step("law", (named(0, j), law), "law", instance=_instance((named(0, j), law), array))
+    names = dict.fromkeys(
+        node for side in (named(0, j), law) for node in walk(side) if isinstance(node, Indexed)
+    )
+    return Step("law", (named(0, j), law), "law", instance=_at(names, IN_NUMBERS, 3))
 
 
 IN_NUMBERS = tuple(tuple(map(number, row)) for row in ((5, 3, 0), (2, 8, 0), (-17, 0, 0)))
-
-
-def _instance(law: tuple[Expr, ...], array: Array) -> dict[Expr, Expr]:
-    """What its names stand for at the first entry that is found by it from others that are not zero, by their
-    indices; where none is, in an array of numbers."""
-    names = dict.fromkeys(node for side in law for node in walk(side) if isinstance(node, Indexed))
-    found = (k for k, row in enumerate(array.rows, 1) if k > 2 and row.origin == "formula")
-    cases = (_at(names, array.trees, k) for k in found)
-    others = [name for name in names if name != law[0]]
-    telling = (case for case in cases if ZERO not in (case[name] for name in others))
-    return next(telling, _at(names, IN_NUMBERS, 3))
 
 
 def _at(names: Iterable[Indexed], trees: Sequence[Sequence[Expr]], i: int) -> dict[Expr, Expr]:

@@ -46,6 +46,7 @@ def proofs(
     yield route("modes", _transforms_back(response, transfer, sizes))
     times, values = (each[1:FIRST] + each[FIRST::EVERY] for each in (response.times, response.values))
     yield route("inverse-transform", seen.follows(times, values))
+    yield route("long-enough", response.times[-1] >= poles.worth_seeing(num, den))
     yield route("verdict", _courses(told, den, seen))
     yield route("poles-as-printed", _roots(told.poles, den))
     yield route(

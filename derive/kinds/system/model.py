@@ -63,7 +63,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
         _facts(answer, options, bool(plots)),
     )
     held = Held(problem, system.input, options.controller, dict(options.evaluate or ()))
-    work = work.claim(*proofs(held, Files(files, takes, numeric.numbers()[1]), told))
+    work = work.claim(*proofs(held, Files(files, takes, *numeric.numbers()), told))
     return work.answer("model", results, told, plots=plots, files=files)
 
 

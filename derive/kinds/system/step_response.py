@@ -28,8 +28,8 @@ from derive.kinds.work import Work
 
 SUBJECTS = ("system", "motor")
 CLAIMS = (
-    "proper", "in-complex-numbers", "as-large-as-poles", "modes", "inverse-transform", "verdict",
-    "poles-as-printed", "as-said", "figures|no-figures", "as-marked",
+    "proper", "in-complex-numbers", "as-large-as-poles", "modes", "inverse-transform", "long-enough",
+    "verdict", "poles-as-printed", "as-said", "figures|no-figures", "as-marked",
 )  # fmt: skip
 CLAIMED = dict.fromkeys(("overshoot", "rise_time", "settling_time"), "figures")
 UNITS = {"angle": "rad", "speed": "rad/s"}  # of what a motor turns
