@@ -12,7 +12,9 @@ from derive.algebra.readable.terms import Alphabet, Monomial, Terms, divided, te
 
 
 def common(terms: Terms) -> Monomial:
-    """The greatest monomial that divides every term."""
+    """The greatest monomial that divides every term; of no terms the empty one."""
+    if not terms:
+        return ()
     monomials = [dict(m) for m in terms]
     shared = set(monomials[0]).intersection(*monomials[1:])
     return tuple((atom, min(m[atom] for m in monomials)) for atom in sorted(shared))

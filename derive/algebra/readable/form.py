@@ -21,7 +21,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import walk_in
 from derive.algebra.rationals import as_fraction, measure
 from derive.algebra.readable.angle_sums import contracted
-from derive.algebra.readable.by_mass import nested
+from derive.algebra.readable.by_rate import nested
 from derive.algebra.readable.terms import Alphabet, Style, Terms, terms_of
 from derive.algebra.readable.writing import Writing
 from derive.algebra.ring import Ring, ring

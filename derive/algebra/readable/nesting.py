@@ -96,7 +96,7 @@ class Nesting:
         best: Plan = self.flat(terms)
         for part, aside in self._parts(terms):
             best = self._split(terms, part, aside, best.price) or best
-        others = self._taken_out(terms, (), number) if number != 1 else self._factored(terms)
+        others = self._taken_out(terms, (), number) if number != 1 else self.factored(terms)
         return cheapest((best, *others))
 
     def _greedy(self, terms: Terms) -> Plan:
@@ -104,7 +104,7 @@ class Nesting:
         shared = common(terms)
         if shared:
             return self._over_common(terms, shared, self.plan)
-        factored = self._factored(terms) if self.budget > 0 and len(terms) <= MOST_FACTORED else []
+        factored = self.factored(terms) if self.budget > 0 and len(terms) <= MOST_FACTORED else []
         part, aside = next(self._parts(terms), (Terms(), 0.0))
         split = self._split(terms, part, aside, inf)
         return cheapest([*factored, split or self.flat(terms)])
@@ -141,7 +141,8 @@ class Nesting:
             self.product(shared, n, ((self.plan(divided_by(terms, shared, n)), 1),)) for n in sorted(numbers)
         ]
 
-    def _factored(self, terms: Terms) -> list[Plan]:
+    def factored(self, terms: Terms) -> list[Plan]:
+        """As a product of sums, or as a power of one, where it is one."""
         if len(terms) in (2, 5, 7) or is_irreducible(terms):
             return []  # no product of two sums, and no square, has so many terms
         scale, factors = factors_of(terms)

@@ -111,6 +111,21 @@ class Alphabet:
             return all(MASSES.match(name) for name, _ in self._linear(atom).parts)
         return found.kind == "symbol" and bool(MASSES.match(str(found.what)))
 
+    def names(self, atom: int) -> frozenset[str]:
+        """The letters of a symbol or of a sum of symbols; none of another atom."""
+        return (
+            frozenset(name for name, _ in self._linear(atom).parts) if self.is_letter(atom) else frozenset()
+        )
+
+    def is_rate(self, atom: int) -> bool:
+        """Whether an atom is a rate or an acceleration, or a sum of such."""
+        names = self.names(atom)
+        return bool(names) and all(map(RATES.search, names))
+
+    def is_gravity(self, atom: int) -> bool:
+        """Whether an atom is g."""
+        return {place_of(name) for name in self.names(atom)} == {Place.GRAVITY}
+
     def is_letter(self, atom: int) -> bool:
         """Whether it is a symbol or a sum of symbols."""
         found = self.atoms[atom]
@@ -150,6 +165,8 @@ class Alphabet:
         if isinstance(what, Opaque):
             return (Place.ROOT, what)
         letters = self.style.letters
+        if place_of(what) is Place.RATE:  # theta1_dot d_dot, in the order of the joints
+            return (Place.RATE, len(letters), *self._rank(RATES.sub("", what)), what)
         return (place_of(what), letters.index(what) if what in letters else len(letters), natural(what))
 
     def _lump_key(self, form: Form) -> SortKey:

@@ -19,9 +19,11 @@ from derive.expression import (
     Number,
     Power,
     Product,
+    Quotient,
     Sum,
     add,
     factors_of,
+    free_symbols,
     is_negative,
     multiply,
     negate,
@@ -72,7 +74,7 @@ class Writing:
         factors = [(self._place_of_letter(atom), alphabet.expression(atom, power)) for atom, power in letters]
         for plan, power in sums:
             expr = self.tree(plan)
-            if _all_negative(expr):
+            if _all_negative(expr) or _mostly_negative(expr):
                 expr, coefficient = opposite(expr), coefficient * (-1) ** power
             if power == 1 and isinstance(expr, Product) and isinstance(expr.factors[0], Number):
                 coefficient, expr = coefficient * expr.factors[0].value, multiply(*expr.factors[1:])
@@ -185,6 +187,25 @@ def positive_first(terms: Sequence[Expr]) -> Expr:
 
 def _all_negative(expr: Expr) -> bool:
     return all(map(is_negative, terms_of(expr)))
+
+
+def _mostly_negative(expr: Expr) -> bool:
+    """Whether a sum of letters has more with a minus: -(4 l^2 - b^2) rather than (b^2 - 4 l^2), so that the
+    sign is seen and a sum that comes again looks the same."""
+    terms = terms_of(expr)
+    if any(isinstance(node, Call) for node in walk(expr)) or not all(map(free_symbols, terms)):
+        return False
+    return sum(map(_coefficient, terms)) < 0
+
+
+def _coefficient(term: Expr) -> Fraction:
+    """The number in front of a term."""
+    match term:
+        case Product((Number(value), *_)):
+            return value
+        case Quotient(top, Number(value)):
+            return _coefficient(top) / value
+    return Fraction(1)
 
 
 def opposite(expr: Expr) -> Expr:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from derive.derivation import Derivation
-from derive.expression import ZERO, add, column
+from derive.expression import ZERO, column
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
@@ -13,7 +13,7 @@ from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.drives import Facts as Facts
 from derive.kinds.robot._dynamics.drives import friction_sorts, friction_told
 from derive.kinds.robot._dynamics.index_laws import motion_law
-from derive.kinds.robot._dynamics.terms import equation, equations
+from derive.kinds.robot._dynamics.terms import equation, equations, written_out
 from derive.kinds.robot._units import of_joints, together
 from derive.kinds.robot.inertia_matrix import Facts as InertiaFacts
 from derive.kinds.work import Work
@@ -48,9 +48,11 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     viscous, coulomb = friction_sorts(robot)
     work, found = work.showing(motion_law(problem.taken, viscous, coulomb)), equations(problem)
     if not big:
-        lines = (equation(f"tau_{k}", terms, "euler-lagrange") for k, terms in enumerate(found, 1))
+        lines = (
+            equation(f"tau_{k}", terms, "euler-lagrange", problem.style) for k, terms in enumerate(found, 1)
+        )
         work = work.showing(*lines)
-    tau = column(add(*(term.written for term in terms)) for terms in found)
+    tau = column(written_out(terms, problem.style) for terms in found)
     work = arm.moved(work, tau)
     results = {"D": arm.inertia.results["D"], **speed.results, **weight.results, "tau": tau}
     work = by_index(work, results)

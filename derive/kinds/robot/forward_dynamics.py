@@ -79,7 +79,10 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         raise NotDerivable("D is singular: some joint moves without moving a mass, give the links inertia")
     by_names = normal_matrix(names)
     det, adjugate = readable(by_names.det()), readable_matrix(by_names.adjugate())
-    rest = [equation(f"h_{k}", _rest(terms), "rest") for k, terms in enumerate(equations(problem), 1)]
+    rest = [
+        equation(f"h_{k}", _rest(terms), "rest", problem.style)
+        for k, terms in enumerate(equations(problem), 1)
+    ]
     work, long = work.step(*rest), n > MOST_REDUCED or arm.long
 
     def written(expr: Expr) -> Expr:

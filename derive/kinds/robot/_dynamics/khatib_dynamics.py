@@ -6,13 +6,14 @@ from collections.abc import Iterable
 
 from derive.algebra.normal import normal_matrix
 from derive.derivation import Derivation
-from derive.expression import ZERO, Expr, Sum, Symbol, add, column, multiply, symbols, terms_of, transpose
+from derive.expression import ZERO, Expr, Sum, Symbol, add, column, symbols, transpose
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._dynamics.drives import Facts, friction_terms
+from derive.kinds.robot._dynamics.terms import equations, written_out
 from derive.kinds.robot.coriolis_matrices import MEANINGS
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import gravity_of
@@ -31,12 +32,7 @@ def khatib_dynamics(problem: Problem) -> Derivation:
     rubs = any(friction)
     if rubs:
         work = work.knowing({F: column(add(*terms) for terms in friction)})
-    tau = column(
-        add(*map(multiply, row, arm.accelerations), *terms_of(v), *terms_of(weight), *rubbing)
-        for row, (v,), (weight,), rubbing in zip(
-            work.matrix(M).rows, work.matrix(V).rows, g.rows, friction, strict=True
-        )
-    )
+    tau = column(written_out(terms, problem.style) for terms in equations(problem))
     work = work.linked() if arm.long else work  # lines in names: nothing to compare
     bodies = weighted(problem, chain_of(problem))
     heavy = [body for body in bodies if body.body.mass != ZERO]
