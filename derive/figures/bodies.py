@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
+from math import acos, cos, sin
 from typing import TypeAlias
 
 from derive.algebra.numbers.floats import number
 from derive.derivation import Caption, Stroke
 from derive.errors import NotDerivable
+from derive.expression import free_symbols
 from derive.figures.view import Vector, View, along, between, cross, dot, unit
 from derive.figures.wish import Polyhedron
 
 SHARES = 24  # pieces of an edge that are looked at
 NEAR = 1e-6  # of the size of a body
+ARC = 0.3  # of the shorter edge: the radius of an angle
 Face: TypeAlias = tuple[Vector, ...]
 
 
@@ -30,8 +33,7 @@ def corners_of(
 def drawn(body: Polyhedron, places: Mapping[str, Vector], view: View) -> tuple[list[Stroke], list[Stroke]]:
     """The faces that look at the reader, from back to front, and all edges. Raises NotDerivable for a face
     that is not flat."""
-    if unknown := [name for face in body.faces for name in face if name not in places]:
-        raise NotDerivable(f"there is no corner {unknown[0]}")
+    _known([name for face in body.faces for name in face], places)
     faces = [tuple(places[name] for name in face) for face in body.faces]
     for face, names in zip(faces, body.faces, strict=True):
         if not _flat(face):
@@ -54,8 +56,7 @@ def lengths(
     """The names of lengths by their edges. Raises NotDerivable where one is not as long as is said."""
     middle = view.place(_middle(tuple(places[name] for face in body.faces for name in face)))
     for one, other, name in body.lengths:
-        if unknown := [corner for corner in (one, other) if corner not in places]:
-            raise NotDerivable(f"there is no corner {unknown[0]}")
+        _known((one, other), places)
         a, b = places[one], places[other]
         long = dot(between(a, b), between(a, b)) ** 0.5
         if abs(long - number(name, point)) > NEAR * max(1.0, long):
@@ -68,6 +69,36 @@ def lengths(
         back = (-side[0], -side[1])
         others = tuple((spot, turned) for spot in spots for turned in (side, back))
         yield Caption(spots[0], name, side, "length", others[1:])
+
+
+def angles(
+    body: Polyhedron, places: Mapping[str, Vector], point: Mapping[str, float], view: View
+) -> Iterator[tuple[Stroke, Caption]]:
+    """An arc at the vertex of each angle, and its name. Raises NotDerivable where one is not as large as is
+    said."""
+    for one, vertex, other, name in body.angles:
+        _known((one, vertex, other), places)
+        ways = [between(places[vertex], places[corner]) for corner in (one, other)]
+        a, b = map(unit, ways)
+        whole = acos(max(-1.0, min(1.0, dot(a, b))))
+        if free_symbols(name) <= point.keys() and abs(number(name, point) - whole) > NEAR:
+            raise NotDerivable(f"the angle at {vertex} is not as large as is said")
+        far = ARC * min(dot(way, way) ** 0.5 for way in ways)
+        across = unit(along(b, (-dot(a, b), a)))
+        turns = (whole * k / SHARES for k in range(SHARES + 1))
+        arc = [
+            view.place(along(places[vertex], (far * cos(turn), a), (far * sin(turn), across)))
+            for turn in turns
+        ]
+        foot, middle = view.place(places[vertex]), arc[SHARES // 2]
+        towards = middle[0] - foot[0], middle[1] - foot[1]
+        yield Stroke(tuple(arc), "thin"), Caption(middle, name, towards, "angle")
+
+
+def _known(names: Iterable[str], places: Mapping[str, Vector]) -> None:
+    """Raises NotDerivable for a corner that is none."""
+    if unknown := [name for name in names if name not in places]:
+        raise NotDerivable(f"there is no corner {unknown[0]}")
 
 
 def _edge(a: Vector, b: Vector, faces: Sequence[Face], view: View) -> Iterator[Stroke]:

@@ -49,6 +49,9 @@ def of_frames(frames: Frames, where: Mapping[str, Expr], wish: Wish) -> Drawing:
         faces, edges = bodies.drawn(wish.body, corners, view)
         strokes += [*faces, *edges]
         captions += bodies.lengths(wish.body, corners, point, view)
+        for arc, name in bodies.angles(wish.body, corners, point, view):
+            strokes.append(arc)
+            captions.append(name)
     else:
         for frame in frames.frames:
             ends = origins[f"o{frame.parent}"], origins[f"o{frame.number}"]
@@ -62,13 +65,13 @@ def of_frames(frames: Frames, where: Mapping[str, Expr], wish: Wish) -> Drawing:
     texts = (*(text for _, text in (*arrows, *signs)), *origin_names(view, named), *captions)
     ways = sum(stroke.role == "way" for stroke in strokes)
     apart_ = "frames-together" if not ways else "frames" if ways == len(frames.frames) else "frames-partly"
-    name = "frames-on-body" if wish.body else apart_
+    key = "frames-on-body" if wish.body else apart_
     about: dict[str, Said] = {"last": Symbol(f"o{len(poses) - 1}")}
     return Drawing(
         "figure",
         tuple(strokes),
         texts,
-        Phrase(name, about),
+        Phrase(key, about),
         Phrase(
             "frames-on-body-seen" if wish.body else "frames-seen", {"frames": tuple(_seen(poses)), **about}
         ),

@@ -14,11 +14,13 @@ Point: TypeAlias = tuple[Expr, Expr, Expr]
 @dataclass(frozen=True, slots=True)
 class Polyhedron:
     """A body with flat faces, in frame 0: corners by their names (o0, o1, ... are the origins of the frames),
-    faces by their corners in order, and edges with the length that is written beside them."""
+    faces by their corners in order, edges with the length that is written beside them, and angles (corner,
+    vertex, corner) with their names."""
 
     corners: Mapping[str, Point]
     faces: tuple[tuple[str, ...], ...]
     lengths: tuple[tuple[str, str, Expr], ...] = ()
+    angles: tuple[tuple[str, str, str, Expr], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

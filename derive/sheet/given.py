@@ -52,11 +52,13 @@ class GivenSheet(_Model):
 
 class GivenBody(_Model):
     """A body with flat faces, in frame 0. Corners are named, those at the origins of frames o0, o1, ...; a
-    face is the list of its corners in order; `lengths` writes a length beside an edge."""
+    face is the list of its corners in order; `lengths` writes a length beside an edge, `angles` the name of
+    an angle (corner, vertex, corner) at its arc."""
 
     corners: Annotated[dict[Name, Point], Field(max_length=100)] = {}
     faces: Annotated[list[Annotated[list[Name], Field(min_length=3, max_length=50)]], Field(max_length=100)]
     lengths: Annotated[list[tuple[Name, Name, Quantity]], Field(max_length=100)] = []
+    angles: Annotated[list[tuple[Name, Name, Name, Quantity]], Field(max_length=100)] = []
 
 
 class GivenFigure(_Model):

@@ -240,7 +240,12 @@ def _wish(at: At, typed: GivenFigure, subject: str) -> Wish:
             raise at.error(f"{name} is drawn with a number, and {unknown[0]} is none", ("at", name))
     if not typed.body:
         return Wish(typed.at)
-    body = Polyhedron(typed.body.corners, tuple(map(tuple, typed.body.faces)), tuple(typed.body.lengths))
+    body = Polyhedron(
+        typed.body.corners,
+        tuple(map(tuple, typed.body.faces)),
+        tuple(typed.body.lengths),
+        tuple(typed.body.angles),
+    )
     return Wish(typed.at, body)
 
 

@@ -92,22 +92,29 @@ title: x
 problems:
 - frames: [{x: x0, y: y0, z: z0, origin: [a, b, 0]}]
   figure: {body: {corners: {p: [a, 0, 0], q: [0, b, 0], r: [0, 0, c], s: [a, b, c]},
-    faces: [[o0, p, o1, q], FACE], lengths: [[o0, p, LENGTH]]}}
+    faces: [[o0, p, o1, q], FACE], lengths: [[o0, p, LENGTH]], angles: [[p, o0, r, ANGLE]]}}
   find: transforms
 """
 
 
 @pytest.mark.parametrize(
-    ("face", "length", "said"),
+    ("face", "length", "angle", "said"),
     [
-        ("[o0, p, r]", "b", "the edge from o0 to p is not as long as is said"),
-        ("[o0, p, q, s]", "a", "the face o0, p, q, s is not flat"),
-        ("[o0, p, nowhere]", "a", "there is no corner nowhere"),
+        ("[o0, p, r]", "b", "90 deg", "the edge from o0 to p is not as long as is said"),
+        ("[o0, p, q, s]", "a", "90 deg", "the face o0, p, q, s is not flat"),
+        ("[o0, p, r]", "a", "80 deg", "the angle at o0 is not as large as is said"),
+        ("[o0, p, nowhere]", "a", "90 deg", "there is no corner nowhere"),
     ],
 )
-def test_a_body_that_cannot_be_is_a_fault(tmp_path: Path, face: str, length: str, said: str) -> None:
+def test_a_body_that_cannot_be_is_a_fault(
+    tmp_path: Path, face: str, length: str, angle: str, said: str
+) -> None:
     with pytest.raises(SheetErrors) as caught:
-        assemble(load_sheet(sheet(tmp_path, BODY.replace("FACE", face).replace("LENGTH", length))))
+        assemble(
+            load_sheet(
+                sheet(tmp_path, BODY.replace("FACE", face).replace("LENGTH", length).replace("ANGLE", angle))
+            )
+        )
     assert said in caught.value.errors[0].message
 
 
