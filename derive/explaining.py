@@ -10,8 +10,10 @@ from derive.derivation import Claim, Derivation
 from derive.json_back import read_json
 from derive.read_back import reading_of
 from derive.render.document import Document, QuestionPage
+from derive.render.foot import Proved
 from derive.render.json_result import render_json
 from derive.render.phrases import Speech, spoken
+from derive.render.printed import Reading
 
 WIDTH = 79
 MEANS = {"law": "law, exactly", "second-route": "second route", "number": "certain digits"}
@@ -23,6 +25,7 @@ def explained(documents: Iterable[Document]) -> Iterator[str]:
         for problem, question in document.questions():
             yield f"{document.name}, question {problem.number}.{question.number}, {question.find}"
             yield from _question(question)
+        yield from _in_all(document)
         yield from _unread(document)
 
 
@@ -65,6 +68,18 @@ def _not_compared(derivation: Derivation) -> Iterator[str]:
         yield from _wrapped(f"laws not tried: {', '.join(dict.fromkeys(laws))}")
     if derivation.alone:
         yield from _wrapped(f"results that no line could be compared with: {', '.join(derivation.alone)}")
+
+
+def _in_all(document: Document) -> Iterator[str]:
+    """How often each truth was tried, over the whole page."""
+    proved = Proved.of(document.verified(), Reading())
+    yield f"{document.name}, in all:"
+    yield from _wrapped(
+        f"{_counted(proved.steps, 'comparison')} of lines; {_counted(proved.laws, 'law')}, exactly; "
+        f"{_counted(proved.routes, 'comparison')} with a second route, "
+        f"at {_counted(proved.places, 'place')}; "
+        f"{_counted(proved.numbers, 'number')} with certain digits"
+    )
 
 
 def _unread(document: Document) -> Iterator[str]:

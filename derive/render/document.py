@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath
 from typing import Literal
@@ -16,6 +16,11 @@ from derive.render.printed import Printed
 
 LINES, FEWEST_LINES, LINES_A_MARK, MOST_LINES = 10, 4, 3, 30  # of room for an answer
 FIGURE = "_figure"  # the words about what is drawn of a subject, among those of its folder
+
+
+def _sum(marks: Iterable[int | None]) -> int | None:
+    each = [count for count in marks if count is not None]
+    return sum(each) if each else None
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,6 +105,11 @@ class ProblemPage:
     variables: tuple[str, ...] = ()  # of the joints of an arm
 
     @property
+    def marks(self) -> int | None:
+        """The sum of its marks, None where none are printed."""
+        return _sum(question.marks for question in self.questions)
+
+    @property
     def drawn_as(self) -> str:
         """The folder of the words about its figure: a motor is drawn as the system that it is."""
         return "system" if self.subject == "motor" else self.subject
@@ -125,8 +135,7 @@ class Document:
     @property
     def marks(self) -> int | None:
         """The sum of all marks, None where none are printed."""
-        each = [question.marks for _, question in self.questions() if question.marks is not None]
-        return sum(each) if each else None
+        return _sum(problem.marks for problem in self.problems)
 
     def questions(self) -> Iterator[tuple[ProblemPage, QuestionPage]]:
         for problem in self.problems:

@@ -18,6 +18,7 @@ from derive.render.document import Document
 from derive.render.figures import draw
 from derive.render.page import render_for_pandoc
 from derive.render.pandoc import pandoc, pandoc_from_tree
+from derive.render.plain_text import typographic
 from derive.render.printed import Reader, unread
 from derive.render.skin import Dressing, environment
 from derive.render.word_tree import in_word
@@ -57,7 +58,7 @@ def write_docx(document: Document, target: Path, read: Reader = unread) -> None:
 
 def _metadata(document: Document) -> dict[str, str]:
     return {
-        "title": document.title, "subtitle": document.course, "author": document.author,
+        "title": typographic(document.title), "subtitle": document.course, "author": document.author,
         "date": document.date, "lang": document.language,
     }  # fmt: skip
 

@@ -128,7 +128,7 @@ def _answer(
             written = _told(document, problem, question, worked, skin, its, so_far)
         told += [written] if kept else []
     if not told and document.solutions:
-        told.append(_above(problem, question, skin))
+        told.append(_above(problem, question, skin, so_far))
     if question.rounded and document.solutions:
         told.insert(0, environment().get_template("words/_rounded.j2").render(places=question.rounded))
     if question.derivation and document.solutions:
@@ -144,12 +144,14 @@ def _is_asked(worked: Worked, question: QuestionPage) -> bool:
     return question.derivation is not None and worked.derivation.results is question.derivation.results
 
 
-def _above(problem: ProblemPage, question: QuestionPage, skin: Skin) -> str:
+def _above(problem: ProblemPage, question: QuestionPage, skin: Skin, so_far: SoFar) -> str:
     """Where the answer stands, if an earlier question needed it already."""
-    results = question.derivation.results if question.derivation else None
+    if question.derivation is None:
+        return ""
+    results = question.derivation.results
     for earlier in problem.questions:
         if any(worked.derivation.results is results for worked in earlier.order):
-            return skin.above(earlier.number)
+            return skin.above(earlier.number, so_far.answer_of(question.derivation))
     return ""
 
 

@@ -13,7 +13,9 @@ from typing import TYPE_CHECKING
 from derive.render.document import Document
 from derive.render.failures import NoGlyphs, PdfFailed
 from derive.render.page import render_typst
+from derive.render.plain_text import typographic
 from derive.render.printed import Reader, unread
+from derive.render.skin import english
 
 if TYPE_CHECKING:
     from typst import Compiler
@@ -36,10 +38,12 @@ PAPERS = {"a4": "a4", "letter": "us-letter"}  # as Typst calls them
 
 def metadata(document: Document) -> dict[str, str]:
     """What a page template prints outside the body."""
-    byline = " · ".join(filter(None, (document.course, document.author, document.date)))
+    total = f"{document.marks} {english('marks')}" if document.marks and document.solutions else ""
+    byline = " · ".join(filter(None, (document.course, document.author, document.date, total)))
     return {
-        "title": document.title, "author": document.author, "byline": byline, "lang": document.language,
-        "course": document.course, "paper": PAPERS[document.paper],
+        "title": typographic(document.title), "author": document.author, "byline": byline,
+        "lang": document.language,
+        "course": typographic(document.course), "paper": PAPERS[document.paper],
     }  # fmt: skip
 
 

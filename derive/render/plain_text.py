@@ -38,6 +38,11 @@ TYPST_AS_IT_IS = frozenset(",()!;?%&|'")
 UNPRINTED = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
 
 
+def typographic(text: str) -> str:
+    """A text with the apostrophes of print."""
+    return re.sub(r"(?<=\w)'", "\N{RIGHT SINGLE QUOTATION MARK}", text)
+
+
 def typst_text(text: str) -> str:
     """Text for a Typst paragraph. A dollar and a backslash stand in no form that begins anything."""
     return TYPST_MARKUP.sub(_typst_sign, UNPRINTED.sub("", text))

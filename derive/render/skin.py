@@ -25,7 +25,7 @@ from jinja2.runtime import Context
 
 from derive.render.formulas import Formulas
 from derive.render.layout import Display
-from derive.render.plain_text import typst_string
+from derive.render.plain_text import typographic, typst_string
 from derive.render.untold import Withheld
 
 D = TypeVar("D", bound="Dressing")
@@ -201,6 +201,10 @@ class Skin:
     plain: Callable[[str], str]
     formulas: Formulas | None = None
 
+    def title(self, text: str) -> str:
+        """A title, with the apostrophes that texts have."""
+        return self.plain(typographic(text))
+
     def display(self, display: Display) -> str:
         """A displayed equation."""
         if self.formulas:
@@ -249,9 +253,10 @@ class Skin:
         """So many blank lines."""
         return self._macro("room", lines)
 
-    def above(self, number: int) -> str:
-        """The sentence of an answer that an earlier question needed already."""
-        return f"{english('above')} {number}."
+    def above(self, number: int, equation: str | None) -> str:
+        """The sentence of an answer that an earlier question needed already; its equation may be numbered."""
+        named = f", {english('equation')} {equation}" if equation else ""
+        return f"{english('above')} {number}{named}."
 
     def _macro(self, name: str, *arguments: Any) -> str:
         template = f"{self.name}/skin.j2"

@@ -95,12 +95,16 @@ class SoFar:
 
     def answer(self, kind: str, here: Derivation) -> str | None:
         """A reference to the answer of a kind, on which this derivation rests."""
-        used = [each.results for each in _used(here) if each.kind == kind]
-        return self._reference(
-            k
-            for k, each in self._of_the_problem()
-            if each.answer and any(each.of.results is results for results in used)
-        )
+        used = (self._answers(each) for each in _used(here) if each.kind == kind)
+        return self._reference(k for found in used for k in found)
+
+    def answer_of(self, derivation: Derivation) -> str | None:
+        """A reference to the answer that a derivation ends in."""
+        return self._reference(self._answers(derivation))
+
+    def _answers(self, derivation: Derivation) -> Iterator[int]:
+        told = self._of_the_problem()
+        return (k for k, each in told if each.answer and each.of.results is derivation.results)
 
     def _of_the_problem(self) -> Iterator[tuple[int, Equation]]:
         """The displays told last first."""

@@ -29,10 +29,11 @@ def write_html(document: Document, target: Path, read: Reader = unread) -> None:
         return f'<img{kind} src="data:{KINDS[path.suffix.lower()]};base64,{data}"'
 
     body = PICTURE.sub(picture, render_html(document, read))
+    said = metadata(document)
     page = (
         environment()
         .get_template("html/sheet.j2")
-        .render(document=document, body=body, byline=metadata(document)["byline"], font=_font())
+        .render(document=document, body=body, title=said["title"], byline=said["byline"], font=_font())
     )
     target.write_text(page, encoding="utf-8")
 

@@ -20,7 +20,7 @@ SLACK = 1.12  # Word's letters are wider than those that were measured,
 MOST = 1.35  # and those of other programs may be wider still
 NUMBER = 3.0  # em, for the number of an equation at the margin
 INSET = 140  # twentieths of a point, that a frame needs beside an equation
-TAGGED = re.compile(r"(.*?)\s*\\tag\{(\d+)\}", re.DOTALL)
+TAGGED = re.compile(r"(.*?)(?:\{\})?\s*\\tag\{(\d+)\}", re.DOTALL)
 CHARACTER, MARGIN = 0.56, 1.6  # em, of a text and beside a column
 
 

@@ -57,7 +57,7 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     for subject, kind in KINDS:
         assert "written: " in run(where, "tests.scaffold", subject, kind)
         page = run(where, "derive", f"exercises/{kind}.yaml", "--format", "md", "--output", "-")
-        assert "Verified: " in page, "it builds as it stands"
+        assert "Verified by computer: " in page, "it builds as it stands"
         assert "FILL IN" in run(where, "tests.scaffold", subject, kind)
     for path, text in FILLED.items():
         assert (where / path).is_file()
@@ -82,7 +82,7 @@ def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_a_kind_of_the_recipe_is_listed_and_answers(copy: Path, subject: str, kind: str) -> None:
     rows = [line for line in (copy / "README.md").read_text().splitlines() if f"`{kind}`" in line]
     assert [row.split("`")[1] for row in rows] == [subject]
-    assert "Verified: " in (copy / "output" / f"{kind}.md").read_text()
+    assert "Verified by computer: " in (copy / "output" / f"{kind}.md").read_text()
     assert run(copy, "ruff", "check", "derive/kinds").strip() == "All checks passed!"
 
 
@@ -99,7 +99,7 @@ def test_a_wrong_sign_in_a_kind_of_the_recipe_is_refused(copy: Path, subject: st
     said = run(copy, "derive", f"exercises/{kind}.yaml", "--format", "md", "--output", "-")
     module.write_text(right)
     assert "the answer failed its own check" in said
-    assert "Verified: " not in said
+    assert "Verified by computer: " not in said
 
 
 @pytest.mark.parametrize(
