@@ -31,6 +31,7 @@ from derive.verify import answered, in_decimals
 from derive.writing import Progress, render, write
 
 ODD = re.compile(r"[^\w.-]+")
+CHRISTOFFEL = re.compile(r"c_\d{3}$")
 NAMESAKES = "rename one, or build them into different folders with --output"
 Warn = Callable[[SheetError], None]
 Audit = Callable[[Sequence[Sheet], Sequence[Document]], object]
@@ -120,6 +121,7 @@ def assemble(sheet: Sheet, solutions: bool = True, warn: Warn = lambda _: None) 
     """The sheet with its answers, ready to be printed. Raises SheetErrors where there is no answer."""
     folder = _folder_name(_name(sheet, solutions))
     pages = each(sheet.problems, lambda problem: _page(sheet, problem, folder, solutions, warn))
+    pages = [*_told_apart(pages)]
     answers = [page.derivation for each_page in pages for page in each_page.questions if page.derivation]
     for needless in unused_letters(sheet.notation, answers):
         warn(needless)
@@ -150,6 +152,23 @@ def _undrawn(sheet: Sheet) -> Sheet:
     """The sheet without figures that its author did not ask for."""
     problems = (replace(problem, figure=problem.figure or False) for problem in sheet.problems)
     return replace(sheet, problems=tuple(problems))
+
+
+def _told_apart(pages: Sequence[ProblemPage]) -> Iterator[ProblemPage]:
+    """The pages, where no cosine is called as a Christoffel symbol of the sheet is: c_123."""
+    answers = (question.derivation for page in pages for question in page.questions if question.derivation)
+    symbols = meant_indices(
+        name for answer in answers for name in _results(answer) if CHRISTOFFEL.match(name)
+    )
+    for page in pages:
+        yield replace(page, notation=replace(page.notation, meant=page.notation.meant | symbols))
+
+
+def _results(answer: Derivation) -> Iterator[str]:
+    """The names of what was found, and of what it rests on."""
+    yield from answer.results
+    for used in answer.uses:
+        yield from _results(used)
 
 
 def _shown_once(pages: Sequence[ProblemPage]) -> Iterator[ProblemPage]:

@@ -47,7 +47,7 @@ def test_every_typed_formula_is_a_law_that_is_listed() -> None:
 WRITTEN = (
     (r"\\,", ""), (r"\\dot ([a-zA-Z])", r"\\dot{\1}"), (r"\\ddot ([a-zA-Z])", r"\\ddot{\1}"), (r"\(q\)", ""),
     (r"\\frac\{\\partial d_\{(\w)(\w)\}\}\{\\partial q_(\w)\}", r"\\mathrm{dd}_{\1,\2,\3}"),
-    (r"\\frac\{\\partial D\}\{\\partial q_i\}", r"\\mathrm{DD}_i"), (r"c_\{kj\}", "C_{k,j}"),
+    (r"\\frac\{\\partial D\}\{\\partial q_i\}", r"\\mathrm{DD}_i"),
     (r"_\{([ijk])([ijk])\}", r"_{\1,\2}"), (r"_\{([ijk])([ijk])([ijk])\}", r"_{\1,\2,\3}"),
     (r"\\sum_", r"\\Sigma_"),
     (r"\\delta ([qp])", r"\\mathrm{d\1}"),

@@ -28,7 +28,7 @@ class Facts(PageFacts):
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
-    """c_kj = sum of c_ijk qdot_i (Spong et al., eq. 6.42; Siciliano et al., eq. 7.45)."""
+    """C_kj = sum of c_ijk qdot_i (Spong et al., eq. 6.42; Siciliano et al., eq. 7.45)."""
     require_free(problem.symbols, "C")
     arm = Arm(problem)
     symbols, rate = arm.christoffel, rate_column(arm.variables)
@@ -48,7 +48,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 
 
 def _sums(arm: Arm, symbol: Callable[[Symbol], Expr]) -> Matrix:
-    """c_kj as sums of symbols and rates; `symbol` says how c_ijk is written."""
+    """C_kj as sums of symbols and rates; `symbol` says how c_ijk is written."""
     n, rates = range(1, len(arm.rates) + 1), arm.rates
     terms = {
         (k, j): [multiply(symbol(entry_symbol("c", i, j, k)), rate) for i, rate in enumerate(rates, 1)]

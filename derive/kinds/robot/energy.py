@@ -25,7 +25,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import EVERY, by_index
 from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._dynamics.arm import Arm
-from derive.kinds.robot._dynamics.bodies import Weighted, weighted
+from derive.kinds.robot._dynamics.bodies import Weighted, inertias, weighted
 from derive.kinds.robot._dynamics.drives import ROTORS, rotors
 from derive.kinds.robot._dynamics.matrix_laws import energy_law
 from derive.kinds.robot._units import of_energies, of_variables, together
@@ -58,7 +58,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     arm = Arm(problem)
     bodies = weighted(problem, chain_of(problem))
     work = Work(problem).resting_on(arm.inertia, problem.ask("gravity")).knowing({RATE: column(arm.rates)})
-    work = work.showing(energy_law())
+    work = work.showing(energy_law(inertias(bodies)))
     work = work.linked() if arm.long else _velocities(work, bodies)  # in names there is nothing to compare
     for body in bodies:
         work = _link(work, arm, body)

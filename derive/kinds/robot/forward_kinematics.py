@@ -167,15 +167,17 @@ PARAMETERS = {"standard": "theta_i d_i a_i alpha_i", "modified": "theta_i d_i a_
 
 
 def _law(work: Work, robot: Robot) -> Work:
-    """A_i, the transformation of any row of the table; tried in the row that has most of the parameters."""
+    """T_i^i-1, the transformation of any row of the table; A_i where a base stands before the first. Tried in
+    the row that has most of the parameters."""
     names = symbols(PARAMETERS[robot.convention])
     style = Style(order=("theta_i",))  # which stands before the twist in the books, of either convention
     A = readable_matrix(composed(CONVENTIONS[robot.convention](DHRow(*names))), style)
     rows = {i: _parts(link.row) for i, link in enumerate(robot.links) if isinstance(link.row, DHRow)}
     i = max(rows, key=lambda i: sum(part != ZERO for part in rows[i]))
     row = work.problem.readable_matrix(chain_of(work.problem).T_local[i])
-    case: dict[Expr, Expr] = {Symbol("A_i"): row, **dict(zip(names, rows[i], strict=True))}
-    return work.step(Step("A_i", (Symbol("A_i"), A), "law", instance=case)).agrees(
+    head = Symbol("A_i") if robot.base else Symbol("T_i^i-1")
+    case: dict[Expr, Expr] = {head: row, **dict(zip(names, rows[i], strict=True))}
+    return work.step(Step("A_i", (head, A), "law", instance=case)).agrees(
         "row-in-general",
         (name.name for name in names),
         A,

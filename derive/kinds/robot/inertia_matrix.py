@@ -11,7 +11,7 @@ from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._chain import chain_of, oracle_of
-from derive.kinds.robot._dynamics.bodies import Weighted, weighted
+from derive.kinds.robot._dynamics.bodies import Weighted, inertias, weighted
 from derive.kinds.robot._dynamics.body_steps import (
     body_definitions,
     com_jacobian_steps,
@@ -37,8 +37,10 @@ D = Symbol("D")
 
 
 class Facts(PageFacts):
-    """What is said of the moments of inertia, whether the arm is `big`, and that a com moves in its link."""
+    """What is said of the moments of inertia, whether the arm is `big`, that a com moves in its link, and
+    what the matrices of inertia are called."""
 
+    I: Symbol
     moments: Phrase
     big: bool
     drifts: Phrase | None
@@ -61,7 +63,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     for body in bodies:
         work = work.knowing(body_definitions(problem, body))
     work = _local(work, bodies) if big else _base(work, found, bodies)
-    work = _sum(work.showing(quadratic_law()), bodies, written, moments, big)
+    work = _sum(work.showing(quadratic_law(inertias(bodies))), bodies, written, moments, big)
     # What rests on D takes it with the names of moments kept.
     work = work.knowing({entry_symbol("d", *ij): entry for ij, entry in _entries(written).items()})
     work = work.knowing({**moments, D: written})
@@ -78,6 +80,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         not free_symbols(each).isdisjoint(robot.variables) for body in bodies for each in body.moments
     )
     facts = Facts(
+        I=inertias(bodies),
         moments=Phrase(
             "changing-moments" if changing else "moments-of-shapes" if moments else "steady-moments"
         ),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -46,6 +47,11 @@ class Weighted:
     def turns(self) -> bool:
         """Whether its rotation stores energy."""
         return any(moment != ZERO for moment in self.moments)
+
+
+def inertias(bodies: Sequence[Weighted]) -> Symbol:
+    """What their matrices of inertia are called, whichever is meant: I_i, or I_ci."""
+    return Symbol(bodies[0].I.name.rstrip("0123456789") + "i")
 
 
 def weighted(problem: Problem, found: Chain) -> tuple[Weighted, ...]:

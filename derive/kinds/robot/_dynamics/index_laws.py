@@ -95,13 +95,13 @@ def _moving(taken: Collection[str]) -> tuple[dict[Expr, Expr], ScalarMatrix, tup
 
 
 def coriolis_law(taken: Collection[str]) -> Step:
-    """c_kj, tried for 32."""
+    """C_kj, tried for 32."""
     case, D, variables = _moving(taken)
     names = tuple(name.name for name in variables)
     whole = coriolis_matrix(christoffel(D, names), rate_column(names))
     total = over("i", *symbols("c_ijk q_i_dot"))
     found: dict[Expr, Expr] = {total: written_out(total, {"k": 3, "j": 2}, case)}
-    return in_general("c_kj", total, {**found, Symbol("c_kj"): readable(whole[2, 1])})
+    return in_general("C_kj", total, {**found, Symbol("C_kj"): readable(whole[2, 1])})
 
 
 def skew_law(taken: Collection[str]) -> Step:

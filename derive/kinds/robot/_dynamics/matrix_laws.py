@@ -79,9 +79,10 @@ def regressor_laws() -> tuple[Step, Step]:
     )
 
 
-def energy_law() -> Step:
-    """K_i of a link in its velocities, tried on one that moves with a single joint."""
-    m, v, omega, R, I = symbols("m_i v_ci omega_i R_i^0 I_i")
+def energy_law(I: Symbol) -> Step:
+    """K_i of a link in its velocities, tried on one that moves with a single joint; `I` is what the matrices
+    of inertia are called: I_i, or I_ci."""
+    m, v, omega, R = symbols("m_i v_ci omega_i R_i^0")
     mass, shift, spin = number(3), _rows((1,), (2,), (-1,)), _rows((2,), (0,), (5,))
     turn, moments = TURN, _rows((2, 1, 0), (1, 7, 0), (0, 0, 4))
     link = LinkMotion(normal(mass), *map(normal_matrix, (shift, shift, spin, turn, moments)))
@@ -94,9 +95,9 @@ def energy_law() -> Step:
     return in_general("K_i", linear + angular, {**case, Symbol("K_i"): HALF * readable(twice)})
 
 
-def quadratic_law() -> Step:
+def quadratic_law(I: Symbol) -> Step:
     """K of all links as a quadratic form in the rates, tried on two links and two joints."""
-    m, v, omega, R, I, D = symbols("m_i v_ci omega_i R_i^0 I_i D")
+    m, v, omega, R, D = symbols("m_i v_ci omega_i R_i^0 D")
     rates, links, case = _rows((3,), (-2,)), [], dict[Expr, Expr]()
     for i in (1, 2):
         J_v, J_w = _rows((1, i), (2, -1), (0, 3)), _rows((0, 1), (i, 1), (1, 0))
@@ -104,7 +105,7 @@ def quadratic_law() -> Step:
         parts = [*map(normal_matrix, (J_v, J_v, J_w, turn, moments))]
         links.append(LinkMotion(normal(number(i)), *parts))
         moved = (readable_matrix(J @ normal_matrix(rates)) for J in parts[1:3])
-        named = symbols(f"m_{i} v_c{i} omega_{i} R_{i}^0 I_{i}")
+        named = *symbols(f"m_{i} v_c{i} omega_{i} R_{i}^0"), Symbol(f"{I.name[:-1]}{i}")
         case |= dict(zip(named, (number(i), *moved, turn, moments), strict=True))
     energy = add(m * transpose(v) * v, transpose(omega) * R * I * transpose(R) * omega)
     total, whole = over("i", energy), inertia_matrix(links)
