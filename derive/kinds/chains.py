@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from derive.algebra.infix import text
+from derive.algebra.rationals import significant_digits
 from derive.algebra.readable.writing import opposite
-from derive.derivation import Step
+from derive.derivation import Phrase, Step
 from derive.expression import (
     Degrees,
     Expr,
@@ -16,10 +17,13 @@ from derive.expression import (
     Quotient,
     Sum,
     children,
+    measured,
     multiply,
     walk,
     with_value,
 )
+
+SHORT = 5  # digits of a decimal number that is put in
 
 
 def closing(step: Step, result: Expr) -> Step:
@@ -59,3 +63,15 @@ def constants_together(tree: Expr) -> Expr:
                 value, last = -value, opposite(last)
             return with_value(turn, value) * last
     return tree
+
+
+def with_units(values: Mapping[Expr, Expr], units: Mapping[Expr | Phrase, str]) -> dict[Expr, Expr]:
+    """What names stand for as it is put in for them: with its unit, a fraction as a decimal where it ends."""
+    return {name: measured(_decimal(value), units.get(name, "")) for name, value in values.items()}
+
+
+def _decimal(value: Expr) -> Expr:
+    short = isinstance(value, Number) and 0 < (significant_digits(value.value) or 0) <= SHORT
+    if isinstance(value, Number) and short and value.value.denominator != 1:
+        return replace(value, decimal=True)
+    return value

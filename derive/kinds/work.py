@@ -20,11 +20,11 @@ from derive.algebra.numbers.floats import Point, completed, numbers, scalar_numb
 from derive.algebra.scalar import Scalar
 from derive.algebra.signs import sign_of
 from derive.algebra.values import Value, matrix_of
-from derive.derivation import Claim, Derivation, PageFacts, Record, Result, Said, Step, as_matrix
+from derive.derivation import Claim, Derivation, PageFacts, Phrase, Record, Result, Said, Step, as_matrix
 from derive.errors import FormulaError, NotDerivable
-from derive.expression import Degrees, Expr, Indexed, Matrix, Symbol, free_symbols, measured
+from derive.expression import Degrees, Expr, Indexed, Matrix, Measured, Symbol, free_symbols
 from derive.expression import replace as put_in
-from derive.kinds.chains import closing, constants_together, distinct, piled
+from derive.kinds.chains import closing, constants_together, distinct, piled, with_units
 from derive.kinds.checks import TOLERANCE, agreement, law
 from derive.kinds.links import UNLINKED, links
 from derive.kinds.problem import Problem
@@ -48,7 +48,7 @@ class Work:
     known: Mapping[Expr, Expr] = field(default_factory=dict)
     angular: bool = False
     taken: frozenset[str] = frozenset()
-    units: Mapping[Expr, str] = field(default_factory=dict)
+    units: Mapping[Expr | Phrase, str] = field(default_factory=dict)
     aside: Mapping[Expr, Expr] = field(default_factory=dict)
     uses: tuple[Derivation, ...] = ()
     steps: tuple[Step, ...] = ()
@@ -202,9 +202,9 @@ class Work:
         if answer is None:  # a formula in the author's own symbols stays as books print it
             answer = formula if filled == formula else self.shown(formula)
         if self.units:
-            filled = put_in(formula, self._measured)
-        shown = (filled,) if not free_symbols(filled) and not piled(filled) else ()
-        step = Step(name, distinct((symbol, formula, *shown, answer)), rule)
+            filled = put_in(formula, with_units(self.definitions, self.units))
+        plain = isinstance(filled, Measured) or free_symbols(filled) or piled(filled)
+        step = Step(name, distinct((symbol, formula, *(() if plain else (filled,)), answer)), rule)
         return replace(self, steps=(*self.steps, step), known={**self.known, symbol: answer})
 
     def closed(self, *names: str | Expr) -> Work:
@@ -237,11 +237,6 @@ class Work:
             return self.readable(normal(expr, self.definitions))
         except FormulaError:
             return put_in(expr, self.definitions)
-
-    @property
-    def _measured(self) -> dict[Expr, Expr]:
-        """What every name stands for, with its unit."""
-        return {name: measured(value, self.units.get(name, "")) for name, value in self.definitions.items()}
 
     # -- what is claimed of it --------------------------------------------------------------------
 

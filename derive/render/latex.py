@@ -139,7 +139,8 @@ class Printer:
         written = pieces[0][1]
         for (before, _), (after, piece) in pairwise(pieces):
             apart = r" \, " if need_room(before, after, self.notation) else " "
-            written += (r" \cdot " if meet_as_numbers(written, piece) else apart) + piece
+            dotted = isinstance(before, Measured) or meet_as_numbers(written, piece)
+            written += (r" \cdot " if dotted else apart) + piece
         return sign + written, SUM if sign or written.startswith("-") else PRODUCT
 
     def _over_number(self, factors: tuple[Expr, ...]) -> list[tuple[Expr, str]]:

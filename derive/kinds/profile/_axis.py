@@ -53,11 +53,10 @@ class Solved:
 def solved(axis: Axis, time: Expr | None, profile: Profile, problem: Problem) -> Solved:
     """The fastest way, or the one in a given time. Raises NotDerivable where that is too short, and symbols
     leave open which time would do."""
-    angular = profile.sort == "angle" and problem.style.degrees
-    fast = begun(problem, axis, None, angular)
+    fast = begun(problem, axis, None, profile)
     if time is None:
         return Solved(axis, None, fast, shortest(fast))
-    given = begun(problem, axis, time, angular)
+    given = begun(problem, axis, time, profile)
     found = Solved(axis, time, given, timed(given), () if axis.a_max is None else shortest(fast))
     if found.infeasible and len(found.fastest) > 1:
         raise NotDerivable(SHORTEST)

@@ -25,6 +25,7 @@ from derive.expression import (
 )
 from derive.kinds.problem import Problem
 from derive.kinds.profile._pieces import Span, term
+from derive.kinds.profile._units import units_of
 from derive.kinds.work import Work
 from derive.mechanics.profile import Journey, Profile
 from derive.names import named
@@ -98,7 +99,8 @@ def blended(journey: Journey, profile: Profile, problem: Problem) -> Blended:
     T = name("t_f", profile.time)
     value = _same_way(dict(chosen)[by] or ZERO, by, end - start, Work(problem, values, angular))
     given = name(by, value)
-    working = _solved(Work(problem, values, angular), by, given, end - start, T)
+    work = Work(problem, values, angular, units=units_of(profile, rates))
+    working = _solved(work, by, given, end - start, T)
     return Blended(working, start, end, T, by, rates, given=given)
 
 

@@ -56,7 +56,9 @@ def polynomial(
     """The polynomial with 2 `order` coefficients (Craig, section 7.3; Spong et al., section 5.5)."""
     journey = _journey(profile)
     ends = ends_of(journey, profile, order, problem)
-    work = Work(problem, ends.values, profile.sort == "angle" and problem.style.degrees)
+    orders: dict[Expr, int | None] = {Symbol(f"a_{k}"): k for k in range(2 * order)}
+    units = units_of(profile, {**ends.rates, **orders})
+    work = Work(problem, ends.values, profile.sort == "angle" and problem.style.degrees, units=units)
     names = [f"a_{k}" for k in range(2 * order)]
     lower = (s if k < 2 else multiply(ONE / number(factorial(k)), s) for k, s in enumerate(ends.start))
     for name, formula in zip(names, (*lower, *upper(ends)), strict=True):
@@ -92,8 +94,6 @@ def polynomial(
     work = as_told(work, means.names, told_too, "both-ends", symbols=problem.symbols | {t.name})
     moments: dict[Expr, Expr] = {ends.T: profile.time or ONE}
     work = work.claim(*drawn.claims(((results["q"], None),), facts.limits, facts.drawn, moments=moments))
-    orders: dict[Expr, int | None] = {Symbol(name): k for k, name in enumerate(names)}
-    units = units_of(profile, {**ends.rates, **orders})
     evaluated = drawn.evaluated({name: tree for name, tree in results.items() if name != "q"})
     plots = drawn.plots("trajectory", moments)
     return work.answer(kind, results, facts, evaluated=evaluated, plots=plots, units=units)

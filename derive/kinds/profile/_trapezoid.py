@@ -9,8 +9,9 @@ from derive.derivation import Step
 from derive.expression import Expr, Relation, Symbol, free_symbols, is_negative, sqrt, symbols
 from derive.expression import replace as replaced
 from derive.kinds.problem import Problem
+from derive.kinds.profile._units import units_of
 from derive.kinds.work import Work
-from derive.mechanics.profile import Axis
+from derive.mechanics.profile import Axis, Profile
 from derive.names import named
 
 T_1, T_2, T_M = symbols("t_1 t_2 t_m")
@@ -47,8 +48,9 @@ class Outcome:
         return {name: self.working.final(name) for name in NAMES}
 
 
-def begun(problem: Problem, axis: Axis, time: Expr | None, angular: bool) -> Given:
+def begun(problem: Problem, axis: Axis, time: Expr | None, profile: Profile) -> Given:
     """The given quantities under their names; a distance backwards is counted as its size."""
+    angular = profile.sort == "angle" and problem.style.degrees
     bare = Work(problem, {}, angular)
     sign = bare.sign(axis.distance)
     backwards = sign == -1 or (sign is None and is_negative(axis.distance))
@@ -65,7 +67,9 @@ def begun(problem: Problem, axis: Axis, time: Expr | None, angular: bool) -> Giv
     if time is not None:
         t_3 = named("t_3", time, problem.taken)
         values[t_3] = time
-    return Given(d, v_M, a_M, t_3, Work(problem, values, angular, taken=RENAMED & problem.symbols), backwards)
+    units = units_of(profile, {d: 0, v_M: 1, a_M: 2, t_3: None})
+    working = Work(problem, values, angular, RENAMED & problem.symbols, units)
+    return Given(d, v_M, a_M, t_3, working, backwards)
 
 
 # -- in the shortest time -----------------------------------------------------------------------------

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from derive.derivation import Phrase
 from derive.expression import ONE, PI, Expr, Power, Product, Symbol, free_symbols, number, symbols
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
@@ -12,7 +13,7 @@ from derive.mechanics.sensing import Absolute, Encoder, Incremental
 DELTA_M, DELTA, OMEGA = symbols("Delta_m Delta omega")
 TURN = 2 * PI
 # An angle is said in degrees, a speed in degrees per second.
-UNITS: Mapping[Expr, str] = {
+UNITS: Mapping[Expr | Phrase, str] = {
     **dict.fromkeys(symbols("N k N_l b G n"), ""),
     **dict.fromkeys((DELTA_M, DELTA), "deg"),
     Symbol("T"): "s",

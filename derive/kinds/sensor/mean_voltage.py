@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from derive.derivation import Derivation, Label, Plot, Step
+from derive.derivation import Derivation, Label, Phrase, Plot, Step
 from derive.expression import ONE, ZERO, Expr, Symbol, symbols
 from derive.figures.waves import switched
 from derive.kinds.checks import route
@@ -19,7 +19,7 @@ NEEDS = ("voltage",)
 CLAIMED = {"duty": "sampled-mean", "mean": "sampled-mean"}
 CLAIMS = ("sampled-mean", "as-said", "drawn")
 MEAN, DUTY, PERIOD = symbols("U_m D T")
-UNITS: Mapping[Expr, str] = {
+UNITS: Mapping[Expr | Phrase, str] = {
     **dict.fromkeys(symbols("U U_0 U_m"), "V"),
     DUTY: "",
     PERIOD: "s",
