@@ -55,9 +55,13 @@ def entry_symbol(letter: str, *indices: int) -> Symbol:
     return Symbol(f"{letter}_{between.join(map(str, indices))}")
 
 
-def pose_entries(taken: Collection[str]) -> dict[tuple[int, int], Symbol]:
+def pose_entries(taken: Collection[str], known: bool = False) -> dict[tuple[int, int], Symbol]:
     """The rotation r_11, ... and the position p_x, p_y, p_z of a pose, by row and column from 0; by other
-    letters where these stand for something else."""
+    letters where these stand for something else, and t_11, ... t_34 where r_11, ... are `known` values."""
+    if known:
+        places = {(i, j): f"_{i + 1}{j + 1}" for i in range(3) for j in range(4)}
+        letter = free(taken, "t", "h", indices=places.values())
+        return {place: Symbol(letter + end) for place, end in places.items()}
     turn = {(i, j): f"_{i + 1}{j + 1}" for i in range(3) for j in range(3)}
     shift = {(i, 3): f"_{axis}" for i, axis in enumerate("xyz")}
     r, p = free(taken, "r", "R", indices=turn.values()), free(taken, "p", "P", indices=shift.values())

@@ -125,8 +125,13 @@ def pose_lines(work: Work, found: Chain, last: int) -> Work:
 def product_lines(work: Work, name: Symbol, factors: tuple[Expr, ...], T: ScalarMatrix) -> Work:
     """A pose T (4 by 4) as the product of these factors; no line for a single one."""
     if len(factors) > 1:
-        entries = pose_entries(work.problem.taken)
+        entries = pose_entries(work.problem.taken, _pose_known(work.problem))
         work = work.line(name, Product(factors), value=T, rule="compose", entries=entries)
         rows = work.matrix(name).rows
         return work.knowing({symbol: rows[i][j] for (i, j), symbol in entries.items()})
     return work.knowing({name: work.problem.readable_matrix(T)})
+
+
+def _pose_known(problem: Problem) -> bool:
+    """Whether a question gives the pose or the orientation of the end-effector by its elements."""
+    return any(getattr(options, "given", None) in ("pose", "orientation") for _, options in problem.questions)

@@ -9,6 +9,7 @@ from itertools import combinations, groupby
 
 from derive.algebra.angles import Form
 from derive.algebra.numbers.floats import Point, scalar_number
+from derive.algebra.rationals import as_fraction
 from derive.algebra.ring import Ring
 from derive.algebra.scalar import Scalar
 from derive.mechanics.budget import Budget
@@ -127,8 +128,8 @@ class _Candidates:
         return [(form, self.rows_of(form)) for form in self.known.sought()]
 
     def rows_of(self, form: Form) -> list[TrigEquation]:
-        """The equations that hold one angle alone, short ones first."""
-        return sorted(self._rows(form), key=self._length)
+        """The equations that hold one angle alone, short ones first, then what knows no bare opposite."""
+        return sorted(self._rows(form), key=lambda row: (self._length(row), _is_opposite(row.equation.left)))
 
     def _pairs(self, form: Form, rows: Sequence[TrigEquation]) -> Iterator[TwoEquations]:
         """Cosine and sine each alone where there are such rows, else any two."""
@@ -244,3 +245,8 @@ class _Candidates:
         held = {name for value in values for name in value.generators()}
         forms = sum(1 for form in self.known.forms if held & {f"cos({form})", f"sin({form})"})
         return KNOWN_JOINT * (forms + len(held & self.known.lengths))
+
+
+def _is_opposite(value: Scalar) -> bool:
+    """Whether it is one term with a minus in front."""
+    return len(value.numerator) == 1 and as_fraction(value.numerator.leading_coefficient()) < 0

@@ -214,6 +214,8 @@ class Solutions:
                 continue
             if isinstance(item.unknown, str):
                 name = item.unknown
+            elif item.named is not None:
+                name = item.named.name
             else:
                 name = sum_name(item.unknown, self.turning, self.free_name)
             found[name] = value

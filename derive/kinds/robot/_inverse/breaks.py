@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.compiled import Compiled, compiled
-from derive.expression import ONE, Expr, Relation, free_symbols, replace
+from derive.expression import ONE, Expr, Relation, Symbol, free_symbols, replace
 from derive.kinds.checks import close
 from derive.kinds.robot._inverse.subproblem import Solved
 from derive.kinds.robot._inverse.target import Values
@@ -62,12 +62,16 @@ def signed(solved: Solved, known: Values, choice: int) -> Iterator[bool]:
         yield (arrays(factor, known) > 0) == (choice == 0)
 
 
-def real(solved: Solved) -> Iterator[bool]:
-    """At values of its names drawn at random: whether the unknown is real just where the page says so."""
+def real(solved: Solved, before: Sequence[Solved] = ()) -> Iterator[bool]:
+    """At values of its names drawn at random: whether the unknown is real just where the page says so. A
+    length found before of which that says nothing has the value it was given."""
     conditions = list(_conditions(solved))
     if not conditions:
         return
-    value = solved.choices[0].value
+    told = frozenset[str]().union(*map(free_symbols, conditions))
+    found = {each.unknown: each.choices[0].value for each in before if isinstance(each.unknown, str)}
+    lengths: dict[Expr, Expr] = {Symbol(name): length for name, length in found.items() if name not in told}
+    value = replace(solved.choices[0].value, lengths)
     names = sorted(free_symbols(value).union(*map(free_symbols, conditions)) - {"pi"})
     draw = random.Random(" ".join(names))
     formula, margins = compiled(value), list(map(compiled, conditions))

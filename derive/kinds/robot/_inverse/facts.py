@@ -60,6 +60,7 @@ class SolvedFacts(Record):
 
     method: Method
     unknown: Expr
+    single: bool
     called: Expr
     compared: tuple[Compared, ...]
     again: Phrase | None
@@ -93,7 +94,9 @@ class Wrist(Record):
     before: Phrase | None
     wanted: tuple[Step, ...]
     elements: tuple[Step, ...]
+    whole: bool  # whether these are all
     named: Phrase
+    stands: bool  # whether what it makes was displayed with the pose of the end-effector
     made: Step
     solved: tuple[SolvedFacts, ...]
     singular: tuple[SingularWrist, ...]

@@ -57,7 +57,7 @@ class Lines:
         """Of each sub-problem where it is real, where it is determined, and which factor decides a sign."""
         turning = [name for name in self.target.joints if name not in self.target.slides]
         for k, solved in enumerate(self.worked.solved):
-            yield from breaks.real(solved)
+            yield from breaks.real(solved, self.worked.solved[: solved.number])
             rates = course(solved, self.worked.solved[:k], turning)
             for taken, known in tried:
                 yield from breaks.determined(solved, known, rates)

@@ -25,6 +25,7 @@ from derive.expression import (
     sin,
     sqrt,
     subtract,
+    terms_of,
 )  # fmt: skip
 from derive.kinds.robot._inverse.facts import Method, zero
 from derive.kinds.robot._inverse.progress import Progress
@@ -133,12 +134,29 @@ def _alone(solving: Solving, angle: Form, trees: Trees, row: TrigEquation, lengt
         choices += whole or [Choice(_angle(u, value, even), sign, when)]
         shown.append(Choice(_angle(own, page, even), sign, when))
         trig[sign] = {own: u, other: value}
+    bound = None if length else _within_reach(solving.progress, trees[0] if even else trees[1], trees[2])
     method = Method(
         name="cosine" if even else "sine",
-        exists=None if length else u if plain else own,
+        exists=None if length or bound else u if plain else own,
+        bound=bound,
         by_length=length is not None,
     )
     solving.solved(q, choices, method, shown, trig)
+
+
+def _within_reach(progress: Progress, a: Expr, c: Expr) -> Relation | None:
+    """That c^2 is at most a^2, where a is the length of a joint and was found as a root: in what is given,
+    which says that the root is real too."""
+    found = progress.reached(unsigned(a))
+    if found is None or found[0].facts.method.bound is None:
+        return None
+    solved, inside = found
+    terms = terms_of(progress.problem.readable(normal(inside) - normal(c) ** 2))
+    more, less = ([t for t in terms if is_negative(t) == sign] for sign in (False, True))
+    if not (more and less):
+        return None
+    progress.implied(solved)
+    return Relation(add(*more), ">=", add(*map(opposite, less)))
 
 
 def _without_fraction(

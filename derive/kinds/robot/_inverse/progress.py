@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from derive.algebra.angles import Form
 from derive.algebra.infix import text
@@ -12,7 +13,7 @@ from derive.derivation import Step
 from derive.expression import Call, Expr, Relation, Symbol, add, free_symbols, is_negative, terms_of, walk
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.facts import zero
-from derive.kinds.robot._inverse.signs import leaves, opposite, ordered, signed, unsigned
+from derive.kinds.robot._inverse.signs import facing, leaves, opposite, ordered, signed, unsigned
 from derive.kinds.robot._inverse.subproblem import Definition, Item, Solved, shares, sum_name
 from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.known import determined
@@ -34,6 +35,7 @@ class Progress:
         self.sums: list[tuple[Scalar, int]] = []  # likewise of sums
         self.forms: list[Form] = []
         self.values: list[Expr] = []  # of the forms: what a sum is called, or is
+        self.called: set[str] = set()  # names of sums
         self.steps = 0
 
     # -- names ------------------------------------------------------------------------------------
@@ -56,7 +58,7 @@ class Progress:
 
     def tree(self, value: Scalar) -> Expr:
         """As a person writes it, what is subtracted last."""
-        return ordered(self.problem.readable(value))
+        return ordered(facing(self.problem.readable(value), self.goal.places))
 
     def known_as(self, value: Scalar) -> Expr | None:
         """The value as it is where it is short, or by a name it has already; None for any other."""
@@ -79,7 +81,8 @@ class Progress:
     def may_vanish(self, *trees: Expr) -> tuple[Relation, ...]:
         """That those of these are zero that rest on the pose, each once and without its sign: a length does
         not vanish."""
-        lengths = self.problem.symbols - set(self.problem.subject.variables)
+        given = self.problem.symbols | self.problem.where.keys()
+        lengths = given - set(self.problem.subject.variables)
         found = dict.fromkeys(unsigned(tree) for tree in trees if not free_symbols(tree) <= lengths)
         return zero(*found)
 
@@ -103,6 +106,21 @@ class Progress:
         """The joints that the sums found so far determine."""
         return [joint for joint in self.turning if determined(joint, self.forms)]
 
+    def reached(self, length: Expr) -> tuple[Solved, Expr] | None:
+        """Where the length of a joint was found as a root, and what stands under that."""
+        for each in self.solved:
+            if each.head == length and each.facts.method.name == "reach":
+                match each.choices[0].value:
+                    case Call("sqrt", (inside,)):
+                        return each, inside
+        return None
+
+    def implied(self, solved: Solved) -> None:
+        """What a later condition says of it too is left out."""
+        method = replace(solved.facts.method, bound=None)
+        found = replace(solved, facts=replace(solved.facts, method=method))
+        self.items = [found if item is solved else item for item in self.items]
+
     def sign_of(self, value: Scalar) -> tuple[int, tuple[int, ...]]:
         """The sign of a term or of a sum, and the sub-problems whose signs it has as factors; 0 where it is
         not known."""
@@ -124,7 +142,11 @@ class Progress:
         """What the page calls a sum of joint angles; None of one angle, and of a sum that is short itself."""
         if len(form.parts) == 1 or (len(values) == 1 and _is_short(values[0])):
             return None
-        return Symbol(sum_name(form, self.turning, self.free_name))
+        name, plain = sum_name(form, self.turning, self.free_name), self.free_name("phi")
+        if name.startswith("phi_") and plain not in self.called:  # phi_124 would look like a sum of three
+            name = plain
+        self.called.add(name)
+        return Symbol(name)
 
     def left_of(self, form: Form, value: Expr) -> tuple[Step, ...]:
         """The joints that a sum determines together with those known before it, once it is known by a name or

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Container, Iterable
 from fractions import Fraction
 
 from derive.expression import (
@@ -12,6 +12,7 @@ from derive.expression import (
     Number,
     Product,
     Sum,
+    Symbol,
     add,
     children,
     is_negative,
@@ -55,6 +56,26 @@ def ordered(tree: Expr) -> Expr:
             return opposite(Sum(terms))
         case _:
             return tree
+
+
+def facing(tree: Expr, names: Container[str]) -> Expr:
+    """A sum in whose factors none of these names is only subtracted: (d r - y) c as -(y - d r) c."""
+    if not isinstance(tree, Sum):
+        return tree
+    return Sum(tuple(-turned if (turned := _turned(term, names)) else term for term in tree.terms))
+
+
+def _turned(term: Expr, names: Container[str]) -> Expr | None:
+    """The opposite of a product with one such factor; None of any other term."""
+    if not isinstance(term, Product) or is_negative(term):
+        return None
+    for k, factor in enumerate(term.factors):
+        if isinstance(factor, Sum):
+            plain = [part for part in factor.terms if isinstance(part, Symbol) and part.name in names]
+            minus = [-part for part in factor.terms if is_negative(part)]
+            if not plain and any(isinstance(part, Symbol) and part.name in names for part in minus):
+                return multiply(*term.factors[:k], opposite(factor), *term.factors[k + 1 :])
+    return None
 
 
 def unsigned(tree: Expr) -> Expr:

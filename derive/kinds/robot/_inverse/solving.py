@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from derive.algebra.angles import Form
 from derive.algebra.scalar import Scalar
@@ -61,7 +62,8 @@ class Solving:
     def equation(self, left: Expr, right: Expr) -> None:
         """An equation, shown unless it was before."""
         self.equations.append((left, right))
-        if not any(step.chain == (left, right) for each in self.progress.solved for step in each.steps):
+        told = (step.chain for each in self.progress.solved for step in each.steps)
+        if (left, right) not in ((chain[0], chain[-1]) for chain in told):
             self.add("equation", left, right)
 
     def solved(
@@ -71,6 +73,7 @@ class Solving:
         """The unknown has these values; `shown` are they as the page writes them, where that differs. Joints
         and signs that are decided so are known from now on."""
         progress, unknown = self.progress, self.found.unknown
+        self._sides_named()
         told = [choice.value for choice in shown or choices]
         named = progress.name_of(unknown, told) if isinstance(unknown, Form) else None
         for k, value in enumerate(told):
@@ -85,6 +88,7 @@ class Solving:
         facts = SolvedFacts(
             method=method,
             unknown=head,
+            single=not (isinstance(unknown, Form) and len(unknown.parts) > 1),
             called=named or head,
             compared=compared if read and not again else (),
             again=again,
@@ -111,6 +115,18 @@ class Solving:
         elif solved.two_valued and isinstance(self.found, Reach) and not self.found.linear:
             progress.signs[self.found.unknown] = number
         progress.items.append(solved)
+
+    def _sides_named(self) -> None:
+        """The known side of an equation that has a name: what it stands for is told in the equation."""
+        names = {step.chain[0]: step for step in self.steps if step.rule == "name"}
+        sides = names.keys() & {step.chain[0] for step in self.steps if step.rule == "equation"}
+        self.steps = [
+            replace(step, chain=(*names[step.chain[0]].chain, *step.chain[1:]))
+            if step.chain[0] in sides
+            else step
+            for step in self.steps
+            if step.rule != "name" or step.chain[0] not in sides
+        ]
 
     def _again(self, compared: tuple[Compared, ...]) -> Phrase | None:
         """That the same equations were read before, where something has become known since."""

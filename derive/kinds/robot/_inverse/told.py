@@ -16,6 +16,8 @@ from derive.kinds.robot._inverse.subproblem import Solved
 from derive.kinds.robot._inverse.worked import Worked
 from derive.mechanics.inverse.goal import AXES
 
+ELEMENTS = 9  # of a rotation matrix
+
 
 @dataclass(frozen=True, slots=True)
 class Told:
@@ -73,7 +75,11 @@ class Told:
             before=(before if worked.orientation.wanted else Phrase("not-turned")) if worked.arm else None,
             wanted=worked.orientation.wanted,
             elements=worked.elements,
-            named=Phrase("in-angles-of-the-wrist" if worked.arm else "in-joint-angles"),
+            whole=len(worked.elements) == ELEMENTS,
+            named=Phrase("in-angles-of-the-wrist")
+            if worked.arm
+            else Phrase("in-joint-angles", {"pose": Symbol(f"T_{worked.last}^0")}),
+            stands=not worked.arm,
             made=worked.orientation.made,
             solved=tuple(map(self._in_wrist, worked.hand)),
             singular=worked.singular,
