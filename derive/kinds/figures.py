@@ -10,6 +10,7 @@ from derive.figures.arm_marks import Mark
 from derive.figures.wish import Wish
 from derive.kinds.problem import Problem
 from derive.mechanics.frames import Frames
+from derive.mechanics.lagrangian import LagrangianSystem
 from derive.mechanics.motion import Motion
 from derive.mechanics.robot import Robot
 
@@ -18,7 +19,9 @@ MASSES = frozenset(
 )
 NOTHING = Wish()
 MOST_FRAMES = 8  # that one figure can show
-DRAWN = frozenset({"robot", "motion", "frames", "system", "motor"})  # the subjects that can be drawn
+DRAWN = frozenset(
+    {"robot", "motion", "frames", "system", "motor", "lagrange"}
+)  # the subjects that can be drawn
 
 
 def explains(problem: Problem, solutions: bool) -> bool:
@@ -29,6 +32,8 @@ def explains(problem: Problem, solutions: bool) -> bool:
             return True
         case Frames(frames=frames):
             return len(frames) <= MOST_FRAMES
+        case LagrangianSystem():
+            return True  # where it can be drawn
         case Motion():
             return solutions
         case _:
@@ -67,6 +72,12 @@ def figure_of(problem: Problem, wish: Wish = NOTHING) -> Drawing:
             from derive.figures import triads
 
             return triads.of_frames(problem.subject, problem.where, wish)
+        case LagrangianSystem():
+            from derive.figures import pendulums, pendulums_in_space
+
+            in_space = [len(body.position) for body in problem.subject.bodies] == [3]
+            draws = pendulums_in_space.drawn if in_space else pendulums.drawn
+            return draws(problem.subject, problem.where)
         case System():
             from derive.figures.loops import drawn_blocks
             from derive.kinds.system._plant import plant

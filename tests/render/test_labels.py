@@ -85,3 +85,34 @@ def test_arms_drawn_by_lot(tmp_path: Path, seed: int) -> None:
 
 def test_frames_and_motions_of_week_2() -> None:
     assert [faults(*each) for each in laid(EXERCISES / "week2.yaml")] == [[]] * 6
+
+
+MASSES = """\
+title: x
+problems:
+- lagrange:
+    coordinates: [x, theta1, theta2]
+    bodies:
+    - {mass: M, position: [x, 0]}
+    - {mass: m1, position: [x + l1*sin(theta1), -l1*cos(theta1)]}
+    - mass: m2
+      position: [x + l1*sin(theta1) + l2*sin(theta1 + theta2), -l1*cos(theta1) - l2*cos(theta1 + theta2)]
+    forces: {x: F}
+  find: equations-of-motion
+- lagrange:
+    coordinates: [theta, phi]
+    bodies: [{mass: m, position: [l*sin(theta)*cos(phi), l*sin(theta)*sin(phi), -l*cos(theta)]}]
+  find: equations-of-motion
+"""
+
+
+def test_masses_on_rods(tmp_path: Path) -> None:
+    sheet = tmp_path / "sheet.yaml"
+    sheet.write_text(MASSES, encoding="utf-8")
+    plane, space = laid(sheet)
+    assert [faults(*plane), faults(*space)] == [[], []]
+    names = [
+        {str(getattr(c.text, "name", c.text)) for c in drawing.captions} for drawing, _ in (plane, space)
+    ]
+    assert names[0] >= {"M", "m1", "m2", "l1", "l2", "theta1", "theta2", "F", "g"}
+    assert names[1] >= {"m", "l", "theta", "phi", "g"}

@@ -39,6 +39,7 @@ LINES = {
     "link": Pen("#b4b4b4", 5.5, cap="round"),
     "rod": Pen("#8a8a8a", 2.6),
     "gripper": Pen(INK, 1.6),
+    "bar": Pen(INK, 1.4, cap="round"),
     "thin": Pen(INK, 0.8),
     "hidden": Pen(GREY, 0.6, (3, 2)),
     "edge": Pen(INK, 0.9, cap="round"),
