@@ -11,8 +11,8 @@ from pydantic import Field, model_validator
 
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point, number, numbers
-from derive.derivation import Derivation, PageFacts, Step
-from derive.expression import ONE, ZERO, Expr, Indexed, Matrix, Symbol, column, walk
+from derive.derivation import Derivation, PageFacts, Phrase, Step
+from derive.expression import ONE, ZERO, Expr, Indexed, Matrix, Number, Symbol, column, walk
 from derive.kinds.checks import is_rotation
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.frames._frames import is_given, origin_name, pose_name, rotation_name
@@ -91,7 +91,16 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     shifted = any(o in walk(tree) for tree in work.steps[-1].chain)
     twist = work.matrix(name).shape == (6, 1)
     work = work.law("said", (facts.free != shifted, facts.twist == twist))
-    return work.answer("change-of-frame", {name.name: work.final(name)}, facts)
+    units = _units(options, name, Symbol(f"{name.name[0]}^{source}"))
+    return work.answer("change-of-frame", {name.name: work.final(name)}, facts, units=units)
+
+
+def _units(options: Options, *names: Symbol) -> dict[Expr | Phrase, str]:
+    """That of the components of a vector or a point, where all are typed with the same."""
+    parts = options.vector or options.point or ()
+    found = {part.unit if isinstance(part, Number) else "" for part in parts if part != ZERO}
+    unit = found.pop() if len(found) == 1 else ""
+    return dict.fromkeys(names, unit) if unit else {}
 
 
 def _board(

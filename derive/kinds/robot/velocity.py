@@ -6,7 +6,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import Point, numbers
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts
-from derive.expression import Matrix, Symbol, column, symbols
+from derive.expression import Expr, Matrix, Symbol, column, free_symbols, symbols
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
@@ -39,25 +39,27 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     rates = tuple(Symbol(f"{name}_dot") for name in robot.variables)
     work = Work(problem).resting_on(problem.ask("jacobian", point=options.point))
     work = work.knowing({Q_DOT: column(rates)})
-    product, J_now = J * Q_DOT, work.matrix(J)
-    filled = J_now * column(rates)
+    product = J * Q_DOT
     twist = work.value_matrix(product)
     v, omega = halves(twist)
-    work = work.knowing({V: problem.readable_matrix(v), OMEGA: problem.readable_matrix(omega)})
     both = Matrix(((V,), (OMEGA,)))
-    work = work.line(
-        both, product, filled, value=twist, rule="velocity", label="twist", spare=(filled,)
-    ).closed(both)
+    work = work.line(both, value=product, rule="velocity", label="twist")
+    work = work.line(V, value=v, rule="velocity").line(OMEGA, value=omega, rule="velocity")
+    work = work.closed(V).closed(OMEGA)
     work = work.law("rate-of-the-point", _by_chain_rule(options, problem) == v)
     results = {"v": work.final(V), "omega": work.final(OMEGA)}
     work = work.agrees(
         "twist-in-numbers",
-        problem.symbols.union(rate.name for rate in rates),
+        problem.symbols.union((rate.name for rate in rates), *map(free_symbols, _offset(options))),
         lambda at: [numbers(each, at) for each in results.values()],
         lambda at: _by_differences(options, problem, at),
         DIFFERENCES,
     )
     return work.answer("velocity", results, Facts(rates=rates))
+
+
+def _offset(options: Options) -> tuple[Expr, ...]:
+    return options.point.at if options.point else ()
 
 
 def _by_differences(options: Options, problem: Problem, at: Point) -> list[float]:

@@ -23,6 +23,7 @@ from derive.kinds.robot._reach.told import (
     R_MIN,
     R,
     arm_told,
+    closed_where,
     orientations_told,
     region_told,
 )
@@ -50,6 +51,7 @@ class Facts(PageFacts):
     shoulder: tuple[Expr, Expr] | None  # where distances from it count
     description: Phrase
     within: Relation | None  # which distances, in a plane
+    closed: Phrase | None  # for which lengths there is no hole
     nearer: Phrase | None  # than is reached
     kinds: Phrase  # of a workspace
     orientations: Phrase
@@ -96,6 +98,7 @@ def _facts(
         shoulder=(Symbol("o_s"), problem.readable_matrix(region.center)) if region.kind == "swung" else None,
         description=region_told(region, closed),
         within=_between(R_MIN, R, R_MAX) if planar and len(region.lengths) > 1 else None,
+        closed=closed_where(region),
         nearer=None if region.side == ZERO else Phrase("not-nearer", {"side": region.side}),
         kinds=Phrase("kinds-in-a-plane" if planar else "kinds"),
         orientations=orientations_told(region, closed, spare, free, inner),

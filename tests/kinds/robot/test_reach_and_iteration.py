@@ -55,7 +55,7 @@ def test_three_links_leave_a_hole_only_under_a_long_one(lengths, hole) -> None:
 def test_the_hollow_ball_of_the_anthropomorphic_arm() -> None:
     found = problem(arm(ELBOW)).ask("workspace").results
     assert (text(found["r_min"]), text(found["r_max"])) == ("Abs(a2 - a3)", "a2 + a3")
-    assert spoken("robot", "workspace").say(found["description"]) == "a hollow ball about the shoulder"
+    assert spoken("robot", "workspace").say(found["description"]) == "a spherical shell about the shoulder"
 
 
 def test_an_arm_that_is_neither_is_refused() -> None:
@@ -116,7 +116,7 @@ def test_a_target_with_an_angle(tmp_path) -> None:
             PUMA,
             "sqrt((a2 - sqrt(a3**2 + d4**2))**2 + d3**2)",
             "sqrt((a2 + sqrt(a3**2 + d4**2))**2 + d3**2)",
-            "a hollow ball about the shoulder, bored through along the first axis",
+            "a spherical shell about the shoulder, bored through along the first axis",
         ),
     ],
 )

@@ -17,6 +17,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._point import Tracked
 from derive.kinds.robot._reach.regions import Region, Secondary
+from derive.kinds.robot._reach.told import equal_lengths
 from derive.kinds.robot._seen import apart, axis_seen
 from derive.mechanics.chain import Chain, Joint
 from derive.mechanics.reach import moving_joints
@@ -60,6 +61,12 @@ class Reached:
         yield route("link-lengths", (each for at in points for each in self._lengths(at)))
         holes = [numeric.number(self.bounds[-1], at) > SMALL for at in self._general]
         yield route("hole", (not each for each in holes) if closed else max(holes))
+        if lengths := equal_lengths(self.region):
+            equal = [{**at, lengths[1].name: at[lengths[0].name]} for at in points]
+            none = (
+                abs(numeric.number(self.bounds[-1], at)) < SMALL and self._reaches(-1, at) for at in equal
+            )
+            yield route("no-hole", none)
         if secondary:
             yield route("secondary", (each for at in points for each in self._secondary(secondary, at)))
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from derive.derivation import Phrase, Said
-from derive.expression import ZERO, Symbol
+from derive.expression import ZERO, Relation, Symbol
 from derive.kinds.robot._reach.regions import Region, Secondary
 
 R_MIN, R, R_MAX = Symbol("r_min"), Symbol("r"), Symbol("r_max")
@@ -38,6 +38,23 @@ def region_told(region: Region, closed: bool) -> Phrase:
     return ball if region.side == ZERO else Phrase("bored-through", {"ball": ball})
 
 
+def equal_lengths(region: Region) -> tuple[Symbol, Symbol] | None:
+    """The lengths of two links that reach their base where they are equal; none where that is decided."""
+    match region.lengths:
+        case (Symbol() as one, Symbol() as other) if one != other:
+            return (one, other) if (region.offset, region.side) == (ZERO, ZERO) else None
+    return None
+
+
+def closed_where(region: Region) -> Phrase | None:
+    """For which lengths the region has no hole."""
+    if (lengths := equal_lengths(region)) is None:
+        return None
+    return Phrase(
+        "closed-where", {"equal": Relation(lengths[0], "=", lengths[1]), "region": region_told(region, True)}
+    )
+
+
 def orientations_told(
     region: Region, closed: bool, spare: tuple[int, ...], free: bool, secondary: Secondary | None
 ) -> Phrase:
@@ -52,5 +69,7 @@ def orientations_told(
         }  # fmt: skip
         return Phrase("last-link-within", about)
     if region.kind == "planar" and len(region.lengths) == 2:
+        if lengths := equal_lengths(region):
+            return Phrase("two-orientations-or-the-base", {"equal": Relation(lengths[0], "=", lengths[1])})
         return Phrase("the-base-alone" if closed else "two-orientations")
     return Phrase("no-wrist" if spare else "no-joint-left")
