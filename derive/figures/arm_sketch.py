@@ -41,7 +41,7 @@ def drawn(robot: Robot, where: Mapping[str, Expr], wish: Wish, marks: Sequence[M
     captions = (*captions, *_lengths(view, found, size, ASIDE if marks else MIDDLE))
     for signs, names in marked(robot, view, found, marks, size):
         strokes, captions = (*strokes, *signs), (*captions, *names)
-    said = described.caption(robot, found, view), described.seen(robot, found, view)
+    said = described.caption(robot, found, view, frozenset(where)), described.seen(robot, found, view)
     high = _highest(strokes, size, len(found.joints) + 2 * len(marks))
     return Drawing("figure", strokes, captions, *said, high, schematic=True)
 

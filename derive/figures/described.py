@@ -8,7 +8,7 @@ from fractions import Fraction
 from math import degrees
 
 from derive.derivation import Phrase, Said
-from derive.expression import Degrees, Expr, Relation, Symbol
+from derive.expression import Degrees, Expr, Relation, Symbol, free_symbols
 from derive.figures.arm import Posed
 from derive.figures.view import Vector, View, dot
 from derive.mechanics.robot import Robot
@@ -19,9 +19,14 @@ BASE = (("x0", (1.0, 0.0, 0.0)), ("y0", (0.0, 1.0, 0.0)), ("z0", (0.0, 0.0, 1.0)
 ARTICLE = re.compile(r"^(?:an?|the)\s+", re.IGNORECASE)
 
 
-def caption(robot: Robot, posed: Posed, view: View) -> Phrase:
-    """What stands under the figure: the arm by its name, and the position in which it is drawn."""
-    return Phrase("arm", {"name": _name(robot), "pose": _pose(robot, posed, view)})
+def caption(robot: Robot, posed: Posed, view: View, known: frozenset[str]) -> Phrase:
+    """What stands under the figure: the arm by its name, and the position in which it is drawn; not to scale
+    where it is not `known` how long several of its links are."""
+    pose = _pose(robot, posed, view)
+    guessed = {part.by for part in posed.parts if not part.moving and free_symbols(part.by) - known - {""}}
+    if len(guessed) > 1 and not view.flat:
+        pose = Phrase("not-to-scale", {"pose": pose})
+    return Phrase("arm", {"name": _name(robot), "pose": pose})
 
 
 def seen(robot: Robot, posed: Posed, view: View) -> Phrase:

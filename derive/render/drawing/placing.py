@@ -21,7 +21,7 @@ STEPS = (0.0, 3.0, 7.0, 12.0, 18.0, 26.0, 36.0, 48.0)  # points beyond the first
 FAR = 11.0  # points beyond it from which on a caption needs a line to its place
 ORDER = tuple(sorted(product(STEPS, SWINGS), key=lambda each: each[0] + 7 * abs(each[1])))
 AIR = 1.3  # points that stay free round a caption
-BESIDE = 4.0  # points between two on one line, which would read as a product
+BESIDE, ABOVE = 7.0, 2.4  # points between two beside each other, which read as a product, and above
 FINE = 1.0  # squares of paper to a point
 EDGE = 90.0  # points round all lines that captions may stand on
 SIDES = ((0, 0), (1, 1), (1, -1), (-1, 1), (-1, -1))  # of a line, whose squares are covered
@@ -212,8 +212,8 @@ class _Choices:
             meets = (
                 (self.boxes[:, None, 0] - BESIDE < boxes[None, :, 2])
                 & (boxes[None, :, 0] < self.boxes[:, None, 2] + BESIDE)
-                & (self.boxes[:, None, 1] - AIR < boxes[None, :, 3])
-                & (boxes[None, :, 1] < self.boxes[:, None, 3] + AIR)
+                & (self.boxes[:, None, 1] - ABOVE < boxes[None, :, 3])
+                & (boxes[None, :, 1] < self.boxes[:, None, 3] + ABOVE)
             )
         meets[:, k] = False
         best = int(np.argmin(self.cost + meets @ np.where(fixed, 400.0, 60.0)))
