@@ -10,31 +10,34 @@ from pydantic import Field
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.readable.form import readable_matrix
 from derive.algebra.readable.terms import Style
-from derive.derivation import Derivation, PageFacts, Phrase, Said, Step
+from derive.derivation import Derivation, PageFacts, Phrase, Result, Said, Step
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Expr, Matrix, Product, Symbol, symbols
+from derive.expression import ZERO, Expr, Matrix, Product, Symbol, column, symbols
 from derive.kinds.checks import is_rotation
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import Name, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._chain import TOOL, chain_of, end_frame, oracle_of, pose_name
 from derive.kinds.robot._columns import product_lines
+from derive.kinds.robot._lengths import unit_of_lengths
 from derive.kinds.robot._rows.exponentials import NAMED, Exponentials, ScrewsTold
 from derive.kinds.work import Work
 from derive.mechanics.dh import CONVENTIONS
 from derive.mechanics.elementary import factor_name, homogeneous, rotation_matrix, translation
 from derive.mechanics.motion import Move
 from derive.mechanics.oracle.rows import TYPED
-from derive.mechanics.poses import composed, rotation_part
+from derive.mechanics.poses import composed, position_part, rotation_part
 from derive.mechanics.robot import DHRow, FreeRow, Link, Robot
 
 A_1, T_BASE = symbols("A_1 T_base")
 
 
 class Options(OptionsModel):
-    """`to`: the last frame wanted; all of them if left out."""
+    """`to`: the last frame wanted; all of them if left out. `coordinates`: names for the x, y and z of its
+    origin, where only these are wanted."""
 
     to: int | None = Field(None, ge=1)
+    coordinates: tuple[Name, ...] = Field((), max_length=3)
 
 
 class Facts(PageFacts):
@@ -45,10 +48,13 @@ class Facts(PageFacts):
     base: tuple[str, ...] = ()  # steps
     tool: tuple[str, ...] = ()  # steps
     product: str = ""  # a step
+    coordinates: bool = False  # alone
 
 
 def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:
     """Of screws also that each exponential is one."""
+    if options.coordinates:
+        return ("place",)
     screws = ("derivative", "exponential-series", "twist-of-any-screw") if robot.by_screws else ()
     return ("orthogonal", "right-handed", "poses-composed", "names", *screws)
 
@@ -59,6 +65,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 
     Raises NotDerivable where a frame is asked for that the arm does not have.
     """
+    if options.coordinates:
+        return _coordinates(options, problem)
     last = options.to or len(robot.links)
     if last > len(robot.links):
         count = f"{len(robot.links)} row{'s' * (len(robot.links) != 1)}"
@@ -102,6 +110,28 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.claim(*is_rotation(rotation_part(T), _rotation_name(name)))
     work = _named(_as_in_numbers(work, T, last, whole), results, facts)
     return work.answer("forward-kinematics", results, facts)
+
+
+def _coordinates(options: Options, problem: Problem) -> Derivation:
+    """The last column of the pose, by names of its own."""
+    base = problem.answer("forward-kinematics", options.model_copy(update={"coordinates": ()}))
+    last, robot, found = options.to or len(problem.subject.links), problem.subject, chain_of(problem)
+    whole = last == len(robot.links)
+    position = position_part(found.T_tool if whole else found.T[last]).entries
+    work, names = Work(problem, uses=(base,)), options.coordinates
+    for name, value in zip(names, position, strict=False):
+        work = work.line(name, value=value, rule="coordinate").closed(name)
+    oracle = oracle_of(problem)
+    work = work.agrees(
+        "place",
+        problem.symbols,
+        column(work[Symbol(name)] for name in names),
+        lambda at: (oracle.tool(at) if whole else oracle.poses(at)[last])[: len(names), 3:],
+    )
+    unit = unit_of_lengths(problem)
+    units: dict[Expr | Phrase, str] = {Symbol(name): unit for name in names if unit}
+    results: dict[str, Result] = {name: work.final(Symbol(name)) for name in names}
+    return work.answer("forward-kinematics", results, Facts(coordinates=True), units=units)
 
 
 def _line(work: Work, name: Symbol, T_i: ScalarMatrix, link: Link) -> Work:

@@ -26,6 +26,14 @@ def forward_kinematics(asked: Asked, point: Point) -> Iterator[Test]:
     arm = Arm(asked, point, 1)
     links = len(arm.local)
     to = asked.options.to or links
+    if asked.options.coordinates:
+        place = numbers(arm.end if to == links else arm.poses[to])
+        for (
+            name,
+            (*_, value),
+        ) in zip(asked.options.coordinates, place, strict=False):
+            yield Same(name, value)
+        return
     if arm.robot.by_screws:
         yield from screws(arm)
     for i in range(1, to + 1):
