@@ -74,10 +74,11 @@ class _Names:
 
     @staticmethod
     def of(problem: Problem) -> _Names:
+        axis = free(problem.taken, "k", "u", "n", "k_r")
         return _Names(
             Symbol(free(problem.taken, "theta", "phi", "alpha", "theta_k")),
-            Symbol(free(problem.taken, "k", "u", "n", "k_r")),
-            Symbol(free(problem.taken, "w", "v", "m", "w_r")),
+            Symbol(axis),
+            Symbol(free({*problem.taken, axis}, "u", "w", "v", "w_r")),
         )
 
     @property
