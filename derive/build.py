@@ -272,7 +272,7 @@ def _asked_by_default(
     if len(problem.questions) == 1 and asks(problem.text):
         return page
     name, folder = problem.subject_name, words_folder(problem.subject_name, answer.kind)
-    printer, printed = Printer(notation), list[Printed]()
+    printer, printed = Printer(notation, flat=True), list[Printed]()
     text = question_text(folder, question.find, name, problem.subject, question.options, printer, printed)
     return replace(page, text=text, printed=tuple(printed))
 

@@ -109,8 +109,10 @@ def without_exponent(self: Printer, base: Expr, exponent: Expr) -> tuple[str, in
     return self.measured(base)
 
 
-def without_last(right: Callable[..., layout.Display], chains: tuple[layout.Chain, ...]) -> layout.Display:
-    display = right(chains)
+def without_last(
+    right: Callable[..., layout.Display], chains: tuple[layout.Chain, ...], room: float
+) -> layout.Display:
+    display = right(chains, room)
     return replace(display, lines=display.lines[:-1] or display.lines)
 
 

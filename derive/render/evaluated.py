@@ -178,7 +178,7 @@ class Telling:
 
     def in_line(self) -> Telling:
         """The same for a line of text."""
-        return replace(self, printer=replace(self.printer, in_line=True))
+        return replace(self, printer=replace(self.printer, in_line=True, flat=True))
 
     def pose(self, of: tuple[Expr, Matrix] | None, at: Mapping[str, Expr]) -> str:
         """The matrix with the values of the point, where it has one for every name."""

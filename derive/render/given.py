@@ -61,10 +61,10 @@ class Telling:
             parts.append(self.table(datum.table))
         return "\n".join(parts)
 
-    def speech(self, flat: bool = False) -> Speech:
+    def speech(self) -> Speech:
         """Words in a line of text, or in a cell of a table."""
         lines = lines_in(SHARED) | lines_in(OWN.format(self.subject))
-        printer = Printer(self.notation, flat=flat)
+        printer = Printer(self.notation)
         strong, em = self.skin.strong, self.skin.em
         return written(lines, printer, self.skin.plain, self.printed, strong=strong, em=em)
 
@@ -77,7 +77,7 @@ class Telling:
 
     def table(self, table: Table) -> str:
         """A number has the unit that its author gave it, in the heading where a column has one."""
-        speech = self.speech(flat=True)
+        speech = self.speech()
         shown, units = columns_of(table, AS_TYPED)
 
         def cell(entry: Cell, unit: str) -> str:

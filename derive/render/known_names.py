@@ -90,7 +90,7 @@ def trees(formula: Printed) -> Iterator[Expr]:
 
 def link(tree: Expr, notation: Notation) -> Link:
     """A tree as one side of an equation."""
-    return Link("=", Printer(notation).write(tree), tree)
+    return Link("=", Printer(notation, flat=True).write(tree), tree)
 
 
 def shown(chain: Chain, notation: Notation, printed: list[Printed]) -> str:

@@ -63,7 +63,7 @@ def is_approximate(expr: Expr) -> bool:
 @dataclass(frozen=True, slots=True)
 class Printer:
     """Prints trees in one notation; `in_line` for a line of text, where a column stands as `(x, y)^T`; `flat`
-    for a cell of a table, where a short fraction is 3/4."""
+    for there and for a cell of a table, where a short fraction is 3/4."""
 
     notation: Notation
     in_line: bool = False
@@ -184,8 +184,10 @@ class Printer:
     def quotient(self, top: Expr, bottom: Expr) -> tuple[str, int]:
         above = self.write(top)
         below, tightness = self.measured(bottom)
-        if self.flat and tightness >= POWER and not isinstance(top, Sum) and "frac" not in above:
-            return f"{above}/{below}", SUM
+        if self.flat and "frac" not in above + below:
+            loose = self.measured(top)[1] < PRODUCT and not above.startswith("-")
+            over = parenthesised(above) if loose else above
+            return f"{over}/{below if tightness >= POWER else parenthesised(below)}", SUM
         match top:
             case Product((Number(value), Sum() as whole)) if value == -1:  # the bar holds the sum together
                 above = "-" + self.write(whole)
@@ -269,9 +271,9 @@ class Printer:
         )
 
     def indexed(self, name: Indexed) -> tuple[str, int]:
-        parts = name_parts(name.base)
-        below = ",".join(filter(None, (parts.lower, *map(self.write, name.lower))))
-        above = ",".join(filter(None, (parts.upper, *map(self.write, name.upper))))
+        parts, small = name_parts(name.base), replace(self, flat=True)
+        below = ",".join(filter(None, (parts.lower, *map(small.write, name.lower))))
+        above = ",".join(filter(None, (parts.upper, *map(small.write, name.upper))))
         whole = Name(parts.stem, below, above)
         led = self.notation.letters.frames == "before" and bool(name.upper)
         return (str(whole.led()), ATOM) if led else (str(whole), POWER if name.upper else ATOM)

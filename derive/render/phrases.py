@@ -206,7 +206,7 @@ def written(
 ) -> Speech:  # fmt: skip
     """The same with phrases that are given."""
 
-    in_line = replace(printer, in_line=True)
+    in_line = replace(printer, in_line=True, flat=True)
 
     def tree(expr: Expr, _: str) -> str:
         return in_line.write(expr)

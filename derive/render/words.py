@@ -254,10 +254,10 @@ class Telling:
             self._note(self._step(name))
         return ""
 
-    def math(self, value: Mathematics, trig: Trig = None, unit: str = "", flat: bool = False) -> str:
+    def math(self, value: Mathematics, trig: Trig = None, unit: str = "") -> str:
         """Inline mathematics of an expression, a name, or a chain (a tuple) joined by equal signs, which may
-        end in a `unit`. In a cell of a table fractions are `flat`."""
-        printer = replace(self._printer(trig), in_line=True, flat=flat)
+        end in a `unit`."""
+        printer = replace(self._printer(trig), in_line=True, flat=True)
         *before, last = self._trees(value)
         links = chain_links((*before, in_unit(last, unit)), printer)
         self.printed.append(Printed.inline(one_line(links), links, printer.notation))
@@ -270,7 +270,7 @@ class Telling:
             return ", ".join(map(self.say, point))
         self.said.extend(part for relation in point for part in parts(relation))
         places = column(names), column(self.speech.styled(relation.right) for relation in point)
-        links = chain_links(places, replace(self._printer(None), in_line=True))
+        links = chain_links(places, replace(self._printer(None), in_line=True, flat=True))
         links = tuple(replace(link, latex=link.latex.removesuffix("^T")) for link in links)
         self.printed.append(Printed.inline(one_line(links), links, self.notation))
         return f"${one_line(links)}$"
@@ -394,4 +394,4 @@ class Telling:
             return entry
         if isinstance(entry, Phrase | Relation | tuple):
             return self.say(entry)
-        return self.math(entry, flat=True)
+        return self.math(entry)
