@@ -15,7 +15,18 @@ from derive.answers.latex.printed import SIGNS, parts_of, read_part, require_tex
 from derive.answers.latex.scripts import Tokens
 from derive.answers.latex.units import without_units
 from derive.errors import FormulaError, SheetError, SheetErrors, Unfit
-from derive.expression import Approximate, Expr, Indexed, Matrix, Measured, Symbol, children, unmeasured, walk
+from derive.expression import (
+    Approximate,
+    Expr,
+    Indexed,
+    Matrix,
+    Measured,
+    Symbol,
+    children,
+    rebuild,
+    unmeasured,
+    walk,
+)
 from derive.expression import replace as written_out
 from derive.render.document import Document
 from derive.render.layout import Chain
@@ -162,8 +173,17 @@ def _says(part: tuple[tuple[Kind, str], ...], tree: Expr, notation: Notation) ->
         if units != wanted:
             raise FormulaError(f"the units {', '.join(units)} stand for {', '.join(wanted)}", 0)
         tree = unmeasured(tree)
+    tree = _without_brackets(tree)
     read = read_part(tokens, tree, notation.atan2 == "xy")
     return fingerprint(read, notation.digits) == fingerprint(tree, notation.digits)
+
+
+def _without_brackets(tree: Expr) -> Expr:
+    """With the number in place of a matrix (1 by 1), as it is printed."""
+    match tree:
+        case Matrix(((alone,),)):
+            return _without_brackets(alone)
+    return rebuild(tree, _without_brackets)
 
 
 def _units(tree: Expr) -> Iterator[str]:

@@ -13,7 +13,7 @@ from derive.answers.reading import Locate, Route
 from derive.answers.terms import Terms
 from derive.derivation import Branch, Derivation
 from derive.errors import Place
-from derive.expression import Approximate, Expr, Symbol, column, free_symbols
+from derive.expression import Approximate, Expr, Matrix, Symbol, column, free_symbols
 from derive.kinds.problem import TREES, Problem
 
 
@@ -40,14 +40,17 @@ class Asked:
 
     @cached_property
     def derived(self) -> Mapping[str, Any]:
-        """Results by name; then steps of the page and entries named there; then what is known in numbers."""
+        """Results by name; then steps of the page, matrices and entries named there; then what is known in
+        numbers."""
         found: dict[str, Any] = {}
         for name, value in self.derivation.evaluated.items():
             if (tree := _numeric(value)) is not None:
                 found[name] = tree
         for each in reversed(list(_rests_on(self.derivation))):
             entries = {name for step in each.all_steps() for name in step.entries.values()}
-            found.update({name.name: each.definitions[name] for name in entries})
+            known = {name for name, tree in each.definitions.items() if isinstance(tree, Matrix)}
+            symbols = (name for name in entries | known if isinstance(name, Symbol))
+            found.update({name.name: each.definitions[name] for name in symbols})
             found.update({step.name: step.result for step in each.all_steps() if step.chain})
         return {**found, **self.derivation.results}
 

@@ -93,6 +93,8 @@ class Printer:
                 return self.product(factors)
             case Power(base, exponent):
                 return self.power(base, exponent)
+            case Matrix(((alone,),)):  # its number
+                return self.measured(alone)
             case Matrix(rows):
                 return self.column(rows) or (self.matrix(rows), ATOM)
             case _:

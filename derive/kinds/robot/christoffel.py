@@ -9,7 +9,7 @@ from fractions import Fraction
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
-from derive.derivation import Derivation, PageFacts, Phrase, Said
+from derive.derivation import Derivation, PageFacts, Phrase
 from derive.expression import ZERO, Derivative, Expr, Number, Sum, Symbol, add, multiply, number
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
@@ -25,7 +25,6 @@ from derive.names import entry_symbol
 NEEDS = ("bodies",)
 CLAIMS = ("names", "symmetric", "skew-symmetric", "others-vanish")
 Index = tuple[int, int, int]
-MOST_SHOWN = 2  # joints; with more, the symbols that vanish are only counted
 HALF = number("1/2")
 
 
@@ -40,7 +39,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     arm = Arm(problem)
     big, D, symbols = arm.inertia.told(InertiaFacts).big, arm.D, arm.christoffel
     work = Work(problem).resting_on(arm.inertia).showing(christoffel_law(problem.taken))
-    shown = () if big else _shown(symbols, len(robot.variables))
+    shown = () if big else _shown(symbols)
     for ijk in shown:
         work = _line(work, arm, ijk, symbols[ijk])
     ordered = [ijk for ijk in symbols if ijk == _ordered(ijk)]
@@ -54,22 +53,22 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     gone = sum(not normal(value, problem.names) for value in untold)
     work = work.law("others-vanish", (gone == vanish, big or gone == len(untold)))
     work = by_index(work, results)
-    return work.answer("christoffel", results, Facts(others=_others(big, len(symbols), vanish)))
+    return work.answer("christoffel", results, Facts(others=_others(big, len(symbols), vanish, len(shown))))
 
 
-def _others(big: bool, count: int, vanish: int) -> Phrase | None:
+def _others(big: bool, count: int, vanish: int, shown: int) -> Phrase | None:
     """What becomes of those that are not shown; of a `big` arm none is."""
-    about: dict[str, Said] = {"count": count, "vanish": vanish}
     if big:
-        return Phrase("long-symbols", about)
-    return None if not vanish else Phrase("one-vanishes") if vanish == 1 else Phrase("some-vanish", about)
+        return Phrase("long-symbols", {"count": count, "vanish": vanish})
+    if not shown:
+        return Phrase("all-vanish", {"D": Symbol("D")})
+    return Phrase("the-others-vanish") if vanish else None
 
 
-def _shown(symbols: Christoffel, n: int) -> tuple[Index, ...]:
-    """Those with i <= j, grouped by equation of motion; of an arm with many joints only those that do not
-    vanish."""
+def _shown(symbols: Christoffel) -> tuple[Index, ...]:
+    """Those with i <= j that do not vanish, grouped by equation of motion."""
     ordered = sorted((ijk for ijk in symbols if ijk[0] <= ijk[1]), key=lambda ijk: (ijk[2], ijk))
-    return tuple(ijk for ijk in ordered if symbols[ijk] or n <= MOST_SHOWN)
+    return tuple(ijk for ijk in ordered if symbols[ijk])
 
 
 def _line(work: Work, arm: Arm, ijk: Index, value: Scalar) -> Work:

@@ -26,7 +26,6 @@ CLAIMS = ("makes-v", "names", "rates-alone")
 measures = of_joints("v", effort=True)
 
 
-MOST_SHOWN = 2  # joints; with more, the symbols that vanish are only counted
 HALF, TWO = number("1/2"), number(2)
 C, B, V = Symbol("C"), Symbol("B"), Symbol("v")
 
@@ -66,7 +65,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     laws = (speed_law(), *khatib_laws(problem.taken))
     work = Work(problem).resting_on(arm.inertia).showing(*laws)
     work = work.linked() if arm.long else _entries(work, arm)  # in names alone there is nothing to compare
-    shown = [] if arm.long else [ijk for ijk in values if values[ijk] or n <= MOST_SHOWN]
+    shown = [] if arm.long else [ijk for ijk in values if values[ijk]]
     for i, j, k in shown:
         raw = HALF * (_m(i, j, k) + _m(i, k, j) - _m(j, k, i))
         names = (_b(i, k, j), raw) if j != k else (raw,)
@@ -86,7 +85,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         {**results, **entries, "v": work[V]},
         Facts(
             derivatives=Phrase("long-sums" if arm.long else "derivatives" if changes else "none-changes"),
-            others=Phrase("others-vanish", {"count": others}) if others and not arm.long else None,
+            others=Phrase("others-vanish") if shown and others else None,
             one=n == 1,
         ),
         matrices=frozenset({"C", "B"}),

@@ -15,7 +15,7 @@ from derive.kinds.robot._dynamics.bodies import Weighted, inertias, weighted
 from derive.kinds.robot._dynamics.body_steps import (
     body_definitions,
     com_jacobian_steps,
-    com_steps,
+    com_step,
     inertia_steps,
     local_steps,
     pose_definitions,
@@ -95,8 +95,7 @@ def _base(work: Work, found: Chain, bodies: tuple[Weighted, ...]) -> Work:
     """Coms, their Jacobians and inertias in the base frame."""
     for body in bodies:
         work = work.knowing(pose_definitions(work.problem, found, body))
-    poses, origins = zip(*(com_steps(work.problem, body) for body in bodies), strict=True)
-    work = work.step(*poses, *origins)
+    work = work.step(*(com_step(work.problem, body) for body in bodies))
     steps = (step for body in bodies for step in com_jacobian_steps(work.problem, found, body))
     once = {step.name: step for step in steps}  # motions of coupled joints
     return work.step(*once.values(), *inertia_steps(work.problem, bodies))

@@ -1,4 +1,4 @@
-"""From the pose of each centre of mass to its Jacobian and its inertia, as steps."""
+"""From the place of each centre of mass to its Jacobian and its inertia, as steps."""
 
 from __future__ import annotations
 
@@ -7,24 +7,22 @@ from collections.abc import Iterator
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.derivation import Step
-from derive.expression import Expr, Indexed, Matrix, Symbol, transpose
+from derive.expression import Expr, Matrix, Symbol, add, transpose
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import pose_name
 from derive.kinds.robot._columns import jacobian_steps
 from derive.kinds.robot._dynamics.bodies import Weighted
 from derive.mechanics.chain import Chain
 from derive.mechanics.moments import given_moments, steiner
-from derive.mechanics.poses import homogeneous
+from derive.mechanics.poses import homogeneous, position_part
 
 
-def com_steps(problem: Problem, body: Weighted) -> tuple[Step, Step]:
-    """T_c1 (4 by 4), which a page may leave out, and o_c1 (3 by 1)."""
-    name, origin = Symbol(f"T_c{body.i}"), Symbol(f"o_c{body.i}")
-    pose = problem.readable_matrix(homogeneous(body.motion.R, body.motion.com.entries))
-    o = Step(origin.name, (origin, problem.readable_matrix(body.motion.com)), "extract")
-    shift = _shift(problem, body.com)
-    route = pose_name(body.i) if shift is None else pose_name(body.i) * shift
-    return Step(name.name, (name, route, pose), "com-pose", spare=(pose,)), o
+def com_step(problem: Problem, body: Weighted) -> Step:
+    """o_c1 (3 by 1), from the origin of the frame of its link."""
+    name, origin = Symbol(f"o_c{body.i}"), Symbol(f"o_{body.i}")
+    shift = problem.readable_matrix(body.com)
+    route = add(origin, Symbol(f"R_{body.i}^0") * shift) if any(body.com.entries) else origin
+    return Step(name.name, (name, route, problem.readable_matrix(body.motion.com)), "center-of-mass")
 
 
 def com_jacobian_steps(problem: Problem, found: Chain, body: Weighted) -> tuple[Step, ...]:
@@ -93,23 +91,13 @@ def body_definitions(problem: Problem, body: Weighted) -> dict[Expr, Expr]:
 
 
 def pose_definitions(problem: Problem, found: Chain, body: Weighted) -> dict[Expr, Expr]:
-    """What the names on the way to the com and to its Jacobian stand for."""
+    """What the names on the way to the com and to its Jacobian stand for; that of its pose is for who has
+    called it so."""
+    pose = homogeneous(body.motion.R, body.motion.com.entries)
     J = ScalarMatrix.stacked([body.motion.J_v, body.motion.J_w])
-    names: dict[Expr, Expr] = {
+    return {
         pose_name(body.i): problem.readable_matrix(found.T[body.i]),
+        Symbol(f"o_{body.i}"): problem.readable_matrix(position_part(found.T[body.i])),
+        Symbol(f"T_c{body.i}"): problem.readable_matrix(pose),
         Symbol(f"J_c{body.i}"): problem.readable_matrix(J),
     }
-    if shift := _shift(problem, body.com):
-        pose = homogeneous(ScalarMatrix.identity(3), body.com.entries)
-        names[shift] = problem.readable_matrix(pose)
-    return names
-
-
-def _shift(problem: Problem, com: ScalarMatrix) -> Indexed | None:
-    """Trans_{x, L/2}: the translation to the com; by all coordinates where it is along no axis."""
-    along = [(axis, entry) for axis, entry in zip("xyz", com.entries, strict=True) if entry]
-    if not along:
-        return None
-    if len(along) == 1:
-        return Indexed("Trans", (Symbol(along[0][0]), problem.readable(along[0][1])))
-    return Indexed("Trans", tuple(problem.readable(entry) for entry in com.entries))
