@@ -11,6 +11,7 @@ from derive.figures.wish import Wish
 from derive.kinds.problem import Problem
 from derive.mechanics.frames import Frames
 from derive.mechanics.lagrangian import LagrangianSystem
+from derive.mechanics.mobility import Mechanism
 from derive.mechanics.motion import Motion
 from derive.mechanics.robot import Robot
 
@@ -32,7 +33,7 @@ def explains(problem: Problem, solutions: bool) -> bool:
             return True
         case Frames(frames=frames):
             return len(frames) <= MOST_FRAMES
-        case LagrangianSystem():
+        case LagrangianSystem() | Mechanism():
             return True  # where it can be drawn
         case Motion():
             return solutions
@@ -72,6 +73,10 @@ def figure_of(problem: Problem, wish: Wish = NOTHING) -> Drawing:
             from derive.figures import triads
 
             return triads.of_frames(problem.subject, problem.where, wish)
+        case Mechanism():
+            from derive.figures import linkages
+
+            return linkages.drawn(problem.subject)
         case LagrangianSystem():
             from derive.figures import pendulums, pendulums_in_space
 

@@ -99,6 +99,8 @@ problems:
       position: [x + l1*sin(theta1) + l2*sin(theta1 + theta2), -l1*cos(theta1) - l2*cos(theta1 + theta2)]
     forces: {x: F}
   find: equations-of-motion
+- mechanism: {space: spatial, legs: [{chain: UPS, count: 6}]}
+  find: mobility
 - lagrange:
     coordinates: [theta, phi]
     bodies: [{mass: m, position: [l*sin(theta)*cos(phi), l*sin(theta)*sin(phi), -l*cos(theta)]}]
@@ -106,11 +108,11 @@ problems:
 """
 
 
-def test_masses_on_rods(tmp_path: Path) -> None:
+def test_masses_on_rods_and_a_platform_on_legs(tmp_path: Path) -> None:
     sheet = tmp_path / "sheet.yaml"
     sheet.write_text(MASSES, encoding="utf-8")
-    plane, space = laid(sheet)
-    assert [faults(*plane), faults(*space)] == [[], []]
+    plane, legs, space = laid(sheet)
+    assert [faults(*each) for each in (plane, legs, space)] == [[]] * 3
     names = [
         {str(getattr(c.text, "name", c.text)) for c in drawing.captions} for drawing, _ in (plane, space)
     ]
