@@ -8,7 +8,7 @@ from typing import Any, TypeAlias, get_args
 
 from derive.algebra.formulas.quantities import rational
 from derive.derivation import Phrase, Said, Table
-from derive.expression import ZERO, Expr, Matrix, Measured, Number, Relation, Symbol, column, number
+from derive.expression import ZERO, Degrees, Expr, Matrix, Measured, Number, Relation, Symbol, column, number
 
 TREES = get_args(Expr)
 Chain: TypeAlias = tuple[Expr, ...]
@@ -79,8 +79,8 @@ def measured(value: Expr, unit: str = "") -> Expr:
 
 
 def unit_of(value: Expr) -> str:
-    """The unit of a number."""
-    return value.unit if isinstance(value, Number) and value.value else ""
+    """The unit of a number; what degrees are divided by."""
+    return value.unit if isinstance(value, Number | Degrees) and value.value else ""
 
 
 def names(given: Iterable[str]) -> tuple[Said, ...]:

@@ -113,9 +113,11 @@ class Printer:
                 return self.indexed(self.notation.letters.indexed(expr))
             case Derivative(of, by):
                 return self.derivative(of, by), PRODUCT
+            case Measured(Matrix() as value, unit) if unit.startswith("/") and (plain := _in_degrees(value)):
+                return rf"{self.write(plain)}^\circ{unit_latex(unit)}", PRODUCT
             case Measured(value, unit):
                 number = self.write(value) if is_negative(value) else self.held(value, PRODUCT)
-                return number + unit_latex(unit), PRODUCT
+                return number + unit_latex(unit), SUM if is_negative(value) else PRODUCT
             case _:
                 raise TypeError(f"not an expression: {expr!r}")
 
@@ -169,7 +171,9 @@ class Printer:
         among = replace(self, flat=False) if len(factors) > 1 else self
         written, tightness = among.measured(factor)
         bare = tightness >= PRODUCT or (
-            place == 0 and not inside and isinstance(factor, Number | Approximate | Product | Quotient)
+            place == 0
+            and not inside
+            and isinstance(factor, Number | Approximate | Measured | Product | Quotient)
         )
         return written if bare or (len(factors) == 1 and not inside) else parenthesised(written)
 
@@ -295,6 +299,24 @@ class Printer:
         names = [name_latex(each.name) for each in dict.fromkeys((outer, inner))]
         below = r" \partial ".join(names) if len(names) > 1 else f"{names[0]}^2"
         return rf"\frac{{\partial^2 {self.write(of)}}}{{\partial {below}}}"
+
+
+def _in_degrees(matrix: Matrix) -> Matrix | None:
+    """A matrix of angles without the signs of degrees, which one behind it stands for; None where another
+    entry is in it."""
+    rows = tuple(tuple(map(_degrees_of, row)) for row in matrix.rows)
+    return Matrix(tuple(tuple(e for e in row if e) for row in rows)) if all(map(all, rows)) else None
+
+
+def _degrees_of(entry: Expr) -> Expr | None:
+    match entry:
+        case Degrees(value):
+            return Number(value, True)
+        case Product((Approximate() as size, Degrees(Fraction(numerator=1, denominator=1)))):
+            return size
+        case Number(value) if not value:
+            return entry
+    return None
 
 
 def _whole(number: str) -> str:

@@ -198,11 +198,16 @@ class _Parser:
         return raised(base, self.argument_group(), sign.offset)
 
     def degrees(self, base: Quantity, token: Token) -> Quantity:
-        value = rational(base.expr)
+        if isinstance(base.expr, Matrix):
+            rows = tuple(tuple(self._in_degrees(each, token) for each in row) for row in base.expr.rows)
+            return Quantity(Matrix(rows), None, False, base.terms)
+        return Quantity(self._in_degrees(base.expr, token), None)
+
+    def _in_degrees(self, expr: Expr, token: Token) -> Expr:
+        value = rational(expr)
         if value is None:
-            raise FormulaError("only a number can be in degrees", token.offset)
-        places = base.expr.places if isinstance(base.expr, Number) else 0
-        return Quantity(Degrees(value, places), None)
+            raise FormulaError("only numbers can be in degrees", token.offset)
+        return Degrees(value, expr.places if isinstance(expr, Number) else 0)
 
     # -- atoms ------------------------------------------------------------------------------------
 

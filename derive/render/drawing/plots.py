@@ -16,7 +16,7 @@ from derive.render.drawing.sketch import Sketch, said
 from derive.render.drawing.style import FAINT, INK, LETTERS, PALE, WIDEST, Pen
 
 MARGIN = 2.0  # points round everything
-WIDE, HIGH, LOW, PANEL, SQUARE = WIDEST - 46, 150.0, 90.0, 68.0, 150.0  # of what is inside the axes
+WIDE, HIGH, LOW, PANEL, SQUARE = WIDEST - 46, 150.0, 90.0, 46.0, 150.0  # of what is inside the axes
 ONE, OTHER = (88.0, 96.0), (150.0, 165.0)  # high and wide: what stands before another, and that one
 BETWEEN, APART = 9.0, 22.0  # panels above each other, and beside each other
 TICK, AIR = 3.0, 3.0
