@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
+from derive.algebra.readable.operation_count import operations
 from derive.expression import Call, Expr, Indexed, Sum, Symbol, walk
 from derive.render.known_names import alone, link, named, nodes, shown, trees
 from derive.render.layout import Chain
@@ -67,19 +68,21 @@ def _atan2(formulas: Iterable[Printed]) -> Iterator[tuple[Call, Notation]]:
 
 
 def _moves(formulas: Iterable[Printed], printed: list[Printed]) -> Iterator[dict[str, str | int]]:
-    """The first elementary rotation and the first translation of each way to call them: R_{z,phi}."""
-    met = set[str]()
+    """A rotation and a translation of each way to call them, R_{z,phi}: by a name where there is one, else by
+    the shortest amount."""
+    found: dict[str, dict[Indexed, Notation]] = {}
     for formula in formulas:
         for node in nodes(formula):
             match node:
-                case Indexed(base, (Symbol(axis), amount)) if (
-                    base in MOVES and base not in met and axis in "xyz"
-                ):
-                    met.add(base)
-                    parts = {"name": node, "amount": amount, "axis": Symbol(axis)}
-                    said = {key: alone(tree, formula.notation, printed) for key, tree in parts.items()}
-                    sort, size = MOVES[base]
-                    yield {**said, "sort": sort, "size": size}
+                case Indexed(base, (Symbol("x" | "y" | "z"), _)) if base in MOVES:
+                    found.setdefault(base, {}).setdefault(node, formula.notation)
+    for base, moves in found.items():
+        move = min(moves, key=lambda move: (not isinstance(move.lower[1], Symbol), operations(move.lower[1])))
+        axis, amount = move.lower
+        parts = {"name": move, "amount": amount, "axis": axis}
+        sort, size = MOVES[base]
+        said = {key: alone(tree, moves[move], printed) for key, tree in parts.items()}
+        yield {**said, "sort": sort, "size": size}
 
 
 def _equation(call: Call, notation: Notation) -> Chain:

@@ -23,13 +23,12 @@ FRAMED = re.compile(rf"{BEFORE}[TR]_\w\^(?!T)\w")  # a pose or a rotation that w
 
 @dataclass(frozen=True, slots=True)
 class Style:
-    """How one book writes: its letters for ours, the place of the indices of frames, the columns of a table
-    of link parameters, and whether a twist begins with the angular velocity."""
+    """How one book writes: its letters for ours, the place of the indices of frames and the columns of a
+    table of link parameters."""
 
     letters: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
     frames: Frames = "after"
     columns: tuple[str, ...] = ()
-    angular_first: bool = False
 
 
 STYLES: Mapping[str, Style] = {
@@ -40,7 +39,7 @@ STYLES: Mapping[str, Style] = {
     # Craig, chapters 2, 3 and 6
     "craig": Style({"D": "M", "g": "G"}, "before", ("alpha", "a", "d", "theta")),
     # Lynch and Park, chapters 3, 5 and 8, appendix C
-    "lynch": Style({"D": "M"}, "below", ("alpha", "a", "d", "theta"), angular_first=True),
+    "lynch": Style({"D": "M"}, "below", ("alpha", "a", "d", "theta")),
 }
 
 
