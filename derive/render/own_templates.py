@@ -21,6 +21,7 @@ from derive.render.skin import DRESSING, environment, templates, with_templates
 from derive.render.untold import Untold
 
 OF_THE_HOUSE = "laws.txt"  # what typed formulas are held to
+PACKAGE = '"@'  # begins its name
 TEMPLATES = (".j2", ".typ", ".css", ".xml", ".txt")
 
 
@@ -70,6 +71,8 @@ def _require_templates(folder: Path, made: Sandbox) -> None:
     ours = sorted(_files(templates()))
     found = []
     for name in sorted(made.own):
+        if place := _package(made, name):
+            found.append(SheetError("packages of Typst are not loaded", place, "copy what you need of it"))
         if name == OF_THE_HOUSE:
             found.append(SheetError(f"{folder / name}: the laws of the house are no template"))
         elif name.endswith(".j2"):
@@ -85,6 +88,12 @@ def _require_templates(folder: Path, made: Sandbox) -> None:
             )
     if found:
         raise SheetErrors(found)
+
+
+def _package(made: Sandbox, name: str) -> Place | None:
+    """Where a template imports a package, which Typst would load from the network."""
+    lines = enumerate(made.text(name).splitlines(), 1) if name.startswith("typst/") else ()
+    return next((_place(str(made.folder / name), k) for k, line in lines if PACKAGE in line), None)
 
 
 def _is_partial(name: str) -> bool:

@@ -66,6 +66,7 @@ def test_the_example_of_the_docs(look: Path) -> None:
     assert "> [!NOTE]" in own
     formulas = re.compile(r"\$\$.*?\$\$", re.DOTALL)
     assert formulas.findall(own) == formulas.findall(plain) != []
+    assert run("arm.yaml", "--format", "pdf", "--templates", "look").exit_code == 0
     assert json.loads(page("--templates", "look", kind="json")) == json.loads(page(kind="json"))
 
 
@@ -85,6 +86,10 @@ def test_all_of_ours_may_be_ones_own(look: Path) -> None:
         ({JACOBIAN: "Nothing."}, f"look/{JACOBIAN}:1:1: the words of jacobian neither show nor tell: "),
         ({JACOBIAN: EXTENDS + "{% block phrases %}\nall-turn\n{% endblock %}"}, f"look/{JACOBIAN}:1:1: "),
         ({JACOBIAN.replace("jac", "jak"): "x"}, f"did you mean {JACOBIAN}?"),
+        (
+            {"typst/furniture.typ": '\n#import "@preview/cetz:0.3.0"'},
+            "look/typst/furniture.typ:2:1: packages",
+        ),
         ({"laws.txt": "x"}, "look/laws.txt: the laws of the house are no template"),
         (
             {"markdown/skin.j2": "\n{% macro display(lines, w, b) %}{{ 1 / 0 }}{% endmacro %}"},
