@@ -100,7 +100,9 @@ class Mentioned:
     def _has_column(self, tree: Expr) -> bool:
         """Whether its entries stand side by side, if it is a column with numbers in it."""
         tree = tree.value if isinstance(tree, Measured) else tree
-        if not isinstance(tree, Matrix) or not any(rational(entry) for (entry, *_) in tree.rows):
+        if not isinstance(tree, Matrix) or tree.shape[1] > 1:
+            return True
+        if not any(rational(entry) for (entry,) in tree.rows):
             return True
         written = Printer(Notation(), in_line=True).write(tree).removesuffix("^T")
         return _bare(written).strip("()") in self.dense

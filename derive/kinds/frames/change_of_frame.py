@@ -9,10 +9,23 @@ from typing import Any
 
 from pydantic import Field, model_validator
 
-from derive.algebra.normal import normal_matrix
+from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numbers.floats import Point, number, numbers
 from derive.derivation import Derivation, PageFacts, Phrase, Step
-from derive.expression import ONE, ZERO, Expr, Indexed, Matrix, Number, Symbol, column, walk
+from derive.expression import (
+    ONE,
+    ZERO,
+    Expr,
+    Indexed,
+    Matrix,
+    Number,
+    Symbol,
+    add,
+    column,
+    is_negative,
+    multiply,
+    walk,
+)
 from derive.kinds.checks import is_rotation
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.frames._frames import is_given, origin_name, pose_name, rotation_name
@@ -54,6 +67,7 @@ class Facts(PageFacts):
     pose: Symbol
     rotation: Symbol | None  # of what is turned
     origin: Symbol | None  # where it counts
+    together: bool  # whether that is the origin of the other frame, so that a point is only turned
     skew: Expr | None  # of a twist
 
 
@@ -86,11 +100,12 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
         pose=whole,
         rotation=None if options.twist else R,
         origin=None if options.vector else o,
+        together=options.point is not None and _is_zero(work.entries(o)),
         skew=Indexed("S", (o,)) if options.twist else None,
     )
     shifted = any(o in walk(tree) for tree in work.steps[-1].chain)
     twist = work.matrix(name).shape == (6, 1)
-    work = work.law("said", (facts.free != shifted, facts.twist == twist))
+    work = work.law("said", ((facts.free or facts.together) != shifted, facts.twist == twist))
     units = _units(options, name, Symbol(f"{name.name[0]}^{source}"))
     return work.answer("change-of-frame", {name.name: work.final(name)}, facts, units=units)
 
@@ -114,7 +129,28 @@ def _board(
         return twist_lines(work, name, before, R, o), name
     named, written = R * before, work[R] * given
     formulas = (named, written) if options.vector else (named + o, written + work[o])
-    return work.line(name, *formulas, rule="change-of-frame").closed(name), name
+    together = options.point is not None and _is_zero(work.entries(o))
+    if together:
+        formulas = (named, written)
+    plain = together and all(isinstance(part, Symbol) for (part,) in given.rows)
+    value = _row_by_row(work.matrix(R), given) if plain else None
+    return work.line(name, *formulas, value=value, rule="change-of-frame").closed(name), name
+
+
+def _is_zero(entries: tuple[Expr, ...]) -> bool:
+    return not any(map(normal, entries))
+
+
+def _row_by_row(R: Matrix, given: Matrix) -> Matrix:
+    """R times a column (3 by 1) of symbols, the terms in their order."""
+    return column(
+        add(*(_term(part, entry) for entry, (part,) in zip(row, given.rows, strict=True) if normal(entry)))
+        for row in R.rows
+    )
+
+
+def _term(part: Expr, entry: Expr) -> Expr:
+    return -multiply(part, -entry) if is_negative(entry) else multiply(part, entry)
 
 
 def _coordinates(frames: Frames, source: int, options: Options, target: int, at: Point) -> Any:

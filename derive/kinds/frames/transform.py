@@ -34,6 +34,7 @@ class Options(OptionsModel):
 class LineTold(Record):
     said: Phrase
     step: str
+    stands: bool = False  # already, with the frames that are given
 
 
 class Facts(PageFacts):
@@ -70,7 +71,7 @@ def _told(work: Work, path: Way, source: int, target: int) -> Iterator[LineTold]
         said = Phrase("given-already", between) if work.uses else Phrase("given-here", between)
     else:
         said = Phrase("indices-cancel")
-    yield LineTold(said=said, step=last.name)
+    yield LineTold(said=said, step=last.name, stands=said.key == "given-already")
 
 
 def _said(work: Work, facts: Facts, frames: Frames) -> Iterator[bool]:

@@ -226,6 +226,7 @@ class Comparison:
             same=self.same,
             met=True,
             angle_results=euler.names,
+            numbers=("solutions",) if self.given.numeric else None,
             style=self.problem.style,
             short_names=euler.names,
         )

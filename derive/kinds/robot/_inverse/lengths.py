@@ -27,6 +27,7 @@ from derive.expression import (
     sqrt,
     terms_of,
 )
+from derive.expression import replace as put_in
 from derive.kinds.robot._inverse.facts import Method
 from derive.kinds.robot._inverse.one_equation import SIGNS, of_sign, solve
 from derive.kinds.robot._inverse.signs import (
@@ -96,7 +97,7 @@ def slide(solving: Solving, found: Slide) -> None:
     amount = found.value / found.slope if fixed else found.value
     slope = ONE if fixed else solving.short(found.slope)
     shown = progress.tree(found.equation.left), progress.tree(found.equation.right)
-    result = over(progress.tree(amount), slope)
+    result = over(ordered(put_in(progress.tree(amount), progress.by_name)), slope)
     if d not in shown or result not in shown:
         solving.equation(*shown)
     else:

@@ -10,7 +10,19 @@ from derive.algebra.infix import text
 from derive.algebra.normal import normal, trig_of
 from derive.algebra.scalar import Scalar
 from derive.derivation import Step
-from derive.expression import Call, Expr, Relation, Symbol, add, free_symbols, is_negative, terms_of, walk
+from derive.expression import (
+    Call,
+    Expr,
+    Relation,
+    Symbol,
+    add,
+    cos,
+    free_symbols,
+    is_negative,
+    sin,
+    terms_of,
+    walk,
+)
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.facts import zero
 from derive.kinds.robot._inverse.signs import facing, leaves, opposite, ordered, signed, unsigned
@@ -36,6 +48,7 @@ class Progress:
         self.forms: list[Form] = []
         self.values: list[Expr] = []  # of the forms: what a sum is called, or is
         self.called: set[str] = set()  # names of sums
+        self.by_name: dict[Expr, Expr] = {}  # cosines and sines of sums that are a given angle
         self.steps = 0
 
     # -- names ------------------------------------------------------------------------------------
@@ -94,6 +107,11 @@ class Progress:
         tree = self.problem.readable(trig_of(total)[0])
         angle = tree.arguments[0] if isinstance(tree, Call) else tree
         return opposite(angle) if normal(angle) == -total else angle  # a cosine is the same of both
+
+    def is_given(self, angle: Expr, value: Expr) -> None:
+        """A sum of angles is a given one: its cosine and sine are known by that."""
+        c, s = map(self.problem.readable, trig_of(normal(value)))
+        self.by_name |= {cos(angle): c, sin(angle): s}
 
     # -- sub-problems -----------------------------------------------------------------------------
 

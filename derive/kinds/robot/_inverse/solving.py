@@ -75,6 +75,8 @@ class Solving:
         progress, unknown = self.progress, self.found.unknown
         self._sides_named()
         told = [choice.value for choice in shown or choices]
+        if method.by_name and isinstance(unknown, Form) and len(unknown.parts) > 1:
+            progress.is_given(head, told[0])
         named = progress.name_of(unknown, told) if isinstance(unknown, Form) else None
         for k, value in enumerate(told):
             self.add("choice", *((named,) if named else ()), *((head,) if not (named and k) else ()), value)

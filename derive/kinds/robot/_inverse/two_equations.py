@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 
@@ -24,7 +24,7 @@ Answer = tuple[Sequence[Choice], Method]
 def write(solving: Solving, found: TwoEquations) -> None:
     """The two equations, and the angle."""
     angle, found = solving.progress.angle(found.unknown), _plainest(solving.progress, found)
-    first, second = (_collected(solving, row, angle) for row in (found.first, found.second))
+    first, second = _collected(solving, (found.first, found.second), angle)
     ways = {"direction": _direction, "difference": _difference, "determinant": _cramer}
     choices, method = ways[found.method](solving, found, first, second)
     solving.solved(angle, choices, method)
@@ -47,11 +47,24 @@ def _plainest(progress: Progress, found: TwoEquations) -> TwoEquations:
     return replace(found, first=first, second=second)
 
 
-def _collected(solving: Solving, row: TrigEquation, angle: Expr) -> Sides:
-    """(a, b, c) as trees, with a step c = a cos q + b sin q."""
-    c, a, b = (solving.short(value) for value in (row.c, row.a, row.b))
-    solving.equation(c, times(a, cos(angle)) + times(b, sin(angle)))
-    return a, b, c
+def _collected(solving: Solving, rows: Sequence[TrigEquation], angle: Expr) -> Iterator[Sides]:
+    """(a, b, c) of each as trees, with a step c = a cos q + b sin q, or as it stands in the product of poses
+    where nothing has to be collected."""
+    sides: list[Sides] = []
+    for row in rows:
+        c, a, b = (solving.short(value) for value in (row.c, row.a, row.b))
+        sides.append((a, b, c))
+    plain = all(_is_plain(solving.progress, row, c) for row, (_, _, c) in zip(rows, sides, strict=True))
+    for row, (a, b, c) in zip(rows, sides, strict=True):
+        read = solving.problem.readable(row.equation.right)
+        solving.equation(c, read if plain else times(a, cos(angle)) + times(b, sin(angle)))
+        yield a, b, c
+
+
+def _is_plain(progress: Progress, row: TrigEquation, known: Expr) -> bool:
+    """Whether the unknown has no sums before it, and all that is known was so from the first."""
+    short = all(len(value.numerator) <= 1 for value in (row.a, row.b))
+    return short and progress.tree(row.equation.left) == known
 
 
 def _direction(solving: Solving, found: TwoEquations, first: Sides, second: Sides) -> Answer:
