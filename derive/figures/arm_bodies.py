@@ -16,7 +16,7 @@ from derive.mechanics.bodies import Body, Box, Cylinder, Moments, PointMass, Rod
 from derive.mechanics.oracle.bodies import com_of
 from derive.mechanics.robot import Robot
 
-BEHIND = 20.0  # sizes of a joint: the links are drawn upon their bodies
+BEHIND = 20.0  # sizes of a joint: links in space are drawn upon their bodies
 DOT = 0.3  # sizes of a joint: a body that counts as a point
 
 
@@ -45,7 +45,7 @@ def shown_by_body(robot: Robot) -> bool:
 
 
 def solid_bodies(robot: Robot, view: View, posed: Posed, size: float) -> Iterator[solids.Solid]:
-    """Each body of a shape, behind the skeleton of its arm."""
+    """Each body of a shape: upon the links in a plane, in space behind the skeleton of its arm."""
     for k, body in bodies_of(robot):
         at, T, point = com_place(body, posed, k), posed.poses[k], posed.values
         strokes: list[Stroke]
@@ -65,9 +65,10 @@ def solid_bodies(robot: Robot, view: View, posed: Posed, size: float) -> Iterato
                 strokes = [Stroke(solids.circle(view, at, view.right, view.up, DOT * size), "pin")]
             case _:
                 continue
-        depth = view.depth(at)
-        front = isinstance(body.inertia, PointMass | Sphere) and view.flat
-        yield solids.Solid(depth + 2 * size if front else depth - BEHIND * size, tuple(strokes))
+        before = (
+            0.5 if isinstance(body.inertia, Box | Cylinder | Rod) else 2.0
+        ) * size  # joints are drawn upon them
+        yield solids.Solid(view.depth(at) + (before if view.flat else -BEHIND * size), tuple(strokes))
 
 
 def bodies_of(robot: Robot) -> Iterator[tuple[int, Body]]:

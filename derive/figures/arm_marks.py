@@ -20,7 +20,7 @@ from derive.mechanics.robot import DHRow, Robot
 
 MOST = 3  # joints of an arm in space whose centers of mass are drawn
 RADIUS = 0.24  # sizes of a joint: a center of mass
-ASIDE = 0.85  # and how far beside its link a length is drawn
+ASIDE = 1.75  # and how far beside its link a length is drawn
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,6 +14,7 @@ from derive.figures.arm import place_of
 from derive.figures.arm_frames import LONG, arrows_drawn, pointing_at_reader, shared
 from derive.figures.clear_views import clearest
 from derive.figures.described import direction
+from derive.figures.turn_arcs import turn_arcs
 from derive.figures.typical import completed, typical
 from derive.figures.view import Vector, View, in_space, length
 from derive.figures.wish import Wish
@@ -60,6 +61,9 @@ def of_frames(frames: Frames, where: Mapping[str, Expr], wish: Wish) -> Drawing:
     named = [(str(k), poses[k]) for k in numbers]
     arrows = [*arrows_drawn(view, shared(named, "xyz", size), size / LONG)]
     strokes += [stroke for stroke, _ in arrows]
+    for arc, name in turn_arcs(frames, poses, point, view, size):
+        strokes.append(arc)
+        captions.append(name)
     signs = [*pointing_at_reader(view, shared(named, "xyz", size), size)]
     strokes += [stroke for sign, _ in signs for stroke in sign]
     texts = (*(text for _, text in (*arrows, *signs)), *origin_names(view, named), *captions)
