@@ -29,6 +29,7 @@ from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import Evaluation, OptionsModel, Place
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
+from derive.kinds.robot._degrees import in_degrees
 from derive.kinds.robot._determinants import as_product, determinant, gram_determinant, natural, product_tree
 from derive.kinds.robot._lengths import unit_of_lengths
 from derive.kinds.robot._point import PointOn
@@ -103,7 +104,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     best = _best(task, det)
     if best:
         work = work.claim(route("largest", _largest(task, best)))
-    facts = Facts(general=_general(task, best), numbers=("w",))
+    told = tuple(in_degrees(problem, *pair) for pair in best)
+    facts = Facts(general=_general(task, told), numbers=("w",))
     return work.answer("manipulability", {"w": work[W]}, facts)
 
 
@@ -234,7 +236,10 @@ def _lines(task: Task, det: Expr, w: Expr) -> Work:
 
 def _general(task: Task, best: tuple[tuple[Expr, Expr], ...]) -> General:
     figure = figure_of(task)
-    about: dict[str, Said] = {"figure": figure, "gram": J * transpose(J), "w": W, "J": J}
+    size = Phrase("area" if figure.key == "ellipse" else "volume")
+    about: dict[str, Said] = {
+        "figure": figure, "size": size, "gram": J * transpose(J), "w": W, "J": J,
+    }  # fmt: skip
     volume = Phrase("square" if task.square else "wide", about)
     return General(
         rows=task.velocities,

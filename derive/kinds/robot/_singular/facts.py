@@ -8,8 +8,9 @@ from typing import TypeAlias
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.derivation import PageFacts, Phrase, Record, Said
-from derive.expression import ZERO, Expr, Product, Symbol, add, multiply, transpose
+from derive.expression import ZERO, Expr, Product, Symbol, add, free_symbols, multiply, transpose
 from derive.kinds.problem import Problem
+from derive.kinds.robot._degrees import in_degrees
 from derive.kinds.robot._singular.saying import clauses
 from derive.kinds.robot._singular.sets import Analysed, Case, rooted, written
 from derive.kinds.robot._singular.ways import Way
@@ -37,11 +38,12 @@ class CaseTold(Record):
 
 class Inside(Record):
     """The equations and values of a set: `choices` for each variable where they are independent of each
-    other, `places` for each case where they are not."""
+    other, `places` for each case where they are not; `long` are values that stand on lines of their own."""
 
     equations: tuple[tuple[Expr, Expr], ...]
     choices: tuple[tuple[tuple[Expr, Expr], ...], ...]
     places: tuple[tuple[tuple[Expr, Expr], ...], ...]
+    long: tuple[Chain, ...]
     several: bool  # equations
     told: bool
     rank: int
@@ -85,7 +87,7 @@ def facts_of(problem: Problem, way: Way, sets: tuple[Analysed, ...], lengths: Ph
         lengths=None if none else lengths,
         where=Phrase(_where(way, none, outer)),
         sets=tuple(_set(problem, way, each) for each in sets if not each.inner),
-        inner=tuple(_inside(each) for each in inner),
+        inner=tuple(_inside(problem, each) for each in inner),
         inside=Phrase("inside-of-a-wrist" if way.name == "wrist" else "inside-these") if inner else None,
         holding=_holding(len({each.rank for each in sets}) > 1, all(each.exact for each in sets)),
         none=none,
@@ -143,7 +145,7 @@ def _set(problem: Problem, way: Way, each: Analysed) -> SetTold:
     cases = tuple(_case(problem, way, each, case) for case in each.cases)
     alike = len(cases) == 2 and not cases[1].known and cases[0].looks == cases[1].looks
     return SetTold(
-        inside=_inside(each),
+        inside=_inside(problem, each),
         cases=cases[:1] if alike else cases,
         alike=alike,
         angular=each.block.name == "J_22" or each.block.rows[0][0] == "w",
@@ -152,15 +154,18 @@ def _set(problem: Problem, way: Way, each: Analysed) -> SetTold:
     )
 
 
-def _inside(each: Analysed) -> Inside:
-    choices = _choices(each.cases)
+def _inside(problem: Problem, each: Analysed) -> Inside:
+    choices = _choices([_places(problem, case) for case in each.cases])
     free = prod(map(len, choices)) == len(each.cases)
-    equations = (*each.decided, *((equation, ZERO) for equation in each.equations))
-    solved = len(each.cases) == 1 and {*equations} == {*each.cases[0].values}  # d3 = 0, and nothing to solve
+    decided = (in_degrees(problem, *pair) for pair in each.decided)
+    equations = (*decided, *((equation, ZERO) for equation in each.equations))
+    solved = len(each.cases) == 1 and {*equations} == {*_places(problem, each.cases[0])}  # nothing to solve
+    long = choices[0] if len(choices) == 1 and any(free_symbols(value) for _, value in choices[0]) else ()
     return Inside(
         equations=() if solved else equations,
-        choices=choices if free else (),
-        places=() if free else tuple(case.values for case in each.cases),
+        choices=choices if free and not long else (),
+        places=() if free else tuple(_places(problem, case) for case in each.cases),
+        long=long,
         several=len(each.equations) > 1,
         told=any(case.J is not None for case in each.cases),
         rank=each.rank,
@@ -168,10 +173,14 @@ def _inside(each: Analysed) -> Inside:
     )
 
 
-def _choices(cases: Sequence[Case]) -> tuple[tuple[tuple[Expr, Expr], ...], ...]:
+def _places(problem: Problem, case: Case) -> tuple[tuple[Expr, Expr], ...]:
+    return tuple(in_degrees(problem, *pair) for pair in case.values)
+
+
+def _choices(cases: Sequence[tuple[tuple[Expr, Expr], ...]]) -> tuple[tuple[tuple[Expr, Expr], ...], ...]:
     found: dict[Expr, dict[tuple[Expr, Expr], None]] = {}
-    for case in cases:
-        for pair in case.values:
+    for values in cases:
+        for pair in values:
             found.setdefault(pair[0], {})[pair] = None
     return tuple(tuple(pairs) for pairs in found.values())
 
@@ -182,7 +191,7 @@ def _case(problem: Problem, way: Way, each: Analysed, case: Case) -> CaseTold:
     mixed = len({row[0] for row in each.block.rows}) > 1
     null, spanned, lost = _letters(problem, (case.null, case.range, case.lost))
     return CaseTold(
-        places=case.values,
+        places=_places(problem, case),
         looks=clauses(case, each.block, way.point),
         known=case.J is not None,
         block=J if each.block.name in ("J_11", "J_22") else None,

@@ -99,7 +99,8 @@ def _compared(sizes: Sequence[float], full: bool) -> Phrase | None:
     if not sizes[-1]:
         return Phrase("singular") if full else None
     ratio = sizes[0] / sizes[-1]
-    return Phrase("even") if ratio < 1 + NONE else Phrase("uneven", {"ratio": Approximate(ratio)})
+    key = "uneven-ellipse" if len(sizes) == 2 else "uneven"
+    return Phrase("even") if ratio < 1 + NONE else Phrase(key, {"ratio": Approximate(ratio)})
 
 
 def _rounded(rows: Any) -> tuple[tuple[Expr, ...], ...]:
