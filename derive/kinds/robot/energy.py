@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
-from derive.derivation import Derivation, PageFacts, Phrase, Table
+from derive.derivation import Derivation, PageFacts
 from derive.expression import (
-    ZERO,
     Expr,
     Matrix,
     Symbol,
@@ -35,12 +32,11 @@ from derive.mechanics.robot import Robot
 from derive.names import require_free
 
 NEEDS = ("bodies",)
-CLAIMS = ("quadratic-form", "names", "power", "table")
+CLAIMS = ("quadratic-form", "names", "power")
 measures = together(of_variables, of_energies("K", "P"))
 
 
 HALF = number("1/2")
-LETTERS = {"link": "", "kinetic-energy": "K", "potential-energy": "P"}
 K, P, RATE = symbols("K P q_dot")
 
 
@@ -49,7 +45,7 @@ MEANINGS = {**EVERY, r"omega_(\d+)": lambda arm, i, _: arm.courses[i].omega}
 
 class Facts(PageFacts):
     big: bool
-    table: Table
+    potential: tuple[tuple[Expr, Expr], ...]  # of each link, found with its gravity
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -84,9 +80,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     )
     parts = [*names, *(f"P_{body.i}" for body in bodies), "K", "P"]
     results = {name: work.final(name) for name in parts}
-    table = _table(results)
-    work = by_index(work, results, MEANINGS).law("table", _is_listed(table, results))
-    return work.answer("energy", results, Facts(big=arm.long, table=table))
+    weights = tuple((Symbol(name), value) for name, value in results.items() if name.startswith("P_"))
+    work = by_index(work, results, MEANINGS)
+    return work.answer("energy", results, Facts(big=arm.long, potential=() if arm.long else weights))
 
 
 def _velocities(work: Work, bodies: tuple[Weighted, ...]) -> Work:
@@ -122,23 +118,3 @@ def _form(work: Work, arm: Arm, index: str, name: Symbol, D: Matrix, rule: str =
     K_i = Symbol(f"K_{index}")
     work = work.line(K_i, formula, value=formula if arm.long else value, rule=rule)
     return work.knowing({K_i: arm.final(value)})
-
-
-def _is_listed(table: Table, energies: Mapping[str, Expr]) -> Iterator[bool]:
-    """Each energy stands in the row of its link, under its heading; where there is none stands zero."""
-    letters = [LETTERS[heading.key] for heading in table.headings if isinstance(heading, Phrase)][1:]
-    cells = {
-        f"{letter}_{label if isinstance(label, str) else 'm'}": cell
-        for label, *pair in table.rows
-        for letter, cell in zip(letters, pair, strict=True)
-    }
-    yield from (cell == energies.get(name, ZERO) for name, cell in cells.items())
-    yield {name for name in energies if "_" in name} <= cells.keys()
-
-
-def _table(energies: Mapping[str, Expr]) -> Table:
-    """Link, kinetic and potential energy."""
-    labels = [name[2:] for name in energies if name.startswith("K_")]
-    cells = {label: (energies[f"K_{label}"], energies.get(f"P_{label}", ZERO)) for label in labels}
-    rows = ((Phrase("rotors") if label == "m" else label, *pair) for label, pair in cells.items())
-    return Table((Phrase("link"), Phrase("kinetic-energy"), Phrase("potential-energy")), tuple(rows))

@@ -9,10 +9,11 @@ from typing import Any
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import numbers
+from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts, Phrase, Record, Step
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Expr, Symbol, column
+from derive.expression import ZERO, Expr, Matrix, Symbol, column
 from derive.kinds.checks import flat
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
@@ -23,7 +24,7 @@ from derive.kinds.robot._dynamics.bodies import Weighted, weighted
 from derive.kinds.robot._dynamics.body_steps import inertia_steps
 from derive.kinds.robot._dynamics.drives import with_rotors
 from derive.kinds.robot._dynamics.recursion import Line, Recursion, rotation
-from derive.kinds.robot._families import said_of_each
+from derive.kinds.robot._families import of_each, said_of_each
 from derive.kinds.robot._units import of_joints
 from derive.kinds.work import Work
 from derive.mechanics.chain import Chain
@@ -39,6 +40,7 @@ measures = of_joints("tau", effort=True)
 
 
 BASE = Symbol("o_0_ddot")
+MOST_TWICE = 16  # operations of a joint force that is written down twice
 OF_EACH_LINK = ("omega_{}", "omega_{}_dot", "o_{}_ddot", "f_{}", "mu_{}")
 CONSTANTS = {"e": "constant-e", "r": "constant-r", "r_c": "constant-r_c", "p": "constant-p"}
 
@@ -114,6 +116,7 @@ class Facts(PageFacts):
     laws: Phrase
     in_names: Phrase | None
     constants: tuple[Phrase, ...]  # what there is of each link
+    about: Phrase  # which point moments are
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -141,11 +144,14 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.showing(*inertia_steps(problem, bodies)).line(BASE, value=base, rule="base")
     torques = {Symbol(f"tau_{k}"): entry for k, (entry,) in enumerate(tau.rows, 1)}
     for line in (*recursion.outward(), *recursion.inward()):
-        work = _in_names(work, line) if arm.long else _written(work, line, torques.get(line.name))
+        work = _in_names(work, line) if arm.long else _written(work, line, torques, recursion.handed_on(line))
     work = work.law("each-link", _lines_of_each(robot, {step.name for step in work.steps}))
     facts = Facts(
         laws=Phrase("laws-ask" if arm.long else "laws-give", {"F": Symbol("F_i"), "N": Symbol("N_i")}),
         in_names=Phrase("in-names") if arm.long else None,
+        about=Phrase("about-points", {"p": of_each("p")})
+        if any(each.name.name.startswith("p_") for each in constants)
+        else Phrase("about-origins"),
         constants=said_of_each(CONSTANTS, (line.name for line in constants)),
     )
     work = arm.moved(_same_as_lagrange(work, arm, sweeping), tau)
@@ -200,10 +206,15 @@ def _in_names(work: Work, line: Line) -> Work:
     return work.showing(Step(line.name.name, (line.name, line.formula), line.rule, OfLink(link=line.i)))
 
 
-def _written(work: Work, line: Line, torque: Expr | None) -> Work:
-    """A line with its value; a joint force ends by what Euler and Lagrange gave."""
-    value = work.readable(line.value)
-    end = value if torque is None else torque
+def _written(work: Work, line: Line, torques: Mapping[Symbol, Expr], on: tuple[int, Symbol] | None) -> Work:
+    """A line with its value; a joint force ends by what Euler and Lagrange gave, and stands for the component
+    of a moment that is handed `on` to it, where that is long."""
+    value = end = work.readable(line.value)
+    if on and isinstance(value, Matrix) and operations(value.rows[on[0]][0]) > MOST_TWICE:
+        k, torque = on
+        work = work.knowing({torque: torques[torque]})
+        end = column(torque if i == k else entry for i, (entry,) in enumerate(value.rows))
+    end = torques.get(line.name, end)
     formulas = () if line.formula == ZERO else (line.formula,)  # nothing in names adds up to it
     work = work.line(
         line.name,

@@ -60,7 +60,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.line(DET, value=det, label="det", rule="determinant")
     work = work.line(INVERSE, value=over, label="J_inv", rule="inverse")
     product, result = transpose(INVERSE) * D * INVERSE, problem.final(written)
-    work = work.line(LAMBDA, product, value=result, rule="operational", spare=(result,))
+    work = work.line(LAMBDA, product, value=result, rule="operational")
     work = work.law("symmetric", whole == whole.T)
     work = work.law("kinetic-energy", jacobian.T @ whole @ jacobian == inertia.scaled(det * det))
     results = {

@@ -5,19 +5,20 @@ from __future__ import annotations
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import number_rows
-from derive.derivation import Cell, Derivation, PageFacts, Phrase, Result, Table
-from derive.expression import Approximate, Matrix, Symbol, add, multiply, symbols
+from derive.derivation import Derivation, PageFacts, Phrase, Result
+from derive.expression import Expr, Matrix, Symbol, add, multiply, symbols
 from derive.kinds.checks import route
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._dynamics.arm import Arm
+from derive.kinds.robot._dynamics.definite import is_diagonal, is_positive, minors
 from derive.kinds.robot._dynamics.index_laws import skew_law
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import time_derivative
 from derive.mechanics.robot import Robot
 from derive.mechanics.sampled import physical_points
-from derive.names import require_free
+from derive.names import entry_symbol, require_free
 
 NEEDS = ("bodies",)
 CLAIMS = ("skew-symmetric", "names")
@@ -29,7 +30,6 @@ ROUNDING = 1e-9
 class Facts(PageFacts):
     big: bool
     definite: Phrase  # or not, or not known
-    minors: Table | None  # None where the bodies are not all possible ones
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -46,27 +46,40 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     else:
         work = work.line(D_DOT, value=rate, rule="matrix").line(N, D_DOT - 2 * C, rule="matrix")
     results: dict[str, Result] = {"D_dot": work[D_DOT], "N": work[N]}
-    printed, minors = normal_matrix(work[N]), _minors(arm, D)
+    printed, values = normal_matrix(work[N]), _minors(arm, D)
     work = by_index(work.law("skew-symmetric", printed == -printed.T), results)
-    if minors:
-        work = work.claim(route("minors", (not _negative(each) for each in minors)))
+    if values:
+        work = work.claim(route("minors", (not _negative(each) for each in values)))
+    told = work if arm.long or not all(map(_positive, values)) else minors(work.knowing(_entries(D)), D)
+    signs = [is_positive(step.result, arm.variables) for step in told.steps if step.rule == "minor"]
+    shown = bool(signs) and all(signs)
+    if shown:
+        work = told.law("positive", signs)
     names = ("Y", "parameters", "Y_b", "base_parameters")
     return work.answer(
         "properties",
         {**results, **{name: linear.results[name] for name in names}},
-        Facts(big=arm.long, definite=_definite(minors), minors=_table(minors)),
+        Facts(big=arm.long, definite=_definite(values, D if shown else None)),
         matrices=frozenset({"D_dot", "N", "Y", "Y_b"}),
     )
 
 
-def _definite(minors: list[list[float]]) -> Phrase:
-    """What the leading principal minors say of D."""
-    if not minors:
+def _definite(values: list[list[float]], shown: Matrix | None) -> Phrase:
+    """What is said of D, by its leading minors at points, or by minors that are `shown` of it."""
+    if not values:
         return Phrase("not-all-possible")
-    return Phrase(
-        "definite" if all(map(_positive, minors)) else "semidefinite",
-        {"D": Symbol("D"), "minors": Symbol("Delta_k")},
-    )
+    if shown is None:
+        return Phrase("definite" if all(map(_positive, values)) else "semidefinite", {"D": Symbol("D")})
+    return Phrase("diagonal" if is_diagonal(shown) else "by-minors", {"D": Symbol("D")})
+
+
+def _entries(D: Matrix) -> dict[Expr, Expr]:
+    """Every entry of D by its name."""
+    return {
+        entry_symbol("d", min(i, j), max(i, j)): entry
+        for i, row in enumerate(D.rows, 1)
+        for j, entry in enumerate(row, 1)
+    }
 
 
 def _by_rates(arm: Arm, value: ScalarMatrix) -> Matrix:
@@ -99,12 +112,3 @@ def _positive(minors: list[float]) -> bool:
 def _negative(minors: list[float]) -> bool:
     """Whether one at a point is, by more than rounding."""
     return any(minor < -ROUNDING * max(map(abs, minors)) for minor in minors)
-
-
-def _table(minors: list[list[float]]) -> Table | None:
-    """The minors point by point; None without any."""
-    if not minors:
-        return None
-    names = (Symbol(f"Delta_{k}") for k, _ in enumerate(minors[0], 1))
-    rows: list[tuple[Cell, ...]] = [(str(p), *map(Approximate, point)) for p, point in enumerate(minors, 1)]
-    return Table((Phrase("point"), *names), tuple(rows))

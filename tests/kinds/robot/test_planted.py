@@ -10,7 +10,7 @@ import pytest
 from derive.derivation import Derivation, Step
 from derive.expression import ONE, ZERO, Expr, Matrix, Symbol
 from derive.kinds.problem import Problem
-from derive.kinds.robot import energy, manipulability, singularities, state_space, workspace
+from derive.kinds.robot import manipulability, singularities, state_space, workspace
 from derive.kinds.robot._dynamics import matrix_laws
 from derive.kinds.robot._inverse import one_equation, two_link
 from derive.kinds.robot._rows import exponentials
@@ -121,13 +121,6 @@ def test_a_vector_of_the_recursion(mistake: str, arm: str, monkeypatch: pytest.M
     assert not refused(problem(HEAVY[arm]).ask("newton-euler"))
     plant(monkeypatch, *SWEPT[mistake])
     assert "names" in refused(problem(HEAVY[arm]).ask("newton-euler"))
-
-
-@pytest.mark.parametrize("right", ['f"P_{label}", ZERO', '(energies[f"K_{label}"],'])
-def test_a_table_with_energies_of_no_link_or_another(right: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    wrong = right.replace("P_", "P").replace("{label}", "{labels[0]}")
-    plant(monkeypatch, energy._table, right, wrong)
-    assert "table" in refused(problem(HEAVY["2R, uniform links"]).ask("energy"))
 
 
 def test_a_moment_turned_the_wrong_way(monkeypatch: pytest.MonkeyPatch) -> None:

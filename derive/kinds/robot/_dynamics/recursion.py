@@ -70,6 +70,15 @@ class Recursion:
                 whole = sum((normal(term) for term in _drive(link)), found.tau)
                 yield Line(Symbol(f"tau_{self._number(i)}"), formula, whole, "torque", i)
 
+    def handed_on(self, line: Line) -> tuple[int, Symbol] | None:
+        """Which component of a moment is a joint force, and its name: where the axis is one of the frame, and
+        neither rotor nor friction acts beside it."""
+        link, axis = self.links[line.i - 1], self.arm.rows[line.i - 1].z
+        if line.name != Symbol(f"mu_{line.i}") or link.joint != "revolute" or _drive(link):
+            return None
+        along = [k for k, entry in enumerate(axis) if entry == Scalar.of(1)]
+        return (along[0], Symbol(f"tau_{self._number(line.i)}")) if along else None
+
     def _heavy(self, i: int) -> bool:
         """Whether link i has a mass."""
         return i in self.bodies and self.bodies[i].body.mass != ZERO
