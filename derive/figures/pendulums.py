@@ -42,7 +42,7 @@ def drawn(system: LagrangianSystem, where: Mapping[str, Expr]) -> Drawing:
                 told.add(key)
                 strokes += lines
                 captions += texts
-    for lines, texts in (*_masses(chains, point, size), _axes(size), _gravity(system, places, point, size)):
+    for lines, texts in (*_masses(chains, point, size), axes(size), gravity(system, places, point, size)):
         strokes += lines
         captions += texts
     seen = Phrase("masses-seen", {"masses": said(system)})
@@ -99,7 +99,7 @@ def _parts(
     for k in range(len(chain.rods)):
         yield (chain.slide, chain.rods[: k + 1]), _turned(chain, k, spots[k], spots[k + 1], point, size)
     if not cart:
-        pin = [Stroke(_disc(spots[0], 0.3 * size), "cap"), Stroke(_disc(spots[0], 0.08 * size), "pin")]
+        pin = [Stroke(disc(spots[0], 0.3 * size), "cap"), Stroke(disc(spots[0], 0.08 * size), "pin")]
         yield (chain.slide, "pin"), (pin, [])
 
 
@@ -164,21 +164,20 @@ def _masses(chains: list[Hung], point: Mapping[str, float], size: float) -> Iter
         at = _spots(chain, point)[-1]
         if chain.rods:
             name = Caption(at, chain.mass, (1.0, -0.5), "joint", clear=0.4 * size)
-            yield [Stroke(_disc(at, 0.4 * size), "pin")], [name]
+            yield [Stroke(disc(at, 0.4 * size), "pin")], [name]
         else:
             corner = at[0] + 1.5 * size, at[1] + 0.8 * size
             yield [], [Caption(corner, chain.mass, (0.3, 1.0), "joint")]
 
 
-def _axes(size: float) -> Marked:
+def axes(size: float) -> Marked:
+    """x and y at the origin."""
     ends = {"x": (3.0 * size, 0.0), "y": (0.0, 3.0 * size)}
     strokes = [Stroke(((0.0, 0.0), end), name) for name, end in ends.items()]
     return strokes, [Caption(end, Symbol(name), end, name) for name, end in ends.items()]
 
 
-def _gravity(
-    system: LagrangianSystem, places: list[Place], point: Mapping[str, float], size: float
-) -> Marked:
+def gravity(system: LagrangianSystem, places: list[Place], point: Mapping[str, float], size: float) -> Marked:
     """An arrow the way in which things fall, beside everything."""
     names = {name for part in system.gravity for name in free_symbols(part)}
     if len(names) != 1 or len(system.gravity) != 2:
@@ -190,5 +189,6 @@ def _gravity(
     return [Stroke((start, end), "arrow")], [Caption(end, Symbol(name), (1.0, 0.3), "joint")]
 
 
-def _disc(at: Place, radius: float) -> tuple[Place, ...]:
+def disc(at: Place, radius: float) -> tuple[Place, ...]:
+    """A circle."""
     return tuple(around(at, radius, 2 * pi * k / SHARES) for k in range(SHARES))

@@ -78,11 +78,9 @@ def figure_of(problem: Problem, wish: Wish = NOTHING) -> Drawing:
 
             return linkages.drawn(problem.subject)
         case LagrangianSystem():
-            from derive.figures import pendulums, pendulums_in_space
+            from derive.figures import lagrangians
 
-            in_space = [len(body.position) for body in problem.subject.bodies] == [3]
-            draws = pendulums_in_space.drawn if in_space else pendulums.drawn
-            return draws(problem.subject, problem.where)
+            return lagrangians.drawn(problem.subject, problem.where)
         case System():
             from derive.figures.loops import drawn_blocks
             from derive.kinds.system._plant import plant

@@ -99,6 +99,11 @@ problems:
       position: [x + l1*sin(theta1) + l2*sin(theta1 + theta2), -l1*cos(theta1) - l2*cos(theta1 + theta2)]
     forces: {x: F}
   find: equations-of-motion
+- lagrange:
+    coordinates: [s, phi]
+    bodies: [{mass: m, position: [s*cos(alpha), -s*sin(alpha)], inertia: m*r^2/2, angle: phi}]
+    constraints: s = r*phi
+  find: equations-of-motion
 - mechanism: {space: spatial, legs: [{chain: UPS, count: 6}]}
   find: mobility
 - lagrange:
@@ -108,11 +113,11 @@ problems:
 """
 
 
-def test_masses_on_rods_and_a_platform_on_legs(tmp_path: Path) -> None:
+def test_masses_on_rods_a_wheel_and_a_platform_on_legs(tmp_path: Path) -> None:
     sheet = tmp_path / "sheet.yaml"
     sheet.write_text(MASSES, encoding="utf-8")
-    plane, legs, space = laid(sheet)
-    assert [faults(*each) for each in (plane, legs, space)] == [[]] * 3
+    plane, wheel, legs, space = laid(sheet)
+    assert [faults(*each) for each in (plane, wheel, legs, space)] == [[]] * 4
     names = [
         {str(getattr(c.text, "name", c.text)) for c in drawing.captions} for drawing, _ in (plane, space)
     ]
