@@ -12,6 +12,7 @@ from derive.build import assemble, working_on
 from derive.derivation import Derivation
 from derive.expression import Call, Matrix, Symbol, walk
 from derive.render.document import Document
+from derive.render.page import render_markdown
 from derive.render.trig import SHORT, short_index
 from derive.sheet.load import load_sheet
 from tests.sheets import SHEETS
@@ -62,3 +63,11 @@ def test_a_cosine_is_not_called_as_a_symbol(tmp_path: Path, more: str, short: st
     indices = {short_index(call.arguments[0], notation) for call in calls}
     assert {"1", "12"} <= indices
     assert {index for index in indices if len(index) == 3} == {short} - {""}
+
+
+def test_points_called_q_are_no_joint_variables() -> None:
+    """q_i is the point of a screw axis in the first problem, where no q is the vector of the joints."""
+    (sheet,) = (sheet for sheet in SHEETS if sheet.stem == "screws")
+    first, *others = render_markdown(assemble(load_sheet(sheet))).split("## Problem 2")
+    assert "$q_i$" in first and "holds the joint variables." not in first
+    assert "holds the joint variables." in "".join(others)
