@@ -88,7 +88,7 @@ def blended(journey: Journey, profile: Profile, problem: Problem) -> Blended:
         return symbol
 
     start = ZERO if journey.start == ZERO else name("q_0", journey.start)
-    end = ZERO if journey.end == ZERO else name("q_f", journey.end)
+    end = name("q_f", journey.end)
     angular = profile.sort == "angle" and problem.style.degrees
     chosen = (("v", journey.cruise), ("a", journey.acceleration), ("t_b", journey.blend))
     by = next((key for key, value in chosen if value is not None), "")
@@ -117,7 +117,9 @@ def _solved(working: Work, by: str, given: Symbol, way: Expr, T: Symbol) -> Work
     if by == "v":
         working = working.worked("v", given).worked("t_b", T + _minus(way / given))
         _need(working, T, "the velocity must lie between the way over the time and twice that")
-        return working.worked("a", given / T_B)
+        symbolic = free_symbols(working.known[T_B])
+        whole = with_values(given**2 / (given * T + _minus(way)), working) if symbolic else None
+        return working.worked("a", given / T_B, whole)
     if by == "a":
         working = working.worked("a", given)
         inside = T**2 / 4 + _minus(way / given)

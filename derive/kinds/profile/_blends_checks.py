@@ -84,6 +84,7 @@ class Blends:
     def said(
         self,
         how: Phrase,
+        back: Phrase | None,
         smaller: Phrase | None,
         possible: Phrase | None,
         told: Sequence[tuple[Expr, Expr, int | None]],
@@ -92,13 +93,24 @@ class Blends:
         area, given = how.about.get("area"), self.given[0]
         equal = area is None or (isinstance(area, Relation) and area.sign == "=")
         root = Phrase("smaller-root") if given == "a" else None
-        yield law("said", (smaller == root, how.key == HOW[bool(given)], equal, self._is_given(told)))
+        yield law(
+            "said",
+            (smaller == root, self._is_back(back), how.key == HOW[bool(given)], equal, self._is_given(told)),
+        )
         if isinstance(area, Relation) and isinstance(area.left, TREES) and area.sign == "=":
             names = (self.names(motion, at) for at in self._possible() if (motion := self.possible(at)))
             chains = [(area.left, area.right), (how.about["v"], V), (how.about["t_b"], T_B)]
             yield route("area", (farthest(chains, each) < CLOSE for each in islice(names, EACH)))
         if possible is not None:
             yield route("which", self._which(possible))
+
+    def _is_back(self, told: Phrase | None) -> bool:
+        """Whether what was given is told to be negative where the motion in numbers goes backwards."""
+        by, name = self.given[0], self.found.given
+        first = next(filter(None, map(self.possible, self._possible())), None)
+        if self.found.open or by == "t_b" or name is None or first is None or first.v >= 0:
+            return told is None
+        return told == Phrase("goes-back", {"given": name})
 
     def _is_given(self, told: Sequence[tuple[Expr, Expr, int | None]]) -> bool:
         """Whether all that the sheet gives is told, each with how often it is differentiated."""

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from math import degrees, inf
+from math import degrees, inf, isclose
 from types import MappingProxyType
 from typing import Any
 
 from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Claim, Figure, Record
-from derive.expression import Approximate, Degrees, Expr, Relation, walk
+from derive.expression import Approximate, Degrees, Expr, Product, Relation, walk
 from derive.figures.courses import panels
 from derive.kinds.checks import close, law, route
 from derive.kinds.fields import Place
@@ -32,9 +32,10 @@ class LimitTold(Record):
     name: str
     limit: Expr
     rate: int  # 1 for a velocity, 2 for an acceleration
-    reached: Expr
+    reached: Expr | None  # None where it is the limit itself
     kept: bool
-    first: Expr | None  # when it is not kept any more
+    first: Expr | None  # from when on it is not kept; None from the start on
+    until: Expr | None  # and until when; None to the end
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,9 +154,16 @@ def _size(limit: Expr, point: Place = ()) -> float | None:
         return None
 
 
-def _shown(value: float, in_degrees: bool) -> Expr:
-    """To the digits of a page; an angle in degrees where the author typed such."""
-    return Degrees(Fraction(f"{degrees(value):.4g}")) if in_degrees else Approximate(value)
+def _shown(value: float, most: float, in_degrees: bool) -> Expr | None:
+    """To the digits of a page, or to more where the limit would be the same; an angle in degrees where the
+    author typed such. None of the limit itself."""
+    if isclose(value, most, rel_tol=SLACK):
+        return None
+    if not in_degrees:
+        return Approximate(value)
+    size = degrees(value)
+    alike = f"{size:.3g}" == f"{degrees(most):.3g}"
+    return Degrees(Fraction(f"{size:.6g}")) if alike else Product((Approximate(size), Degrees(Fraction(1))))
 
 
 def _limit(
@@ -166,24 +174,29 @@ def _limit(
     reached = max(map(abs, extremes(course, order)))
     times, values = sampled(course, order)
     past = [abs(value) > most * (1 + SLACK) for value in values]
-    first = past.index(True) if any(past) else None
+    first = past.index(True) if any(past) else 0
+    last = past.index(False, first) if False in past[first:] and any(past) else 0
+    edges = (_crossing(course, order, most, times, k) if k else None for k in (first, last))
+    begins, ends = (None if edge is None else Approximate(edge) for edge in edges)
     return LimitTold(
         name=name,
         limit=limit,
         rate=order,
-        reached=_shown(reached, turned),
+        reached=_shown(reached, most, turned),
         kept=reached <= most * (1 + SLACK),
-        first=None if first is None else Approximate(_crossing(course, order, most, times, first)),
+        first=begins,
+        until=ends,
     )
 
 
-def _crossing(course: Course, order: int, most: float, times: Sequence[float], first: int) -> float:
-    """Between the sample before the first that is beyond the limit and that one, by halving; the beginning of
-    a piece where the derivative jumps."""
-    low, high = times[max(first - 1, 0)], times[first]
+def _crossing(course: Course, order: int, most: float, times: Sequence[float], k: int) -> float:
+    """Between a sample and the one before it, of which one is beyond the limit, by halving; the border of a
+    piece where the derivative jumps."""
+    low, high = times[k - 1], times[k]
+    beyond = abs(at(course, high, order)) > most
     for _ in range(60):
         middle = (low + high) / 2
-        if abs(at(course, middle, order)) > most:
+        if (abs(at(course, middle, order)) > most) == beyond:
             high = middle
         else:
             low = middle

@@ -21,14 +21,16 @@ def _over(top: Expr, bottom: Expr) -> Expr:
     return top / bottom
 
 
-def laws(natural: bool) -> Iterator[Step]:
-    """A piece by its coefficients, these by places and velocities; the condition between two pieces, and that
-    at a natural end."""
+def laws(natural: bool, spans: int) -> Iterator[Step]:
+    """A piece by its coefficients, these by places and velocities; the condition between two of so many
+    pieces, and those at natural ends."""
     for name, chain in _coefficients():
         yield Step(name, chain, "law", instance=_piece())
     yield Step("condition", _condition(), "law", instance=_two_pieces())
     if natural:
-        yield Step("natural", _natural(), "law", instance=_at_rest())
+        first, last = (_natural(*ends) for ends in ((0, 1, 0), (spans, spans - 1, spans - 1)))
+        yield Step("natural", first[0], "law", instance=_numbers(first[1], [2, 50, 1, 37, 2]))
+        yield Step("natural_end", last[0], "law", instance=_numbers(last[1], [-2, -50, 1, 37, 2]))
 
 
 def _coefficients() -> Iterator[tuple[str, tuple[Expr, ...]]]:
@@ -50,9 +52,13 @@ def _condition() -> tuple[Expr, Expr]:
     return add(here * v_0, multiply(TWO, before + here, v_1), before * v_2), THREE * slopes
 
 
-def _natural() -> tuple[Expr, Expr]:
-    v_0, v_1, q_0, q_1, h_0 = symbols("v_0 v_1 q_0 q_1 h_0")
-    return 2 * v_0 + v_1, 3 * (q_1 - q_0) / h_0
+def _natural(end: int, beside: int, piece: int) -> tuple[tuple[Expr, Expr], Sequence[Expr]]:
+    """That the acceleration is zero at an end, with the names in it. It is tried with 1 + 2 tau + 4 tau^3 for
+    a time of 2, which begins without acceleration, and with that run backwards."""
+    names = v, v_beside, q, q_beside, h = symbols(f"v_{end} v_{beside} q_{end} q_{beside} h_{piece}")
+    if end:
+        return (v_beside + 2 * v, 3 * (q - q_beside) / h), names
+    return (2 * v + v_beside, 3 * (q_beside - q) / h), names
 
 
 # -- where they are tried --------------------------------------------------------------------------------
@@ -77,8 +83,3 @@ def _two_pieces() -> Mapping[Expr, Expr]:
     acceleration is 54 on both sides."""
     places, velocities = (_places(letter, BEFORE, HERE, AFTER) for letter in "qv")
     return _numbers([*_places("h", BEFORE, HERE), *places, *velocities], [2, 1, 1, 49, 143, 2, 62, 131])
-
-
-def _at_rest() -> Mapping[Expr, Expr]:
-    """q = 1 + 2 tau + 4 tau^3 for a time of 2, which begins without acceleration."""
-    return _numbers(symbols("v_0 v_1 q_0 q_1 h_0"), [2, 50, 1, 37, 2])

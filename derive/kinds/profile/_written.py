@@ -29,9 +29,11 @@ class Told(Protocol):
     @property
     def kept(self) -> bool: ...
     @property
-    def reached(self) -> Expr: ...
+    def reached(self) -> Expr | None: ...
     @property
     def first(self) -> Expr | None: ...
+    @property
+    def until(self) -> Expr | None: ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,19 +84,25 @@ class Written:
         return times[apart], size[apart]
 
     def keeps(self, told: Told, most: float) -> bool:
-        """Whether what is told to be reached is, whether the limit is kept, and when it is not any more."""
+        """Whether what is told to be reached is, whether the limit is kept, and from when until when it is
+        not, the first time."""
         times, size = self.rates(told.rate)
         reached, slack = float(size.max()), LOOSE * max(most, float(size.max()))
         beyond = times[size > most + slack]
-        right = abs(value_of(told.reached, {}) - reached) <= 2 * slack
-        if told.kept or told.first is None:
-            return right and told.kept and not len(beyond) and told.first is None
-        first = value_of(told.first, {})
-        early = size[times < first - 4 * STEP * self.end]
-        late = size[(times > first) & (times < first + SOON * self.end)]
+        right = abs((most if told.reached is None else value_of(told.reached, {})) - reached) <= 2 * slack
+        if told.kept:
+            return right and not len(beyond) and told.first is told.until is None
+        first = 0.0 if told.first is None else value_of(told.first, {})
+        until = self.end if told.until is None else value_of(told.until, {})
+        near = 4 * STEP * self.end
+        early = size[times < first - near]
+        inside = size[(times > first + near) & (times < until - near)]
+        after = size[(times > until) & (times < until + SOON * self.end)]
         return (
             right
+            and told.reached is not None
             and reached > most - slack
             and bool((early <= most + slack).all())
-            and bool((late >= most - slack).any())
+            and bool((inside >= most - slack).all())
+            and (told.until is None or bool((after <= most + slack).any()))
         )

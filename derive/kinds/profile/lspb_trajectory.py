@@ -42,6 +42,7 @@ class Facts(PageFacts):
     units: Units
     how: Phrase  # it comes about
     lines: tuple[str, ...]  # steps
+    back: Phrase | None  # the sign of what was given
     smaller: Phrase | None  # of two roots
     possible: Phrase | None  # which values, where symbols leave that open
     pieces: tuple[PieceTold, ...]
@@ -78,7 +79,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     by_name = {step.name: step for step in work.steps}
     told = {int(each.step[-1]): (by_name[each.step].chain, each.what) for each in facts.pieces}
     work = work.claim(*checked.claims([each for each in chains if each[0] != q], pieces, told))
-    work = work.claim(*checked.said(facts.how, facts.smaller, facts.possible, facts.given))
+    work = work.claim(*checked.said(facts.how, facts.back, facts.smaller, facts.possible, facts.given))
     timed = [(piece.values["q"], times_of(piece)) for piece in pieces]
     t_b, t_f = results["t_b"], results["t_f"]
     moments = {T_B: t_b, found.T - T_B: t_f - t_b, found.T: t_f}
@@ -124,6 +125,7 @@ def _facts(
         given=tuple((n, value, found.rates[n]) for n, value in working.typed if n in found.rates),
         units=profile.units,
         lines=lines,
+        back=_back(found),
         smaller=Phrase("smaller-root") if found.by == "a" else None,
         possible=_possible(found) if found.open else None,
         pieces=tuple(PieceTold(step=f"piece_{k}", what=_piece(k, span)) for k, span in spans.items()),
@@ -131,6 +133,13 @@ def _facts(
         drawn=drawn.course is not None,
         limits=drawn.limits(),
     )
+
+
+def _back(found: Blended) -> Phrase | None:
+    """Why a velocity or an acceleration is negative."""
+    if found.given is None or found.by == "t_b" or found.working.sign(found.given) != -1:
+        return None
+    return Phrase("goes-back", {"given": found.given})
 
 
 def _how(found: Blended) -> Phrase:

@@ -106,7 +106,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     spans = tuple(_span(knots, velocities, k) for k in range(knots.spans))
     drawn = Drawn.of(spans, profile, problem, options.evaluate)
     names: dict[Expr, Expr] = {Symbol(f"v_{k}"): value for k, value in enumerate(written)}
-    general = laws(options.ends == "natural")
+    general = laws(options.ends == "natural", knots.spans)
     work = working.knowing(names).showing(*general, *_steps(knots, A, b, written)).linked()
     work = work.claim(*joined(spans, working, 3 if all(v is None for v in knots.velocities[1:-1]) else 2))
     work = work.claim(*_passes(knots, spans))
