@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import re
+
 from derive.expression import Call, Expr, Indexed, Number, Power, Symbol
 from derive.render.notation import Notation
 from derive.render.trig import SHORT, is_written_out, short_index
+
+NUMERIC = re.compile(r"-?\\frac\{\d+\}\{\d+\}")
 
 
 def sign_of(factors: tuple[Expr, ...]) -> tuple[str, tuple[Expr, ...]]:
@@ -44,6 +48,11 @@ def need_room(before: Expr, after: Expr, notation: Notation) -> bool:
 def meet_as_numbers(before: str, after: str) -> bool:
     """Whether juxtaposition would read as one number: `2 3`, `2 \\frac{1}{2}`, `x 2`."""
     return after[0].isdigit() or (before[-1].isdigit() and _is_plain(before) and after[:6] == r"\frac{")
+
+
+def fractions_meet(before: str, after: str) -> bool:
+    """Whether a fraction of numbers stands before another fraction, where a dot keeps them apart."""
+    return after[:6] == r"\frac{" and NUMERIC.fullmatch(before) is not None
 
 
 def _is_plain(written: str) -> bool:

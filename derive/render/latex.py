@@ -30,7 +30,7 @@ from derive.expression import (
     children,
     is_negative,
 )
-from derive.render.juxtaposition import is_letter, meet_as_numbers, need_room, sign_of
+from derive.render.juxtaposition import fractions_meet, is_letter, meet_as_numbers, need_room, sign_of
 from derive.render.names import Name, name_latex, name_parts, script
 from derive.render.notation import Notation
 from derive.render.numbers import fraction_latex, rounded_latex, unit_latex
@@ -143,7 +143,8 @@ class Printer:
         written = pieces[0][1]
         for (before, _), (after, piece) in pairwise(pieces):
             apart = r" \, " if need_room(before, after, self.notation) else " "
-            dotted = isinstance(before, Measured) or meet_as_numbers(written, piece)
+            fractions = fractions_meet(written, piece)
+            dotted = isinstance(before, Measured) or meet_as_numbers(written, piece) or fractions
             written += (r" \cdot " if dotted else apart) + piece
         return sign + written, SUM if sign or written.startswith("-") else PRODUCT
 

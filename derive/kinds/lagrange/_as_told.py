@@ -36,6 +36,7 @@ def as_told(
     results: Mapping[str, Result],
     forces: Sequence[Chain],
     cyclic: Sequence[tuple[Symbol, Expr]],
+    reactions: Sequence[tuple[Symbol, Chain]],
 ) -> Iterator[Claim]:  # fmt: skip
     """Every line and every result in numbers, by differences along a motion; what was solved for against
     the solution of the equations so found."""
@@ -44,12 +45,14 @@ def as_told(
     moving = {*system.coordinates, *system.rates, *system.accelerations, TIME}
     names = problem.symbols | moving | {name.name for name in model.multipliers}
     chains = [*_told_chains(model, work), *forces]
+    chains += [*_reaction_chains(model, reactions)]
     chains += [*_cyclic_chains(model, cyclic), *_result_chains(model, results)]
     yield told(chains, means.along_a_motion, names, problem.where, "along-a-motion")
     found = [step.chain for step in work.steps if step.rule in SOLVED]
     if found:
         heads = [column(map(Symbol, system.accelerations)), column(model.multipliers)]
         pairs = zip(heads, (results.get(key) for key in ("accelerations", "multipliers")), strict=True)
+        found += [chain for _, chain in reactions if len(chain) > 1]
         found += [(head, tree) for head, tree in pairs if isinstance(tree, Matrix)]
         yield told(found, means.of_the_solution, names, problem.where, "solved-again", points=1)
 
@@ -71,6 +74,13 @@ def _told_chains(model: Model, work: Work) -> Iterator[Chain]:
                 yield step.chain
                 if isinstance(step.facts, Conserved) and step.facts.said.key == "conserved":
                     yield Symbol(step.name), TOTAL
+
+
+def _reaction_chains(model: Model, reactions: Sequence[tuple[Symbol, Chain]]) -> Iterator[Chain]:
+    """What the constraints add to the force along a coordinate, which is all of it but what is given."""
+    for q, (force, *_) in reactions:
+        k = model.system.coordinates.index(q.name)
+        yield right_side(k + 1), Symbol(f"Q_{q.name}") + force
 
 
 def _cyclic_chains(model: Model, cyclic: Sequence[tuple[Symbol, Expr]]) -> Iterator[Chain]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Step
 from derive.expression import ZERO, Expr, Number, Product, Symbol, add, column, multiply, number, transpose
@@ -66,6 +67,8 @@ def _total(model: Model, letter: str, parts: tuple[Scalar, ...], extra: Expr, ru
     chain = [name, add(*terms, extra) if terms else extra, total]
     if rule == "potential" and bodies:
         chain[1] = add(*(_weight(model, body) for body in model.system.bodies), extra)
+    if not bodies and operations(extra) <= operations(total):  # multiplied out it says no more
+        chain = [name, extra]
     shown = tuple(each for place, each in enumerate(chain) if place < 2 or each != chain[1])
     yield Step(letter, shown if shown[1] != ZERO else (name, ZERO), rule)
 

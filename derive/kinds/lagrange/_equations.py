@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from math import lcm, prod
 
@@ -24,6 +24,7 @@ from derive.expression import (
     multiply,
     negate,
     number,
+    terms_of,
 )
 from derive.kinds.problem import Problem
 from derive.mechanics.lagrangian import LagrangianSystem, by_rates, without
@@ -64,6 +65,23 @@ def _times(value: Expr, factors: Sequence[Expr]) -> Expr:
 def _is_trig(expr: Expr) -> bool:
     inner = expr.base if isinstance(expr, Power) else expr
     return isinstance(inner, Call) and inner.function in ("cos", "sin")
+
+
+def written_motion(value: Scalar, system: LagrangianSystem, problem: Problem) -> Expr:
+    """What the rates stand in without a fraction, written beside the quotient of the rest."""
+    if value.denominator is None or holds(Scalar(value.ring, value.denominator), system.rates):
+        return written_fraction(value, problem)
+    whole = [(powers, part) for powers, part in by_rates(value, system.rates) if part.denominator is None]
+    if not whole or len(whole) == len(by_rates(value, system.rates)):
+        return written_fraction(value, problem)
+    apart = sum((part * _monomial(powers) for powers, part in whole), Scalar.of(0))
+    return add(
+        *terms_of(written_fraction(value - apart, problem)), *terms_of(written_side(apart, system, problem))
+    )
+
+
+def _monomial(powers: Mapping[str, int]) -> Scalar:
+    return prod((Scalar.symbol(name) ** power for name, power in powers.items()), start=Scalar.of(1))
 
 
 def written_fraction(value: Scalar, problem: Problem) -> Expr:

@@ -110,6 +110,7 @@ def held(
         for said in branch.when
         if (holds := _is_so(still, branch, said, at)) is not None
     ]
+    verdicts += [_is_neutral(still, said, at) for branch, at in pairs for said in branch.when]
     if verdicts:
         yield route("verdicts", verdicts)
 
@@ -123,7 +124,8 @@ def _meant(still: Still, steps: Sequence[Step], at: Point) -> Names:
     point = still.at(at)
     left = still.differences.left_over(point)
     rest: dict[Expr, Any] = {Symbol(f"rest_{k}"): value for k, value in enumerate(left, 1)}
-    return {**rest, Symbol("K"): still.slopes(point, still.system.coordinates)}
+    K = still.slopes(point, still.system.coordinates)
+    return {**rest, Symbol("K"): K if K.size > 1 else float(K[0, 0])}
 
 
 def _places(still: Still, names: frozenset[str], branch: Branch) -> Iterator[dict[str, float]]:
@@ -157,9 +159,29 @@ def _undecided(said: Said) -> set[str] | None:
     """The coordinates along which it is said to be neutral, of a state left undecided; None of any other."""
     along = set[str]()
     while isinstance(said, Phrase) and said.key in ("neutral", "where"):
-        along |= {str(said.about["along"])} if said.key == "neutral" else set()
+        along |= _names(said.about["along"]) if said.key == "neutral" else set()
         said = said.about["said"]
     return along if isinstance(said, Phrase) and said.key == "undecided" else None
+
+
+def _names(said: Said) -> set[str]:
+    return {each.name for each in said if isinstance(each, Symbol)} if isinstance(said, tuple) else set()
+
+
+def _is_neutral(still: Still, said: Said, at: Point) -> bool:
+    """Whether a displacement along the coordinates that are told so, and no other of its kind, changes
+    nothing."""
+    import numpy as np
+
+    while isinstance(said, Phrase) and said.key == "where":
+        said = said.about["said"]
+    if not isinstance(said, Phrase) or said.key != "neutral":
+        return True
+    others, along = _names(said.about["others"]), _names(said.about["along"])
+    K = np.abs(still.slopes(at, sorted(along)))
+    size = np.abs(still.slopes(at, still.system.coordinates)).max()
+    apart = not others & along and others | along == {*still.system.coordinates}
+    return apart and bool(others and along) and bool(K.max() < STEADY * max(size, NEARLY))
 
 
 def _verdict(said: Said, at: Point, growth: float | None) -> bool | None:

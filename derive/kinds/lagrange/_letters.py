@@ -23,6 +23,7 @@ class Letters:
     dissipation: str
     multiplier: str
     energy: str
+    jacobi: str  # what is conserved beside it
     indexed: bool
 
     @staticmethod
@@ -32,10 +33,11 @@ class Letters:
         choices = (
             ("r", "p", "calR"), ("v", "u", "calV"), ("omega", "Omega", "w"), ("T", "K", "calT"),
             ("P", "V", "calP"), ("L", "calL"), ("D", "R", "calD"), ("lambda", "mu", "nu"), ("E", "H", "calE"),
+            ("h", "H", "calH"),
         )  # fmt: skip
         indices = ("", *map(str, range(1, max(len(system.bodies), len(system.constraints), 1) + 1)))
-        r, v, omega, T, P, L, D, multiplier, E = (free(taken, *each, indices=indices) for each in choices)
-        return Letters(r, v, omega, T, P, L, D, multiplier, E, len(system.bodies) > 1)
+        r, v, omega, T, P, L, D, multiplier, E, h = (free(taken, *each, indices=indices) for each in choices)
+        return Letters(r, v, omega, T, P, L, D, multiplier, E, h, len(system.bodies) > 1)
 
     def of_body(self, letter: str, number: int) -> Symbol:
         """r_1, r_2, ...; r alone for the only body."""

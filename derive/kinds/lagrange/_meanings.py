@@ -43,6 +43,11 @@ LEFT, RIGHT = Symbol("the left side for any coordinate"), Symbol("the right side
 INERTIAL, TOTAL = Symbol("the left sides less those without accelerations"), Symbol("T + P")
 
 
+def slope_of(constraint: int, coordinate: str, multipliers: Sequence[Symbol]) -> Symbol:
+    """a_q, or a_1,q, a_2,q, ...: the derivative of a constraint by a coordinate or its rate."""
+    return Symbol(f"a_{constraint}_{coordinate}" if len(multipliers) > 1 else f"a_{coordinate}")
+
+
 @dataclass(frozen=True, slots=True)
 class Meanings:
     """Of the names on the page of one system."""
@@ -103,6 +108,7 @@ class Meanings:
             yield Derivative(outer, Symbol(TIME)), difference.momentum_rate(k, at)
             yield Derivative(L, Symbol(q)), difference.force(k, at)
         yield Symbol(letters.energy), jacobi
+        yield Symbol(letters.jacobi), jacobi
 
     def _of_equations(self, at: Point) -> Names:
         push, A = self.differences.forces(at), self._along_constraints(at)
@@ -112,6 +118,7 @@ class Meanings:
             held = sum(at[name.name] * A[i, k] for i, name in enumerate(self.multipliers))
             names[left_side(k + 1)], names[right_side(k + 1)] = lefts[k], push[k] + held
             names[Symbol(f"Q_{q}")] = push[k]
+            names |= {slope_of(i, q, self.multipliers): row[k] for i, row in enumerate(A, 1)}
         names |= dict(self._of_any_coordinate(at, A, lefts))
         still = self.differences.left_sides(self._accelerated(at))
         return {**names, INERTIAL: column_of([a - b for a, b in zip(lefts, still, strict=True)])}
@@ -132,9 +139,8 @@ class Meanings:
         yield Derivative(Derivative(L, along), Symbol(TIME)), pairs[k][0]
         yield Derivative(L, Symbol("q")), pairs[k][1]
         yield Symbol("Q_q"), SOME_FORCE
-        several = len(self.multipliers) > 1
         for i, row in enumerate(A, 1):
-            yield Symbol(f"a_{i}q" if several else "a_q"), row[k]
+            yield slope_of(i, "q", self.multipliers), row[k]
         held = sum(at[each.name] * A[i, k] for i, each in enumerate(self.multipliers))
         yield LEFT, lefts[k]
         yield RIGHT, SOME_FORCE + held

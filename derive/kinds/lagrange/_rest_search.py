@@ -58,7 +58,7 @@ def _zeros(steps: Sequence[Step], at: Point, names: Sequence[str]) -> list[dict[
     q = draw.uniform(-3, 3, (STARTS, len(names)))
     left = {int(step.name[5:]) - 1: step.chain[0] for step in steps if step.name.startswith("rest_")}
     (K,) = (step.chain[-1] for step in steps if step.name == "K")
-    rows = K.rows if isinstance(K, Matrix) else ()
+    rows = K.rows if isinstance(K, Matrix) else ((K,),)
 
     def value(tree: Expr) -> NDArray[Any]:
         point = Arrays({**at, **{name: q[:, k] for k, name in enumerate(names)}})

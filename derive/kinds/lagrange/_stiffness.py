@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 from itertools import combinations
 
@@ -11,7 +11,7 @@ from derive.algebra.numbers.floats import completed, matrix_numbers, number
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.polynomials import known_sign, odd_part
 from derive.derivation import Phrase, Said
-from derive.expression import ZERO, Approximate, Relation, Symbol, walk
+from derive.expression import Approximate, Relation, Symbol, add, is_negative, negate, terms_of, walk
 from derive.kinds.lagrange._angles_found import Found
 from derive.kinds.lagrange._model import Model
 from derive.kinds.lagrange._rest import there
@@ -50,13 +50,15 @@ def _stability(model: Model, found: Found, stiffness: ScalarMatrix, positive: se
         return OPEN
     minors = [K.block(slice(k), slice(k)).det() for k in range(1, len(K.rows) + 1)]
     signs = [_sign(minor, found, positive) for minor in minors]
-    neutral = [q for k, q in enumerate(names) if k not in kept]
+    neutral = tuple(
+        tuple(Symbol(q) for k, q in enumerate(names) if (k in kept) == held) for held in (True, False)
+    )
     if (driven := _driven(model, found, positive)) is not None:
         return driven
     if all(sign == 1 for sign in signs):
         return _neutral(STABLE, neutral)
     if any(_sign(minor, found, positive) == -1 for minor in _principal_minors(K)):
-        return OPEN if _gyroscopic(model) else UNSTABLE
+        return OPEN if is_gyroscopic(model) else UNSTABLE
     if 0 in signs:
         return OPEN
     left = [minor for minor, sign in zip(minors, signs, strict=True) if sign is None]
@@ -64,10 +66,10 @@ def _stability(model: Model, found: Found, stiffness: ScalarMatrix, positive: se
     return _neutral(_conditional(tuple(needs), model), neutral)
 
 
-def _neutral(said: Phrase, along: Sequence[str]) -> Phrase:
-    for q in along:
-        said = Phrase("neutral", {"said": said, "along": q})
-    return said
+def _neutral(said: Phrase, parts: tuple[tuple[Symbol, ...], ...]) -> Phrase:
+    """Said of the coordinates in which it is decided, beside those along which nothing changes."""
+    others, along = parts
+    return Phrase("neutral", {"said": said, "others": others, "along": along}) if along else said
 
 
 def _driven(model: Model, found: Found, positive: set[str]) -> Phrase | None:
@@ -96,12 +98,12 @@ def _stability_in_numbers(model: Model, found: Found, stiffness: ScalarMatrix) -
     clear = ROUNDED * numpy.abs(K).max()
     if eigenvalues.min() > clear:
         return STABLE
-    return UNSTABLE if eigenvalues.min() < -clear and not _gyroscopic(model) else OPEN
+    return UNSTABLE if eigenvalues.min() < -clear and not is_gyroscopic(model) else OPEN
 
 
 def _conditional(needs: tuple[Relation, ...], model: Model) -> Phrase:
     """Where parameters decide the signs of leading minors."""
-    if _gyroscopic(model):
+    if is_gyroscopic(model):
         return Phrase("it-is-if", {"said": STABLE, "needs": needs})
     both: dict[str, Said] = {"said": STABLE, "other": UNSTABLE}
     if len(needs) > 1:
@@ -118,7 +120,7 @@ def _principal_minors(K: ScalarMatrix) -> Iterator[Scalar]:
             yield ScalarMatrix(tuple(K.rows[k] for k in kept)).columns(*kept).det()
 
 
-def _gyroscopic(model: Model) -> bool:
+def is_gyroscopic(model: Model) -> bool:
     """Whether forces linear in the rates do no work, as in a turning frame: they may hold a system on a
     hill (Kelvin, Tait and Chetaev)."""
     system = model.system
@@ -142,4 +144,7 @@ def _sign(value: Scalar, found: Found, positive: set[str]) -> int | None:
 
 
 def _positive(model: Model, value: Scalar, positive: set[str]) -> Relation:
-    return Relation(model.problem.readable(odd_part(value, positive)), ">", ZERO)
+    """What is positive, with its negative terms on the other side."""
+    terms = terms_of(model.problem.readable(odd_part(value, positive)))
+    more, less = ([each for each in terms if is_negative(each) == low] for low in (False, True))
+    return Relation(add(*more), ">", add(*map(negate, less)))

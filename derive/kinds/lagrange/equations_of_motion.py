@@ -11,7 +11,8 @@ from derive.kinds.checks import law
 from derive.kinds.fields import OptionsModel
 from derive.kinds.lagrange._as_told import Conserved, as_told
 from derive.kinds.lagrange._energies import energy_steps
-from derive.kinds.lagrange._equations import difference, written_fraction, written_side
+from derive.kinds.lagrange._equations import difference, written_motion, written_side
+from derive.kinds.lagrange._meanings import slope_of
 from derive.kinds.lagrange._model import Model
 from derive.kinds.lagrange._solved import Solved, satisfies, solved
 from derive.kinds.problem import Problem
@@ -46,11 +47,13 @@ class Facts(PageFacts):
     forces: tuple[tuple[Expr, Expr], ...]
     constraints: tuple[tuple[Expr, Expr], ...]
     velocity: bool  # a constraint of velocities is among them
-    slopes: tuple[Symbol, ...]  # of the constraints
+    derivatives: tuple[Symbol, ...]  # of the constraints
+    slopes: tuple[tuple[Symbol, Expr], ...]  # those that are not zero
     multipliers: tuple[Symbol, ...]
     equations: tuple[str, ...]  # steps
     across: tuple[str, ...]  # steps
     cyclic: tuple[tuple[Symbol, Expr], ...]
+    reactions: tuple[tuple[Symbol, tuple[Expr, ...]], ...]  # of the constraints, along the coordinates
 
 
 def claims_of(system: LagrangianSystem, options: Options) -> tuple[str, ...]:
@@ -71,14 +74,14 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
         _general(model),
         *_partials(model),
         *_equations(model, lefts, rights),
-        *_conserved(model),
         *_solution_steps(model, solution),
+        *_conserved(model),
     )
     work = Work(problem, _definitions(steps), steps=steps).claim(*_laws(model, solution))
     equations = [problem.final(difference(*sides)) for sides in zip(lefts, rights, strict=True)]
-    results, facts = _results(model, lefts, equations, solution), _facts(model, lefts, rights)
+    results, facts = _results(model, lefts, equations, solution), _facts(model, lefts, solution)
     forces = facts.forces if system.forces else ()  # Q_q = 0 is of any coordinate
-    work = work.claim(*as_told(model, work, results, forces, facts.cyclic))
+    work = work.claim(*as_told(model, work, results, (*forces, *facts.slopes), facts.cyclic, facts.reactions))
     work = work.law("said", _said(system, work, facts))
     return work.answer("equations-of-motion", results, facts)
 
@@ -95,7 +98,7 @@ def _said(system: LagrangianSystem, work: Work, facts: Facts) -> Iterator[bool]:
     rates = {*system.rates}
     holding = [free_symbols(side) & rates for pair in facts.constraints for side in pair]
     yield facts.velocity == any(holding)
-    yield len(facts.slopes) == len(facts.multipliers) == len(facts.constraints)
+    yield len(facts.multipliers) == len(facts.constraints) == len(facts.derivatives)
     yield facts.gravity is None or facts.gravity == column(system.gravity)
     yield (facts.dissipation is None) == (system.dissipation == ZERO)
     yield facts.dissipation is None or facts.dissipation[1] == system.dissipation
@@ -112,9 +115,26 @@ def _general(model: Model) -> Step:
 
 
 def slopes_of(model: Model) -> tuple[Symbol, ...]:
-    """a_q, or a_1q, a_2q, ...: the derivatives of the constraints."""
-    many = len(model.conditions) > 1
-    return tuple(Symbol(f"a_{k}q" if many else "a_q") for k in range(1, len(model.conditions) + 1))
+    """The derivatives of the constraints by any coordinate."""
+    return tuple(slope_of(k, "q", model.multipliers) for k in range(1, len(model.conditions) + 1))
+
+
+def _slopes(model: Model) -> Iterator[tuple[Symbol, Expr]]:
+    """Those that are not zero, each with its value."""
+    for i, condition in enumerate(model.conditions, 1):
+        for q, slope in zip(model.system.coordinates, condition.a, strict=True):
+            if slope:
+                yield slope_of(i, q, model.multipliers), model.problem.readable(slope)
+
+
+def _reactions(model: Model, found: Solved | None) -> Iterator[tuple[Symbol, tuple[Expr, ...]]]:
+    """What the constraints add to the force along each coordinate; in the end of a single one its value."""
+    for k, q in enumerate(model.system.coordinates):
+        force = model.reaction(k)
+        if force and found is not None:
+            value = written_motion(force.substitute(found.multipliers), model.system, model.problem)
+            chain = (model.problem.readable(force), value)
+            yield Symbol(q), chain if len(model.multipliers) == 1 else chain[:1]
 
 
 def _partials(model: Model) -> Iterator[Step]:
@@ -143,7 +163,7 @@ def _conserved(model: Model) -> Iterator[Step]:
     if not (driven or braked) and all(map(_does_no_work, model.conditions)):
         total = energy(model.lagrangian, system)
         whole = sum((*model.kinetic, *model.potential), Scalar.of(0))
-        name = Symbol(model.letters.energy)
+        name = Symbol(model.letters.energy if total == whole else model.letters.jacobi)
         facts = Conserved(said=Phrase("conserved" if total == whole else "jacobi"))
         yield Step(name.name, (name, written_side(total, system, model.problem)), "energy", facts)
 
@@ -166,9 +186,9 @@ def _solution_steps(model: Model, found: Solved | None) -> Iterator[Step]:
         across = written_side(on_accelerations(condition, model.system), model.system, model.problem)
         yield Step(f"constraint_{k}", (across, ZERO), "in-numbers")
     for name, value in found.accelerations.items():
-        yield Step(name, (Symbol(name), written_fraction(value, model.problem)), "acceleration")
+        yield Step(name, (Symbol(name), written_motion(value, model.system, model.problem)), "acceleration")
     for name, value in found.multipliers.items():
-        yield Step(name, (Symbol(name), written_fraction(value, model.problem)), "multiplier")
+        yield Step(name, (Symbol(name), written_motion(value, model.system, model.problem)), "multiplier")
 
 
 def _definitions(steps: tuple[Step, ...]) -> dict[Expr, Expr]:
@@ -191,9 +211,9 @@ def _results(
     for step in _conserved(model):
         results["E"] = problem.final(step.result)
     if found is not None:
-        results["accelerations"] = _solution(problem, found.accelerations)
+        results["accelerations"] = _solution(model, found.accelerations)
         if found.multipliers:
-            results["multipliers"] = _solution(problem, found.multipliers)
+            results["multipliers"] = _solution(model, found.multipliers)
     return results
 
 
@@ -201,11 +221,12 @@ def _columns(problem: Problem, entries: list[Expr]) -> Expr:
     return column(problem.final(entry) for entry in entries)
 
 
-def _solution(problem: Problem, found: Mapping[str, Scalar]) -> Expr:
-    return _columns(problem, [written_fraction(value, problem) for value in found.values()])
+def _solution(model: Model, found: Mapping[str, Scalar]) -> Expr:
+    written = [written_motion(value, model.system, model.problem) for value in found.values()]
+    return _columns(model.problem, written)
 
 
-def _facts(model: Model, lefts: list[Expr], rights: list[Expr]) -> Facts:
+def _facts(model: Model, lefts: list[Expr], found: Solved | None) -> Facts:
     system, letters = model.system, model.letters
     lost = None if system.dissipation == ZERO else (Symbol(letters.dissipation), system.dissipation)
     return Facts(
@@ -218,10 +239,11 @@ def _facts(model: Model, lefts: list[Expr], rights: list[Expr]) -> Facts:
         forces=tuple(_forces(system)),
         constraints=tuple((c.left, c.right) for c in system.constraints),
         velocity=any(condition.sort == "velocity" for condition in model.conditions),
-        slopes=slopes_of(model), multipliers=model.multipliers,
+        derivatives=slopes_of(model), slopes=tuple(_slopes(model)), multipliers=model.multipliers,
         equations=tuple(f"equation_{k}" for k in range(1, len(lefts) + 1)),
         across=tuple(f"constraint_{k}" for k in range(1, len(model.conditions) + 1)),
         cyclic=tuple(_cyclic(model)),
+        reactions=tuple(_reactions(model, found)),
     )  # fmt: skip
 
 

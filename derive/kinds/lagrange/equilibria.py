@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.scalar import Scalar
@@ -13,6 +13,7 @@ from derive.expression import PI, ZERO, Expr, Symbol, free_symbols, walk
 from derive.kinds.checks import law
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.lagrange._angles_found import Found, solved
+from derive.kinds.lagrange._criterion import Criterion, criterion
 from derive.kinds.lagrange._held import Still, held
 from derive.kinds.lagrange._model import Model
 from derive.kinds.lagrange._oracle import Differences
@@ -40,6 +41,7 @@ class Facts(PageFacts):
     table: Table | None  # of the states of rest, where there are some
     free: tuple[Symbol, ...]
     angles: bool
+    criterion: Criterion
 
 
 def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Derivation:
@@ -64,7 +66,7 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
             for k, each in enumerate(left, 1)
             if each
         ),
-        Step("K", (Symbol("K"), problem.readable_matrix(stiffness)), "stiffness"),
+        Step("K", (Symbol("K"), _written(stiffness, problem)), "stiffness"),
     )
     branches = tuple(_branch(system, each, words) for each, words in zip(found, said, strict=True))
     work = Work(problem, uses=(equations(problem),), steps=steps)
@@ -81,6 +83,7 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
         table=_table(system, branches) if branches else None,
         free=tuple(Symbol(q) for q in dict.fromkeys(q for each in found for q in each.free)),
         angles=any(PI in walk(tree) for branch in branches for tree in branch.values.values()),
+        criterion=criterion(model, said),
     )
     return work.answer("equilibria", {"solutions": branches}, facts)
 
@@ -108,11 +111,10 @@ def _at_rest(model: Model, given: Mapping[Symbol, Expr]) -> list[Scalar]:
     return found
 
 
-def _rest_steps(left: list[Scalar], problem: Problem) -> Iterator[Step]:
-    """What is left of each equation; what vanishes is left out."""
-    for k, each in enumerate(left, 1):
-        if each:
-            yield Step(f"rest_{k}", (problem.readable(each), ZERO), "in-numbers")
+def _written(stiffness: ScalarMatrix, problem: Problem) -> Expr:
+    """A matrix, or the entry of one."""
+    whole = problem.readable_matrix(stiffness)
+    return whole if len(whole.rows) > 1 else whole.rows[0][0]
 
 
 def _branch(system: LagrangianSystem, found: Found, said: Phrase) -> Branch:
@@ -122,7 +124,7 @@ def _branch(system: LagrangianSystem, found: Found, said: Phrase) -> Branch:
 
 def _table(system: LagrangianSystem, branches: tuple[Branch, ...]) -> Table:
     rows = tuple((*branch.values.values(), branch.when) for branch in branches)
-    return Table((*map(Symbol, system.coordinates), ""), rows)
+    return Table((*map(Symbol, system.coordinates), Phrase("at-rest")), rows)
 
 
 def _put_back(model: Model, left: list[Scalar], found: Found, k: int, positive: set[str]) -> Claim:

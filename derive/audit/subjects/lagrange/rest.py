@@ -23,6 +23,7 @@ GROWS = 1e-5  # of the fastest motion: one that grows slower may not grow
 NEAR = 1e-6
 PLACES = 20  # where masses are looked for that are positive
 OPEN = "stability not decided by the terms of second order"
+NEUTRAL = re.compile(r"^in .+? ((?:un)?stab.*), in .+ indifferent$")
 CASES = re.compile(r"(stable|unstable) if (.+?)(?=, unstable if |$)")
 
 
@@ -94,7 +95,7 @@ def _real(rows: Sequence[Sequence[sympy.Expr]], point: Point) -> list[list[float
 def _judged(when: str, growth: float, place: str, asked: Asked, point: Point) -> Iterator[Test]:
     """The word, or each word whose condition holds."""
     said, _, need = when.partition(" where ")
-    said = said.partition(", neutral along ")[0]
+    said = NEUTRAL.sub(r"\1", said)
     if need and holds(need, asked, point) is False:
         yield Holds("solutions", False, f"{place} is real although {need} does not hold")
     cases = CASES.findall(said) or [(said, "")]
