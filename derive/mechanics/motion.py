@@ -12,12 +12,14 @@ Axis: TypeAlias = Literal["x", "y", "z"] | tuple[Expr, Expr, Expr]
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """One elementary motion: by an angle (rad) or a length (m) about or along an axis."""
+    """One elementary motion: by an angle (rad) or a length (m) about or along an axis; a turn may be given by
+    a `quaternion`, its scalar part first."""
 
     kind: Literal["rotate", "translate"]
     axis: Axis
     by: Expr
     about: Literal["world", "current"] = "current"
+    quaternion: tuple[Expr, Expr, Expr, Expr] | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -11,7 +11,7 @@ from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import completed, number
 from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar
-from derive.derivation import Phrase
+from derive.derivation import Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import (
     ONE,
@@ -20,8 +20,11 @@ from derive.expression import (
     Expr,
     Indexed,
     Matrix,
+    Number,
     Product,
+    Quotient,
     Symbol,
+    atan2,
     column,
     cos,
     free_symbols,
@@ -29,6 +32,7 @@ from derive.expression import (
     sin,
     transpose,
 )
+from derive.kinds.chains import distinct
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.elementary import factor_name, homogeneous, rotation_matrix, skew, translation
@@ -102,6 +106,7 @@ def factors_of(
         name = factor_name(move, axis, LETTERS[size])
         factors.append(Factor(i, move, name, axis, _value(move, size)))
     work = Work(problem).knowing({NO_ROW: Matrix(((ZERO, ZERO, ZERO),))})
+    work = work.showing(*_turned(moves, problem))
     for written, axis in axes.items():
         if not isinstance(written, str):
             work = _axis_line(work, axis, written, rounded)
@@ -109,6 +114,16 @@ def factors_of(
         if factor.name not in work.known:
             work = _factor_line(work, factor, size, rounded)
     return Factors(size, tuple(factors), work)
+
+
+def _turned(moves: Sequence[Move], problem: Problem) -> Iterator[Step]:
+    """The angle of a turn that is given by a quaternion, where it is the only move."""
+    for move in moves if len(moves) == 1 else ():
+        if move.quaternion is not None:
+            w, *vector = move.quaternion
+            length = problem.readable(root(sum((normal(part**2) for part in vector), Scalar.of(0))))
+            name = Symbol(free(problem.taken, "theta", "alpha", "theta_q"))
+            yield Step("turned", distinct((name, 2 * atan2(length, w), move.by)), "turned")
 
 
 def _value(move: Move, size: int) -> ScalarMatrix:
@@ -134,12 +149,22 @@ def _axis_line(work: Work, name: Symbol, axis: tuple[Expr, Expr, Expr], rounded:
     problem, S = work.problem, Indexed("S", (name,))
     unit = problem.readable_matrix(ScalarMatrix.column(unit_vector(axis)))
     length = root(sum((normal(part**2) for part in axis), Scalar.of(0)))
-    middle = () if length == 1 else (ONE / problem.readable(length) * column(axis),)
+    middle = () if length == 1 else (_inverse(problem.readable(length)) * column(axis),)
     shown = rounded_matrix(unit, problem) if rounded else unit
     (x,), (y,), (z,) = unit.rows
     one = problem.readable_matrix(ScalarMatrix.identity(3))
     work = work.line(name, *middle, value=shown, rule="unit-vector")
     return work.knowing({name: unit, S: skew((x, y, z)), IDENTITY: one})
+
+
+def _inverse(length: Expr) -> Expr:
+    """1/length, a fraction turned over."""
+    match length:
+        case Product((Number(value), *rest)) if value > 0:
+            return Number(1 / value) / multiply(*rest)
+        case Quotient(top, bottom):
+            return bottom / top
+    return ONE / length
 
 
 def _factor_line(work: Work, factor: Factor, size: int, rounded: bool) -> Work:

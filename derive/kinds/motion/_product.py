@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any, Literal
@@ -10,11 +10,12 @@ from typing import Any, Literal
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import completed, numbers
 from derive.derivation import Claim, Derivation, PageFacts, Phrase, Result
-from derive.expression import Call, Expr, Matrix, Symbol, walk
+from derive.expression import Call, Expr, Matrix, Symbol, column, free_symbols, walk
 from derive.kinds.checks import is_rotation, law
-from derive.kinds.meanings import as_told
+from derive.kinds.meanings import Chain, as_told
 from derive.kinds.motion._factors import Factors, factors_of, product_of, rounded_matrix, value_of
 from derive.kinds.motion._meanings import meant, order_chains, order_told, placed_chains
+from derive.kinds.pose._numbers import along
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.motion import Move
@@ -29,6 +30,8 @@ REASONS = {"single": "one-factor", "world": "about-world", "current": "about-cur
 class Facts(PageFacts):
     reason: Phrase | None  # for the order of the factors
     placed: tuple[Phrase, ...]  # where each is told one by one
+    by: Expr | None  # of one turn about a written axis of numbers: its angle,
+    along: Matrix | None  # and a vector along the axis
 
 
 def composed(
@@ -50,11 +53,12 @@ def composed(
     exact = problem.final(written)
     work = work.knowing({name: written}) if numeric else work.closed(name)
     parts = _factor_results(factors, problem)
-    work = work.claim(*_laws(problem.exact(value), name.name))
+    work = work.linked(but=("turned",)).claim(*_laws(problem.exact(value), name.name))
     told = [parts[f"{name.name.replace('T', 'A')}_{k}"] for k in range(1, len(moves) + 1)]
     work = motion_made(work, name.name, moves, exact, *told)
     facts, point = _facts(factors, numeric, name), completed({}, problem.where)
-    chains = (*placed_chains(factors, facts.placed), *order_chains(factors, facts.reason, name))
+    orders = (*placed_chains(factors, facts.placed), *order_chains(factors, facts.reason, name))
+    chains = (*orders, *_single(factors, facts))
     work = as_told(work, partial(meant, factors, name), chains)
     work = work.law("said", (order_told(factors, facts.reason), bool(facts.placed) == (facts.reason is None)))
     results: dict[str, Result] = {name.name: exact, **parts}
@@ -67,17 +71,39 @@ def composed(
 
 
 def _without_its_matrix(work: Work) -> Work:
-    """One move alone, whose matrix is the answer."""
-    return replace(work, steps=tuple(step for step in work.steps if step.rule != "elementary"))
+    """One move alone, whose matrix is the answer; what that follows from is told."""
+    kept = (step for step in work.steps if step.rule != "elementary")
+    shorter = (replace(step, chain=step.chain[:-1]) if step.rule == "rodrigues" else step for step in kept)
+    return replace(work, steps=tuple(shorter))
 
 
 def _facts(factors: Factors, numeric: bool, name: Symbol) -> Facts:
     noun, how = Phrase("rotation" if factors.size == 3 else "move"), mode(factors.moves)
+    axis = _written_axis(factors)
     return Facts(
+        by=factors.moves[0].by if axis else None,
+        along=along(axis) if axis else None,
         reason=None if how == "mixed" else Phrase(REASONS[how], {"noun": noun}),
         placed=factors.placed() if how == "mixed" else (),
         numbers=() if numeric else (name.name,),
     )
+
+
+def _written_axis(factors: Factors) -> Matrix | None:
+    """That of one turn, where it and the angle are numbers."""
+    if factors.size == 4 or len(factors.moves) != 1:
+        return None
+    (move,) = factors.moves
+    if isinstance(move.axis, str) or any(map(free_symbols, (*move.axis, move.by))):
+        return None
+    return column(move.axis)
+
+
+def _single(factors: Factors, facts: Facts) -> Iterator[Chain]:
+    """The angle and the axis that are said of it."""
+    if facts.by is not None and facts.along is not None:
+        yield factors.factors[0].axis, facts.along / Call("abs", (facts.along,))
+        yield factors.moves[0].by, facts.by
 
 
 def _is_short(matrix: Matrix) -> bool:

@@ -139,7 +139,7 @@ def move(given: Rotate | Translate | Quaternion) -> Move:
         return Move("rotate", given.rotate, given.by, about)
     if isinstance(given, Quaternion):
         axis, angle = turn_of(given.quaternion)
-        return Move("rotate", axis or "z", angle, about)
+        return Move("rotate", axis or "z", angle, about, given.quaternion if axis else None)
     return Move("translate", given.translate, given.by, about)
 
 

@@ -17,6 +17,7 @@ from derive.kinds.robot._inverse.subproblem import Choice, Definition, Solved
 from derive.mechanics.inverse.subproblems import Reach, SubProblem, equations_of
 
 ORDER = ("name", "equation", "squares", "aside", "solved", "choice")  # of steps on the page
+BY_LENGTH = ("equation", "solved", "name", "choice")  # where the names are other elements
 
 TWO = {  # by the rule, and whether other elements give the size of the other function
     ("cosine", False): "two-of-a-cosine", ("sine", False): "two-of-a-sine",
@@ -107,7 +108,8 @@ class Solving:
             left=left,
         )
         number = len(progress.solved)
-        steps = (*(step for rule in ORDER for step in self._by(rule)), *left)
+        order = BY_LENGTH if method.by_length else ORDER
+        steps = (*(step for rule in order for step in self._by(rule)), *left)
         solved = Solved(
             number, unknown, head, tuple(choices), steps, facts, self.poses.stage, trig or {},
             tuple(self.equations), compared, named,
