@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from math import degrees, isclose
 
 from derive.derivation import Label, Panels, Phrase, Place, Plot, Said
+from derive.errors import NotAsWritten
 from derive.expression import Approximate, Expr, Relation, Symbol
 from derive.figures.axes import IN_TIME, axis, short
 from derive.mechanics.course import Course, Points, extremes, is_joined, sampled
@@ -36,9 +37,9 @@ def panels(
 ) -> Panels:
     """Three plots, one above the other; `courses` are named as in the legend, `moments` on the axis of time,
     `limits` are those of velocity and acceleration. A course goes `through` places at times. Raises
-    ValueError where one has a gap."""
+    NotAsWritten where one has a gap."""
     if not all(map(is_joined, courses.values())):
-        raise ValueError("a course has a gap")
+        raise NotAsWritten
     turned = sort == "angle" and in_degrees
     units = IN_DEGREES if turned else UNITS.get(sort, ("", "", ""))
     plots = []

@@ -98,9 +98,9 @@ def primitive_column(column: ScalarMatrix, names: Iterable[str]) -> ScalarMatrix
     if sum(len(entry.numerator) for entry in whole) > MOST_TERMS:
         raise TooLong
     _, quotients = common_factor(whole, names)
-    one = primitive(next(entry for entry in quotients if entry))
-    scale = next(entry for entry in quotients if entry) / one
-    return ScalarMatrix.column([entry / scale for entry in quotients])
+    numbers = (as_fraction(each) for entry in quotients for each in entry.numerator.coeffs())
+    content = measure(numbers)
+    return ScalarMatrix.column([entry / content for entry in quotients])
 
 
 def primitive(scalar: Scalar) -> Scalar:

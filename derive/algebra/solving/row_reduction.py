@@ -17,10 +17,12 @@ MOST_TERMS = 60  # in one entry; nobody reads what comes of longer ones
 
 @dataclass(frozen=True, slots=True)
 class Eliminated:
-    """The reduced row echelon form of a matrix and the columns of its pivots."""
+    """The reduced row echelon form of a matrix, the columns of its pivots, and what these were divided by:
+    where none of those is zero the rank is that at a general point."""
 
     rows: ScalarMatrix
     pivots: tuple[int, ...]
+    leads: tuple[Scalar, ...] = ()
 
     @property
     def rank(self) -> int:
@@ -33,6 +35,7 @@ def eliminated(matrix: ScalarMatrix) -> Eliminated:
     outgrows what anyone reads."""
     rows = [list(row) for row in matrix.rows]
     pivots: list[int] = []
+    leads: list[Scalar] = []
     for column in range(matrix.shape[1]):
         top = len(pivots)
         candidates = [r for r in range(top, len(rows)) if rows[r][column]]
@@ -49,7 +52,8 @@ def eliminated(matrix: ScalarMatrix) -> Eliminated:
         if any(_length(entry) > MOST_TERMS for row in rows for entry in row):
             raise TooLong
         pivots.append(column)
-    return Eliminated(ScalarMatrix.of(rows), tuple(pivots))
+        leads.append(lead)
+    return Eliminated(ScalarMatrix.of(rows), tuple(pivots), tuple(leads))
 
 
 def rank(matrix: ScalarMatrix) -> int:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from derive.audit import orientation
-from derive.audit.subjects.robot import axes, dynamics, inverse, iteration, kinematics, reach, singular
+from derive.audit.subjects.robot import axes, dynamics, inverse, iteration, kinematics, reach, singular, spans
 from derive.audit.subjects.robot.arm import Arm
 from derive.audit.subjects.robot.series import values
 from derive.expression import Expr, free_symbols
@@ -28,6 +28,7 @@ KINDS = {
     "inverse-kinematics": inverse.inverse_kinematics,
     "singularities": singular.singularities,
     "manipulability": singular.manipulability,
+    "rank": spans.rank,
     "workspace": reach.workspace,
     "numerical-inverse-kinematics": iteration.numerical_inverse_kinematics,
     "dh-table": kinematics.dh_table,

@@ -1,0 +1,146 @@
+"""The matrix that a question is about: rows of the Jacobian of an arm, the derivatives of a task, or a matrix
+given as such; at the configuration that is asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import Names, normal, normal_matrix
+from derive.algebra.numbers.arrays import arrays
+from derive.algebra.numbers.floats import Point, completed
+from derive.derivation import Derivation
+from derive.errors import NotDerivable
+from derive.expression import Expr, Symbol, column, free_symbols
+from derive.kinds.fields import Evaluation, OptionsModel, Place, Quantity
+from derive.kinds.problem import Problem
+from derive.kinds.robot._point import PointOn
+from derive.kinds.robot._velocity.task import RowName, Task, task_of
+from derive.mechanics.matrices import GivenMatrix
+from derive.mechanics.robot import Robot
+from derive.names import named
+
+STEP = 1e-5  # of a joint variable, for differences of a task
+
+
+class MapOptions(OptionsModel):
+    """`rows`: the velocities of an arm that are wanted, at `point`; or a `task`, functions of the joint
+    variables; `evaluate`: the configuration."""
+
+    rows: tuple[RowName, ...] = ()
+    point: PointOn | None = None
+    task: tuple[Quantity, ...] = ()
+    evaluate: Evaluation = None
+
+
+@dataclass(frozen=True)
+class LinearMap:
+    """J (m by n) with its name; the variables its columns belong to, the velocities of its rows, what it
+    rests on; and `numbers`, the same by a route that knows nothing of it."""
+
+    problem: Problem
+    name: Symbol
+    J: ScalarMatrix
+    variables: tuple[str, ...]
+    velocities: tuple[Symbol, ...]
+    sort: str  # "rows", "task", "matrix"
+    place: Place
+    numbers: Callable[[Point], Any]
+    base: tuple[Derivation, ...] = ()
+    task: Expr | None = None  # the functions, as a column
+
+    @property
+    def rates(self) -> tuple[Symbol, ...]:
+        return tuple(Symbol(f"{name}_dot") for name in self.variables)
+
+    @property
+    def symbols(self) -> frozenset[str]:
+        """Every name that is left in J at the configuration."""
+        given = {name for name, _ in self.place}
+        names = self.problem.symbols | {n for _, value in self.place for n in free_symbols(value)}
+        return names - given - set(self.problem.where)
+
+    @property
+    def values(self) -> Names:
+        """What names stand for there."""
+        return _values(self.place, self.problem)
+
+    def at(self, point: Point) -> Point:
+        """A point with the values of the configuration and of `where`."""
+        return completed(point, {**self.problem.where, **dict(self.place)})
+
+
+def linear_map(subject: Robot | GivenMatrix, options: MapOptions, problem: Problem) -> LinearMap:
+    """The matrix of a question. Raises NotDerivable: rows of a matrix that is given, a task beside rows."""
+    place = options.evaluate or ()
+    if isinstance(subject, GivenMatrix):
+        for key in ("rows", "point", "task"):
+            if getattr(options, key):
+                raise NotDerivable(f"a matrix that is given has no {key}", key)
+        return _given(subject, place, problem)
+    if not options.task:
+        return _of_arm(task_of(problem, options.rows, options.point), place, problem)
+    for key in ("rows", "point"):
+        if getattr(options, key):
+            raise NotDerivable(f"a task stands in place of {key}", key)
+    return _of_task(subject, options.task, place, problem)
+
+
+def _values(place: Place, problem: Problem) -> Names:
+    return {**problem.names, **{Symbol(name): value for name, value in place}}
+
+
+def _given(given: GivenMatrix, place: Place, problem: Problem) -> LinearMap:
+    m, n = given.value.shape
+    own = given.variables if len(given.variables) == n else tuple(f"q{j}" for j in range(1, n + 1))
+    return LinearMap(
+        problem,
+        named("J", given.value, problem.taken),
+        normal_matrix(given.value, _values(place, problem)),
+        own,
+        tuple(Symbol(f"v_{i}") for i in range(1, m + 1)),
+        "matrix",
+        place,
+        lambda at: arrays(given.value, at),
+    )
+
+
+def _of_arm(task: Task, place: Place, problem: Problem) -> LinearMap:
+    J = task.J if not place and not problem.names else normal_matrix(task.written, _values(place, problem))
+    return LinearMap(
+        problem,
+        Symbol("J"),
+        J,
+        task.found.variables,
+        task.velocities,
+        "rows",
+        place,
+        task.numbers,
+        base=(task.base,),
+    )
+
+
+def _of_task(robot: Robot, functions: tuple[Expr, ...], place: Place, problem: Problem) -> LinearMap:
+    variables = robot.variables
+    moving = [normal(each, problem.names) for each in functions]
+    for expr in functions:
+        if not free_symbols(problem.final(expr)) & {*variables}:
+            raise NotDerivable("a task depends on no joint variable", "task")
+    whole = ScalarMatrix.of([[each.diff(name) for name in variables] for each in moving])
+    J = normal_matrix(problem.readable_matrix(whole), _values(place, problem))
+    letters = tuple(Symbol(f"r_{i}") for i in range(1, len(functions) + 1))
+    return LinearMap(
+        problem, Symbol("J"), J, variables, letters, "task", place,
+        lambda at: _differences(functions, variables, at), task=column(functions),
+    )  # fmt: skip
+
+
+def _differences(functions: tuple[Expr, ...], variables: tuple[str, ...], at: Point) -> Any:
+    import numpy as np
+
+    def moved(name: str, by: float) -> Any:
+        return arrays(column(functions), {**at, name: at[name] + by})[:, 0]
+
+    return np.array([(moved(q, STEP) - moved(q, -STEP)) / (2 * STEP) for q in variables]).T

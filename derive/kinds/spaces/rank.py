@@ -1,0 +1,270 @@
+"""Which velocities an arm can give its end-effector in a configuration, and what its structure carries."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from itertools import islice
+from math import prod
+from typing import Any
+
+from pydantic import Field
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.normal import normal_matrix
+from derive.algebra.numbers.arrays import arrays
+from derive.algebra.numbers.floats import Point
+from derive.algebra.scalar import Scalar
+from derive.algebra.signs import sign_of
+from derive.algebra.solving.factors import primitive
+from derive.derivation import Derivation, PageFacts, Phrase, Result
+from derive.errors import NotDerivable
+from derive.expression import (
+    Expr,
+    Number,
+    Symbol,
+    add,
+    column,
+    free_symbols,
+    multiply,
+    transpose,
+)
+from derive.kinds.checks import close, random_points, route
+from derive.kinds.fields import Quantity
+from derive.kinds.problem import Problem
+from derive.kinds.spaces._linear_map import LinearMap, MapOptions, linear_map
+from derive.kinds.spaces._span import Span, solution, span
+from derive.kinds.values_at import Here, values_at
+from derive.kinds.work import Work
+from derive.mechanics.matrices import GivenMatrix
+from derive.mechanics.minors import minors
+from derive.mechanics.robot import Robot
+from derive.names import free
+
+SUBJECTS = ("robot", "matrix")
+USES = frozenset({"variables"})
+CLAIMS = ("factors", "rank-in-numbers", "spaces-in-numbers")
+CLAIMED = {"rank": "rank-in-numbers"} | dict.fromkeys(
+    ("null_space", "range", "left_null_space"), "spaces-in-numbers"
+)
+POINTS, TRIES, SMALL = 3, 40, 1e-6
+MOST_ENTRIES = 24  # of a matrix whose minors are looked at together
+V, F, TAU, RATES, TASK = map(Symbol, ("v", "F", "tau", "qdot", "r"))
+SPACES = ("null_space", "range", "left_null_space")
+
+
+class Options(MapOptions):
+    """`rows` at `point`, or a `task`; `evaluate`: the configuration; `velocity`: one component for each row,
+    to be judged; `wrench`: the same of a force."""
+
+    velocity: tuple[Quantity, ...] | None = Field(None, min_length=1, max_length=12)
+    wrench: tuple[Quantity, ...] | None = Field(None, min_length=1, max_length=12)
+
+
+class Facts(PageFacts):
+    sort: str  # "rows", "task", "matrix"
+    place: tuple[tuple[Expr, Expr], ...]
+    rows: tuple[Symbol, ...]
+    rank: int
+    height: int
+    width: int
+    leads: tuple[Expr, ...]  # where one of them vanishes the rank may be lower
+    J: Symbol
+    empty: tuple[bool, bool, bool]  # null space, range, left null space
+    judged: str = ""  # "feasible", "feasible-where", "infeasible"
+    left: Symbol | None = None  # the basis to which it is not perpendicular
+    conditions: tuple[Expr, ...] = ()  # vanish where it is feasible
+    free: tuple[Symbol, ...] = ()
+    wrench: str = ""  # "carried", "torques"
+
+
+def derive(subject: Robot | GivenMatrix, options: Options, problem: Problem) -> Derivation:
+    """rank J, null(J), range(J), null(J^T) (Siciliano et al., sections 3.5 and 3.8; Strang, chapter 3).
+
+    Raises NotDerivable where a velocity or wrench has not one component a row, and where a basis is too long.
+    """
+    found = linear_map(subject, options, problem)
+    for key in ("velocity", "wrench"):
+        _require_each_row(found, getattr(options, key), key)
+    spaces = span(found.J, found.variables)
+    names = _names(problem)
+    work = _spanned(_board(found), found, spaces, names)
+    results: dict[str, Result] = {"rank": Number(Fraction(spaces.rank))}
+    for key, name, basis in zip(SPACES, names, (spaces.null, spaces.range, spaces.left), strict=True):
+        results[key] = work[name] if basis else ()
+    facts = Facts(
+        sort=found.sort,
+        place=tuple((Symbol(name), value) for name, value in found.place),
+        rows=found.velocities if found.sort == "rows" else (),
+        rank=spaces.rank,
+        height=found.J.shape[0],
+        width=found.J.shape[1],
+        leads=_leads(problem, spaces, found.J),
+        J=found.name,
+        empty=(not spaces.null, not spaces.range, not spaces.left),
+    )
+    if options.velocity is not None:
+        work, facts, told = _judged(work, found, spaces, options.velocity, facts)
+        results |= told
+    if options.wrench is not None:
+        work, facts, told = _carried(work, found, options.wrench, facts)
+        results = {**told, **results}
+    answer = work.answer("rank", results, replace(facts, numbers=()), matrices=frozenset(SPACES))
+    if options.evaluate is None:
+        return answer
+    here = Here.of(dict(found.place), problem.where, problem.style)
+    return replace(answer, evaluated=values_at(answer, here))
+
+
+def _names(problem: Problem) -> tuple[Symbol, Symbol, Symbol]:
+    """What the bases are called."""
+    return (
+        Symbol(free(problem.taken, "N", "N_0")),
+        Symbol(free(problem.taken, "R", "R_0")),
+        Symbol(free(problem.taken, "U", "U_0")),
+    )
+
+
+def _board(found: LinearMap) -> Work:
+    """J on a board, after the functions of a task."""
+    work = Work(found.problem, uses=found.base)
+    if found.task is not None:
+        work = work.given(TASK, found.task)
+    return work.line(found.name, value=found.J, rule=found.sort, label="J")
+
+
+def _spanned(work: Work, found: LinearMap, spaces: Span, names: Sequence[Symbol]) -> Work:
+    """Its reduced form and bases, and the proofs of them."""
+    J = found.J
+    if spaces.reduced is not None:
+        work = work.line("E", value=spaces.reduced, rule="reduced")
+    bases = (spaces.null, spaces.range, spaces.left)
+    for label, name, basis in zip(SPACES, names, bases, strict=True):
+        if basis:
+            work = work.line(name, value=ScalarMatrix.beside(basis), label=label)
+    pivots = ScalarMatrix.beside([J.columns(j) for j in spaces.pivots]) if spaces.pivots else None
+    product = pivots @ spaces.reduced if pivots and spaces.reduced else ScalarMatrix.zeros(*J.shape)
+    work = work.law("factors", (product == J, *_annihilated(J, spaces)))
+    there = [*islice(_places(found), POINTS)]
+    return work.claim(
+        route("rank-in-numbers", (_rank(found.numbers(at)) == spaces.rank for at in there)),
+        route("spaces-in-numbers", (each for at in there for each in _spans(work, found, spaces, names, at))),
+    )
+
+
+def _annihilated(J: ScalarMatrix, spaces: Span) -> Iterator[bool]:
+    """J N = 0 and J^T U = 0, with as many columns as the rank leaves."""
+    m, n = J.shape
+    yield from (not J @ column for column in spaces.null)
+    yield from (not J.T @ column for column in spaces.left)
+    yield len(spaces.null) == n - spaces.rank and len(spaces.left) == m - spaces.rank
+
+
+def _places(found: LinearMap, *more: Expr) -> Iterator[Point]:
+    names = found.symbols.union(*map(free_symbols, more)) - found.at({}).keys()
+    return (found.at(point) for point in random_points(names, TRIES))
+
+
+def _rank(J: Any) -> int:
+    import numpy as np
+
+    sizes = np.linalg.svd(J, compute_uv=False)
+    return int((sizes > SMALL * max(1.0, *sizes)).sum())
+
+
+def _spans(work: Work, found: LinearMap, spaces: Span, names: Sequence[Symbol], at: Point) -> Iterator[bool]:
+    """The reduced form and the bases as they are printed, against J by another route: its columns with pivots
+    make J of that form; bases vanish, or lie in the range, and their columns are independent."""
+    import numpy as np
+
+    J, (m, n) = found.numbers(at), found.J.shape
+    null, image, left = (
+        arrays(work[name], at) if basis else np.zeros((size, 0))
+        for name, basis, size in zip(names, (spaces.null, spaces.range, spaces.left), (n, m, m), strict=True)
+    )
+    if spaces.pivots:
+        yield close(J[:, list(spaces.pivots)] @ arrays(work["E"], at), J, SMALL)
+    yield close(J @ null, np.zeros((m, null.shape[1])), SMALL)
+    yield close(J.T @ left, np.zeros((n, left.shape[1])), SMALL)
+    yield not image.shape[1] or _rank(np.hstack([J, image])) == spaces.rank == _rank(image)
+    yield all(not basis.shape[1] or _rank(basis) == basis.shape[1] for basis in (null, left))
+
+
+def _leads(problem: Problem, spaces: Span, J: ScalarMatrix) -> tuple[Expr, ...]:
+    """Where one of these vanishes the rank may be lower; none where the minors cannot vanish together."""
+    positive = frozenset(name for name, what in problem.assumptions.items() if what == "positive")
+    if spaces.rank and prod(J.shape) <= MOST_ENTRIES:
+        pivots = ScalarMatrix.beside([J.columns(j) for j in spaces.pivots])
+        squares = sum((each.value * each.value for each in minors(pivots)), Scalar.of(0))
+        if sign_of(squares, positive):
+            return ()
+    told = (problem.readable(primitive(each)) for each in spaces.leads if not sign_of(each, positive))
+    return tuple(dict.fromkeys(told))
+
+
+# -- a velocity, a wrench -----------------------------------------------------------------------------
+
+
+def _require_each_row(found: LinearMap, given: tuple[Expr, ...] | None, key: str) -> None:
+    """Raises NotDerivable where a vector does not fit."""
+    if given is not None and len(given) != found.J.shape[0]:
+        raise NotDerivable(f"{len(given)} components for {found.J.shape[0]} rows; give one for each", key)
+
+
+def _judged(
+    work: Work, found: LinearMap, spaces: Span, given: tuple[Expr, ...], facts: Facts
+) -> tuple[Work, Facts, dict[str, Result]]:
+    """Whether joint rates give this velocity, and all that do."""
+    problem = found.problem
+    typed, v = column(given), normal_matrix(column(given), found.values)
+    work = work.given(V, typed)
+    x = solution(found.J, v)
+    if x is None:
+        left = [(u.T @ v)[0, 0] for u in spaces.left]
+        open_ones = [each for each in left if each]
+        some = any(sign_of(each, frozenset()) is not None for each in open_ones)
+        said = "infeasible" if some else "feasible-where"
+        conditions = () if some else tuple(map(problem.readable, open_ones))
+        missed = (_misses(found, typed, at) for at in islice(_places(found, *given), POINTS))
+        told = replace(facts, judged=said, conditions=conditions, left=_names(problem)[-1])
+        answer: Result = False if some else Phrase("feasible-where", {"conditions": conditions})
+        return work.claim(route("no-rates", missed)), told, {"feasible": answer}
+    letter = free(problem.taken, "k", "kappa", indices=[f"_{i}" for i in range(1, 7)])
+    free_ones = tuple(Symbol(f"{letter}_{i}") for i, _ in enumerate(spaces.null, 1))
+    own = [
+        multiply(k, problem.readable_matrix(basis)) for k, basis in zip(free_ones, spaces.null, strict=True)
+    ]
+    whole = x
+    for k, basis in zip(free_ones, spaces.null, strict=True):
+        whole = whole + basis.scaled(Scalar.symbol(k.name))
+    work = work.line(RATES, add(problem.readable_matrix(x), *own), value=whole, rule="all-rates")
+    met = (
+        close(found.numbers(at) @ arrays(work[RATES], at), arrays(typed, at), SMALL)
+        for at in islice(_places(found, *given, *free_ones), POINTS)
+    )
+    told = replace(facts, judged="feasible", free=free_ones)
+    return work.claim(route("velocity-met", met)), told, {"feasible": True, "qdot": work[RATES]}
+
+
+def _misses(found: LinearMap, typed: Expr, at: Point) -> bool:
+    """Whether v is outside the range: then [J v] has a higher rank."""
+    import numpy as np
+
+    J = found.numbers(at)
+    return _rank(np.hstack([J, arrays(typed, at)])) > _rank(J)
+
+
+def _carried(
+    work: Work, found: LinearMap, given: tuple[Expr, ...], facts: Facts
+) -> tuple[Work, Facts, dict[str, Result]]:
+    """The joint torques of a wrench, and whether it needs none."""
+    typed = column(given)
+    tau = found.J.T @ normal_matrix(typed, found.values)
+    work = work.given(F, typed).line(TAU, transpose(found.name) * F, value=tau, rule="virtual-work")
+    held = (
+        close(arrays(work[TAU], at), found.numbers(at).T @ arrays(typed, at), SMALL)
+        for at in islice(_places(found, *given), POINTS)
+    )
+    told = replace(facts, wrench="torques" if tau else "carried")
+    return work.claim(route("torques", held)), told, {"tau": work[TAU], "feasible": not tau}
