@@ -63,20 +63,20 @@ def axis_and_point(found: Chain, robot: Robot, i: int) -> tuple[ScalarMatrix, Sc
     return found.axis(i), found.point(i)
 
 
-def axis_lines(work: Work, found: Chain) -> Work:
-    """z and o of every joint as lines, each vector once."""
+def axis_lines(work: Work, found: Chain, last: int | None = None) -> Work:
+    """z and o of every joint up to row `last` as lines, each vector once."""
     done = set()
-    for name, value in _vectors(found, work.problem.subject):
+    for name, value in _vectors(found, work.problem.subject, last):
         if name not in done:
             work = work.line(name, value=value, rule="extract")
         done.add(name)
     return work
 
 
-def _vectors(found: Chain, robot: Robot) -> Iterator[tuple[Symbol, ScalarMatrix]]:
+def _vectors(found: Chain, robot: Robot, last: int | None) -> Iterator[tuple[Symbol, ScalarMatrix]]:
     """(name, value) of each axis and each point on one."""
     if found.coupling is None:
-        for i, _ in found.moving:
+        for i in joint_numbers(found, lambda _: True, last):
             yield from zip(axis_names(found, robot, i), axis_and_point(found, robot, i), strict=True)
         return
     for drive in found.coupling.drives:

@@ -78,7 +78,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     found = chain_of(problem)
     point = tracked(problem, found, options.point)
     value = point.jacobian(found)
-    work = Work(problem).resting_on(problem.ask("joint-axes"))
+    work = Work(problem).resting_on(problem.ask("joint-axes", to=_needed(problem, point)))
     made, kinds = point.name not in work.known, Sorts.of(found, point.last)
     if made:
         work = point.line(work, found)
@@ -104,6 +104,13 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         work = work.claim(sorts(problem, written, joints, kinds.turning, kinds.sliding, kinds.helical))
     facts = _facts(found, point, kinds, made, end=options.point is None)
     return work.answer("jacobian", result, facts, matrices=frozenset(result))
+
+
+def _needed(problem: Problem, point: Tracked) -> int | None:
+    """The last row that moves the point, where nothing else is asked that needs the whole arm."""
+    robot = problem.subject
+    alone = len(problem.questions) == 1 and not robot.by_screws
+    return point.last if alone and 0 < point.last < len(robot.links) else None
 
 
 def _restated(options: Options, problem: Problem) -> Derivation:

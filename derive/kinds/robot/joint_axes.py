@@ -7,13 +7,15 @@ from functools import partial
 from itertools import islice
 from typing import Any
 
+from pydantic import Field
+
 from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import Point, completed, numbers
 from derive.derivation import Derivation, PageFacts, Phrase
 from derive.expression import Expr
 from derive.kinds.checks import TRIES, close, random_points, route
-from derive.kinds.fields import NoOptions as Options
+from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._chain import axis_lines, chain_of, oracle_of, pose_name
@@ -32,6 +34,12 @@ VECTORS = {"z": "vector-z", "x": "vector-x", "o": "vector-o", "k": "vector-k", "
 measures = of_variables
 
 
+class Options(OptionsModel):
+    """`to`: the last row whose joint is wanted; all of them if left out."""
+
+    to: int | None = Field(None, ge=1)
+
+
 def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:
     """Where a variable moves several rows, axes belong to these and not to joints."""
     return ("names",) if robot.coupled else ("names", "of-its-joint")
@@ -43,14 +51,18 @@ class Facts(PageFacts):
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """z and o (3 by 1 each, base frame) of each joint: the third columns of the poses are the axes, the
-    fourth their points (Spong et al., section 4.6)."""
-    found, last = chain_of(problem), len(robot.links)
-    work = Work(problem).resting_on(problem.ask("forward-kinematics"))
-    axes = axis_lines(Work(problem), found)
+    fourth their points (Spong et al., section 4.6).
+
+    Raises NotDerivable where a row is asked for that the arm does not have."""
+    found, rows = chain_of(problem), len(robot.links)
+    last = options.to or rows
+    to = None if last == rows or found.coupling else options.to
+    work = Work(problem).resting_on(problem.ask("forward-kinematics", to=to))
+    axes = axis_lines(Work(problem), found, to)
     if found.coupling:
         axes = motion_lines(axes, found.coupling)
     results = {s.name: problem.final(s.result) for s in axes.steps if s.rule != "law"}
-    work = pose_lines(work, found, last).step(*axes.steps)
+    work = pose_lines(work, found, to - 1 if to else rows).step(*axes.steps)
     work = work.knowing({pose_name(i): problem.readable_matrix(found.T[i]) for i in range(1, last + 1)})
     columns = {name: value for name, value in results.items() if name[0] in "zo"}
     for i in range(1, last):
@@ -60,17 +72,17 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         work = work.agrees("poses-composed", problem.symbols, ours, other, frame=i)
     if not found.coupling:
         named = [step.chain[0] for step in axes.steps]
-        work = work.claim(route("of-its-joint", _of_its_joint(problem, named)))
+        work = work.claim(route("of-its-joint", _of_its_joint(problem, named, last)))
     work = by_index(work, results)
     vectors = (step.chain[0] for step in axes.steps if step.rule == "extract")
     return work.answer("joint-axes", results, Facts(vectors=said_of_each(VECTORS, vectors)))
 
 
-def _of_its_joint(problem: Problem, named: Sequence[Expr]) -> Iterator[bool]:
+def _of_its_joint(problem: Problem, named: Sequence[Expr], last: int) -> Iterator[bool]:
     """Whether the axes and points that are told are those of the joints, by what they are called, in any arm
     of this sort."""
     robot = problem.subject
-    rows = [i for i, link in enumerate(robot.links, 1) if link.variable]
+    rows = [i for i, link in enumerate(robot.links[:last], 1) if link.variable]
     lines = [*zip(map(text, named[::2]), map(text, named[1::2]), strict=True)]
     for point in islice(random_points(problem.symbols, TRIES), POINTS):
         arm = Instant(Astray(robot, problem.where), completed(point, problem.where))

@@ -24,7 +24,7 @@ from derive.mechanics.robot import Convention, DHRow
 
 HERE, TRIED = 2, 3  # the row that is looked at; how many are
 STEP, FAR = 0.3, 1e-6  # of a joint; apart are two things farther than that
-KINDS: Mapping[str, Literal["rotate", "translate"]] = {"R": "rotate", "T": "translate"}
+KINDS: Mapping[str, Literal["rotate", "translate"]] = {"Rot": "rotate", "Trans": "translate"}
 BY = Symbol("by")
 
 

@@ -51,8 +51,8 @@ class Measured:
 
     @property
     def factor(self) -> Indexed:
-        """R_{z, theta_i}."""
-        return Indexed("R" if self.turns else "T", (Symbol(self.axis.base), self.name))
+        """Rot_{z, theta_i}."""
+        return Indexed("Rot" if self.turns else "Trans", (Symbol(self.axis.base), self.name))
 
 
 @dataclass(frozen=True, slots=True)
