@@ -20,6 +20,7 @@ from derive.errors import NotDerivable
 from derive.expression import Approximate, Expr, Indexed, Matrix, Symbol, free_symbols, replace, walk
 from derive.kinds.checks import FLOATS, NORMAL_FORM, agreement
 
+EQUATIONS = ("given", "elimination")  # rules of steps with the same name on both sides, maybe
 UNLINKED = ("law", "in-numbers")  # rules of steps that names of the board say nothing about
 
 
@@ -49,8 +50,11 @@ def _with_content(step: Step, names: Names) -> tuple[Expr, ...]:
 
 
 def _defines_itself(step: Step) -> bool:
-    """Whether a name stands in the formulas that say what it is."""
+    """Whether a name stands in the formulas that say what it is; an equation between signals says nothing of
+    the kind, nor what is put into one."""
     head, *formulas = step.chain or (None,)
+    if step.rule in EQUATIONS:
+        return False
     return isinstance(head, Symbol | Indexed) and any(head in walk(expr) for expr in formulas)
 
 

@@ -11,7 +11,7 @@ from derive.control.oracle import poles
 from derive.control.oracle.equations import is_close, quotient, value, value_over
 from derive.control.oracle.figures import BAND, Figures, Seen, agree
 from derive.control.response import StepResponse
-from derive.derivation import Claim, Phrase, Plot, Result
+from derive.derivation import Claim, Phrase, Plot, Result, Step
 from derive.expression import ZERO, Expr, Relation, Symbol
 from derive.kinds.checks import route
 from derive.kinds.fields import TREES
@@ -37,10 +37,8 @@ def proofs(
     """`transfer` as the page has it; `polynomials` are its numerator and denominator in numbers, and the
     denominator in which nothing has cancelled."""
     num, den, whole = polynomials
-    found = poles.roots_of(den)
-    sizes = sorted({abs(root) for root in found if root}) or [1.0]
-    swing, growth = (max((0.0, *map(part, found))) for part in (lambda z: abs(z.imag), lambda z: z.real))
-    seen = Seen(lambda s: value_over(transfer, s), swing, sizes[0], growth)
+    sizes = _sizes(den)
+    seen = seen_of(transfer, polynomials)
     yield as_printed("in-complex-numbers", held, transfer)
     yield route("as-large-as-poles", _far_out(held, transfer, (num, den), sizes))
     yield route("modes", _transforms_back(response, transfer, sizes))
@@ -57,6 +55,27 @@ def proofs(
         yield route("figures", (False,) if figures is None else agree(seen, figures))
     else:
         yield route("no-figures", (results[name] == NONE for name in FIGURES if name != "steady_state"))
+
+
+def seen_of(transfer: Expr, polynomials: Sequence[Sequence[float]]) -> Seen:
+    """The response to a unit step, by the function as it is printed."""
+    found = poles.roots_of(polynomials[1])
+    swing, growth = (max((0.0, *map(part, found))) for part in (lambda z: abs(z.imag), lambda z: z.real))
+    return Seen(lambda s: value_over(transfer, s), swing, _sizes(polynomials[1])[0], growth)
+
+
+def _sizes(den: Sequence[float]) -> list[float]:
+    """How far from the origin its roots lie."""
+    return sorted({abs(root) for root in poles.roots_of(den) if root}) or [1.0]
+
+
+def written(steps: Sequence[Step], seen: Seen, response: StepResponse) -> Iterator[Claim]:
+    """The response as a function of time, as it stands on the page."""
+    for step in steps:
+        if step.name == "response":
+            times = response.times[1:FIRST] + response.times[FIRST::EVERY]
+            values = [number(step.result, {"t": time}) for time in times]
+            yield route("response-as-written", seen.follows(times, values))
 
 
 def as_marked(plot: Plot, results: Mapping[str, Result], response: StepResponse) -> Claim:

@@ -16,11 +16,12 @@ from derive.expression import Expr, Number, Relation, Symbol, number
 from derive.figures.responses import stepped
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
+from derive.kinds.system._in_time import response_in_time
 from derive.kinds.system._options import ControllerField
 from derive.kinds.system._oracle import Held
 from derive.kinds.system._pairs import roots_told, rounded
 from derive.kinds.system._plant import Plant, point_chains, verdict
-from derive.kinds.system._step_checks import as_marked, proofs
+from derive.kinds.system._step_checks import as_marked, proofs, seen_of, written
 from derive.kinds.system._step_facts import FIGURES, NONE
 from derive.kinds.system._step_facts import Facts as Facts
 from derive.kinds.system.closed_loop import plant_or_loop
@@ -53,6 +54,7 @@ class Answer:
     verdict: str
     response: StepResponse
     final: Expr | None
+    in_time: Expr | None
 
 
 def derive(system: System, options: Options, problem: Problem) -> Derivation:
@@ -66,7 +68,9 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     if not numeric.proper:
         raise NotDerivable("the transfer function is improper: its step response begins with an impulse")
     response = step_response(numeric.num, numeric.den)
-    answer = Answer(solved, numeric, verdict(complete.den), response, _steady(solved, numeric, response))
+    in_time = None if "t" in system.names else response_in_time(response.curve, numeric, solved.style)
+    final = _steady(solved, numeric, response)
+    answer = Answer(solved, numeric, verdict(complete.den), response, final, in_time)
     name = solved.named("T" if options.controller else "G")
     work = Work(problem, _definitions(answer, name), uses=(base,), steps=tuple(_steps(answer, name)))
     results, told = _results(response, answer.final), _facts(answer, options)
@@ -76,6 +80,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
     polynomials = num, den, complete.numbers()[1]
     work = work.law("proper", numeric.proper)
     work = work.claim(*proofs(held, work.steps[0].result, polynomials, response, results, evaluated, told))
+    work = work.claim(*written(work.steps, seen_of(work.steps[0].result, polynomials), response))
     plot = _plot(answer, options)
     work = work.claim(as_marked(plot, results, response))
     return work.answer("step-response", results, told, evaluated=evaluated, plots=(plot,))
@@ -92,6 +97,8 @@ def _steps(answer: Answer, name: Symbol) -> Iterator[Step]:
     yield Step("transfer", (name, answer.numeric.expr(answer.plant.style)), "substitute")
     output = answer.plant.system.output
     yield Step("transform", (output, name / S), "unit-step")
+    if answer.in_time is not None:
+        yield Step("response", (output, answer.in_time), "in-numbers")
     if answer.final is not None:
         middle = _at_zero(answer)
         worked = () if _same(middle, answer.final) else (middle,)
