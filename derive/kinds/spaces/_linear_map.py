@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import Names, normal, normal_matrix
+from derive.algebra.normal import Names, normal_matrix
 from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.floats import Point, completed
 from derive.derivation import Derivation
@@ -17,12 +17,11 @@ from derive.expression import Expr, Symbol, column, free_symbols
 from derive.kinds.fields import Evaluation, OptionsModel, Place, Quantity
 from derive.kinds.problem import Problem
 from derive.kinds.robot._point import PointOn
-from derive.kinds.robot._velocity.task import RowName, Task, task_of
+from derive.kinds.robot._velocity.functions import FunctionTask, task_for
+from derive.kinds.robot._velocity.task import RowName, Task
 from derive.mechanics.matrices import GivenMatrix
 from derive.mechanics.robot import Robot
 from derive.names import named
-
-STEP = 1e-5  # of a joint variable, for differences of a task
 
 
 class MapOptions(OptionsModel):
@@ -80,12 +79,7 @@ def linear_map(subject: Robot | GivenMatrix, options: MapOptions, problem: Probl
             if getattr(options, key):
                 raise NotDerivable(f"a matrix that is given has no {key}", key)
         return _given(subject, place, problem)
-    if not options.task:
-        return _of_arm(task_of(problem, options.rows, options.point), place, problem)
-    for key in ("rows", "point"):
-        if getattr(options, key):
-            raise NotDerivable(f"a task stands in place of {key}", key)
-    return _of_task(subject, options.task, place, problem)
+    return _of_arm(task_for(problem, options.rows, options.point, options.task), place, problem)
 
 
 def _values(place: Place, problem: Problem) -> Names:
@@ -115,32 +109,9 @@ def _of_arm(task: Task, place: Place, problem: Problem) -> LinearMap:
         J,
         task.found.variables,
         task.velocities,
-        "rows",
+        "task" if isinstance(task, FunctionTask) else "rows",
         place,
         task.numbers,
-        base=(task.base,),
+        base=task.base,
+        task=column(task.functions) if isinstance(task, FunctionTask) else None,
     )
-
-
-def _of_task(robot: Robot, functions: tuple[Expr, ...], place: Place, problem: Problem) -> LinearMap:
-    variables = robot.variables
-    moving = [normal(each, problem.names) for each in functions]
-    for expr in functions:
-        if not free_symbols(problem.final(expr)) & {*variables}:
-            raise NotDerivable("a task depends on no joint variable", "task")
-    whole = ScalarMatrix.of([[each.diff(name) for name in variables] for each in moving])
-    J = normal_matrix(problem.readable_matrix(whole), _values(place, problem))
-    letters = tuple(Symbol(f"r_{i}") for i in range(1, len(functions) + 1))
-    return LinearMap(
-        problem, Symbol("J"), J, variables, letters, "task", place,
-        lambda at: _differences(functions, variables, at), task=column(functions),
-    )  # fmt: skip
-
-
-def _differences(functions: tuple[Expr, ...], variables: tuple[str, ...], at: Point) -> Any:
-    import numpy as np
-
-    def moved(name: str, by: float) -> Any:
-        return arrays(column(functions), {**at, name: at[name] + by})[:, 0]
-
-    return np.array([(moved(q, STEP) - moved(q, -STEP)) / (2 * STEP) for q in variables]).T

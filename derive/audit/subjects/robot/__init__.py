@@ -21,6 +21,7 @@ KINDS = {
     "jacobian": kinematics.jacobian,
     "velocity": kinematics.velocity,
     "jacobian-derivative": kinematics.jacobian_derivative,
+    "acceleration": kinematics.acceleration,
     "statics": kinematics.statics,
     "inverse-velocity": kinematics.inverse_velocity,
     "product-of-exponentials": kinematics.product_of_exponentials,

@@ -178,6 +178,17 @@ def jacobian_derivative(asked: Asked, point: Point) -> Iterator[Test]:
     yield Same("bias", (J_dot @ rates(task.arm)).tolist())
 
 
+def acceleration(asked: Asked, point: Point) -> Iterator[Test]:
+    """J times the accelerations of the joints, and what its derivative makes of their rates."""
+    task = Task(Arm(asked, point))
+    J_dot = along(task.rows(ROWS), rates(task.arm))
+    whole = values(task.rows(ROWS)) @ rates(task.arm, "ddot") + J_dot @ rates(task.arm)
+    for name, letter in (("a", "v"), ("alpha", "w")):
+        wanted = [row for row in asked.options.rows or ROWS if row[0] == letter]
+        if wanted:
+            yield Same(name, [whole[ROWS.index(row)] for row in wanted])
+
+
 def statics(asked: Asked, point: Point) -> Iterator[Test]:
     """J^T F."""
     task = Task(Arm(asked, point, 1))

@@ -143,7 +143,7 @@ def by_minors(task: Task) -> Way:
 
 def _resting_on(task: Task, frame: int) -> Work:
     """The poses where the velocities are seen from a frame, else the Jacobian that was asked for."""
-    return Work(task.problem, uses=(task.problem.ask("forward-kinematics") if frame else task.base,))
+    return Work(task.problem, uses=(task.problem.ask("forward-kinematics"),) if frame else task.base)
 
 
 def _minors(task: Task, J: ScalarMatrix) -> tuple[Minor, ...]:

@@ -34,9 +34,9 @@ class Task:
     asked: PointOn | None
 
     @property
-    def base(self) -> Derivation:
+    def base(self) -> tuple[Derivation, ...]:
         """The derivation of the whole Jacobian."""
-        return self.problem.ask("jacobian", point=self.asked)
+        return (self.problem.ask("jacobian", point=self.asked),)
 
     @property
     def whole(self) -> ScalarMatrix:
@@ -58,7 +58,7 @@ class Task:
 
     def board(self, work: Work | None = None) -> Work:
         """A board of work that rests on the whole Jacobian, with a line for the rows asked for."""
-        return replace(work or Work(self.problem), uses=(self.base,)).line(J, value=self.J, rule="rows")
+        return replace(work or Work(self.problem), uses=self.base).line(J, value=self.J, rule="rows")
 
     def proved(self, work: Work) -> Work:
         """With the claim that these rows as they stand on the board agree with differences of the poses."""
