@@ -44,6 +44,12 @@ def shown_by_body(robot: Robot) -> bool:
     return body is not None and not isinstance(body.inertia, Moments)
 
 
+def longest(robot: Robot, posed: Posed) -> float:
+    """The length of the longest rod."""
+    rods = (body.inertia.length for _, body in bodies_of(robot) if isinstance(body.inertia, Rod))
+    return max((number(long, posed.values) for long in rods), default=0.0)
+
+
 def solid_bodies(robot: Robot, view: View, posed: Posed, size: float) -> Iterator[solids.Solid]:
     """Each body of a shape: upon the links in a plane, in space behind the skeleton of its arm."""
     for k, body in bodies_of(robot):

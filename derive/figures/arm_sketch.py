@@ -11,7 +11,7 @@ from derive.expression import Expr, Symbol, is_negative
 from derive.figures import described, solids
 from derive.figures.arm import SMALL, Joint, Part, Posed, joint_size, length_between, place_of
 from derive.figures.arm_angles import SHORT, angles, reach, turns
-from derive.figures.arm_bodies import hanging, shown_by_body, solid_bodies
+from derive.figures.arm_bodies import hanging, longest, shown_by_body, solid_bodies
 from derive.figures.arm_frames import frames_of
 from derive.figures.arm_marks import Mark, marked
 from derive.figures.arm_values import values_of
@@ -24,6 +24,7 @@ from derive.figures.wish import Wish
 from derive.mechanics.robot import Robot
 
 MIDDLE, ASIDE = (0.5, 0.35, 0.65, 0.2, 0.8), (0.76, 0.24, 0.5, 0.85, 0.65)  # of a link: its name
+OF_ROD = 0.08  # of the longest rod: a joint
 MOST, JOINT = 250.0, 16.0  # points: how high an arm is drawn, and how large a joint of it
 
 
@@ -34,7 +35,7 @@ def drawn(robot: Robot, where: Mapping[str, Expr], wish: Wish, marks: Sequence[M
     wanted = {name: number(value, {}) for name, value in wish.at.items()}
     view, found = in_pose(robot, point | wanted, usual, where, wanted)
     found = replace(found, parts=(*found.parts, *hanging(robot, found)))
-    size = joint_size(found)
+    size = max(joint_size(found), OF_ROD * longest(robot, found))
     joints, stubs = _apart(found, size, view)
     held(robot, where, found, joints, size)
     strokes, captions = _sketch(robot, view, found, joints, stubs, size)

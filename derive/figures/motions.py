@@ -22,10 +22,10 @@ from derive.mechanics.oracle import compose
 from derive.mechanics.sequences import in_product_order
 
 A_ROW = 4  # panels side by side
-ROOM = 0.5  # of an axis, between panels
+ROOM = 0.85  # of an axis, between panels
 AXIS = 1.15  # of an axis: how far that of a turn is drawn
 SLANTED = "k"  # one that is no axis of a frame
-LARGE, WIDE = 42.0, 320.0  # points: an axis of a frame in every such figure, and all panels side by side
+LARGE, WIDE = 42.0, 345.0  # points: an axis of a frame in every such figure, and all panels side by side
 
 
 def of_motion(motion: Motion, where: Mapping[str, Expr], wish: Wish) -> Drawing:
@@ -41,7 +41,7 @@ def of_motion(motion: Motion, where: Mapping[str, Expr], wish: Wish) -> Drawing:
     panels = [_panel(view, poses, k, move, point, size) for k, move in enumerate(made)]
     boxes = [_bounds(strokes) for strokes, _ in panels]
     wide = max(right - left for left, right, _, _ in boxes) + ROOM * size
-    high = max(top - low for _, _, low, top in boxes) + 1.3 * ROOM * size
+    high = max(top - low for _, _, low, top in boxes) + 0.75 * ROOM * size
     strokes: list[Stroke] = []
     captions: list[Caption] = []
     for k, ((drawn, texts), (left, right, low, _)) in enumerate(zip(panels, boxes, strict=True)):
