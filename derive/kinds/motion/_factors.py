@@ -14,6 +14,7 @@ from derive.algebra.scalar import Scalar
 from derive.derivation import Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import (
+    MINUS_ONE,
     ONE,
     ZERO,
     Approximate,
@@ -42,6 +43,7 @@ from derive.mechanics.sequences import Placing, in_product_order, placings
 from derive.names import free
 
 IDENTITY = Symbol("I")
+PLAIN = (ZERO, ONE, MINUS_ONE)
 NO_ROW = Symbol("0")  # three zeros side by side
 LETTERS: dict[int, tuple[str, str]] = {3: ("R", ""), 4: ("Rot", "Trans")}
 
@@ -173,6 +175,9 @@ def _factor_line(work: Work, factor: Factor, size: int, rounded: bool) -> Work:
     formulas: tuple[Expr, ...] = ()
     if isinstance(move.axis, str):
         matrix = shown = _elementary(move.axis, move, size)
+        plain = problem.readable_matrix(factor.value)
+        if all(entry in PLAIN for row in plain.rows for entry in row):  # a quarter turn, or several
+            matrix = shown = plain
     else:
         matrix = problem.readable_matrix(factor.value)
         shown = rounded_matrix(matrix, problem) if rounded else matrix

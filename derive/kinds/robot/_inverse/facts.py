@@ -68,6 +68,7 @@ class SolvedFacts(Record):
     positive: Expr | None
     open: Phrase | None
     orientation: bool
+    sides: tuple[Expr, ...]  # the known ones of equations that stand above
     names: tuple[Step, ...]
     equations: tuple[Step, ...]
     squares: tuple[Step, ...]

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from derive.algebra.angles import Form
+from derive.algebra.infix import text
 from derive.algebra.scalar import Scalar
 from derive.derivation import Phrase, Step
 from derive.expression import Expr, Symbol
@@ -99,6 +100,7 @@ class Solving:
             open=_open(method, named or head),
             positive=choices[0].signed if method.name in ("zero", "general") else None,
             orientation=progress.goal.R is not None and None in progress.goal.p,
+            sides=self._sides() if method.name in ("direction", "difference") else (),
             names=self._by("name"),
             equations=self._by("equation"),
             squares=self._by("squares"),
@@ -131,6 +133,10 @@ class Solving:
             for step in self.steps
             if step.rule != "name" or step.chain[0] not in sides
         ]
+
+    def _sides(self) -> tuple[Expr, ...]:
+        """The known sides of the equations, where those stand above."""
+        return () if self._by("equation") else tuple(sorted((left for left, _ in self.equations), key=text))
 
     def _again(self, compared: tuple[Compared, ...]) -> Phrase | None:
         """That the same equations were read before, where something has become known since."""
