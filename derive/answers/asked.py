@@ -51,7 +51,10 @@ class Asked:
             known = {name for name, tree in each.definitions.items() if isinstance(tree, Matrix)}
             symbols = (name for name in entries | known if isinstance(name, Symbol))
             found.update({name.name: each.definitions[name] for name in symbols})
-            found.update({step.name: step.result for step in each.all_steps() if step.chain})
+            steps = [step for step in each.all_steps() if step.chain]
+            equal = ((name, step) for step in steps for name in step.chain if isinstance(name, Symbol))
+            found.update({name.name: step.result for name, step in equal})
+            found.update({step.name: step.result for step in steps})
         return {**found, **self.derivation.results}
 
     @cached_property

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from derive.derivation import Cell, Phrase, Said, Table
 from derive.expression import ZERO, Call, Expr, Symbol
-from derive.given.datum import Datum, measured, vector
+from derive.given.datum import Datum, measured, unit_of, vector
 from derive.given.moves import axis_said
 from derive.kinds.problem import Problem
 from derive.kinds.registry import load
@@ -63,7 +63,8 @@ def inertia_said(inertia: Inertia) -> Phrase:
     """The moments along the axes of the frame, or the shape that has them."""
     match inertia:
         case Moments(values):
-            moments: dict[str, Said] = {"moments": Call("diag", values[:3])}
+            unit = next(filter(None, map(unit_of, values)), "")
+            moments: dict[str, Said] = {"moments": measured(Call("diag", values[:3]), unit)}
             if all(each == ZERO for each in values[3:]):
                 return Phrase("moments", moments)
             return Phrase("six-moments", moments | dict(zip(("xy", "yz", "xz"), values[3:], strict=True)))

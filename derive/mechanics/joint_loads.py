@@ -7,8 +7,8 @@ from derive.mechanics.drives import Friction, Motor
 
 
 def reflected(motor: Motor | None) -> Expr:
-    """G^2 J: the rotor as its joint feels it (kg m^2; kg for a prismatic joint)."""
-    return ZERO if motor is None else multiply(_square(motor.ratio), motor.inertia)
+    """J G^2: the rotor as its joint feels it (kg m^2; kg for a prismatic joint)."""
+    return ZERO if motor is None else multiply(motor.inertia, _square(motor.ratio))
 
 
 def resistance(friction: Friction | None, variable: str) -> tuple[Expr, ...]:

@@ -94,6 +94,8 @@ class Values:
 
     def value(self, tree: Expr, unit: str | None) -> tuple[Chain, Chain]:
         """A value exactly, where it is to be said so, and rounded, where it has to be."""
+        if isinstance(tree, Measured):
+            return ((tree,), ())
         angle = unit is not None and unit.startswith(("deg", "rad")) and _turns(tree, unit)
         if isinstance(tree, Matrix):
             entries = self._entries(tree)

@@ -11,7 +11,7 @@ import re
 from derive.algebra.formulas.tokens import Token
 from derive.answers.latex.scripts import Tokens
 
-ONE = r"mathrm { \w+ }(?: \^ \d+)?"
+ONE = r"mathrm { \w+ }(?! \()(?: \^ \d+)?"  # before parentheses it is a function
 UNIT = re.compile(rf"(?:/ )?{ONE}(?: (?:/ )?{ONE})*")
 NAME = re.compile(r"(/ )?mathrm { (\w+) }(?: \^ (\d+))?")
 SPELLED = {"Omega": "ohm"}

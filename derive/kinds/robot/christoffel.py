@@ -29,8 +29,9 @@ HALF = number("1/2")
 
 
 class Facts(PageFacts):
-    """What is said of the symbols that are not shown."""
+    """What is said of the symbols that are not shown, and whether these are all there are."""
 
+    constant: bool
     others: Phrase | None
 
 
@@ -53,7 +54,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     gone = sum(not normal(value, problem.names) for value in untold)
     work = work.law("others-vanish", (gone == vanish, big or gone == len(untold)))
     work = by_index(work, results)
-    return work.answer("christoffel", results, Facts(others=_others(big, len(symbols), vanish, len(shown))))
+    others = _others(big, len(symbols), vanish, len(shown))
+    return work.answer("christoffel", results, Facts(constant=not big and not shown, others=others))
 
 
 def _others(big: bool, count: int, vanish: int, shown: int) -> Phrase | None:

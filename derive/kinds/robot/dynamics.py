@@ -11,7 +11,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.drives import Facts as Facts
-from derive.kinds.robot._dynamics.drives import friction_sorts, friction_told
+from derive.kinds.robot._dynamics.drives import effort_told, friction_sorts, friction_told
 from derive.kinds.robot._dynamics.index_laws import motion_law
 from derive.kinds.robot._dynamics.terms import equation, equations, written_out
 from derive.kinds.robot._units import of_joints, together
@@ -56,7 +56,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = arm.moved(work, tau)
     results = {"D": arm.inertia.results["D"], **speed.results, **weight.results, "tau": tau}
     work = by_index(work, results)
-    facts = Facts(big=big, notation="spong", rubbing=friction_told(viscous, coulomb))
+    rubbing, effort = friction_told(viscous, coulomb), effort_told(robot)
+    facts = Facts(big=big, notation="spong", rubbing=rubbing, effort=effort)
     rubs = [friction for link in robot.links if (friction := link.friction) is not None]
     sorts = (
         any(each.viscous != ZERO for each in rubs),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from derive.derivation import Derivation
+from derive.derivation import Derivation, PageFacts, Phrase
 from derive.expression import ZERO, Derivative, Symbol, add, column, symbols, transpose
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
@@ -23,6 +23,10 @@ measures = together(of_joints("g", effort=True), of_energies("P"))
 P, G_0 = symbols("P g_0")
 
 
+class Facts(PageFacts):
+    holding: Phrase  # what holds the arm at rest
+
+
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """P = - sum of m g^T o_c and g_k = dP/dq_k (Spong et al., eq. 6.33 and 6.40)."""
     require_free(problem.taken, "P", "g_0")
@@ -39,7 +43,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     g = column(map(work.final, slopes))
     work = work.agrees("torques-at-rest", problem.symbols | {"g"}, g, oracle_of(problem).torques_at_rest)
     results = {"P": work.final(P), "g": g}
-    return by_index(work, results).answer("gravity", results)
+    joints = {link.joint for link in robot.links if link.variable}
+    sort = "efforts" if len(joints) > 1 else "torques" if "revolute" in joints else "forces"
+    return by_index(work, results).answer("gravity", results, Facts(holding=Phrase(sort)))
 
 
 def _energy(work: Work, body: Weighted) -> Work:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
 from functools import partial
 
 from derive.algebra.infix import text
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point, number, number_rows, numbers
+from derive.algebra.rationals import significant_digits
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts, Phrase, Step, Table, as_matrix
 from derive.expression import (
@@ -16,6 +18,7 @@ from derive.expression import (
     Expr,
     Indexed,
     Matrix,
+    Measured,
     Symbol,
     add,
     children,
@@ -35,6 +38,7 @@ from derive.kinds.robot._dynamics.regressor import (
     Standard,
     base_parameters,
     dependent,
+    referred_to,
     standard_parameters,
 )
 from derive.kinds.robot._families import of_each, said_of_each
@@ -47,8 +51,14 @@ CLAIMED = {"groups": "motion-of-each-body", "names": "motion-of-each-body"}
 NEEDS = ("bodies",)
 CLAIMS = ("motion-of-each-body", "smallest")
 COLUMNS = {"IA": "column-IA", "FV": "column-FV", "FS": "column-FS"}
+ABOUT = {
+    "before": "about-before", "own": "about-own", "either": "about-either", "axis": "about-axis",
+}  # fmt: skip
 PRODUCTS = (("Y", "parameters"), ("Y_b", "base_parameters"))
+UNITS = {"M": "kg", **dict.fromkeys(MOMENTS, "kg m")}  # of the parameters of bodies, and of what they gather
+MOMENT = "kg m^2"  # of all the others
 INDEPENDENT = 1e-8  # the smallest singular value, relative to the largest
+MOST_DIGITS = 4  # of a decimal that is still written in full
 LONGEST_NUMBER = 10**6  # denominator of a number that is still written in full
 
 
@@ -59,6 +69,7 @@ class Facts(PageFacts):
     mass: Expr  # of a link i, as its moments and elements
     moments: tuple[Expr, ...]
     elements: tuple[Expr, ...]
+    about: Phrase  # the points that these refer to
     others: tuple[Phrase, ...]  # that belong to no body
 
 
@@ -111,6 +122,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         mass=of_each("M"),
         moments=tuple(map(of_each, MOMENTS)),
         elements=tuple(map(of_each, sorted(ELEMENTS))),
+        about=Phrase(ABOUT[referred_to(problem)]),
         others=said_of_each(COLUMNS, (part.name for part in others)),
         numbers=("Y", "parameters", "Y_b", "base_parameters"),
     )
@@ -166,9 +178,16 @@ def _gathered(problem: Problem, each: Base, value: Expr) -> Step:
     """Theta_1 = ZZ_1 + a1^2 M_2 = its value, rounded where that is a long number."""
     sum_of = add(*(multiply(problem.readable(weight), name) for name, weight in each.parts))
     constant = each.value.constant
-    long = constant is not None and constant.denominator > LONGEST_NUMBER
+    long = constant is not None and _is_long(constant)
     shown = Approximate(float(constant)) if long and constant is not None else value
+    if constant is not None and problem.style.units:
+        shown = Measured(shown, UNITS.get(each.parts[0][0].base, MOMENT))
     return Step(each.name.name, (each.name, sum_of, shown), "base-parameter")
+
+
+def _is_long(value: Fraction) -> bool:
+    """Whether a number is rounded where it is said."""
+    return value.denominator > LONGEST_NUMBER or (significant_digits(value) or 0) > MOST_DIGITS
 
 
 def _plain(expr: Expr) -> Expr:

@@ -71,7 +71,8 @@ class Arm:
     def moments(self) -> dict[Expr, Expr]:
         """The names of shapes' moments used while working, and what they stand for."""
         steps = (step for step in self.inertia.steps if step.rule == "moment")
-        return {Symbol(step.name): self.inertia.definitions[Symbol(step.name)] for step in steps}
+        names = (name for step in steps for name in step.chain if isinstance(name, Symbol))
+        return {name: self.inertia.definitions[name] for name in names}
 
     def final(self, value: Scalar | ScalarMatrix | Expr) -> Expr:
         """As a person writes it, with the names of moments and of `where` replaced."""

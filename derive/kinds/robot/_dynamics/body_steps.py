@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
+from derive.algebra.readable.operation_count import operations
 from derive.derivation import Step
 from derive.expression import Expr, Matrix, Symbol, add, transpose
 from derive.kinds.problem import Problem
@@ -54,7 +56,10 @@ def inertia_steps(problem: Problem, bodies: tuple[Weighted, ...]) -> tuple[Step,
             alike.setdefault(body.matrix, []).append(body.I)
     matrices = [Step(names[0].name, (*names, matrix), "inertia") for matrix, names in alike.items()]
     values = {name: value for body in bodies for name, value in body.named.items()}
-    named = [_moment(problem, name, value) for name, value in values.items() if isinstance(name, Symbol)]
+    equal: dict[Expr, list[Expr]] = {}
+    for name, value in values.items():
+        equal.setdefault(value, []).append(name)
+    named = [_moment(problem, names, value) for value, names in equal.items()]
     return (*_moved(problem, bodies), *matrices, *named)
 
 
@@ -72,10 +77,12 @@ def _square(six: tuple[Expr, ...]) -> Matrix:
     return Matrix(((xx, xy, xz), (xy, yy, yz), (xz, yz, zz)))
 
 
-def _moment(problem: Problem, name: Symbol, value: Expr) -> Step:
-    """I_zz = m/12 (L^2 + (L/10)^2) = 101 m L^2/1200: as the tables have it, then multiplied out."""
-    short = problem.readable(normal(value))
-    return Step(name.name, (name, value) if short == value else (name, value, short), "moment")
+def _moment(problem: Problem, names: list[Expr], value: Expr) -> Step:
+    """I_yy = I_zz = m/12 (L^2 + (L/10)^2) = 101 m L^2/1200: as the tables have it, then multiplied out where
+    that is shorter."""
+    short, name = problem.readable(normal(value)), names[0]
+    shorter = (short,) if operations(short) < operations(value) else ()
+    return Step(text(name), (*names, value, *shorter), "moment")
 
 
 def body_definitions(problem: Problem, body: Weighted) -> dict[Expr, Expr]:

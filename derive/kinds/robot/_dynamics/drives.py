@@ -13,6 +13,11 @@ from derive.mechanics.joint_loads import reflected, resistance
 from derive.mechanics.robot import Link, Robot
 
 ROTORS = Symbol("D_m")
+EFFORTS = {  # of a joint, and of one with a gear
+    "revolute": ("torque", "torque-at"),
+    "prismatic": ("force", "force-at"),
+    "": ("effort", "effort-at"),
+}
 
 
 class Facts(PageFacts):
@@ -22,6 +27,7 @@ class Facts(PageFacts):
     notation: str
     friction: bool = False  # in the notation of Khatib
     rubbing: Phrase | None = None  # in that of Spong
+    effort: Phrase | None = None  # what tau_k is, in that of Spong
 
 
 def moving(robot: Robot) -> tuple[Link, ...]:
@@ -65,6 +71,14 @@ def friction_told(viscous: bool, coulomb: bool) -> Phrase | None:
     if viscous and coulomb:
         return Phrase("both-frictions", about)
     return Phrase("viscous", about) if viscous else Phrase("coulomb", about) if coulomb else None
+
+
+def effort_told(robot: Robot) -> Phrase:
+    """What drives a joint: a torque where all of them turn, a force where all slide; with motors, at the
+    joint."""
+    joints = {link.joint for link in moving(robot)}
+    alone, at = EFFORTS[joints.pop() if len(joints) == 1 else ""]
+    return Phrase(at if rotors(robot) else alone, {"k": Symbol("k")})
 
 
 def rigid(robot: Robot) -> Robot:

@@ -14,7 +14,7 @@ from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Step
 from derive.errors import NotDerivable
-from derive.expression import ONE, ZERO, Call, Expr, Matrix, Symbol, free_symbols
+from derive.expression import ONE, ZERO, Call, Expr, Matrix, Symbol, children, free_symbols
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.drives import diagonal, moving
 from derive.kinds.robot._dynamics.matrix_laws import linear_laws
@@ -24,6 +24,7 @@ from derive.mechanics.oracle import Oracle, slope
 from derive.mechanics.robot import Robot
 
 MOST_WHOLE = 80  # operations of A and B together; longer ones are worked block by block
+MOST_BESIDE = 12  # operations of an entry that stands in a matrix over the determinant
 MOST_REDUCED = 2  # joints; with more, common factors of fractions are not looked for
 MOST_TERMS = 600  # of an entry of A times the determinant
 D_0 = Symbol("D_0")
@@ -148,7 +149,14 @@ def _blocks(linear: Linear) -> Iterator[Step]:
     routes = (-(INVERSE * Symbol("K_0")), -(INVERSE * Symbol("B_f")), INVERSE)
     for name, route, top in zip(("A_21", "A_22", "B_2"), routes, linear.tops, strict=True):
         if top:
-            yield Step(name, (Symbol(name), route, (ONE / DET) * readable(top)), "blocks")
+            yield Step(name, (Symbol(name), route, _over_det(readable(top))), "blocks")
+
+
+def _over_det(top: Matrix) -> Expr:
+    """A matrix over det D_0, entry by entry where these are long, so that a page can name them."""
+    if max(map(operations, children(top))) <= MOST_BESIDE:
+        return (ONE / DET) * top
+    return Matrix(tuple(tuple(entry if entry == ZERO else entry / DET for entry in row) for row in top.rows))
 
 
 def _viscous(problem: Problem) -> ScalarMatrix:

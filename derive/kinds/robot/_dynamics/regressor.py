@@ -19,7 +19,7 @@ from derive.mechanics.chain import Chain
 from derive.mechanics.drives import Friction
 from derive.mechanics.dynamics import gravity_of
 from derive.mechanics.joint_loads import reflected
-from derive.mechanics.poses import rotation_part
+from derive.mechanics.poses import position_part, rotation_part
 from derive.mechanics.regressor import NAMES, columns, parameters_of, reference
 from derive.mechanics.robot import Link
 
@@ -59,6 +59,22 @@ def standard_parameters(problem: Problem) -> tuple[Standard, ...]:
             parameters += _of_body(found, bodies[i], gravity)
         parameters += _of_rotor(problem, link)
     return (*parameters, *_of_friction(problem))
+
+
+def referred_to(problem: Problem) -> str:
+    """Which points the parameters of bodies refer to: of every link the origin of the frame before or its own
+    one; "either" where links that turn have the first and links that slide the second; else the axis."""
+    found, robot = chain_of(problem), problem.subject
+    links = [(i, link.joint) for i, link in enumerate(robot.links, 1) if link.body]
+    own = {i for i, _ in links if reference(found, i) == position_part(found.T[i])}
+    before = {i for i, _ in links if reference(found, i) == position_part(found.T[i - 1])}
+    every = {i for i, _ in links}
+    if before == every:
+        return "before"
+    if own == every:
+        return "own"
+    turning = {i for i, joint in links if joint == "revolute"}
+    return "either" if turning <= before and every - turning <= own else "axis"
 
 
 def _refuse_changing(problem: Problem) -> None:
