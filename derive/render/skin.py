@@ -228,9 +228,10 @@ class Skin:
     def table(self, headings: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
         return self._macro("table", headings, rows)
 
-    def figure(self, path: str, caption: str = "", alt: str = "") -> str:
-        """A picture, `path` relative to the page: what stands under it, and in plain text what is seen."""
-        return self._macro("figure", path, caption, alt, self.plain(alt))
+    def figure(self, path: str, caption: str = "", alt: str = "", solution: bool = False) -> str:
+        """A picture, `path` relative to the page: what stands under it, and in plain text what is seen. That
+        of a `solution` may stand a little later."""
+        return self._macro("figure", path, caption, alt, self.plain(alt), solution)
 
     def caption(self, number: int | None, said: str) -> str:
         """`Figure 3: what is said`, or what there is of it."""

@@ -23,7 +23,7 @@ SPOKEN = re.compile(rf'#[a-z]+\("[^"]*", {DOLLAR}')  # what is not seen of a for
 BY_ITSELF = 200  # letters and signs: more than two lines
 HELD = 14.0  # em, up to which a formula does not break in a line of text
 FRAME = 2.4  # em that a frame takes from a line
-TALL = 12  # rows of a display, those of its matrices too, from which it may break between its lines
+TALL = 7  # rows of a display, those of its matrices too, from which it may break between its lines
 
 
 class TypstFormulas:

@@ -316,7 +316,7 @@ class Telling:
             caption = self.speech.say(figure.caption)
         path = self.plots[name]
         number = self.so_far.figures.get(path)
-        return self.skin.figure(path + ".svg", self.skin.caption(number, caption), alt)
+        return self.skin.figure(path + ".svg", self.skin.caption(number, caption), alt, solution=True)
 
     def listing(self, name: str) -> str:
         """A file of this derivation, printed as it stands."""

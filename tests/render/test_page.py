@@ -38,7 +38,7 @@ def test_the_page_has_its_parts() -> None:
     parts = ("# Solutions & more", "Robotics · A. Teacher", "## Problem 1: Two links",
              "### Question 1 (10 marks)",
              "*Hint*: Use *both*", "#### Solution", "At $\\theta_1 = 30^\\circ$, $a_1 = 0.5$:",
-             "Verified by computer: the results agree with those of a second method.")  # fmt: skip
+             "Verified by computer: the results agree with a second method.")  # fmt: skip
     assert [part for part in parts if part not in page] == []
     assert "\n\n\n" not in page
 
