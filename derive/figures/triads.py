@@ -68,8 +68,7 @@ def of_frames(frames: Frames, where: Mapping[str, Expr], wish: Wish) -> Drawing:
     strokes += [stroke for sign, _ in signs for stroke in sign]
     texts = (*(text for _, text in (*arrows, *signs)), *origin_names(view, named), *captions)
     ways = sum(stroke.role == "way" for stroke in strokes)
-    apart_ = "frames-together" if not ways else "frames" if ways == len(frames.frames) else "frames-partly"
-    key = "frames-on-body" if wish.body else apart_
+    key = "frames-on-body" if wish.body else _called(ways, len(frames.frames))
     about: dict[str, Said] = {"last": Symbol(f"o{len(poses) - 1}")}
     return Drawing(
         "figure",
@@ -81,6 +80,13 @@ def of_frames(frames: Frames, where: Mapping[str, Expr], wish: Wish) -> Drawing:
         ),
         0.0 if wish.body else LOW,
     )
+
+
+def _called(ways: int, count: int) -> str:
+    """What is said of the frames, so many of which have another origin than that in which they are given."""
+    if not ways:
+        return "frames-together"
+    return "frames-partly" if ways < count else "frames" if count > 1 else "frames-two"
 
 
 def wish_values(wish: Wish) -> dict[str, float]:
