@@ -261,7 +261,7 @@ def _facts(arm: Arm, options: Options, run: Iteration, table: Table) -> Facts:
         alpha=(ALPHA, fixed) if fixed is not None and first else None,
         measure=None if explained or not last else Phrase("measure", {"r_d": R, "f": F}),
         table=table if last else None,
-        ended=Phrase(_end(run.verdict, newton) + ("" if last or found else "-at-once"), about),
+        ended=Phrase(_end(run.verdict, newton, not last), about),
         stopped=_stopped(run.verdict, arm.task.square),
         solution=_solution(arm, run) if found else (),
         outlook=Phrase(_outlook(run.verdict, newton, fixed is not None), about) if found else None,
@@ -276,15 +276,15 @@ def _measured(error: Expr, arm: Arm, options: Options) -> Expr:
     return Measured(error, unit) if unit else error
 
 
-def _end(verdict: Verdict, newton: bool) -> str:
-    """How it ended."""
+def _end(verdict: Verdict, newton: bool, at_once: bool) -> str:
+    """How it ended; `at_once` where it could not begin."""
     match verdict:
         case "converged":
             return "converged"
         case "singular":
-            return "newton-stopped"
+            return "newton-stopped-at-once" if at_once else "newton-stopped"
         case "stuck":
-            return "gradient-stopped"
+            return "gradient-stopped-at-once" if at_once else "gradient-stopped"
         case "diverging":
             return "newton-diverged" if newton else "gradient-diverged"
     return "not-yet"
