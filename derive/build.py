@@ -281,11 +281,12 @@ def _notation(sheet: Sheet, working: Working, answers: Sequence[Derivation]) -> 
     """That of the sheet, where c_1 is no cosine if the author means something else by it.
     Raises SheetErrors."""
     given = sheet.notation
+    style = STYLES.get(given.style or "", Style())
     return Notation(
         given.atan2, given.trig, given.digits, meant=meant_indices(working.taken),
         alike=alike_letters(working.taken),
         letters=letters_of(given, working, answers), angles=given.angles,
-        columns=STYLES.get(given.style or "", Style()).columns,
+        columns=style.columns, angular_first=style.angular_first,
     )  # fmt: skip
 
 

@@ -12,6 +12,7 @@ from derive.given.screws_held import Misgiven
 from derive.kinds.problem import Problem as Working
 from derive.render.document import ProblemPage, QuestionPage
 from derive.render.mentioned import Mentioned
+from derive.render.twists import swapped
 from derive.sheet.model import Problem, Question
 
 
@@ -36,7 +37,10 @@ def with_given(page: ProblemPage, problem: Problem, working: Working) -> Problem
 
 def _asked(page: QuestionPage, question: Question, whole: ProblemPage) -> QuestionPage:
     texts = [whole.title, whole.text, page.text, page.hint]
-    return replace(page, given=_unsaid(of_question(question.options, question.evaluate or {}), texts))
+    options = question.options
+    if whole.notation.angular_first and (twist := getattr(options, "twist", None)):
+        options = options.model_copy(update={"twist": swapped(twist)})
+    return replace(page, given=_unsaid(of_question(options, question.evaluate or {}), texts))
 
 
 def _unsaid(data: Iterable[Datum], texts: Iterable[str]) -> tuple[Datum, ...]:

@@ -37,7 +37,7 @@ from derive.render.typed import is_law
 
 REMEMBERED = 20_000  # formulas of one process: a sheet is printed in several formats
 MISPRINTED = "the page says something else than was derived"
-JACOBIAN = {"vx": 1, "vy": 2, "vz": 3, "wx": 4, "wy": 5, "wz": 6}
+JACOBIAN = ("vx", "vy", "vz", "wx", "wy", "wz")
 AXES = ("x", "y", "z")
 EQUALS = ("=", r"\approx")
 DEGREE = ("^", "circ")  # the sign in a text, of a unit
@@ -90,7 +90,7 @@ def _unread(printed: Printed) -> tuple[str, ...]:
     """The formula, once for each of its expressions that could not be read, with the reason. Raises
     Misprinted."""
     shown = " ".join(printed.lines)
-    if not all(map(_names_entries, printed.namings)):
+    if not all(_names_entries(naming, printed.notation) for naming in printed.namings):
         raise Misprinted(f"{shown} (the names of its entries stand for others)")
     if not printed.evaluated:
         raise Misprinted(f"{shown} (these are not the numbers that were evaluated)")
@@ -194,7 +194,7 @@ def _units(tree: Expr) -> Iterator[str]:
         yield tree.unit
 
 
-def _names_entries(naming: Naming) -> bool:
+def _names_entries(naming: Naming, notation: Notation) -> bool:
     """Whether a matrix is the whole one again with its names written out, and each name has the indices of
     its place: d_12 that of row 1 and column 2, p_y that of row 2 and the last column, and of some rows of a
     Jacobian those that they have in all of it."""
@@ -203,7 +203,8 @@ def _names_entries(naming: Naming) -> bool:
         return False
     rows = [*range(1, len(whole.rows) + 1)]
     if isinstance(naming.head, Indexed):
-        rows = [JACOBIAN[row.name] for row in naming.head.lower if isinstance(row, Symbol)]
+        order = (*JACOBIAN[3:], *JACOBIAN[:3]) if notation.angular_first else JACOBIAN
+        rows = [order.index(row.name) + 1 for row in naming.head.lower if isinstance(row, Symbol)]
     entries = {
         (i, j): entry for i, row in zip(rows, whole.rows, strict=True) for j, entry in enumerate(row, 1)
     }

@@ -8,6 +8,7 @@ from derive.expression import MINUS_ONE, ONE, ZERO, Expr, Indexed, Matrix, Symbo
 from derive.names import entry_symbol
 from derive.render.latex import Printer
 from derive.render.layout import LINE
+from derive.render.notation import Notation
 from derive.render.width import width
 
 NAMED_BEYOND = LINE / 0.8  # em; what is a little too wide is better scaled
@@ -61,7 +62,9 @@ def _of_entries(name: Expr, matrix: Matrix, printer: Printer) -> Names:
     letter = f"{stem[:1].lower()}_{index}" if index else stem[:1].lower()
     names: dict[tuple[int, int], Symbol] = {}
     known: dict[Expr, Symbol] = {}
-    for i, (number, row) in enumerate(zip(_numbers(name, matrix), matrix.rows, strict=False)):
+    for i, (number, row) in enumerate(
+        zip(_numbers(name, matrix, printer.notation), matrix.rows, strict=False)
+    ):
         for j, value in enumerate(row):
             if width(printer.write(value)) >= LONG:
                 names[i, j] = known.setdefault(value, entry_symbol(letter, number, j + 1))
@@ -72,12 +75,13 @@ def _base(name: Expr) -> str:
     return name.base if isinstance(name, Indexed) else name.name if isinstance(name, Symbol) else ""
 
 
-def _numbers(name: Expr, matrix: Matrix) -> tuple[int, ...]:
+def _numbers(name: Expr, matrix: Matrix, notation: Notation) -> tuple[int, ...]:
     """Those of the rows; none where the matrix has no name to call its entries by."""
     match name:
         case Symbol():
             return tuple(range(1, len(matrix.rows) + 1))
         case Indexed(_, lower, ()):
             rows = [row.name for row in lower if isinstance(row, Symbol) and row.name in ROWS]
-            return tuple(ROWS.index(row) + 1 for row in rows) if len(rows) == len(matrix.rows) else ()
+            order = (*ROWS[3:], *ROWS[:3]) if notation.angular_first else ROWS
+            return tuple(order.index(row) + 1 for row in rows) if len(rows) == len(matrix.rows) else ()
     return ()

@@ -31,6 +31,7 @@ from derive.expression import (
 )
 from derive.expression import number as exact_number
 from derive.expression import replace as put_in
+from derive.render import twists
 from derive.render.latex import Printer
 from derive.render.layout import Chain, lay_out, one_line
 from derive.render.notation import Notation
@@ -59,6 +60,7 @@ def evaluated_words(
     What is printed, and by which name, the facts of the derivation say; see `PageFacts`. It is added to
     `printed` with its trees.
     """
+    derivation = twists.answer(derivation) if notation.angular_first else derivation
     facts = derivation.facts
     shown = derivation.evaluated if facts.numbers is None else facts.numbers
     found = derivation.evaluated

@@ -23,12 +23,13 @@ FRAMED = re.compile(rf"{BEFORE}[TR]_\w\^(?!T)\w")  # a pose or a rotation that w
 
 @dataclass(frozen=True, slots=True)
 class Style:
-    """How one book writes: its letters for ours, the place of the indices of frames and the columns of a
-    table of link parameters."""
+    """How one book writes: its letters for ours, the place of the indices of frames, the columns of a table
+    of link parameters, and whether a twist begins with the angular velocity."""
 
     letters: Mapping[str, str] = field(default_factory=lambda: MappingProxyType({}))
     frames: Frames = "after"
     columns: tuple[str, ...] = ()
+    angular_first: bool = False
 
 
 STYLES: Mapping[str, Style] = {
@@ -39,7 +40,7 @@ STYLES: Mapping[str, Style] = {
     # Craig, chapters 2, 3 and 6
     "craig": Style({"D": "M", "g": "G"}, "before", ("alpha", "a", "d", "theta")),
     # Lynch and Park, chapters 3, 5 and 8, appendix C
-    "lynch": Style({"D": "M"}, "below", ("alpha", "a", "d", "theta")),
+    "lynch": Style({"D": "M"}, "below", ("alpha", "a", "d", "theta"), angular_first=True),
 }
 
 
@@ -69,7 +70,7 @@ class Lettering:
     def indexed(self, node: Indexed) -> Indexed:
         """A name with indices that are trees."""
         base = self.called(node.base)
-        if self.frames == "below" and node.upper:
+        if self.frames == "below" and node.upper and node.lower:
             return Indexed(base, (*node.upper, *node.lower), ())
         return Indexed(base, node.lower, node.upper)
 
@@ -91,8 +92,8 @@ class Lettering:
         match node:
             case Symbol(name):
                 return Symbol(self.called(name))
-            case Indexed():
-                return self.indexed(node)
+            case Indexed(base, lower, upper):
+                return self.indexed(Indexed(base, tuple(map(self.tree, lower)), tuple(map(self.tree, upper))))
         return node
 
     def parts(self, name: str) -> Name:

@@ -19,6 +19,7 @@ class Notation:
     `alike`: letters of the sheet that also bear such an index, L beside L_c.
     `letters`: what the answers' own names are printed as. `angles`: how those of
     results are written, None as they were typed. `columns`: the order of a table of link parameters.
+    `angular_first`: whether twists begin with the angular velocity.
     """
 
     atan2: Literal["yx", "xy"] = "yx"
@@ -30,3 +31,4 @@ class Notation:
     letters: Lettering = HOUSE
     angles: Literal["deg", "rad"] | None = None
     columns: tuple[str, ...] = ()
+    angular_first: bool = False

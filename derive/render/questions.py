@@ -33,7 +33,13 @@ def question_text(
         printed.append(Printed.inline(written, chain, printer.notation))
         return f"${written}$"
 
-    scope = {"options": options, "subject": subject, "name": name, "math": mathematics}
+    scope = {
+        "options": options,
+        "subject": subject,
+        "name": name,
+        "math": mathematics,
+        "angular_first": printer.notation.angular_first,
+    }
     return " ".join(block(words_file(folder, kind), QUESTION, scope).split())
 
 

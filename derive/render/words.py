@@ -29,6 +29,7 @@ from derive.expression import (
     number,
     walk,
 )
+from derive.render import twists
 from derive.render.columns import in_order
 from derive.render.entries import NAMED_BEYOND, Names, with_named_entries
 from derive.render.facts import Sayable, parts, sayable
@@ -148,6 +149,7 @@ class Telling:
         """What a words template can name."""
         return {
             "d": self.d, "step": self.d.step, "steps": self.steps, "facts": self.d.facts,
+            "angular_first": self.notation.angular_first,
             "show": self.show, "answer": self.answer, "inline": self.inline, "tell": self.tell,
             "table": self.table,
             "plot": self.plot, "em": self.skin.em, "strong": self.skin.strong, "items": self.skin.items,
@@ -295,7 +297,10 @@ class Telling:
     def say(self, said: Condition | tuple[Condition, ...]) -> str:
         """A phrase, a relation, or several that all hold, in a line of text."""
         self.said.extend(parts(said))
-        return self.speech.when(said if isinstance(said, tuple) else (said,))
+        conditions = said if isinstance(said, tuple) else (said,)
+        if self.notation.angular_first:
+            conditions = tuple(twists.said(each, self.d) for each in conditions)
+        return self.speech.when(conditions)
 
     def table(self, table: Table, most: int = 1000) -> str:
         """A table; its mathematics is set inline, the unit of a column in its heading. Of more than `most`
@@ -348,7 +353,10 @@ class Telling:
         step = self._step(name)
         self._note(step)
         self.said.extend(step.chain)
-        return self.values.shown(kept(step, printer, lines) if step.spare else step.chain)
+        chain = kept(step, printer, lines) if step.spare else step.chain
+        return self.values.shown(
+            twists.line(step.rule, chain, self.d) if self.notation.angular_first else chain
+        )
 
     def cut(self, name: str | Step) -> bool:
         """Whether a link of this step is too long for a page and left out."""
