@@ -89,7 +89,7 @@ class Speech:
             case Phrase():
                 return self._stressed("".join(self._phrase(said)))
             case Relation():
-                relation = self.measured(self._styled(said))
+                relation = self.measured(self.in_style(said))
                 written = self._relation(relation, notation)
                 self.seen(links_of(relation), written)
                 return self.formula.format(written)
@@ -174,9 +174,9 @@ class Speech:
             raise PhraseError(f"no words for '{key}': write '{key}: ...' in the block {PHRASES} of the kind")
         return self.lines[key]
 
-    def _styled(self, relation: Relation) -> Relation:
+    def in_style(self, relation: Relation) -> Relation:
         left = relation.left
-        first = self._styled(left) if isinstance(left, Relation) else self.styled(left)
+        first = self.in_style(left) if isinstance(left, Relation) else self.styled(left)
         return Relation(first, relation.sign, self.styled(relation.right))
 
     def _relation(self, relation: Relation, notation: str) -> str:

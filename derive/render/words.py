@@ -2,9 +2,10 @@
 
 In scope of a words template: `d`, `step(name)`, `facts`, `asked`, the filters `m`, `each`
 and `listed`, and the functions `show`, `answer`, `inline`, `tell`, `table`, `plot`, `say`, `listing`, `path`,
-`em`, `strong`, `items`, `again`, `cited`, `found`. Its blocks `question` and `phrases` are left out here. A
-step the words neither show nor tell is an error: nothing that was derived goes unsaid unnoticed. Steps are
-told in the order in which they were derived, so that nothing is used before it is found.
+`em`, `strong`, `items`, `again`, `conditions`, `cited`, `found`. Its blocks `question` and `phrases` are
+left out here. A step the words neither show nor tell is an error: nothing that was derived goes unsaid
+unnoticed. Steps are told in the order in which they were derived, so that nothing is used before it is
+found.
 """
 
 from __future__ import annotations
@@ -36,8 +37,8 @@ from derive.render.facts import Sayable, parts, sayable
 from derive.render.latex import Printer, is_approximate
 from derive.render.layout import FRAMED, LINE, Chain, Display, Link, lay_out, one_line
 from derive.render.notation import Notation
-from derive.render.phrases import PHRASES, Speech, on_page
-from derive.render.printed import Naming, Printed
+from derive.render.phrases import LATEX_SIGNS, PHRASES, Speech, on_page
+from derive.render.printed import Naming, Printed, links_of
 from derive.render.room import abridged, has_room, kept
 from derive.render.skin import Skin, environment, joined, words_file
 from derive.render.so_far import Equation, SoFar
@@ -123,6 +124,15 @@ def _numbers(references: Iterable[str | None]) -> str:
     return f" {joined([*filter(None, found)])}" if all(found) else ""
 
 
+def signed_links(relation: Relation, printer: Printer) -> Chain:
+    """The sides of a relation, with the sign that stands before each."""
+    left, sign = relation.left, LATEX_SIGNS.get(relation.sign, relation.sign)
+    last = Link(sign, printer.write(relation.right), relation.right)
+    if isinstance(left, Relation):
+        return (*signed_links(left, printer), last)
+    return Link("=", printer.write(left), left), last
+
+
 @dataclass(slots=True)
 class Telling:
     """One derivation being told in one format; remembers which steps were."""
@@ -155,7 +165,8 @@ class Telling:
             "plot": self.plot, "em": self.skin.em, "strong": self.skin.strong, "items": self.skin.items,
             "listing": self.listing, "path": self.path, "math": self.math, "formula": self.formula,
             "say": self.say, "each": self.each, "cut": self.cut, "whole": self.whole, "fits": self.fits,
-            "place": self.place, "again": self.again, "cited": self.cited, "found": self.found,
+            "place": self.place, "again": self.again, "conditions": self.conditions,
+            "cited": self.cited, "found": self.found,
         }  # fmt: skip
 
     def steps(self, *rules: str) -> list[Step]:
@@ -240,6 +251,19 @@ class Telling:
         self.displays += 1
         equation = Equation(self.so_far.problem, chains, self.d, self.displays, answer)
         return self.so_far.marked(written, equation, boxed)
+
+    def conditions(self, relations: tuple[Relation, ...]) -> str:
+        """Conditions that all hold, side by side; where they are the answer, in a frame."""
+        self.said.extend(parts(relations))
+        printer = self._printer(None)
+        styled = tuple(map(self.speech.in_style, relations))
+        display = lay_out(tuple(signed_links(each, printer) for each in styled), printer.notation, FRAMED)
+        self.printed.append(Printed(display.lines, tuple(map(links_of, styled)), printer.notation))
+        written = self.skin.display(replace(display, boxed=self.asked))
+        if self.asked:
+            self.answered.append(written)
+            self.kept.append(self.printed[-1])
+        return written
 
     def formula(self, *lines: str) -> str:
         """A general law, displayed as the words write it in LaTeX; what is derived goes through `show`."""
