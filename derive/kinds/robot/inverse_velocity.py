@@ -12,14 +12,15 @@ from derive.derivation import Claim, Derivation, PageFacts, Phrase, Said
 from derive.errors import NotReal
 from derive.expression import ONE, ZERO, Expr, Relation, Symbol, column, transpose
 from derive.kinds.checks import close, random_points, route
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._units import of_joints
+from derive.kinds.robot._velocity.functions import task_for
 from derive.kinds.robot._velocity.solving import PLUS, RATES, A, J, Solved, V, by_inverse, by_pseudo_inverse
 from derive.kinds.robot._velocity.splitting import by_wrist
-from derive.kinds.robot._velocity.task import RowName, Task, task_of
+from derive.kinds.robot._velocity.task import RowName, Task
 from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 from derive.mechanics.wrist import wrist_of
@@ -32,10 +33,12 @@ measures = of_joints("qdot", power=1)
 
 
 class Options(OptionsModel):
-    """`rows`: the velocities that are wanted; `point`: where, the end-effector if left out."""
+    """`rows`: the velocities that are wanted; `point`: where, the end-effector if left out; or a `task`:
+    functions of the joint variables whose rates r1_dot, r2_dot, ... are wanted."""
 
     rows: tuple[RowName, ...] = ()
     point: PointOn | None = None
+    task: tuple[Quantity, ...] = ()
 
 
 class Facts(PageFacts):
@@ -46,6 +49,7 @@ class Facts(PageFacts):
     zero: tuple[tuple[Expr, ...], ...]  # singular where one of these holds
     least: Phrase | None = None  # what the pseudo-inverse makes so
     spare: Phrase | None = None  # joint rates
+    of_functions: bool = False
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -54,8 +58,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 
     Raises NotDerivable where J is singular in every configuration, or too large to be written.
     """
-    task = task_of(problem, options.rows, options.point)
-    wrist = wrist_of(task.found) if task.square and options.point is None else None
+    task = task_for(problem, options.rows, options.point, options.task)
+    whole = task.square and options.point is None and not options.task
+    wrist = wrist_of(task.found) if whole else None
     if wrist:
         split = by_wrist(task, wrist)
         facts = Facts(
@@ -69,6 +74,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         zero=(solved.zero,),
         least=None if task.square else _least(task.redundant),
         spare=Phrase("null-space") if task.redundant else None,
+        of_functions=bool(options.task),
     )
     return _answer(task, _law(task, solved), problem.final(solved.qdot), facts, solved.apart)
 

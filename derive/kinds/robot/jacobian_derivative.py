@@ -8,9 +8,10 @@ from typing import Any
 from derive.algebra.numbers.floats import numbers
 from derive.derivation import Derivation, PageFacts
 from derive.expression import Derivative, Symbol, add, column, symbols
-from derive.kinds.fields import OptionsModel
+from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.problem import Problem
 from derive.kinds.robot._point import PointOn
+from derive.kinds.robot._velocity.functions import task_for
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.oracle import STEP, slope
 from derive.mechanics.robot import Robot
@@ -23,29 +24,31 @@ J, J_DOT, Q_DOT = symbols("J J_dot q_dot")
 
 
 class Options(OptionsModel):
-    """`rows`: some rows only, all that are not zero if left out; `point`: the end-effector if left out."""
+    """`rows`: some rows only, all that are not zero if left out; `point`: the end-effector if left out; or a
+    `task`: functions of the joint variables."""
 
     rows: tuple[RowName, ...] = ()
     point: PointOn | None = None
+    task: tuple[Quantity, ...] = ()
 
 
 class Facts(PageFacts):
     rows: tuple[Symbol, ...]  # none where all are meant
     rates: tuple[Symbol, ...]
+    of_functions: bool
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """J_dot (m by n), the sum of dJ/dq_k qdot_k, and J_dot qdot (m by 1): the acceleration is
     J qddot + J_dot qdot (Siciliano et al., eq. 3.99)."""
-    linear, angular = moving_rows(task_of(problem, ROWS, options.point).J)
-    task = task_of(problem, options.rows or (*linear, *angular), options.point)
+    task = _task(options, problem)
     total = add(*(Derivative(J, Symbol(n)) * Symbol(f"{n}_dot") for n in task.found.variables))
     bias = J_DOT * Q_DOT
     work = task.board().knowing({Q_DOT: column(task.rates)}).line(J_DOT, total, rule="chain-rule")
     work = work.line(bias, label="bias", rule="product")
     work = work.closed(J_DOT, bias)
-    some = () if len(task.rows) == len(ROWS) else task.velocities
-    facts = Facts(rows=some, rates=task.rates)
+    some = () if len(task.rows) == len(ROWS) or options.task else task.velocities
+    facts = Facts(rows=some, rates=task.rates, of_functions=bool(options.task))
     results = {"J_dot": work.final(J_DOT), "bias": work.steps[-1].result}
     work = work.agrees(
         "differences",
@@ -55,6 +58,14 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         DIFFERENCES,
     )
     return work.answer("jacobian-derivative", results, facts, matrices=frozenset({"J_dot"}))
+
+
+def _task(options: Options, problem: Problem) -> Task:
+    """The functions, the rows asked for, or those that are not zero."""
+    if options.task or options.rows:
+        return task_for(problem, options.rows, options.point, options.task)
+    linear, angular = moving_rows(task_of(problem, ROWS, options.point).J)
+    return task_of(problem, (*linear, *angular), options.point)
 
 
 def _differences(task: Task, at: Mapping[str, float]) -> Any:

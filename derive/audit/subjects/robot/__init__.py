@@ -24,6 +24,7 @@ KINDS = {
     "acceleration": kinematics.acceleration,
     "statics": kinematics.statics,
     "inverse-velocity": kinematics.inverse_velocity,
+    "inverse-acceleration": kinematics.inverse_acceleration,
     "product-of-exponentials": kinematics.product_of_exponentials,
     "space-jacobian": kinematics.space_jacobian,
     "inverse-kinematics": inverse.inverse_kinematics,

@@ -8,7 +8,7 @@ import numpy as np
 import sympy
 
 from derive.audit.asked import Asked, Holds, Same, Test
-from derive.audit.linear import product, solve, transposed
+from derive.audit.linear import Rows, product, solve, transposed
 from derive.audit.orientation import ANGLES
 from derive.audit.points import Number, Point, agree, shown
 from derive.audit.putting_back import put_back
@@ -172,10 +172,24 @@ def along(array: Array, rate: Array) -> Array:
 def jacobian_derivative(asked: Asked, point: Point) -> Iterator[Test]:
     """The derivative of J by time, and what it adds to the acceleration."""
     task = Task(Arm(asked, point))
+    if asked.options.task:
+        yield from _functions_derivative(asked, task.arm)
+        return
     names = asked.options.rows or task.moving
     J_dot = along(task.rows(names), rates(task.arm))
     yield Same("J_dot", J_dot.tolist())
     yield Same("bias", (J_dot @ rates(task.arm)).tolist())
+
+
+def _functions_derivative(asked: Asked, arm: Arm) -> Iterator[Test]:
+    functions = [asked.formula(each) for each in asked.options.task]
+    speeds = list(zip(arm.q, rates(arm), strict=True))
+    zero = arm.point.number(0)
+    J_dot = [
+        [sum((arm.point.at(f.diff(q, p)) * u for p, u in speeds), zero) for q in arm.q] for f in functions
+    ]
+    yield Same("J_dot", J_dot)
+    yield Same("bias", [_bend(arm, f) for f in functions])
 
 
 def acceleration(asked: Asked, point: Point) -> Iterator[Test]:
@@ -237,17 +251,54 @@ def taken(asked: Asked) -> set[str]:
 
 def inverse_velocity(asked: Asked, point: Point) -> Iterator[Test]:
     """qdot: of all that come nearest to v, the smallest."""
-    task = Task(Arm(asked, point, 1))
-    J = task.J
-    v = [[point[name]] for name in task.names]
+    arm = Arm(asked, point, 1)
+    names, J = _wanted(asked, arm)
+    yield Same("qdot", _nearest(J, [[point[name]] for name in names]))
+
+
+def inverse_acceleration(asked: Asked, point: Point) -> Iterator[Test]:
+    """qddot: the same of what the rates leave of the wanted acceleration."""
+    arm = Arm(asked, point)
+    names, J = _wanted(asked, arm)
+    if asked.options.task:
+        bias = [_bend(arm, asked.formula(each)) for each in asked.options.task]
+        wanted = [point[name.replace("_dot", "_ddot")] for name in names]
+    else:
+        bias = list(along(Task(arm).rows(names), rates(arm)) @ rates(arm))
+        wanted = [point[RISES[name]] for name in names]
+    yield Same("qddot", _nearest(J, [[a - h] for a, h in zip(wanted, bias, strict=True)]))
+
+
+RISES = dict(zip(ROWS, ("ax", "ay", "az", "alphax", "alphay", "alphaz"), strict=True))
+
+
+def _wanted(asked: Asked, arm: Arm) -> tuple[tuple[str, ...], Rows]:
+    """The names of what is wanted, and the matrix that makes it of joint rates."""
+    if not asked.options.task:
+        task = Task(arm)
+        return task.names, task.J
+    functions = [asked.formula(each) for each in asked.options.task]
+    names = tuple(f"r{k}_dot" for k, _ in enumerate(functions, 1))
+    return names, [[arm.point.at(f.diff(q)) for q in arm.q] for f in functions]
+
+
+def _bend(arm: Arm, function: sympy.Expr) -> Number:
+    """The second derivative by time of a function while the joints keep their rates."""
+    speeds = list(zip(arm.q, rates(arm), strict=True))
+    terms = (arm.point.at(function.diff(p, q)) * u * v for p, u in speeds for q, v in speeds)
+    return sum(terms, arm.point.number(0))
+
+
+def _nearest(J: Rows, v: Rows) -> list[Number]:
+    """J^-1 v, or J^+ v."""
     m, n = len(J), len(J[0])
     if m == n:
-        qdot = solve(J, v)
+        found = solve(J, v)
     elif m < n:
-        qdot = product(transposed(J), solve(product(J, transposed(J)), v))
+        found = product(transposed(J), solve(product(J, transposed(J)), v))
     else:
-        qdot = solve(product(transposed(J), J), product(transposed(J), v))
-    yield Same("qdot", [row[0] for row in qdot])
+        found = solve(product(transposed(J), J), product(transposed(J), v))
+    return [row[0] for row in found]
 
 
 def space_jacobian(asked: Asked, point: Point) -> Iterator[Test]:
