@@ -31,13 +31,14 @@ class PageFacts(Record):
     in degrees where the `style` is; `short_names` are angles whose sine is printed s_\\phi. With `labels`,
     one for each solution at a point, these are a table; `remark` is what is said after the numbers, and
     angles are `in_degrees` though nobody typed any. The names in a matrix, `at_pose`, are told by it at a
-    point.
+    point. Vectors that are `lying` are rows on the page.
     """
 
     numbers: tuple[str, ...] | None = None
     page_names: Mapping[str, str | Expr] = field(default_factory=dict)
     met: bool = False
     angle_results: tuple[str, ...] = ()
+    lying: tuple[str, ...] = ()
     style: Style = Style()
     short_names: tuple[str, ...] = ()
     labels: tuple[Cell, ...] = ()

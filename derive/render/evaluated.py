@@ -63,7 +63,7 @@ def evaluated_words(
     derivation = twists.answer(derivation) if notation.angular_first else derivation
     facts = derivation.facts
     shown = derivation.evaluated if facts.numbers is None else facts.numbers
-    found = derivation.evaluated
+    found = {name: [each] if name in facts.lying else each for name, each in derivation.evaluated.items()}
     names = [name for name in found if name in shown]
     if not names:
         return ""
@@ -71,7 +71,7 @@ def evaluated_words(
     units = point_units(derivation, at, style.degrees)
     seen = [] if printed is None else printed
     speech = on_page(folder, derivation.kind, printer, skin.plain, seen, style)
-    exact = _Exact(derivation.results, at, max(notation.digits + SPARE, style.longest))
+    exact = _Exact(_lying(derivation.results, facts.lying), at, max(notation.digits + SPARE, style.longest))
     telling = Telling(printer, speech, skin, facts.angle_results, units, exact, style, seen)
     chains = {
         chain: (found[name], name)
@@ -97,6 +97,13 @@ def evaluated_words(
         "remark": speech.say(facts.remark) if facts.remark else "",
     }
     return environment().get_template("words/_evaluated.j2").render(context).strip()
+
+
+def _lying(results: Mapping[str, Any], rows: tuple[str, ...]) -> dict[str, Any]:
+    """The results, columns that lie on the page as rows."""
+    return {
+        name: each.T if name in rows and isinstance(each, Matrix) else each for name, each in results.items()
+    }
 
 
 @dataclass(frozen=True, slots=True)

@@ -31,5 +31,5 @@ def derive(function: Function, options: Options, problem: Problem) -> Derivation
     work = work.showing(*partials, Step("gradient", (row, column(found).T), "gradient"))
     work = differences(work, found, [(value, each) for each in function.variables])
     nabla = Symbol("nabla") * name
-    facts = Facts(nabla=nabla, page_names={"gradient": nabla})
+    facts = Facts(nabla=nabla, page_names={"gradient": nabla}, lying=("gradient",))
     return work.answer("gradient", {"gradient": problem.final(column(found))}, facts)

@@ -10,9 +10,9 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import matrix_numbers
 from derive.algebra.readable.operation_count import operations
-from derive.derivation import PageFacts, Phrase, Record, Table
+from derive.derivation import PageFacts, Phrase, Record
 from derive.errors import NotDerivable
-from derive.expression import Approximate, Expr, Matrix, Number, Symbol, number, walk
+from derive.expression import Approximate, Expr, Matrix, Number, number, walk
 from derive.kinds.problem import Problem
 from derive.mechanics.fitting import PointPairs, Points, centroid
 
@@ -96,6 +96,7 @@ class SvdTold(Record):
     best: Phrase  # how the best rotation comes about
     turned: tuple[Expr, Expr] | None  # D = ..., where it turns the last direction over
     left: Phrase  # whether something is left over
+    mirrored: Phrase | None  # what that says of the points, where they are better reflected
 
 
 class RowsTold(Record):
@@ -104,20 +105,5 @@ class RowsTold(Record):
 
 
 class Facts(PageFacts):
-    points: Table
     svd: SvdTold | None = None
     rows: RowsTold | None = None
-
-
-def lists(table: Table, pairs: PointPairs) -> bool:
-    """Whether a table has every point beside its partner, under its number."""
-    points = [cell for row in table.rows for cell in row[1:]]
-    both = [Matrix((each,)) for pair in zip(pairs.source, pairs.target, strict=True) for each in pair]
-    return points == both and [row[0] for row in table.rows] == [*map(number, range(1, len(both) // 2 + 1))]
-
-
-def point_table(pairs: PointPairs) -> Table:
-    """The points as given."""
-    rows = zip(pairs.source, pairs.target, strict=True)
-    listed = tuple((number(k), Matrix((a,)), Matrix((b,))) for k, (a, b) in enumerate(rows, 1))
-    return Table((Symbol("i"), Symbol("a_i"), Symbol("b_i")), listed)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers.floats import completed, number
-from derive.derivation import Claim
+from derive.derivation import Claim, Phrase
 from derive.expression import Expr, Product, Symbol, transpose
 from derive.kinds.checks import close, route
 from derive.kinds.meanings import Chain, farthest, valued
@@ -84,6 +84,7 @@ def best_rotation(work: Work, facts: Facts, results: Mapping[str, Expr], pairs: 
         close(S, np.diag(values)) and ordered, (told.turned is None) == (det > 0),
         told.best.key == ("best-rotation" if det > 0 else lying),
         told.left.key in LEFT,
+        told.mirrored == (Phrase("mirrored") if det < 0 and not flat else None),
         exact or told.left.key == LEFT[0],
     )  # fmt: skip
     return route("as-told", apart < CLOSE), route("verdicts", verdicts)
@@ -113,7 +114,7 @@ def rows_fitted(work: Work, facts: Facts, results: Mapping[str, Expr], pairs: Pa
         **_names("A T R", table, T, R), Symbol("p"): p[:, None], Symbol("rms"): pairs.rms(R, p),
     }  # fmt: skip
     for k in range(size):
-        names[Symbol(f"b_{k + 1}")], names[Symbol(f"x_{k + 1}")] = pairs.b[:, k : k + 1], rows[k][:, None]
+        names[Symbol(f"beta_{k + 1}")], names[Symbol(f"x_{k + 1}")] = pairs.b[:, k : k + 1], rows[k][:, None]
         names[Symbol(f"r_{k + 1}")] = rows[k, :size]
     apart = farthest([*_of_work(work), *_results(results)], names)
     orthogonal, det = close(R @ R.T, np.eye(size)), float(np.linalg.det(R))

@@ -17,8 +17,6 @@ from derive.kinds.points._data import (
     Data,
     Facts,
     RowsTold,
-    lists,
-    point_table,
     rounded,
     rounded_matrix,
     shown,
@@ -68,9 +66,8 @@ def fitted(pairs: PointPairs, problem: Problem) -> Derivation:
     lengths = tuple(step.name for step in steps if step.name.startswith("length"))
     told = RowsTold(verdict=scaled.verdict, lengths=lengths)
     work = Work(problem, steps=steps).claim(*_claims(data, table, rows, targets))
-    facts = Facts(points=point_table(pairs), rows=told, numbers=())
+    facts = Facts(rows=told, numbers=())
     work = work.claim(*rows_fitted(work, facts, results, Pairs.of(pairs, problem)))
-    work = work.law("said", lists(facts.points, pairs))
     return work.answer("fit-transform", results, facts)
 
 
@@ -144,9 +141,9 @@ def _transform(rows: Sequence[ScalarMatrix], size: int) -> ScalarMatrix:
 def _row_steps(
     rows: Sequence[ScalarMatrix], targets: Sequence[ScalarMatrix], problem: Problem
 ) -> Iterator[Step]:
-    """x = (A^T A)^-1 A^T b, a row at a time."""
+    """x = (A^T A)^-1 A^T beta, a row at a time."""
     for k, target in enumerate(targets, 1):
-        yield Step(f"b_{k}", (Symbol(f"b_{k}"), shown(target, problem)), "coordinates")
+        yield Step(f"beta_{k}", (Symbol(f"beta_{k}"), shown(target, problem)), "coordinates")
     for k, row in enumerate(rows, 1):
         yield Step(f"x_{k}", (Symbol(f"x_{k}"), shown(row, problem)), "row")
 

@@ -11,7 +11,7 @@ from derive.errors import NotDerivable
 from derive.expression import Expr, Matrix, Product, Symbol, column, transpose
 from derive.expression import number as whole
 from derive.kinds.checks import FLOATS, close, every, law, route
-from derive.kinds.points._data import Data, Facts, SvdTold, lists, point_table, rounded, rounded_matrix, shown
+from derive.kinds.points._data import Data, Facts, SvdTold, rounded, rounded_matrix, shown
 from derive.kinds.points._fit_checks import Pairs, best_rotation
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
@@ -57,10 +57,10 @@ def fitted(pairs: PointPairs, problem: Problem) -> Derivation:
         best=_best(fit),
         turned=(D, _diagonal(fit)) if fit.det < 0 else None,
         left=Phrase("nothing-left" if exact is not None else "something-left"),
+        mirrored=Phrase("mirrored") if fit.det < 0 and not fit.is_flat else None,
     )
-    facts = Facts(points=point_table(pairs), svd=told, numbers=())
+    facts = Facts(svd=told, numbers=())
     work = work.claim(*best_rotation(work, facts, results, Pairs.of(pairs, problem)))
-    work = work.law("said", lists(facts.points, pairs))
     return work.answer("fit-transform", results, facts)
 
 

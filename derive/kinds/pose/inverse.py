@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from functools import partial
 from typing import Any
 
@@ -18,6 +19,7 @@ from derive.kinds.work import Work
 from derive.mechanics.poses import inverse_pose, position_part, rotation_part
 
 R, P, NO_ROW = symbols("R p 0")  # the last are three zeros side by side
+POSE = re.compile(r"T_(\d+)\^(\d+)")
 SUBJECTS = ("motion", "frames", "robot")
 CLAIMS = ("inverse", "in-numbers", "as-told")
 CLAIMED = {"T": "inverse"}
@@ -25,6 +27,7 @@ CLAIMED = {"T": "inverse"}
 
 class Facts(PageFacts):
     pose: Symbol
+    back: Symbol | None  # the pose of the one frame in the other, where both have numbers
 
 
 def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
@@ -35,21 +38,34 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     work = work.knowing({name: problem.readable_matrix(value) for name, value in known.items()})
     turned, inverse = transpose(R), Call("inverse", (given.name,))
     blocks = Matrix(((turned, -multiply(turned, P)), (NO_ROW, ONE)))
-    work = work.line(inverse, blocks, value=inverse_pose(given.T), rule="inverse", label="T").closed(inverse)
+    back_name = _back(given.name)
+    names = (inverse,) if back_name is None else (back_name, inverse)
+    value = inverse_pose(given.T)
+    work = work.line(*names, blocks, value=value, rule="inverse", label="T").closed(names[0])
     exact = work.steps[-1].result
+    if back_name is not None:
+        one = problem.readable_matrix(ScalarMatrix.identity(4))
+        work = work.line(given.name * back_name, value=one, label="product")
     back = normal_matrix(exact, problem.names)
     work = work.law("inverse", problem.exact(given.T) @ back == ScalarMatrix.identity(4))
     work = work.agrees("in-numbers", problem.symbols, exact, lambda at: _inverted(given.oracle(at)))
-    facts = Facts(pose=given.name)
-    work = as_told(work, partial(_meant, given), ((given.name, facts.pose),))
+    facts = Facts(pose=given.name, back=back_name)
+    work = as_told(work, partial(_meant, given, back_name), ((given.name, facts.pose),))
     return work.answer("inverse", {"T": exact}, facts)
 
 
-def _meant(given: Given, at: Point) -> Names:
+def _back(pose: Symbol) -> Symbol | None:
+    """T_0^1 for T_1^0."""
+    found = POSE.fullmatch(pose.name)
+    return Symbol(f"T_{found[2]}^{found[1]}") if found else None
+
+
+def _meant(given: Given, back: Symbol | None, at: Point) -> Names:
     import numpy as np
 
     T = given.oracle(at)
-    return {given.name: T, R: T[:3, :3], P: T[:3, 3:], NO_ROW: np.zeros((1, 3))}
+    names: Names = {given.name: T, R: T[:3, :3], P: T[:3, 3:], NO_ROW: np.zeros((1, 3))}
+    return names if back is None else {**names, back: _inverted(T)}
 
 
 def _inverted(T: Any) -> Any:
