@@ -19,12 +19,12 @@ NOTHING = 1e-8  # of the largest coefficient
 
 def reach(controller: Controller, numerator: Polynomial, order: int, taken: frozenset[str]) -> Phrase | None:
     """What is said of the polynomial D_C D_G + N_C N_G of degree `order`, with the `numerator` of the plant;
-    None where a gain is no symbol and no number, or its usual name is taken."""
+    None where a gain is no symbol and no number, or its usual name is taken, or the input moves nothing."""
     gains = gain_names(controller, taken)
     powers = [len(numerator) - 1 - place for place, k in enumerate(numerator) if k]
     shifts = [POWERS[letter] + controller.integrates for letter in controller.family]
     found = [frozenset(power + shift for power in powers) for shift in shifts]
-    return None if gains is None else told_reach(gains, found, order)
+    return told_reach(gains, found, order) if gains is not None and all(found) else None
 
 
 def gain_names(controller: Controller, taken: frozenset[str]) -> tuple[Expr, ...] | None:
