@@ -37,9 +37,9 @@ class Iteration:
 
     @property
     def share(self) -> float:
-        """What a step takes off the error on average, geometrically; 0 of none."""
+        """What a step leaves of the error on average, geometrically; 1 of none."""
         steps = len(self.rows) - 1
-        return 1 - float((self.rows[-1].error / self.rows[0].error) ** (1 / steps)) if steps else 0.0
+        return float((self.rows[-1].error / self.rows[0].error) ** (1 / steps)) if steps else 1.0
 
 
 def iterate(

@@ -35,7 +35,7 @@ from derive.kinds.robot._lengths import unit_of_lengths
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._singular.ways import seen_from_middle
 from derive.kinds.robot._velocity.ellipsoid_laws import ellipsoid_laws
-from derive.kinds.robot._velocity.ellipsoids import PointTold, at_point, decided, figure_of
+from derive.kinds.robot._velocity.ellipsoids import PointTold, at_point, decided, exactly, figure_of
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.kinds.sure import place as surely
 from derive.kinds.work import Work
@@ -119,7 +119,7 @@ def _at_point(options: Options, problem: Problem, place: Place) -> Derivation:
     found = at_point(task, place, _compared(options, problem))
     w = base.scalar("w")
     size = number(w, found.place)
-    shown = (W, Approximate(size))
+    shown = (W, exactly(problem, w, place) or Approximate(size))
     facts = Facts(here=found.told, w=shown, numbers=())
     here = found.place | surely({**problem.where, **dict(place)})
     told = close(number(shown[1], {}), _singular_values(task, here), DIFFERENCES)

@@ -28,6 +28,7 @@ from derive.expression import (
     transpose,
 )
 from derive.figures.axes import short
+from derive.kinds.checks import close, route
 from derive.kinds.fields import OptionsModel, Place, Quantity, read_point
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
@@ -121,6 +122,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     work = work.claim(*again.claims(table, listed, here, run.verdict, told))
     if _explained(problem, options):
         work = replace(work, steps=work.steps[:1])
+    if facts.outlook and "share" in facts.outlook.about:
+        first, *_, end = (row.error for row in run.rows)
+        work = work.claim(route("share", close(first * run.share ** (len(run.rows) - 1), end)))
     if facts.stopped:
         there = _there(arm, run, target)
         work = work.step(*there).claim(again.stops(arm.at(run.rows[-1].q), *(step.result for step in there)))
@@ -248,7 +252,6 @@ def _facts(arm: Arm, options: Options, run: Iteration, table: Table) -> Facts:
         "steps": last,
         "error": _measured(Approximate(error), arm, options),
         "bound": _measured(number(10) ** number(-10), arm, options),
-        "share": Approximate(100 * run.share),
     }
     fixed = None if newton else options.step
     first = not again
@@ -264,7 +267,7 @@ def _facts(arm: Arm, options: Options, run: Iteration, table: Table) -> Facts:
         ended=Phrase(_end(run.verdict, newton, not last), about),
         stopped=_stopped(run.verdict, arm.task.square),
         solution=_solution(arm, run) if found else (),
-        outlook=Phrase(_outlook(run.verdict, newton, fixed is not None), about) if found else None,
+        outlook=Phrase(_outlook(run.verdict, newton, fixed is not None), _share(run)) if found else None,
         drawn=sum(row.error >= ROUNDING for row in run.rows) > 1,
         numbers=(),
     )
@@ -288,6 +291,11 @@ def _end(verdict: Verdict, newton: bool, at_once: bool) -> str:
         case "diverging":
             return "newton-diverged" if newton else "gradient-diverged"
     return "not-yet"
+
+
+def _share(run: Iteration) -> dict[str, Said]:
+    """What a step leaves of an error that is still there."""
+    return {"share": Approximate(run.share)} if run.verdict == "unfinished" else {}
 
 
 def _stopped(verdict: Verdict, square: bool) -> Phrase | None:

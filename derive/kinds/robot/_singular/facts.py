@@ -7,10 +7,12 @@ from math import prod
 from typing import TypeAlias
 
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.scalar import Scalar
 from derive.derivation import PageFacts, Phrase, Record, Said
 from derive.expression import ZERO, Expr, Product, Symbol, add, free_symbols, multiply, transpose
 from derive.kinds.problem import Problem
 from derive.kinds.robot._degrees import in_degrees
+from derive.kinds.robot._determinants import mostly_negative
 from derive.kinds.robot._singular.saying import clauses
 from derive.kinds.robot._singular.sets import Analysed, Case, rooted, written
 from derive.kinds.robot._singular.ways import Way
@@ -197,7 +199,7 @@ def _case(problem: Problem, way: Way, each: Analysed, case: Case) -> CaseTold:
         block=J if each.block.name in ("J_11", "J_22") else None,
         rank=case.rank,
         J=((J, written(problem, case.J)),) if shown and case.J is not None else (),
-        null=_basis(problem, null, case.null),
+        null=_basis(problem, null, tuple(_positive(problem, each) for each in case.null)),
         range=_basis(problem, spanned, case.range if shown else ()),
         lost=() if mixed else _basis(problem, lost, case.lost),
         satisfied=tuple(_satisfied(problem, each.block.rows, u) for u in case.lost if mixed),
@@ -206,8 +208,14 @@ def _case(problem: Problem, way: Way, each: Analysed, case: Case) -> CaseTold:
 
 def _satisfied(problem: Problem, rows: tuple[str, ...], u: ScalarMatrix) -> Chain:
     """u^T (v, omega) = 0, which holds of all that the joints can do."""
-    coefficients = [entry for (entry,) in written(problem, u).rows]
+    coefficients = [entry for (entry,) in written(problem, _positive(problem, u)).rows]
     return (add(*(multiply(c, Symbol(row)) for c, row in zip(coefficients, rows, strict=True))), ZERO)
+
+
+def _positive(problem: Problem, vector: ScalarMatrix) -> ScalarMatrix:
+    """The vector or its opposite, so that its first component has no minus in front."""
+    first = next((entry for (entry,) in written(problem, vector).rows if entry != ZERO), ZERO)
+    return vector.scaled(Scalar.of(-1)) if mostly_negative(first) else vector
 
 
 def _letters(problem: Problem, bases: Sequence[tuple[ScalarMatrix, ...]]) -> tuple[Symbol, ...]:

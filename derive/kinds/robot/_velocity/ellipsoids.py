@@ -7,15 +7,18 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, get_args
 
+from derive.algebra.normal import normal
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.numbers.arrays import arrays
+from derive.algebra.rationals import significant_digits
 from derive.derivation import Claim, Label, Panels, Phrase, Record, Result, Step, Table
-from derive.errors import NotDerivable
-from derive.expression import Approximate, Expr, Matrix, Symbol, column
+from derive.errors import DivisionByZero, NotDerivable, NotReal
+from derive.expression import Approximate, Expr, Matrix, Number, Symbol, column
 from derive.figures.axes import axis
 from derive.figures.ellipses import Rates, Tip, at_the_tip
 from derive.kinds.checks import close, route
 from derive.kinds.fields import Place
+from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._lengths import unit_of_lengths
 from derive.kinds.robot._velocity.task import Task
@@ -24,6 +27,7 @@ from derive.kinds.values_at import point_of
 
 TREES = get_args(Expr)
 DIFFERENCES = 1e-6
+FEW = 3  # digits of a number that is exact
 NONE = 1e-9  # a semi-axis that is none, relative to the largest
 INFINITE = "infinite"
 PLANE = (("vx", "vy"), ("vx", "vz"), ("vy", "vz"))
@@ -81,12 +85,32 @@ def at_point(task: Task, place: Place, compared: Sequence[Place] = ()) -> Ellips
         "force_directions": _rounded(turned),
     }
     evaluated = {"axes": sizes, "directions": directions, "force_axes": forces, "force_directions": turned}
-    step = Step("J_here", (Symbol("J"), Matrix(_rounded(J))), "numbers")
+    step = Step("J_here", (Symbol("J"), Matrix(_exact(task, place) or _rounded(J))), "numbers")
     there = here | surely({**task.problem.where, **dict(place)})
     claims = tuple(_claims(task, there, step, results, evaluated, told))
     if plots:
         claims += (route("drawn", as_drawn(plots[0], task.numbers(there))),)
     return Ellipsoids(here, step, results, evaluated, claims, plots, told)
+
+
+def exactly(problem: Problem, expr: Expr, place: Place) -> Number | None:
+    """The value at a place where it is a number of few digits, so that nothing has to be rounded."""
+    values: dict[Expr, Expr] = {
+        Symbol(name): value for name, value in {**problem.where, **dict(place)}.items()
+    }
+    try:
+        value = normal(expr, values).constant
+    except (NotDerivable, NotReal, DivisionByZero):  # a rounded number has no normal form
+        return None
+    digits = None if value is None else significant_digits(value)
+    return Number(value, True) if value is not None and digits is not None and digits <= FEW else None
+
+
+def _exact(task: Task, place: Place) -> tuple[tuple[Expr, ...], ...]:
+    """J at the place, where every element is such a number."""
+    rows = tuple(tuple(exactly(task.problem, each, place) for each in row) for row in task.written.rows)
+    kept = tuple(tuple(each for each in row if each is not None) for row in rows)
+    return kept if kept == rows else ()
 
 
 def figure_of(task: Task) -> Phrase:
