@@ -1,9 +1,9 @@
-"""What q holds, said where a problem first speaks of it: formulas have q, and its pages theta_1 and d_3."""
+"""What q holds, said among the conventions of a sheet: formulas have q, and its pages theta_1 and d_3."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping
 
 from derive.expression import Expr, Indexed, Number, Symbol, column, walk
 from derive.render.latex import Printer
@@ -37,11 +37,15 @@ def _name(node: Expr) -> str:
     return ""
 
 
-def coordinates(variables: Sequence[str], notation: Notation, printed: list[Printed]) -> str:
-    """The sentence; its formula is added to `printed`."""
+def coordinates(arms: Mapping[tuple[str, ...], Notation], printed: list[Printed]) -> str:
+    """The sentence for the first of these arms, "" where there is none; its formula is added to `printed`."""
+    if not arms:
+        return ""
+    variables, notation = next(iter(arms.items()))
     printer = Printer(notation, in_line=True)
     trees = Symbol("q"), column(map(Symbol, variables))
     chain = tuple(Link("=", printer.write(tree), tree) for tree in trees)
     printed.append(Printed.inline(one_line(chain), chain, notation))
     q = f"${one_line(chain)}$"
-    return environment().get_template(WORDS).render(q=q, several=len(variables) > 1).strip()
+    words = environment().get_template(WORDS)
+    return words.render(q=q, several=len(variables) > 1, others=len(arms) > 1).strip()

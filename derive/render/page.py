@@ -15,6 +15,7 @@ from derive.render.formulas import spelt
 from derive.render.given import given_words
 from derive.render.html_skin import HTML
 from derive.render.markdown_math import left_alone, rows_apart
+from derive.render.notation import Notation
 from derive.render.plain_text import latex_text, markdown_text
 from derive.render.printed import Printed, Reader, Said, unread
 from derive.render.skin import HELD_LINE, Skin, english, environment, require_texts, words_file
@@ -70,7 +71,7 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
     numbers = document.numbers()
     said: list[Said] = []
     so_far = SoFar(numbers)
-    spoken_of: set[int] = set()  # problems that have said what q is
+    arms: dict[tuple[str, ...], Notation] = {}  # the joint variables of those of which q is spoken
     for problem in document.problems:
         told: list[Printed] = []
         given[problem.number, 0] = given_words(problem.given, problem.subject, skin, problem.notation, told)
@@ -83,14 +84,13 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
             figures[problem.number] = subject_figure(document, problem, skin, numbers, printed)
         so_far.problem = problem.number
         answer = _answer(document, problem, question, skin, printed, so_far)
-        if problem.variables and problem.number not in spoken_of and answer and speaks_of_q(printed):
-            spoken_of.add(problem.number)
-            said_first = coordinates(problem.variables, problem.notation, printed)
-            answer = f"{spelt(said_first, skin.formulas, printed)}\n\n{answer}"
+        if problem.variables and answer and speaks_of_q(printed):
+            arms.setdefault(problem.variables, problem.notation)
         answers[problem.number, question.number] = answer
         said.append(Said(f"{problem.number}.{question.number}", question.place, tuple(printed)))
     taken: list[Printed] = []
-    known = spelt(conventions(said, taken), skin.formulas, taken) if document.solutions else ""
+    agreed = " ".join(filter(None, (conventions(said, taken), coordinates(arms, taken))))
+    known = spelt(agreed, skin.formulas, taken) if document.solutions else ""
     said.append(Said("conventions", None, tuple(taken)))
     look = f"{skin.name}/page.j2"
     alone = sum(1 for _ in document.alone())
