@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from derive.algebra.readable.order import GREEK
 from derive.expression import MINUS_ONE, ONE, ZERO, Expr, Indexed, Matrix, Symbol
 from derive.names import entry_symbol
 from derive.render.latex import Printer
@@ -59,7 +60,8 @@ def _of_entries(name: Expr, matrix: Matrix, printer: Printer) -> Names:
     """The long entries, equal ones alike; some rows of a Jacobian keep the numbers that they have in the
     whole one."""
     stem, _, index = _base(name).partition("^")[0].partition("_")
-    letter = f"{stem[:1].lower()}_{index}" if index else stem[:1].lower()
+    letter = stem.lower() if stem.lower() in GREEK else stem[:1].lower()
+    letter = f"{letter}_{index}" if index else letter
     names: dict[tuple[int, int], Symbol] = {}
     known: dict[Expr, Symbol] = {}
     for i, (number, row) in enumerate(

@@ -110,8 +110,10 @@ def _sum(
     work: Work, bodies: tuple[Weighted, ...], written: Matrix, moments: dict[Expr, Expr], big: bool
 ) -> Work:
     """What each link brings, and D; of a big arm sums in names, compared with D multiplied out."""
-    problem, names = work.problem, [Symbol(f"D_{body.i}") for body in bodies]
-    for name, body in zip(names, bodies, strict=True):
+    problem, names = work.problem, list[Symbol]()
+    heavy = [body for body in bodies if body.turns or body.body.mass != ZERO]
+    for body in heavy or bodies:
+        names.append(name := Symbol(f"D_{body.i}"))
         formula = _formula(body, big)
         own = formula if big else problem.readable_matrix(link_inertia(body.motion))
         spare = () if big else (own,)
