@@ -10,44 +10,48 @@ from pydantic import Field, PlainValidator, WithJsonSchema
 
 from derive.algebra.numbers.floats import matrix_numbers, scalar_number
 from derive.algebra.numbers.floats import number as value_of
-from derive.derivation import Derivation, PageFacts, Phrase, Plot, Result, Said, Step, Table
+from derive.derivation import Derivation, PageFacts, Phrase, Result, Said, Step, Table
 from derive.errors import NotDerivable
 from derive.expression import (
-    ZERO,
     Approximate,
     Expr,
     Matrix,
     Measured,
-    Product,
-    Relation,
     Symbol,
     add,
     column,
     number,
     symbols,
-    transpose,
 )
-from derive.figures.axes import short
 from derive.kinds.checks import close, route
 from derive.kinds.fields import OptionsModel, Place, Quantity, read_point
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._lengths import unit_of_lengths
 from derive.kinds.robot._units import of_variables
+from derive.kinds.robot._velocity.iterated import (
+    ROUNDING,
+    E,
+    ended,
+    error_plot,
+    outlook,
+    result_row,
+    share,
+    stopped,
+)
 from derive.kinds.robot._velocity.repeated import Repeated
 from derive.kinds.robot._velocity.task import Task, task_of
 from derive.kinds.sure import place
 from derive.kinds.units import in_degrees
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
-from derive.mechanics.iteration import CLOSE, Iteration, Row, Verdict, iterate
+from derive.mechanics.iteration import Iteration, iterate
 from derive.mechanics.robot import Robot
 from derive.mechanics.task import ROWS, moving_rows
 
 CLAIMED = {"iterations": "as-listed", "solution": "last-row"}
 CLAIMS = ("rows-in-numbers", "place", "begun", "numbered", "errors", "ended", "as-listed", "last-row")
-J, R, F, E, ALPHA = symbols("J r_d f e alpha")
-ROUNDING = 1e-12  # an error below is what rounding leaves
+J, R, F, ALPHA = symbols("J r_d f alpha")
 
 
 Start = Annotated[Place, PlainValidator(read_point), WithJsonSchema({"type": "object"})]
@@ -100,7 +104,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     run = iterate(arm.pose, target, start, options.method, options.iterations, fixed)
     listed = [[k, *map(float, row.q), row.error, row.H] for k, row in enumerate(run.rows)]
     evaluated = {"iterations": listed, "solution": list(map(float, run.rows[-1].q))}
-    rows = tuple(_row(k, row) for k, row in enumerate(run.rows))
+    rows = tuple(result_row(k, row) for k, row in enumerate(run.rows))
     table = Table(
         (Symbol("k"), *map(Symbol, arm.variables), Phrase("error")), tuple(row[:-1] for row in rows)
     )
@@ -129,7 +133,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         there = _there(arm, run, target)
         work = work.step(*there).claim(again.stops(arm.at(run.rows[-1].q), *(step.result for step in there)))
     units = _units(arm, options)
-    plot = _plot(run, options.method == "newton", units.get(Phrase("error"), "")) if facts.drawn else None
+    plot = (
+        error_plot(run, options.method == "newton", units.get(Phrase("error"), "")) if facts.drawn else None
+    )
     return work.answer(
         "numerical-inverse-kinematics",
         results,
@@ -264,10 +270,10 @@ def _facts(arm: Arm, options: Options, run: Iteration, table: Table) -> Facts:
         alpha=(ALPHA, fixed) if fixed is not None and first else None,
         measure=None if explained or not last else Phrase("measure", {"r_d": R, "f": F}),
         table=table if last else None,
-        ended=Phrase(_end(run.verdict, newton, not last), about),
-        stopped=_stopped(run.verdict, arm.task.square),
+        ended=Phrase(ended(run.verdict, newton, not last), about),
+        stopped=stopped(run.verdict, arm.task.square),
         solution=_solution(arm, run) if found else (),
-        outlook=Phrase(_outlook(run.verdict, newton, fixed is not None), _share(run)) if found else None,
+        outlook=Phrase(outlook(run.verdict, newton, fixed is not None), share(run)) if found else None,
         drawn=sum(row.error >= ROUNDING for row in run.rows) > 1,
         numbers=(),
     )
@@ -277,35 +283,6 @@ def _measured(error: Expr, arm: Arm, options: Options) -> Expr:
     """An error with its unit, where it has one."""
     unit = _units(arm, options).get(Phrase("error"))
     return Measured(error, unit) if unit else error
-
-
-def _end(verdict: Verdict, newton: bool, at_once: bool) -> str:
-    """How it ended; `at_once` where it could not begin."""
-    match verdict:
-        case "converged":
-            return "converged"
-        case "singular":
-            return "newton-stopped-at-once" if at_once else "newton-stopped"
-        case "stuck":
-            return "gradient-stopped-at-once" if at_once else "gradient-stopped"
-        case "diverging":
-            return "newton-diverged" if newton else "gradient-diverged"
-    return "not-yet"
-
-
-def _share(run: Iteration) -> dict[str, Said]:
-    """What a step leaves of an error that is still there."""
-    return {"share": Approximate(run.share)} if run.verdict == "unfinished" else {}
-
-
-def _stopped(verdict: Verdict, square: bool) -> Phrase | None:
-    """What the Jacobian is like where an iteration cannot go on."""
-    match verdict:
-        case "singular":
-            return Phrase("no-inverse" if square else "no-pseudo-inverse")
-        case "stuck":
-            return Phrase("no-slope", {"slope": Relation(Product((transpose(J), E)), "=", ZERO)})
-    return None
 
 
 def _there(arm: Arm, run: Iteration, target: Sequence[float]) -> tuple[Step, ...]:
@@ -319,31 +296,10 @@ def _there(arm: Arm, run: Iteration, target: Sequence[float]) -> tuple[Step, ...
     return step, Step("e_here", (E, error), "numbers")
 
 
-def _outlook(verdict: Verdict, newton: bool, fixed: bool) -> str:
-    """What is said of how fast it goes, or would go on."""
-    if verdict == "converged":
-        return "quadratic" if newton else "linear"
-    if newton:
-        return "newton-goes-on"
-    return "fixed-goes-on" if fixed else "gradient-goes-on"
-
-
 def _solution(arm: Arm, run: Iteration) -> tuple[tuple[Symbol, Expr], ...]:
     """The joint variables of the last row."""
     values = zip(arm.variables, run.rows[-1].q, strict=True)
     return tuple((Symbol(name), Approximate(value)) for name, value in values)
-
-
-def _row(k: int, row: Row) -> tuple[Expr, ...]:
-    """One row of the results."""
-    error = row.error if row.error >= CLOSE else 0.0
-    return (number(k), *map(Approximate, row.q), Approximate(error), Approximate(error**2 / 2))
-
-
-def _line(k: int, row: Row) -> tuple[Expr, ...]:
-    """One line of the table."""
-    error = row.error if row.error >= ROUNDING else 0.0
-    return (number(k), *map(Approximate, row.q), Approximate(error))
 
 
 def _explained(problem: Problem, options: Options) -> frozenset[str]:
@@ -351,17 +307,3 @@ def _explained(problem: Problem, options: Options) -> frozenset[str]:
     asked = [each for kind, each in problem.questions if kind == "numerical-inverse-kinematics"]
     before = asked[: asked.index(options)] if options in asked else []
     return frozenset(each.method for each in before if len(each.target) == len(options.target))
-
-
-def _plot(run: Iteration, newton: bool, unit: str) -> Plot:
-    """The errors that are more than what rounding leaves, on a logarithmic scale: Newton's method falls ever
-    more steeply, the gradient method along a line."""
-    kept = [(float(k), row.error) for k, row in enumerate(run.rows) if row.error >= ROUNDING]
-    counts, errors = zip(*kept, strict=True)
-    about = {"steps": str(len(run.rows) - 1), "first": short(errors[0]), "last": short(run.rows[-1].error)}
-    name, k = Phrase("error"), {"k": Symbol("k")}
-    return Plot(
-        "error", Phrase("iteration", k), Phrase("with-unit", {"name": name, "unit": unit}) if unit else name,
-        {"": (counts, errors)}, counted=True, log=True, alt=Phrase("seen-errors", about),
-        caption=Phrase("drawn-newton" if newton else "drawn-gradient", k),
-    )  # fmt: skip
