@@ -69,9 +69,18 @@ def _told(work: Work, path: Way, source: int, target: int) -> Iterator[LineTold]
     elif len(path.up) == 1 and not path.down:
         between = {"source": source, "target": target}
         said = Phrase("given-already", between) if work.uses else Phrase("given-here", between)
+    elif not before and _found_first(work, source, target):
+        said = Phrase("found-already", {"source": source, "target": target})
     else:
         said = Phrase("indices-cancel")
-    yield LineTold(said=said, step=last.name, stands=said.key == "given-already")
+    yield LineTold(said=said, step=last.name, stands=said.key in ("given-already", "found-already"))
+
+
+def _found_first(work: Work, source: int, target: int) -> bool:
+    """Whether the first question of all is about the frames one by one, and ends with this pose."""
+    first = next((kind for kind, _ in work.problem.questions), "")
+    frames = work.problem.subject.frames
+    return first == "transforms" and (source, target) == (len(frames), 0)
 
 
 def _said(work: Work, facts: Facts, frames: Frames) -> Iterator[bool]:
@@ -80,6 +89,8 @@ def _said(work: Work, facts: Facts, frames: Frames) -> Iterator[bool]:
         formula = step.chain[1]
         back = isinstance(formula, Call) and formula.function == "inverse"
         yield told.step == step.name and (told.said.key == "way-back") == back
+        if told.said.key == "found-already":
+            yield (told.said.about["source"], told.said.about["target"]) == (len(frames.frames), 0)
         if told.said.key.startswith("given"):
             source, target = (told.said.about[name] for name in ("source", "target"))
             yield any((each.number, each.parent) == (source, target) for each in frames.frames)

@@ -13,6 +13,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.frame_tree import along, ancestry, require_closed
 from derive.mechanics.frames import Frames
+from derive.mechanics.motion import Motion
 from derive.mechanics.poses import rotation_part
 
 CLAIMS = ("orthogonal", "right-handed", "as-told")
@@ -20,6 +21,7 @@ CLAIMS = ("orthogonal", "right-handed", "as-told")
 
 class Facts(PageFacts):
     product: str  # a step
+    single: bool  # whether each frame that is given by moves is given by one
     read: tuple[tuple[Expr, Expr], ...]
 
 
@@ -37,10 +39,14 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
         T = normal_matrix(work[name], problem.names)
         work = work.claim(*is_rotation(rotation_part(T), f"R_{frame.number}^{frame.parent}"))
     read = read_axes(work.matrix(whole), len(frames.frames), 0)
-    facts = Facts(product=whole.name, read=read) if len(path) > 1 else Facts(product="", read=())
+    single = all(not isinstance(step.chain[1], Product) for step in work.steps if step.rule == "motion")
+    several = len(path) > 1
+    facts = Facts(product=whole.name if several else "", single=single, read=read if several else ())
     observed = (step.facts.axes for step in work.steps if isinstance(step.facts, Axes))
     printed = ((Symbol(name), value) for name, value in results.items())
     work = frames_told(work, frames, (*printed, *facts.read, *(axis for axes in observed for axis in axes)))
+    moves = (frame.source.moves for frame in frames.frames if isinstance(frame.source, Motion))
+    work = work.law("said", facts.single == all(len(each) == 1 for each in moves))
     return work.answer("transforms", results, facts)
 
 
