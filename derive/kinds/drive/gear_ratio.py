@@ -37,7 +37,7 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
     law, slope, top = _slope(G, J_m, J_l, tau_m, tau_l)
     laws = (Step("alpha", (ALPHA, law)), Step("slope", (Derivative(ALPHA, G), slope)))
     work = _best(Work(problem, work.known, aside={ALPHA: law}, steps=laws), J_m, J_l, tau_m, tau_l)
-    fastest = problem.final(replace(work["alpha_max"], {BEST: work[BEST]}))
+    fastest = problem.final(replace(replace(work["alpha_max"], {BEST: work[BEST]}), work.definitions))
     results = {"G": work.final(BEST), "alpha": fastest}
     facts = Facts(
         given=work.typed, tau_m=tau_m, tau_l=tau_l, top=top, G=G,
