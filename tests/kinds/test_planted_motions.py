@@ -93,6 +93,17 @@ problems:
 - motion: [{rotate: y, by: phi}]
   questions: [{find: axis-angle}, {find: quaternion}]
 """
+SINGULAR = """
+title: t
+problems:
+- motion: [{rotate: z, by: 30 deg}, {rotate: y, by: 90 deg}]
+  find: euler-angles
+"""
+RENAMED = (
+    "title: t\nproblems:\n- motion: [{rotate: z, by: a}, {rotate: y, by: b}, {rotate: x, by: c}]\n"
+    "  find: euler-angles\n"
+)
+QUATERNION = "title: t\nproblems:\n- motion: [{quaternion: [1/2, 1/2, 1/2, 1/2]}]\n  find: rotation-matrix\n"
 HALF_TURN = (
     "title: t\nproblems:\n- motion: [{rotate: x, by: 180 deg}, {rotate: z, by: 60 deg}]\n  find: axis-angle\n"
 )
@@ -216,6 +227,13 @@ MISTAKES = {
     "four times the scalar part": Mistake(
         quaternion._steps, "each / (4 * scalar)", "each / (2 * scalar)", "pose.quaternion"
     ),
+    "another angle of a singular rotation": Mistake(
+        _euler_steps.Comparison.chosen, "found = (value,", "found = (-value,", SINGULAR
+    ),
+    "angles that turn the other way": Mistake(
+        _euler_steps.Comparison.same, "return same", "return tuple((n, -v) for n, v in same)", RENAMED
+    ),
+    "half the angle of a quaternion": Mistake(_factors._turned, "2 * atan2", "atan2", QUATERNION),
     "both branches on the same side": Mistake(
         euler.Euler.regular, "self.g if sign > 0 else -self.g", "self.g", "pose.euler_angles"
     ),

@@ -246,3 +246,13 @@ def test_a_screw_joint_has_no_closed_form(tmp_path) -> None:
     with pytest.raises(SheetErrors) as raised:
         derive_all([load_sheet(sheet)], True, lambda _: None)
     assert "helical" in raised.value.errors[0].message
+
+
+def test_one_condition_for_one_region(tmp_path: Path) -> None:
+    """Outside the cylinder of its offset a spherical arm reaches all; neither the root nor the cosine says
+    less."""
+    asked(tmp_path, "spherical", "[x, y, z]", top="symbols: {d3: positive}\n")
+    (document,) = derive_all([load_sheet(tmp_path / "sheet.yaml")], True, lambda _: None)
+    page = render(document, "md")
+    assert page.count("real where") == 1
+    assert r"They are real where $x^2 + y^2 \geq d_2^2$" in page
