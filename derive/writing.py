@@ -15,6 +15,7 @@ from derive.sheet.model import Sheet
 
 Progress = Callable[[str], None]
 TEXT_FORMATS = ("md", "tex", "json")
+BESIDE = {".md", ".tex"}  # pages that show pictures from files beside them; others hold them
 
 
 def render(document: Document, kind: str) -> str:
@@ -75,8 +76,11 @@ def write(
                 except PageFailed as error:
                     failed.append(page)
                     faults += _failed(error, page.name, sheet)
-            if not any(page.stem == document.name and page.suffix != ".json" for page in pages):
+            shown = {page.suffix for page in pages if page.stem == document.name}
+            if not shown - {".json"}:
                 rmtree(folder / document.figures, ignore_errors=True)  # no page shows them
+            elif not shown & BESIDE:
+                _clear(document, folder)
         if not pages:
             raise SheetErrors(faults)
         made = {path for path in folder.glob("*/**/*") if path.is_file()}
@@ -120,6 +124,17 @@ def _place(sheet: Sheet, document: Document, folder: Path, kinds: tuple[Kind, ..
 
         for path, plot in plots.items():
             draw(plot, folder / path, kinds)
+
+
+def _clear(document: Document, folder: Path) -> None:
+    """Removes the pictures; the other files of a page stay."""
+    drawn = {folder / f"{path}.{kind}" for path in document.plots() for kind in ("svg", "pdf")}
+    for picture in drawn | {folder / path for path in document.pictures()}:
+        picture.unlink(missing_ok=True)
+        picture.with_suffix(".pdf").unlink(missing_ok=True)
+    place = folder / document.figures
+    if place.is_dir() and not any(place.iterdir()):
+        place.rmdir()
 
 
 def _copy(picture: Path, target: Path, kinds: tuple[Kind, ...]) -> None:
