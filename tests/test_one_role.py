@@ -11,8 +11,11 @@ import pytest
 from derive.build import assemble, working_on
 from derive.derivation import Derivation
 from derive.expression import Call, Matrix, Symbol, walk
+from derive.render.coordinates import speaks_of_q
 from derive.render.document import Document
-from derive.render.page import render_markdown
+from derive.render.layout import Link
+from derive.render.notation import Notation
+from derive.render.printed import Printed
 from derive.render.trig import SHORT, short_index
 from derive.sheet.load import load_sheet
 from tests.sheets import SHEETS
@@ -65,9 +68,9 @@ def test_a_cosine_is_not_called_as_a_symbol(tmp_path: Path, more: str, short: st
     assert {index for index in indices if len(index) == 3} == {short} - {""}
 
 
-def test_points_called_q_are_no_joint_variables() -> None:
-    """q_i is the point of a screw axis in the first problem, where no q is the vector of the joints."""
-    (sheet,) = (sheet for sheet in SHEETS if sheet.stem == "screws")
-    first, *others = render_markdown(assemble(load_sheet(sheet))).split("## Problem 2")
-    assert "$q_i$" in first and "holds the joint variables." not in first
-    assert "holds the joint variables." in "".join(others)
+@pytest.mark.parametrize(("typed", "vector"), [("q_dot", True), ("q_i", True), ("q_1 q_i q", False)])
+def test_points_called_q_are_no_joint_variables(typed: str, vector: bool) -> None:
+    """Where q_1 is the point of a screw axis, q_i is any such point and q one of them."""
+    links = (Link("=", name, Symbol(name)) for name in typed.split())
+    printed = [Printed.inline(link.latex, (link,), Notation()) for link in links]
+    assert speaks_of_q(printed) == vector
