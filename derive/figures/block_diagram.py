@@ -60,8 +60,9 @@ def gain_names(controller: Controller, taken: frozenset[str]) -> tuple[Symbol, .
 
 
 def filter_name(system: System) -> Symbol:
-    """The time constant of the filter behind an ideal derivative."""
-    return Symbol(free(system.names, "T_f", "T_filter"))
+    """The time constant of the filter behind an ideal derivative; a T of its own where T has an index."""
+    usual = "tau_f" if any(name.startswith("T_") for name in system.names) else "T_f"
+    return Symbol(free(system.names, usual, "T_filter"))
 
 
 class _Drawing:

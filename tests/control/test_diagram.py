@@ -84,7 +84,7 @@ def test_a_loop_closes_around_the_drawing() -> None:
     diagram = draw(subject, Controller("PID", gains))
     G = at(Rational.of(solve(subject).ratio), POINT)
     C = 2 + 0.3 / S + 0.7 * S / (0.01 * S + 1)
-    point = {**POINT, "K_p": 2.0, "K_i": 0.3, "K_d": 0.7, "T_f": 0.01}
+    point = {**POINT, "K_p": 2.0, "K_i": 0.3, "K_d": 0.7, "tau_f": 0.01}
     assert diagram.gain(S, point) == pytest.approx(C * G / (1 + C * G))
 
 
