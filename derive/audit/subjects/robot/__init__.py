@@ -9,7 +9,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from derive.audit import orientation
-from derive.audit.subjects.robot import axes, dynamics, inverse, iteration, kinematics, reach, singular, spans
+from derive.audit.subjects.robot import (
+    axes,
+    dynamics,
+    inverse,
+    iteration,
+    kinematics,
+    rates,
+    reach,
+    singular,
+    spans,
+)
 from derive.audit.subjects.robot.arm import Arm
 from derive.audit.subjects.robot.series import values
 from derive.expression import Expr, free_symbols
@@ -19,12 +29,12 @@ KINDS = {
     "forward-kinematics": kinematics.forward_kinematics,
     "joint-axes": axes.joint_axes,
     "jacobian": kinematics.jacobian,
-    "velocity": kinematics.velocity,
-    "jacobian-derivative": kinematics.jacobian_derivative,
-    "acceleration": kinematics.acceleration,
+    "velocity": rates.velocity,
+    "jacobian-derivative": rates.jacobian_derivative,
+    "acceleration": rates.acceleration,
     "statics": kinematics.statics,
-    "inverse-velocity": kinematics.inverse_velocity,
-    "inverse-acceleration": kinematics.inverse_acceleration,
+    "inverse-velocity": rates.inverse_velocity,
+    "inverse-acceleration": rates.inverse_acceleration,
     "product-of-exponentials": kinematics.product_of_exponentials,
     "space-jacobian": kinematics.space_jacobian,
     "inverse-kinematics": inverse.inverse_kinematics,
