@@ -124,7 +124,8 @@ def others(name: str, value: Any, kind: str = "") -> Iterator[Any]:
             yield Relation(left, "<" if sign == ">" else ">", right)
         case Table(headings, rows) if rows:
             yield Table(headings, rows[:-1])
-            yield from (Table(headings, (*rows[:-1], row)) for row in others("", rows[-1], kind))
+            changed = (row for row in others("", rows[-1], kind) if len(row) == len(headings))
+            yield from (Table(headings, (*rows[:-1], row)) for row in changed)
         case tuple() if value:
             yield value[:-1]
             yield from ((other, *value[1:]) for other in others(name, value[0], kind))

@@ -57,7 +57,7 @@ class Linear:
 class Facts(PageFacts):
     at: tuple[tuple[Symbol, Expr], ...]
     held: tuple[tuple[Symbol, Expr], ...]  # inputs
-    inputs: tuple[Symbol, ...]
+    inputs: tuple[Expr, ...]  # u and what it is
     damped: bool
     stability: Phrase | None
 
@@ -106,7 +106,10 @@ def _said(
         q: given[q] for q in system.coordinates if q in given
     }
     yield all(given[name.name] == value for name, value in facts.held)
-    yield tuple(name.name for name in facts.inputs) == linear.inputs
+    names_of = tuple(map(Symbol, linear.inputs))
+    yield facts.inputs == (
+        (Symbol("u"), *((column(names_of),) if names_of[1:] else names_of)) if names_of else ()
+    )
     yield facts.damped == any(entry for row in linear.C.rows for entry in row)
     names = (*system.coordinates, *system.rates)
     yield [text(entry) for (entry,) in z.rows] == [f"delta*{name}" for name in names]
@@ -237,10 +240,17 @@ def _facts(model: Model, options: Options, linear: Linear, at: Mapping[Expr, Exp
     return Facts(
         at=tuple((Symbol(q), at[Symbol(q)]) for q in system.coordinates if Symbol(q) in at),
         held=tuple((Symbol(u), at[Symbol(u)]) for u in linear.inputs if at[Symbol(u)] != ZERO),
-        inputs=tuple(map(Symbol, linear.inputs)),
+        inputs=_input(linear.inputs),
         damped=bool(linear.C),
         stability=_stability(model, linear),
     )
+
+
+def _input(names: tuple[str, ...]) -> tuple[Expr, ...]:
+    """u and the input, or the column of them; nothing where there is none."""
+    if len(names) < 2:
+        return (Symbol("u"), *map(Symbol, names)) if names else ()
+    return Symbol("u"), column(map(Symbol, names))
 
 
 def _state_vector(system: LagrangianSystem) -> Matrix:
