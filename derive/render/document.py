@@ -165,19 +165,6 @@ class Document:
         """The pictures that authors gave, by their paths relative to the page."""
         return tuple(page.figure for page in self.problems if page.figure and not page.drawing)
 
-    def numbers(self) -> dict[str, int]:
-        """The number of every figure of the page by the path of its picture, without suffix."""
-        paths: list[str] = []
-        for problem in self.problems:
-            paths += [problem.figure.rpartition(".")[0]] if problem.figure else []
-            for question in problem.questions:
-                for worked in question.order:
-                    names = (plot.name for plot in worked.derivation.plots)
-                    paths += (
-                        plot_path(self.figures, problem.number, question.number, name) for name in names
-                    )
-        return {path: number for number, path in enumerate(paths, 1)}
-
     def plots(self) -> dict[str, Figure]:
         """Every plot of the page by the path of its picture, relative to the page and without suffix."""
         from derive.render.phrases import in_figure

@@ -68,9 +68,8 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
     answers: dict[tuple[int, int], str] = {}
     given: dict[tuple[int, int], str] = {}
     figures: dict[int, str] = {}
-    numbers = document.numbers()
     said: list[Said] = []
-    so_far = SoFar(numbers)
+    so_far = SoFar()
     arms: dict[tuple[str, ...], Notation] = {}  # the joint variables of those of which q is spoken
     for problem in document.problems:
         told: list[Printed] = []
@@ -81,7 +80,7 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
         asked = given_words(question.given, problem.subject, skin, problem.notation, printed)
         given[problem.number, question.number] = asked
         if problem.number not in figures:
-            figures[problem.number] = subject_figure(document, problem, skin, numbers, printed)
+            figures[problem.number] = subject_figure(document, problem, skin, so_far, printed)
         so_far.problem = problem.number
         answer = _answer(document, problem, question, skin, printed, so_far)
         if problem.variables and answer and speaks_of_q(printed):

@@ -233,9 +233,9 @@ class Skin:
         of a `solution` may stand a little later."""
         return self._macro("figure", path, caption, alt, self.plain(alt), solution)
 
-    def caption(self, number: int | None, said: str) -> str:
+    def caption(self, number: str, said: str) -> str:
         """`Figure 3: what is said`, or what there is of it."""
-        return ": ".join(filter(None, (f"{english('figure')} {number}" if number else "", said)))
+        return ": ".join(filter(None, (f"{english('figure')} {number}", said)))
 
     def listing(self, text: str, language: str) -> str:
         """A program as it stands."""

@@ -1,5 +1,5 @@
-"""What a page has told so far: what was explained, and its equations, of which answers have numbers and those
-that a later sentence refers to.
+"""What a page has told so far: what was explained, its figures, and its equations, of which answers have
+numbers and those that a later sentence refers to.
 
 Which they are is known at the end, so until then equations and references stand in the page between marks.
 They are counted as they are told in full, so that a sheet has the same numbers where only the key to it is
@@ -9,7 +9,7 @@ printed, and in every format.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 
@@ -18,6 +18,7 @@ from derive.expression import Expr
 from derive.render.skin import english
 
 SHOWN = re.compile("\x03(\\d+)\x04(.*?)\x05", re.DOTALL)
+PICTURED = re.compile("\ue000(\\d+)\ue001")  # which plain texts may hold
 CITED = re.compile("\x06(\\d+)\x07")
 
 Chains = tuple[tuple[Expr, ...], ...]
@@ -41,9 +42,9 @@ class Equation:
 
 @dataclass(slots=True)
 class SoFar:
-    """`figures` are the numbers of all figures by their paths; `explained` says in which problem first."""
+    """`explained` says in which problem first; `figures` are the paths of the pictures met."""
 
-    figures: Mapping[str, int] = field(default_factory=dict)
+    figures: list[str] = field(default_factory=list)
     problem: int = 0
     explained: dict[object, int] = field(default_factory=dict)
     equations: list[Equation] = field(default_factory=list)
@@ -118,6 +119,12 @@ class SoFar:
         self.counted.add(first)
         return f"\x06{first}\x07"
 
+    def figure(self, path: str) -> str:
+        """What stands for the number of a figure, by the path of its picture, until it is known."""
+        if path not in self.figures:
+            self.figures.append(path)
+        return f"\ue000{self.figures.index(path)}\ue001"
+
     def settled(self, page: str, numbered: Callable[[str, int], str]) -> str:
         """The page with its numbers, and without the marks."""
         number = {key: count for count, key in enumerate(sorted(self.counted), 1)}
@@ -126,7 +133,9 @@ class SoFar:
             key, written = int(found[1]), found[2]
             return numbered(written, number[key]) if key in number else written
 
-        return CITED.sub(lambda found: f"({number[int(found[1])]})", SHOWN.sub(shown, page))
+        whole = CITED.sub(lambda found: f"({number[int(found[1])]})", SHOWN.sub(shown, page))
+        figures = {key: str(count) for count, key in enumerate(dict.fromkeys(PICTURED.findall(whole)), 1)}
+        return PICTURED.sub(lambda found: figures[found[1]], whole)
 
 
 def _used(derivation: Derivation) -> Iterator[Derivation]:

@@ -2,29 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 from derive.derivation import Phrase
 from derive.render.document import FIGURE, Document, ProblemPage
 from derive.render.latex import Printer
 from derive.render.phrases import on_page, spoken
 from derive.render.printed import Printed
 from derive.render.skin import Skin
+from derive.render.so_far import SoFar
 
 AGAIN = "again"  # what is said where an earlier figure shows the subject
 
 
 def subject_figure(
-    document: Document, problem: ProblemPage, skin: Skin, numbers: Mapping[str, int], printed: list[Printed]
+    document: Document, problem: ProblemPage, skin: Skin, so_far: SoFar, printed: list[Printed]
 ) -> str:
     """The picture that stands with the text of a problem, which earlier figure shows the same, or nothing.
     Its mathematics is added to `printed`."""
     if problem.shown_in is not None:
-        number = numbers[_stem(document.problems[problem.shown_in - 1].figure or "")]
+        number = so_far.figure(_stem(document.problems[problem.shown_in - 1].figure or ""))
         return skin.plain(spoken(problem.drawn_as, FIGURE).say(Phrase(AGAIN, {"number": number})))
     if not problem.figure:
         return ""
-    number = numbers[_stem(problem.figure)]
+    number = so_far.figure(_stem(problem.figure))
     caption, alt = "", skin.caption(number, "")
     if problem.drawing and problem.drawing.caption:
         speech = on_page(

@@ -344,7 +344,7 @@ class Telling:
             alt = Speech(self.speech.lines).say(figure.alt or figure.caption)
             caption = self.speech.say(figure.caption)
         path = self.plots[name]
-        number = self.so_far.figures.get(path)
+        number = self.so_far.figure(path)
         return self.skin.figure(path + ".svg", self.skin.caption(number, caption), alt, solution=True)
 
     def listing(self, name: str) -> str:
