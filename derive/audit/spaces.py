@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy
 
-from derive.audit.asked import Asked, Beyond, Holds, Same, Test
+from derive.audit.asked import Asked, Holds, Same, Test
 from derive.audit.linear import Rows, is_zero, product, rank, transposed
 from derive.audit.points import Point
 
@@ -61,9 +61,9 @@ def _in_range(J: Rows, basis: Any, size: int) -> bool:
 def _judged(asked: Asked, J: Rows, there: Point) -> Iterator[Test]:
     """Whether [J v] has the rank of J; and all rates that give v."""
     v, told = _column(asked, asked.options.velocity, there), asked.results["feasible"]
-    if not isinstance(told, bool):
-        yield Beyond("feasible", "it depends on symbols")
-        return
+    if isinstance(told, list):  # equations; at a random point they do not hold, and no rates give v
+        lefts = [there.at(asked.read(str(each).removesuffix(" = 0"))) for each in told]
+        told = bool(lefts) and all(map(is_zero, lefts))
     beside = [[*a, *b] for a, b in zip(J, v, strict=True)]
     yield Holds("feasible", told is (rank(beside) == rank(J)), "the velocity is, or is not, in the range")
     if told:

@@ -18,11 +18,13 @@ from derive.algebra.numbers.floats import Point
 from derive.algebra.scalar import Scalar
 from derive.algebra.signs import sign_of
 from derive.algebra.solving.factors import primitive
-from derive.derivation import Derivation, PageFacts, Phrase, Result
+from derive.derivation import Derivation, PageFacts, Result
 from derive.errors import NotDerivable
 from derive.expression import (
+    ZERO,
     Expr,
     Number,
+    Relation,
     Symbol,
     add,
     column,
@@ -114,7 +116,8 @@ def derive(subject: Robot | GivenMatrix, options: Options, problem: Problem) -> 
     if options.evaluate is None:
         return answer
     here = Here.of(dict(found.place), problem.where, problem.style)
-    return replace(answer, evaluated=values_at(answer, here))
+    numbers = {name: value for name, value in values_at(answer, here).items() if name != "feasible"}
+    return replace(answer, evaluated=numbers)
 
 
 def _names(problem: Problem) -> tuple[Symbol, Symbol, Symbol]:
@@ -228,7 +231,7 @@ def _judged(
         conditions = () if some else tuple(map(problem.readable, open_ones))
         missed = (_misses(found, typed, at) for at in islice(_places(found, *given), POINTS))
         told = replace(facts, judged=said, conditions=conditions, left=_names(problem)[-1])
-        answer: Result = False if some else Phrase("feasible-where", {"conditions": conditions})
+        answer: Result = False if some else tuple(Relation(each, "=", ZERO) for each in conditions)
         return work.claim(route("no-rates", missed)), told, {"feasible": answer}
     letter = free(problem.taken, "k", "kappa", indices=[f"_{i}" for i in range(1, 7)])
     free_ones = tuple(Symbol(f"{letter}_{i}") for i, _ in enumerate(spaces.null, 1))

@@ -27,13 +27,14 @@ def workspace(asked: Asked, point: Point) -> Iterator[Test]:
     said = str(asked.results["description"])
     lengths = Point(point.seed, False, point.angles, _positive(asked))
     r_min, r_max = (abs(floating(asked.ours(name, lengths))) for name in ("r_min", "r_max"))
-    if asked.subject.coupled or "swung" in said or not ("ball" in said or "axis" in said):
+    about_a_point = "ball" in said or "shell" in said
+    if asked.subject.coupled or "swung" in said or not (about_a_point or "axis" in said):
         yield Beyond("description", f"no search for {said}")
         return
     found: list[Number] = []
     with mpmath.workdps(DIGITS):
         for k in range(STARTS):
-            found += _still(asked, _moved(asked, lengths, k), "ball" in said)
+            found += _still(asked, _moved(asked, lengths, k), about_a_point)
     sizes = [mpmath.sqrt(max(0, square)) for square in found]
     near = mpmath.sqrt(NEAR) * max(1, r_max)
     for name, told, extreme in (("r_max", r_max, max(sizes)), ("r_min", r_min, min(sizes))):
@@ -48,7 +49,7 @@ def _shape(said: str) -> str:
     """What is said of the region: a circle, or the side of a cylinder; with a hole or without."""
     if "circle" in said or "side" in said:
         return "line"
-    return "hollow" if "hollow" in said or "annulus" in said else "solid"
+    return "hollow" if any(word in said for word in ("hollow", "annulus", "shell")) else "solid"
 
 
 def _positive(asked: Asked) -> dict[str, str]:
