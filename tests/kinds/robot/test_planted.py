@@ -147,7 +147,7 @@ def told_region(rows: list[tuple[str, str, str, str]]) -> str:
 
 
 def test_a_measure_of_another_place(monkeypatch: pytest.MonkeyPatch) -> None:
-    plant(monkeypatch, manipulability._at_point, "(W, Approximate(size))", "(W, Approximate(size * size))")
+    plant(monkeypatch, manipulability._at_point, "or Approximate(size)", "or Approximate(size * size)")
     asked = {"rows": ("vx", "vy"), "evaluate": {"q1": 0.3, "q2": 1.0}}
     found = problem(arm([("q1*", "0", "1", "0"), ("q2*", "0", "2", "0")])).ask("manipulability", **asked)
     assert "singular-values" in refused(found)

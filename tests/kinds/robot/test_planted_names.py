@@ -94,8 +94,8 @@ def test_axes_that_are_parallel_have_their_own_names(
 def test_entries_are_named_by_row_and_column(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     sheet, function = ARM.format(kind="forward-kinematics"), names.pose_entries
 
-    def columns_first(taken: Any) -> dict[tuple[int, int], Symbol]:
-        made = function(taken)
+    def columns_first(*arguments: Any) -> dict[tuple[int, int], Symbol]:
+        made = function(*arguments)
         return {(i, j): made[j, i] if max(i, j) < 3 else name for (i, j), name in made.items()}
 
     build(sheet, tmp_path)
