@@ -69,14 +69,14 @@ class Drawn:
         knots = [(piece.start, piece.at(piece.start)) for piece in kept] + [
             (kept[-1].end, at(kept, kept[-1].end))
         ]
-        turned = self.problem.style.degrees or self._in_degrees
-        sort: Sort = "angle" if self._in_degrees and not self.profile.sort else self.profile.sort
+        turned = self.problem.style.degrees or self.in_degrees
+        sort: Sort = "angle" if self.in_degrees and not self.profile.sort else self.profile.sort
         limits = limits_drawn(self.profile, self.problem)
         times = self.marked(moments)
         return (panels(name, {"": kept}, sort, turned, times, limits, knots if through else ()),)
 
     @property
-    def _in_degrees(self) -> bool:
+    def in_degrees(self) -> bool:
         """Whether the values with which it is drawn are."""
         return any(isinstance(node, Degrees) for _, value in self.evaluate or () for node in walk(value))
 

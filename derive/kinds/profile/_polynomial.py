@@ -16,7 +16,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.profile._drawn import Drawn, LimitTold
 from derive.kinds.profile._ends import Ends, ends_of, laws, system, t, term, upper
 from derive.kinds.profile._polynomial_checks import BothEnds
-from derive.kinds.profile._units import units_of
+from derive.kinds.profile._units import DEGREES, units_of
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
 from derive.mechanics.course import Course, Piece
@@ -96,6 +96,8 @@ def polynomial(
     work = work.claim(*drawn.claims(((results["q"], None),), facts.limits, facts.drawn, moments=moments))
     evaluated = drawn.evaluated({name: tree for name, tree in results.items() if name != "q"})
     plots = drawn.plots("trajectory", moments)
+    if drawn.in_degrees and not profile.sort:
+        units = units_of(replace(profile, units=DEGREES), {**ends.rates, **orders})
     return work.answer(kind, results, facts, evaluated=evaluated, plots=plots, units=units)
 
 

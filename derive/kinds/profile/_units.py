@@ -6,8 +6,9 @@ from collections.abc import Mapping
 
 from derive.derivation import Phrase
 from derive.expression import Expr, Symbol
-from derive.mechanics.profile import NO_UNITS, Profile
+from derive.mechanics.profile import NO_UNITS, Profile, Units
 
+DEGREES = Units(("", "/s", "/s^2"), "s")
 TIMES = ("t", "t_1", "t_2", "t_3", "t_m", "t_b", "t_f", "t_min")
 RATES: Mapping[str, int | None] = {
     **dict.fromkeys(TIMES), "q": 0, "d": 0, "v": 1, "a": 2, "v_peak": 1, "a_peak": 2,
