@@ -23,8 +23,9 @@ class DriftAtPoint(AtPoint):
 
 
 def integrates_once(rational: Rational) -> bool:
-    """Whether the denominator has the factor s once, and the numerator has it not."""
-    return bool(rational.num and rational.num[-1]) and not rational.den[-1] and bool(rational.den[-2])
+    """Whether it is proper and its denominator has the factor s once, its numerator not."""
+    once = bool(rational.num and rational.num[-1]) and not rational.den[-1] and bool(rational.den[-2])
+    return once and rational.proper
 
 
 def drift(solved: Plant, rational: Rational) -> tuple[Expr, Expr]:
