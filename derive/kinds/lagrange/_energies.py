@@ -13,6 +13,7 @@ from derive.kinds.lagrange._equations import written_side
 from derive.kinds.lagrange._model import Model
 from derive.mechanics.lagrangian import MovingBody, rate, velocity
 
+FEW = 3  # operations more
 ORDER = {"position": 0, "velocity": 1, "spin": 1, "kinetic-of-body": 2, "kinetic": 2}
 
 
@@ -67,7 +68,7 @@ def _total(model: Model, letter: str, parts: tuple[Scalar, ...], extra: Expr, ru
     chain = [name, add(*terms, extra) if terms else extra, total]
     if rule == "potential" and bodies:
         chain[1] = add(*(_weight(model, body) for body in model.system.bodies), extra)
-    if not bodies and operations(extra) <= operations(total):  # multiplied out it says no more
+    if not bodies and operations(extra) <= operations(total) + FEW:  # multiplied out it says no more
         chain = [name, extra]
     shown = tuple(each for place, each in enumerate(chain) if place < 2 or each != chain[1])
     yield Step(letter, shown if shown[1] != ZERO else (name, ZERO), rule)
