@@ -17,7 +17,7 @@ from derive.render.skin import Skin, english
 from derive.render.width import width
 
 HELD = 12.0  # em, up to which a formula does not break in a line of text
-NARROW = 16.0  # em that the narrowest screen has room for; what is wider scrolls there
+NARROW = 11.5  # em that the narrowest screen has room for, beside a number; what is wider scrolls there
 MANY, DEEPEST = 24, 9  # signs of a part that is broken again, and parentheses around such a break
 BESIDE = r"\qquad"
 BLOCKS = ("<h", "<div", "<aside", "<figure", "<ul", "<ol", "<pre", "<footer")  # what is no paragraph
