@@ -2,20 +2,20 @@
 
 %% Parameters
 J = 2;
-K_m = 10;
+K_m = 1;
 R_a = 1;
 L_a = 1;
 b = 0.5;
-K_b = 0.1;
-K_p = 0.1;
-K_d = 0.15;
-T_f = 0.005;  % filter of the derivative [s]
+K_b = 1;
+K_p = 1;
+K_d = 1.5;
+tau_f = 0.005;  % filter of the derivative [s]
 stop = 14;  % the simulation ends here [s]
 
 %% Transfer functions
 s = tf('s');
 G = K_m/((J*s^2 + b*s)*(L_a*s + R_a) + K_m*K_b*s);
-C = K_p + K_d*s/(T_f*s + 1);
+C = K_p + K_d*s/(tau_f*s + 1);
 T = minreal(feedback(C*G, 1));
 [y, t] = step(T, stop);
 
@@ -30,7 +30,7 @@ add_block('simulink/Sources/Step', [model '/r'], 'Time', '0', 'After', '1');
 add_block('simulink/Math Operations/Sum', [model '/e'], 'Inputs', '+-');
 add_block('simulink/Math Operations/Gain', [model '/u_P'], 'Gain', 'K_p');
 add_block('simulink/Continuous/Transfer Fcn', [model '/u_D'], ...
-    'Numerator', '[K_d, 0]', 'Denominator', '[T_f, 1]');
+    'Numerator', '[K_d, 0]', 'Denominator', '[tau_f, 1]');
 add_block('simulink/Math Operations/Sum', [model '/V_a'], 'Inputs', '++');
 add_block('simulink/Sources/Step', [model '/T_d'], 'Time', '0', 'After', '0');
 add_block('simulink/Math Operations/Gain', [model '/T_m'], 'Gain', 'K_m');

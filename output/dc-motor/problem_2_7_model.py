@@ -10,27 +10,27 @@ import numpy
 
 # Parameters
 J = 2
-K_m = 10
+K_m = 1
 R_a = 1
 L_a = 1
 b = 0.5
-K_b = 0.1
-K_p = 0.1
-K_d = 0.15
-T_f = 0.005  # filter of the derivative [s]
+K_b = 1
+K_p = 1
+K_d = 1.5
+tau_f = 0.005  # filter of the derivative [s]
 stop = 14  # the simulation ends here [s]
 
 # Transfer functions
 s = control.tf("s")
 G = K_m/((J*s**2 + b*s)*(L_a*s + R_a) + K_m*K_b*s)
-C = K_p + K_d*s/(T_f*s + 1)
+C = K_p + K_d*s/(tau_f*s + 1)
 T = control.feedback(C * G, 1)
 
 # Block diagram: blocks are connected where the name of an output is that of an input
 blocks = [
     control.summing_junction(["r", "-theta"], "e"),
     control.tf([K_p], [1], inputs="e", outputs="u_P"),
-    control.tf([K_d, 0], [T_f, 1], inputs="e", outputs="u_D"),
+    control.tf([K_d, 0], [tau_f, 1], inputs="e", outputs="u_D"),
     control.summing_junction(["u_P", "u_D"], "V_a"),
     control.tf([K_m], [1], inputs="I_a", outputs="T_m"),
     control.summing_junction(["V_a", "-V_b"], "sum_I_a"),

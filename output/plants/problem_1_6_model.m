@@ -27,21 +27,21 @@ add_block('simulink/Math Operations/Sum', [model '/e'], 'Inputs', '+-');
 add_block('simulink/Math Operations/Gain', [model '/u_P'], 'Gain', 'K_p');
 add_block('simulink/Continuous/Transfer Fcn', [model '/u_I'], ...
     'Numerator', '[K_i]', 'Denominator', '[1, 0]');
-add_block('simulink/Math Operations/Sum', [model '/F'], 'Inputs', '++');
-add_block('simulink/Continuous/Transfer Fcn', [model '/X'], ...
+add_block('simulink/Math Operations/Sum', [model '/f'], 'Inputs', '++');
+add_block('simulink/Continuous/Transfer Fcn', [model '/x'], ...
     'Numerator', '[1]', 'Denominator', '[m, b, k]');
 add_block('simulink/Sinks/Scope', [model '/scope']);
 add_block('simulink/Sinks/To Workspace', [model '/record'], 'VariableName', 'response', ...
     'SaveFormat', 'Timeseries');
 add_line(model, 'r/1', 'e/1', 'autorouting', 'on');
-add_line(model, 'X/1', 'e/2', 'autorouting', 'on');
+add_line(model, 'x/1', 'e/2', 'autorouting', 'on');
 add_line(model, 'e/1', 'u_P/1', 'autorouting', 'on');
 add_line(model, 'e/1', 'u_I/1', 'autorouting', 'on');
-add_line(model, 'u_P/1', 'F/1', 'autorouting', 'on');
-add_line(model, 'u_I/1', 'F/2', 'autorouting', 'on');
-add_line(model, 'F/1', 'X/1', 'autorouting', 'on');
-add_line(model, 'X/1', 'scope/1', 'autorouting', 'on');
-add_line(model, 'X/1', 'record/1', 'autorouting', 'on');
+add_line(model, 'u_P/1', 'f/1', 'autorouting', 'on');
+add_line(model, 'u_I/1', 'f/2', 'autorouting', 'on');
+add_line(model, 'f/1', 'x/1', 'autorouting', 'on');
+add_line(model, 'x/1', 'scope/1', 'autorouting', 'on');
+add_line(model, 'x/1', 'record/1', 'autorouting', 'on');
 Simulink.BlockDiagram.arrangeSystem(model);
 
 %% Simulation
@@ -51,5 +51,5 @@ response = out.get('response');
 plot(response.Time, squeeze(response.Data), t, y, '--');
 grid on;
 xlabel('time [s]');
-ylabel('X', 'Interpreter', 'none');
+ylabel('x', 'Interpreter', 'none');
 legend('block diagram', 'transfer function');

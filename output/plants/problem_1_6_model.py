@@ -24,13 +24,13 @@ T = control.feedback(C * G, 1)
 
 # Block diagram: blocks are connected where the name of an output is that of an input
 blocks = [
-    control.summing_junction(["r", "-X"], "e"),
+    control.summing_junction(["r", "-x"], "e"),
     control.tf([K_p], [1], inputs="e", outputs="u_P"),
     control.tf([K_i], [1, 0], inputs="e", outputs="u_I"),
-    control.summing_junction(["u_P", "u_I"], "F"),
-    control.tf([1], [m, b, k], inputs="F", outputs="X"),
+    control.summing_junction(["u_P", "u_I"], "f"),
+    control.tf([1], [m, b, k], inputs="f", outputs="x"),
 ]
-loop = control.interconnect(blocks, inputs=["r"], outputs=["X"])
+loop = control.interconnect(blocks, inputs=["r"], outputs=["x"])
 
 # Simulation
 t = numpy.linspace(0, stop, 5001)
@@ -42,12 +42,12 @@ if numpy.all(T.poles().real < 0):
     for name, number in control.step_info(y, t, yfinal=T.dcgain()).items():
         print(f"{name}: {number:.6g}")
 else:
-    print("X does not settle; at the end it is", y[-1])
+    print("x does not settle; at the end it is", y[-1])
 if "--plot" in sys.argv:
     import matplotlib.pyplot
 
     matplotlib.pyplot.plot(t, y)
     matplotlib.pyplot.xlabel("time [s]")
-    matplotlib.pyplot.ylabel("X")
+    matplotlib.pyplot.ylabel("x")
     matplotlib.pyplot.grid()
     matplotlib.pyplot.show()
