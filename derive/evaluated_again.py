@@ -27,7 +27,7 @@ NOWHERE = (NotReal, DivisionByZero)
 BALLS = "ball-arithmetic"
 PARTLY = 1e-9  # relative: of the numbers before the symbols that are left
 TRIES = 3
-ABOUT = ("when", "real", "true_at")
+ABOUT = ("when", "real", "true_at", "feasible")
 
 
 @dataclass(slots=True)

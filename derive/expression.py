@@ -202,6 +202,11 @@ class Relation:
     right: Expr
 
 
+def between(low: Expr, middle: Expr, high: Expr) -> Relation:
+    """`low <= middle <= high`."""
+    return Relation(Relation(low, "<=", middle), "<=", high)
+
+
 ZERO = Number(Fraction(0))
 ONE = Number(Fraction(1))
 MINUS_ONE = Number(Fraction(-1))

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
+from derive.algebra.formulas.with_units import measured, unit_of
 from derive.derivation import Phrase
 from derive.expression import ONE, ZERO, Expr, Matrix, Symbol, number
-from derive.given.datum import Datum, measured, names, unit_of, valued, vector
+from derive.given.datum import Datum, names, valued, vector
 
 if TYPE_CHECKING:
     from derive.control.controllers import Controller

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from derive.algebra.formulas.with_units import measured, unit_of
 from derive.derivation import Cell, Phrase, Said, Table
 from derive.expression import ZERO, Call, Expr, Symbol
-from derive.given.datum import Datum, measured, unit_of, vector
+from derive.given.datum import Datum, vector
 from derive.given.moves import axis_said
 from derive.kinds.problem import Problem
 from derive.kinds.registry import load

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias, get_args
 
 from derive.algebra.formulas.quantities import rational
+from derive.algebra.formulas.with_units import measured, unit_of
 from derive.derivation import Phrase, Said, Table
-from derive.expression import ZERO, Degrees, Expr, Matrix, Measured, Number, Relation, Symbol, column, number
+from derive.expression import Expr, Matrix, Relation, Symbol, column, number
 
 TREES = get_args(Expr)
 Chain: TypeAlias = tuple[Expr, ...]
@@ -70,17 +71,6 @@ def as_typed(matrix: Matrix, places: int) -> Matrix:
 def valued(name: str | Expr, value: Expr) -> Relation:
     """`name = value`, with the unit that its author gave it."""
     return Relation(Symbol(name) if isinstance(name, str) else name, "=", measured(value))
-
-
-def measured(value: Expr, unit: str = "") -> Expr:
-    """A value with its unit, or with the one that its author gave it."""
-    unit = unit or unit_of(value)
-    return Measured(value, unit) if unit and value != ZERO else value
-
-
-def unit_of(value: Expr) -> str:
-    """The unit of a number; what degrees are divided by."""
-    return value.unit if isinstance(value, Number | Degrees) and value.value else ""
 
 
 def names(given: Iterable[str]) -> tuple[Said, ...]:

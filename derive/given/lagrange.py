@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from derive.algebra.formulas.with_units import measured
 from derive.derivation import Phrase
 from derive.expression import ZERO, Symbol
-from derive.given.datum import Datum, measured, names, vector
+from derive.given.datum import Datum, names, vector
 from derive.kinds.problem import Problem
 from derive.mechanics.lagrangian import LagrangianSystem, MovingBody
 

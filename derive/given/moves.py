@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 
+from derive.algebra.formulas.with_units import measured
 from derive.derivation import Phrase
 from derive.expression import MINUS_ONE, ZERO, Expr, Symbol, replace
-from derive.given.datum import measured, vector
+from derive.given.datum import vector
 from derive.mechanics.motion import Axis, Move
 
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from derive.algebra.formulas.with_units import measured
 from derive.derivation import Cell, Phrase, Table
 from derive.expression import ZERO, Expr
-from derive.given.datum import Datum, measured
+from derive.given.datum import Datum
 from derive.kinds.problem import Problem
 from derive.mechanics.profile import Axis, Journey, Profile, Units, Via
 

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from derive.algebra.formulas.with_units import measured, unit_of
 from derive.derivation import Cell, Phrase, Table
 from derive.expression import ZERO, Degrees, number
 from derive.given.bodies import bodies
-from derive.given.datum import Datum, as_typed, measured, unit_of, vector
+from derive.given.datum import Datum, as_typed, vector
 from derive.given.moves import axis_said, moves_said
 from derive.given.screws_held import Misgiven, held
 from derive.kinds.problem import Problem, expressions
+from derive.kinds.robot._ranges import ranges_told
 from derive.kinds.robot._rows.dh_rows import Rows
 from derive.mechanics.frames import ByMatrix
 from derive.mechanics.motion import Motion
@@ -27,7 +29,14 @@ def data(robot: Robot, problem: Problem) -> Iterator[Datum]:
         yield from _screws(robot)
     else:
         yield from _rows(robot)
+    yield from _ranges(robot)
     yield from bodies(robot, problem)
+
+
+def _ranges(robot: Robot) -> Iterator[Datum]:
+    """The limits of the joints, each as low <= variable <= high."""
+    if limits := ranges_told(robot):
+        yield Datum(Phrase("ranges" if len(limits) > 1 else "one-range", {"ranges": limits}))
 
 
 def _asked_for_rows(robot: Robot, problem: Problem) -> bool:

@@ -51,7 +51,7 @@ Row: TypeAlias = DHRow | FreeRow | ScrewRow
 @dataclass(frozen=True, slots=True)
 class Link:
     """Row i, the body it carries, and the motor and friction of its joint. `variable` is the starred
-    name, None for a fixed row."""
+    name, None for a fixed row; `range` holds the limits of the joint, in rad or m."""
 
     row: Row
     joint: JointType
@@ -59,6 +59,7 @@ class Link:
     body: Body | None = None
     motor: Motor | None = None
     friction: Friction | None = None
+    range: tuple[Expr, Expr] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,6 +89,11 @@ class Robot:
     def variables(self) -> tuple[str, ...]:
         """The joint variables in order."""
         return tuple(link.variable for link in self.links if link.variable)
+
+    @property
+    def ranges(self) -> dict[str, tuple[Expr, Expr]]:
+        """The limits of the joints that have some, by their variables."""
+        return {link.variable: link.range for link in self.links if link.variable and link.range}
 
     @property
     def coupled(self) -> bool:

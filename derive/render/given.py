@@ -6,9 +6,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import groupby
 
+from derive.algebra.formulas.with_units import measured
 from derive.derivation import Cell, Table
 from derive.expression import Number
-from derive.given.datum import Chain, Datum, measured
+from derive.given.datum import Chain, Datum
 from derive.render.formulas import spelt
 from derive.render.latex import Printer
 from derive.render.layout import lay_out

@@ -20,7 +20,7 @@ from derive.render.words import chain_links
 if TYPE_CHECKING:
     from derive.render.evaluated import Telling
 
-ABOUT = ("when", "real", "free", "fixed", "true_at")  # a solution, beside its values
+ABOUT = ("when", "real", "free", "fixed", "true_at", "feasible")  # a solution, beside its values
 ALL_DIGITS = 15
 WHOLE_WITHIN = 1e-7  # degrees
 HALF = 0.5000001  # of the last decimal
@@ -38,7 +38,9 @@ class PointTable:
         real = next(branch for branch in branches if branch.get("real", True))
         names = [name for name in real if name not in ABOUT and name not in self.working]
         is_open = any("free" in branch for branch in branches)
+        is_judged = any("feasible" in branch for branch in branches)
         headings = [english("among"), *map(self._name, names), *([english("open")] if is_open else [])]
+        headings += [english("feasible")] if is_judged else []
         rows = []
         for branch, label in zip(branches, labels, strict=True):
             rows.append([self._label(label)])
@@ -48,6 +50,8 @@ class PointTable:
                 rows[-1] += [english("not_real"), *[""] * (len(names) - 1)]
             if is_open:
                 rows[-1].append(self.told.speech.when(branch["when"][-1:]) if "free" in branch else "")
+            if is_judged:
+                rows[-1].append(_judged(branch))
         return self.told.skin.table(headings, rows)
 
     def _label(self, label: Cell) -> str:
@@ -73,6 +77,11 @@ class PointTable:
             told = link.tree is not None and same_numbers(link.tree, value)
         self.told.printed.append(replace(Printed.inline(link.latex, (link,), notation), evaluated=told))
         return f"${link.latex}$"
+
+
+def _judged(branch: Mapping[str, Any]) -> str:
+    """Whether a solution is feasible; empty where that is not said."""
+    return english("yes" if branch["feasible"] else "no") if "feasible" in branch else ""
 
 
 def _fixed(degrees: float, decimals: int) -> tuple[Link, float]:

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 from derive.algebra.numbers import floats as numeric
 from derive.derivation import Claim, Derivation, PageFacts, Phrase, Plot, Step
-from derive.expression import ZERO, Expr, Relation, Symbol
+from derive.errors import NotDerivable
+from derive.expression import ZERO, Expr, Relation, Symbol, between
 from derive.figures.typical import completed, typical
 from derive.figures.workspaces import Sizes, cross_section, from_above
 from derive.kinds.chains import closing
@@ -64,6 +65,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 
     Raises NotDerivable for arms of any other build.
     """
+    if robot.ranges:
+        raise NotDerivable("the workspace within the ranges of joints is not derived yet")
     found = chain_of(problem)
     point = tracked(problem, found, options.point)
     region = region_of(problem, found, point)
@@ -97,7 +100,7 @@ def _facts(
         arm=arm_told(region, tuple(moving[-2:])),
         shoulder=(Symbol("o_s"), problem.readable_matrix(region.center)) if region.kind == "swung" else None,
         description=region_told(region, closed),
-        within=_between(R_MIN, R, R_MAX) if planar and len(region.lengths) > 1 else None,
+        within=between(R_MIN, R, R_MAX) if planar and len(region.lengths) > 1 else None,
         closed=closed_where(region),
         nearer=None if region.side == ZERO else Phrase("not-nearer", {"side": region.side}),
         kinds=Phrase("kinds-in-a-plane" if planar else "kinds"),
@@ -105,10 +108,6 @@ def _facts(
         plots=tuple(plot.name for plot in plots),
         numbers=("r_min", "r_max"),
     )
-
-
-def _between(low: Expr, middle: Expr, high: Expr) -> Relation:
-    return Relation(Relation(low, "<=", middle), "<=", high)
 
 
 def _pictures(

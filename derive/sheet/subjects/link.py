@@ -119,7 +119,7 @@ class FrictionField(OptionsModel):
 
 
 class Carried(OptionsModel):
-    """The body of a link, in the link's own frame, and what its joint adds."""
+    """The body of a link, in the link's own frame; what its joint adds, and the limits of it, its `range`."""
 
     mass: Mass | None = None
     com: ComField | None = None
@@ -127,6 +127,7 @@ class Carried(OptionsModel):
     about: Literal["com", "origin"] = "com"
     motor: MotorField | None = None
     friction: FrictionField | None = None
+    range: tuple[Quantity, Quantity] | None = None
 
 
 class DHLink(Carried):

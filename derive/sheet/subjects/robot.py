@@ -15,6 +15,7 @@ from derive.kinds.fields import Acceleration, OptionsModel, Starred
 from derive.mechanics.robot import DHRow, FreeRow, JointType, Link, Robot, Row
 from derive.sheet.body_faults import body_faults, body_warnings, matrix_faults
 from derive.sheet.coupled import coupling_faults, coupling_warnings, opened
+from derive.sheet.range_faults import range_faults
 from derive.sheet.source import At, Faults, Route
 from derive.sheet.subjects.link import (
     BODY_KEYS,
@@ -31,11 +32,12 @@ from derive.sheet.subjects.moves import MoveField, RotateJoint, joint_move, move
 from derive.sheet.subjects.registry import Known
 from derive.sheet.subjects.screws import HomeField, home_pose, joint_type, screw_row
 
-# Every kind has the whole chain; bodies, motors, friction and gravity are not needed for its pose.
+# Every kind has the whole chain; bodies, motors, friction and gravity are not needed for its pose, and ranges
+# change no formula: workspaces and inverse kinematics, which they change, read them from the links.
 HARMLESS = frozenset(
     f"links.{part}"
     for part in ("mass", "com", "inertia", "about", "motor", "friction", "screw.through", "screw.pitch")
-) | {"name", "convention", "base", "tool", "gravity", "home"}
+) | {"name", "convention", "base", "tool", "gravity", "home", "links.range"}
 NO_JOINT = "a star marks the joint variable: write {name}*"
 
 
@@ -59,7 +61,7 @@ def build(given: Given, at: At, known: Known) -> Robot:
     base, tool = (tuple(move(entry) for entry in moves) for moves in (given.base, given.tool))
     robot = opened(Robot(given.name, given.convention, links, base, tool, given.gravity), known.where)
     faults += [*_mixed(given, at), *body_faults(robot, at, known), *coupling_faults(robot, at)]
-    faults += matrix_faults(given.links, at, known)
+    faults += [*matrix_faults(given.links, at, known), *range_faults(robot, at, known)]
     if not faults and given.home is not None:
         robot = replace(robot, home=home_pose(given.home, at / "home", known))
         faults += coupling_faults(robot, at)
@@ -94,7 +96,7 @@ def _link(given: LinkField) -> Link:
         row = screw_row(given.screw, given.variable.expr)
     else:
         row = DHRow(given.theta.expr, given.d.expr, given.a, given.alpha)
-    return Link(row, joint, variable, body(given), motor(given), friction(given))
+    return Link(row, joint, variable, body(given), motor(given), friction(given), given.range)
 
 
 def _starred(given: LinkField) -> Iterator[tuple[Route, JointType, Starred]]:

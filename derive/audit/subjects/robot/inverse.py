@@ -78,6 +78,12 @@ def in_numbers(asked: Asked, point: Point) -> Iterator[Test]:
         branch_values(asked, branch, here, q) if branch.get("real", True) else None for branch in branches
     ]
     target = {name: here[name] for name in goal(asked, Arm(asked, here, 1))}
+    for branch, values_told in zip(branches, tolds, strict=True):
+        if values_told is not None and "feasible" in branch:
+            inside = all(_is_inside(asked, here, name, values_told[name]) for name in asked.subject.ranges)
+            yield Holds(
+                "evaluated solutions", inside == branch["feasible"], f"{told(values_told)} is feasible"
+            )
     tried = 0
     for branch, values_told in zip(branches, tolds, strict=True):
         if values_told is None:
@@ -102,6 +108,17 @@ def in_numbers(asked: Asked, point: Point) -> Iterator[Test]:
         yield Holds("evaluated solutions", False, "a branch is real there")
     if not tried:
         yield Beyond("evaluated solutions", "none is real there")
+
+
+def _is_inside(asked: Asked, here: Point, name: str, value: Number) -> bool:
+    """Whether a joint value, of an angle by any number of turns, lies between the limits of its joint."""
+    low, high = (mpmath.re(floating(here.at(asked.formula(end)))) for end in asked.subject.ranges[name])
+    turns = [2 * mpmath.pi * k for k in range(-4, 5)] if name in _turning(asked) else [0]
+    return any(low - ROUNDED_STEP <= mpmath.re(value) + turn <= high + ROUNDED_STEP for turn in turns)
+
+
+def _turning(asked: Asked) -> frozenset[str]:
+    return frozenset(link.variable for link in asked.subject.links if link.joint == "revolute")
 
 
 def _leads(asked: Asked, here: Point, branch: Values, q: Values, target: Values) -> bool:

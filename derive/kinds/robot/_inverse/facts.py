@@ -162,3 +162,4 @@ class Facts(PageFacts):
     meaning: tuple[Phrase, ...] = ()
     partial: Phrase | None = None
     place: tuple[Phrase, ...] = ()
+    feasible: Phrase | None = None

@@ -19,6 +19,7 @@ from derive.kinds.robot._inverse.given import Given, goal_of
 from derive.kinds.robot._inverse.lines import Lines
 from derive.kinds.robot._inverse.placed import Placed
 from derive.kinds.robot._inverse.postures import Postures
+from derive.kinds.robot._inverse.ranges import Ranges
 from derive.kinds.robot._inverse.refused import no_closed_form, refuse_at_once, refuse_self_motion
 from derive.kinds.robot._inverse.sampled import sample_points
 from derive.kinds.robot._inverse.seen import Seen
@@ -64,6 +65,8 @@ def derive(chain: Chain, given: Given, place: Place | None, problem: Problem) ->
     values = evaluated(
         solutions.branches, place, problem, lambda point: by_plan(solutions, plan, target, place or (), point)
     )
+    ranges = Ranges.of(problem, place)
+    values = ranges.judged(values)
     work = Work(problem, known=worked.definitions, uses=(problem.ask("forward-kinematics"),))
     work = work.showing(*worked.steps).linked(but=worked.conditional).claim(*trial.claims())
     work = work.claim(as_printed(trial, solutions.branches, solutions.order))
@@ -71,7 +74,9 @@ def derive(chain: Chain, given: Given, place: Place | None, problem: Problem) ->
     placed = Placed(target, solutions.branches, solutions.order, values, solutions.at_home)
     work = work.claim(*placed.claims(place, problem))
     work = work.claim(*Seen(worked, trial, choices).claims())
+    work = work.claim(*ranges.claims(values))
     facts = Told(worked, solutions, choices).facts(trial.partial, values, in_degrees(problem, place))
+    facts = replace(facts, feasible=ranges.said)
     return work.answer("inverse-kinematics", results, facts, evaluated=values.values)
 
 

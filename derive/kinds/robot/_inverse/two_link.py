@@ -44,6 +44,7 @@ from derive.kinds.robot._inverse.given import refuse_namesakes
 from derive.kinds.robot._inverse.lines import equal
 from derive.kinds.robot._inverse.one_equation import of_sign
 from derive.kinds.robot._inverse.placed import Placed
+from derive.kinds.robot._inverse.ranges import Ranges
 from derive.kinds.robot._inverse.sampled import sample_points
 from derive.kinds.robot._inverse.signs import opposite, over, signed, square, total
 from derive.kinds.robot._inverse.target import SAME, Target, Values
@@ -73,6 +74,8 @@ def derive(
     ]
     target = Target.of(problem, chain, of_coordinates(chain.T_tool, given, chain.variables))
     values = evaluated(branches, place, problem, partial(_in_numbers, branches, conditions, arm, target))
+    ranges = Ranges.of(problem, place)
+    values = ranges.judged(values)
     work = Work(problem, uses=(problem.ask("forward-kinematics"),), aside=writing.position())
     work = work.showing(*steps).linked(
         but=[step.name for step in steps if step.rule in ("branch", "difference")]
@@ -83,8 +86,10 @@ def derive(
     work = work.claim(*placed.claims(place, problem))
     triangle = writing.triangle(conditions)
     work = work.claim(*Seen(tried, steps, writing.lengths, triangle).claims())
+    work = work.claim(*ranges.claims(values))
     facts = Facts(
         triangle=triangle,
+        feasible=ranges.said,
         place=values.place.said,
         labels=_labels(conditions, values),
         remark=values.remark,
