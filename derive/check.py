@@ -12,8 +12,9 @@ from derive.answers.checking import checks
 from derive.answers.findings import Check
 from derive.answers.points import Point
 from derive.build import Warn, load_all, working_on
-from derive.derivation import Derivation
+from derive.derivation import Derivation, has_equations
 from derive.errors import NotDerivable, SheetError, SheetErrors
+from derive.evaluate import evaluated
 from derive.kinds.problem import Problem as Working
 from derive.sheet.model import Problem, Question, Sheet
 from derive.verify import answered, speech_of
@@ -105,6 +106,8 @@ def _compared(
     at, speech = question.answer_at, speech_of(derivation, working)
     if not question.answer or at is None:
         raise SheetErrors([SheetError("this answer is empty", question.place, "write answer: {J: ...}")])
+    if question.evaluate is not None and has_equations(derivation):  # only their solution can be compared
+        derivation = evaluated(derivation, question, working)
     asked = Asked(
         problem=problem.number,
         question=question.number,

@@ -11,7 +11,8 @@ from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias, TypeVar, dataclass_transform
 
 from derive.algebra.readable.terms import Style
-from derive.expression import Expr, Matrix, Relation, Symbol
+from derive.errors import NotDerivable
+from derive.expression import Expr, Matrix, Relation, Symbol, add, multiply
 
 
 @dataclass_transform(frozen_default=True, kw_only_default=True, field_specifiers=(field,))
@@ -31,7 +32,8 @@ class PageFacts(Record):
     in degrees where the `style` is; `short_names` are angles whose sine is printed s_\\phi. With `labels`,
     one for each solution at a point, these are a table; `remark` is what is said after the numbers, and
     angles are `in_degrees` though nobody typed any. The names in a matrix, `at_pose`, are told by it at a
-    point. Vectors that are `lying` are rows on the page.
+    point. Vectors that are `lying` are rows on the page; those `by_joint` have an entry for each joint and
+    are no twists, even of six.
     """
 
     numbers: tuple[str, ...] | None = None
@@ -39,6 +41,7 @@ class PageFacts(Record):
     met: bool = False
     angle_results: tuple[str, ...] = ()
     lying: tuple[str, ...] = ()
+    by_joint: tuple[str, ...] = ()
     style: Style = Style()
     short_names: tuple[str, ...] = ()
     labels: tuple[Cell, ...] = ()
@@ -146,6 +149,25 @@ class Branch:
     short: Mapping[str, Expr] = field(default_factory=dict)
     true_at: bool = True
     facts: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class LinearSystem:
+    """Equations in place of a formula that would fill pages: `left` (n by n) times the unknowns is `right`
+    (n by 1). The result is the first of the unknowns, as many as are `wanted`; the others are found with
+    them. `names` stand in the equations for what is given with them."""
+
+    unknowns: tuple[Symbol, ...]
+    left: Matrix
+    right: Matrix
+    wanted: int
+    names: Mapping[str, Expr] = field(default_factory=dict)
+
+    @property
+    def equations(self) -> tuple[tuple[Expr, Expr], ...]:
+        """Both sides of each, written out."""
+        rows = zip(self.left.rows, self.right.rows, strict=True)
+        return tuple((add(*map(multiply, row, self.unknowns)), right) for row, (right,) in rows)
 
 
 @dataclass(frozen=True, slots=True)
@@ -282,6 +304,7 @@ Result: TypeAlias = (
     | tuple[tuple[Expr, ...], ...]
     | tuple[Condition, ...]
     | tuple[Expr | str, ...]
+    | LinearSystem
     | Phrase
     | float
     | str
@@ -334,7 +357,7 @@ class Derivation:
     def scalar(self, name: str) -> Expr:
         """A result that is a scalar expression. Raises TypeError for any other."""
         value = self.results[name]
-        if isinstance(value, tuple | Phrase | str | float | Matrix):
+        if isinstance(value, tuple | LinearSystem | Phrase | str | float | Matrix):
             raise TypeError(f"{name} is no scalar")
         return value
 
@@ -351,8 +374,16 @@ class Derivation:
             yield from step.all()
 
 
+def has_equations(derivation: Derivation) -> bool:
+    """Whether equations stand in place of one of its results."""
+    return any(isinstance(result, LinearSystem) for result in derivation.results.values())
+
+
 def as_matrix(value: Result, name: str) -> Matrix:
-    """A result that is a matrix. Raises TypeError for any other."""
+    """A result that is a matrix. Raises NotDerivable where equations stand in its place, TypeError for any
+    other."""
+    if isinstance(value, LinearSystem):
+        raise NotDerivable(f"this rests on {name}, whose formula would fill pages")
     if not isinstance(value, Matrix):
         raise TypeError(f"{name} is no matrix")
     return value

@@ -14,9 +14,10 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any, get_args
 
-from derive.derivation import Claim, Derivation
+from derive.derivation import Claim, Derivation, LinearSystem
 from derive.errors import DivisionByZero, FormulaError, NotDerivable, NotReal
 from derive.expression import Expr, Number, free_symbols
+from derive.kinds.linear_systems import solved_as_written
 from derive.kinds.sure import MARGIN, read, rounding, sure
 from derive.render.json_result import plain
 from derive.render.phrases import Speech
@@ -55,6 +56,10 @@ class Again:
                 return self._number(found, text, names)
             case list(), list() if len(found) == len(text):
                 return [self.value(each, its, names) for each, its in zip(found, text, strict=True)]
+            case list(), {"equations": [*_]}:
+                return self._solved(found, text, names)
+            case LinearSystem(), {"equations": [*equations]}:
+                self._put_in(found, equations, {**names, **_told_with(text)})
             case dict(), dict():
                 return self._branch(found, text, names)
             case tree, str() if isinstance(tree, TREES) and (formula := self._formula(text)):
@@ -86,6 +91,26 @@ class Again:
         else:
             return found if abs(found - number) <= MARGIN * abs(number) or abs(number) < MARGIN else number
         return found
+
+    def _solved(self, found: list[float], text: dict[str, Any], names: Mapping[str, Expr]) -> list[float]:
+        """The solution of equations, solved again as they are written."""
+        try:
+            numbers = solved_as_written(text, names)
+        except NOWHERE:
+            self.same.append(False)
+        except UNDECIDED:
+            self.left[self.name] = None
+        else:
+            size = max(1.0, *map(abs, numbers))
+            self.same += (abs(a - b) <= PARTLY * size for a, b in zip(found, numbers, strict=False))
+            return numbers[: len(found)]
+        return found
+
+    def _put_in(self, found: LinearSystem, equations: list[str], names: Mapping[str, Expr]) -> None:
+        """Equations in the symbols that are left, each as it is written."""
+        for (ours, value), its in zip(found.equations, equations, strict=True):
+            left, right = map(read, its.split(" = "))
+            self._partly(ours - value, left - right, names)
 
     def _formula(self, text: str) -> Expr | None:
         """What is written, where it can be read."""
@@ -146,6 +171,11 @@ class Again:
         if not found.get("real", True):
             self.same.append(nowhere)
         return {name: values[name] for name in found}
+
+
+def _told_with(equations: Mapping[str, Any]) -> dict[str, Expr]:
+    """What names in equations stand for."""
+    return {name: read(text) for name, text in equations.get("where", {}).items()}
 
 
 def _is_nowhere(text: str, names: Mapping[str, Expr]) -> bool:

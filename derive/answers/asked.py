@@ -11,7 +11,7 @@ from derive.answers.latex.letters import Letters
 from derive.answers.points import RATES, Names, Point, Sampling
 from derive.answers.reading import Locate, Route
 from derive.answers.terms import Terms
-from derive.derivation import Branch, Derivation
+from derive.derivation import Branch, Derivation, LinearSystem
 from derive.errors import Place
 from derive.expression import Approximate, Expr, Matrix, Symbol, column, free_symbols
 from derive.kinds.problem import TREES, Problem
@@ -55,7 +55,9 @@ class Asked:
             equal = ((name, step) for step in steps for name in step.chain if isinstance(name, Symbol))
             found.update({name.name: step.result for name, step in equal})
             found.update({step.name: step.result for step in steps})
-        return {**found, **self.derivation.results}
+        results = self.derivation.results.items()
+        equations = {name for name, result in results if isinstance(result, LinearSystem)}
+        return {**found, **{name: each for name, each in results if name not in equations & found.keys()}}
 
     @cached_property
     def definitions(self) -> Names:

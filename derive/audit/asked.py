@@ -9,6 +9,7 @@ from typing import Any, TypeAlias
 
 import sympy
 
+from derive.audit.equations import is_system, solution
 from derive.audit.points import Point, Value
 from derive.audit.text import Json, Names, Unreadable, sympy_of_text
 from derive.audit.trees import names_of, sympy_of
@@ -43,6 +44,8 @@ class Asked:
 
     def read(self, text: Json) -> Any:
         """A text, or nested lists of texts, of the answer as SymPy expressions. Raises Unreadable."""
+        if is_system(text):
+            return [self.read(name) for name in text["unknowns"]]
         if isinstance(text, list | tuple):
             return [self.read(part) for part in text]
         if isinstance(text, str):
@@ -81,14 +84,20 @@ class Asked:
         """A result (`evaluated J` is one in numbers) as SymPy expressions, read once. Raises Unreadable,
         KeyError."""
         if name not in self._read:
-            evaluated = name.startswith(EVALUATED)
-            told = self.evaluated[name.removeprefix(EVALUATED)] if evaluated else self.results[name]
-            self._read[name] = self.read(told)
+            self._read[name] = self.read(self._told(name))
         return self._read[name]
 
+    def _told(self, name: str) -> Json:
+        if name.startswith(EVALUATED):
+            return self.evaluated[name.removeprefix(EVALUATED)]
+        return self.results[name]
+
     def ours(self, name: str, point: Point) -> Value:
-        """The value of one of our results at a point."""
-        return self.place_of(name, point).each(self.result(name))
+        """The value of one of our results at a point; what solves it where equations are told."""
+        told, place = self._told(name), self.place_of(name, point)
+        if is_system(told):
+            return solution(told, self.names, place)
+        return place.each(self.result(name))
 
 
 @dataclass(frozen=True, slots=True)

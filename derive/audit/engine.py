@@ -11,6 +11,7 @@ import sympy
 
 from derive.audit.asked import EVALUATED, Asked, Beyond, Holds, Same, Test
 from derive.audit.budget import Exhausted, one_answer
+from derive.audit.equations import is_system
 from derive.audit.points import (
     DIGITS,
     NEAR,
@@ -143,7 +144,8 @@ def _wrong_numbers(asked: Asked, names: Iterable[str]) -> Iterator[Contradicted]
 
 def _plain(asked: Asked, name: str) -> bool:
     """Whether a result and its numbers are formulas, which can be compared as they are."""
-    return _formulas(asked.results.get(name)) and _formulas(asked.evaluated[name])
+    told = asked.results.get(name)
+    return (_formulas(told) or is_system(told)) and _formulas(asked.evaluated[name])
 
 
 def _formulas(value: object) -> bool:

@@ -21,15 +21,15 @@ from derive.expression import Approximate, Expr, Indexed, Matrix, Symbol, free_s
 from derive.kinds.checks import FLOATS, NORMAL_FORM, agreement
 
 EQUATIONS = ("given", "elimination")  # rules of steps with the same name on both sides, maybe
-UNLINKED = ("law", "in-numbers")  # rules of steps that names of the board say nothing about
+UNLINKED = ("law", "in-numbers", "unsolved")  # rules of steps that names of the board say nothing about
 
 
 def links(steps: Iterable[Step], names: Names) -> tuple[Claim, ...]:
     """One claim for each chain, inner steps included, and one more for each number that is rounded.
 
     A step by rule "law" states what holds in general: it is compared in the case that is its instance. One by
-    rule "in-numbers", such as an equation of motion, holds of what its names mean and not of what the board
-    has under them: its kind compares it by `meanings.told`.
+    rule "in-numbers" or "unsolved", such as an equation of motion, holds of what its names mean and not of
+    what the board has under them: its kind compares it by `meanings.told`.
     """
     inner = [each for step in steps for each in step.all()]
     chains = [(step.name, _with_content(step, names)) for step in inner if step.rule not in UNLINKED]

@@ -9,8 +9,9 @@ from typing import Any
 
 from derive.algebra.numbers.floats import Point, completed, number
 from derive.algebra.readable.terms import Style
-from derive.derivation import Branch, Condition, Derivation, Phrase, Result
+from derive.derivation import Branch, Condition, Derivation, LinearSystem, Phrase, Result
 from derive.expression import Expr, Matrix, Number, Relation, Symbol, free_symbols, walk
+from derive.kinds.linear_systems import solution_at
 from derive.kinds.partly import put_in
 
 NOT_REAL = (ValueError, ZeroDivisionError, OverflowError)
@@ -57,6 +58,22 @@ class Here:
             return [self.scalar(entry) for (entry,) in expr.rows]
         return [[self.scalar(entry) for entry in row] for row in expr.rows]
 
+    def solution(self, system: LinearSystem) -> Any:
+        """The numbers that solve equations; the equations with values put in where some are left open.
+        Raises KeyError where that is not wanted, DivisionByZero where they have not one solution."""
+        try:
+            return solution_at(system, self.point)
+        except KeyError:
+            if not self.partly:
+                raise
+        named: dict[Expr, Expr] = {Symbol(name): value for name, value in system.names.items()}
+        values = {**named, **self.values}
+        left, right = (
+            Matrix(tuple(tuple(put_in(entry, values, self.style) for entry in row) for row in each.rows))
+            for each in (system.left, system.right)
+        )
+        return replace(system, left=left, right=right, names={})
+
 
 def values_at(derivation: Derivation, here: Here) -> dict[str, Any]:
     """Every result at the point; those a fact `numbers` does not name only where the point decides them.
@@ -86,6 +103,8 @@ def _value(result: Result | Branch | Condition | tuple[Expr, ...], here: Here) -
     match result:
         case Branch():
             return _branch(result, here)
+        case LinearSystem():
+            return here.solution(result)
         case tuple():
             return [_value(part, here) for part in result]
         case float() | int() | str() | dict() | Phrase() | Relation():

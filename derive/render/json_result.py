@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Any, get_args
 
 from derive.algebra.infix import text
-from derive.derivation import Branch, Claim, Derivation, Phrase
+from derive.derivation import Branch, Claim, Derivation, LinearSystem, Phrase
 from derive.expression import Expr, Matrix, Relation
 from derive.render.document import Document, ProblemPage, QuestionPage
 from derive.render.phrases import Speech, spoken
@@ -70,7 +70,8 @@ def _claims(question: QuestionPage, speech: Speech) -> Iterator[tuple[Speech, Cl
 
 def plain(value: Any, speech: Speech, matrix: bool = False) -> Any:
     """A result, or a value in numbers, as JSON: a scalar is a text, a matrix a list of rows, a column vector
-    a flat list (unless it is a `matrix` of one column), a branch an object with `when`."""
+    a flat list (unless it is a `matrix` of one column), a branch an object with `when`, equations one with
+    `unknowns` and `equations`."""
     match value:
         case Matrix(rows) if matrix or value.shape[1] > 1:
             return [[plain(entry, speech) for entry in row] for row in rows]
@@ -79,6 +80,8 @@ def plain(value: Any, speech: Speech, matrix: bool = False) -> Any:
         case Branch(values, when, short, true_at, facts):
             found = {**(short or values), "when": when, **({} if true_at else {"true_at": False}), **facts}
             return plain(found, speech)
+        case LinearSystem():
+            return plain(_system(value), speech)
         case dict():
             return {
                 name: speech.when(part) if name == "when" else plain(part, speech)
@@ -89,3 +92,17 @@ def plain(value: Any, speech: Speech, matrix: bool = False) -> Any:
         case tuple() | list():
             return [plain(part, speech) for part in value]
     return text(value) if isinstance(value, TREES) else value
+
+
+def _system(system: LinearSystem) -> dict[str, Any]:
+    """Names of the result, those found with them, the equations, and what is given with them, if any."""
+    wanted, others = system.unknowns[: system.wanted], system.unknowns[system.wanted :]
+    told = {"unknowns": wanted, "auxiliary": others, "where": dict(system.names)}
+    return {
+        **{key: each for key, each in told.items() if each},
+        "equations": [*map(_equation, system.equations)],
+    }
+
+
+def _equation(sides: tuple[Expr, Expr]) -> str:
+    return " = ".join(map(text, sides))

@@ -15,7 +15,8 @@ from derive.render.names import stem_of
 OF_TWISTS = frozenset(
     {
         "adjoint", "analytic", "change-of-frame", "jacobian", "jacobian-column", "jacobian-columns",
-        "motion-twists", "motions-jacobian", "other-frame", "rigid-jacobian", "twist", "twists", "velocity",
+        "motion-twists", "motions-jacobian", "other-frame", "rigid-jacobian", "twist", "twists", "unsolved",
+        "velocity",
     }
 )  # fmt: skip
 OF_JACOBIANS = frozenset({"chain-rule", "product", "rows"})  # where these are told of J
@@ -96,8 +97,11 @@ def answer(derivation: Derivation) -> Derivation:
     """A derivation whose results, and their numbers, have the angular half first where they are of twists."""
     if not any(_has_twists(step.rule, step.chain) for step in derivation.all_steps()):
         return derivation
-    results = {name: _result(found) for name, found in derivation.results.items()}
-    numbers = {name: _numbers(found) for name, found in derivation.evaluated.items()}
+    kept = derivation.facts.by_joint
+    results = {name: found if name in kept else _result(found) for name, found in derivation.results.items()}
+    numbers = {
+        name: found if name in kept else _numbers(found) for name, found in derivation.evaluated.items()
+    }
     return replace(derivation, results=results, evaluated=numbers)
 
 

@@ -91,7 +91,7 @@ def words(
     if "." not in folder:  # the words of another package have laws of their own
         seen.extend(typed_in(written, seen, notation))
         written = relettered(written, seen, notation.letters)
-    if left := forgotten(derivation, telling.told):
+    if left := forgotten(derivation, telling.told.keys() | telling.left_out):
         raise ForgottenStep(derivation.kind, left)
     if asked and (unsaid := telling.unsaid()):
         raise ForgottenFact(derivation.kind, unsaid)
@@ -151,6 +151,7 @@ class Telling:
     level: Steps
     displays: int = 0
     told: dict[str, int] = field(default_factory=dict)  # steps, and when each was told first
+    left_out: set[str] = field(default_factory=set)  # steps of which the page need not speak
     said: list[Sayable] = field(default_factory=list)
     answered: list[str] = field(default_factory=list)  # what stands in frames
     kept: list[Printed] = field(default_factory=list)  # and its mathematics
@@ -390,7 +391,7 @@ class Telling:
     def whole(self, steps: Iterable[Step]) -> list[Step]:
         """Those of the steps of which nothing is left out; of the others the page need not speak."""
         found = [(step, self.cut(step)) for step in steps]
-        self.tell(*(step for step, cut in found if cut))
+        self.left_out.update(step.name for step, cut in found if cut)
         return [step for step, cut in found if not cut]
 
     def fits(self, table: Table) -> bool:

@@ -121,7 +121,7 @@ class Letters:
         """What an index stands for: 12 and 1,2 for a sum of joint angles, theta1 for itself."""
         parts = index.replace("_", ",").split(",")
         if all(part.isdigit() for part in parts):
-            return self.summed(parts if len(parts) > 1 else index)
+            return self.summed(parts if len(parts) > 1 or index in self.joints else index)
         name = self.find(index)
         return Symbol(name) if name else None
 

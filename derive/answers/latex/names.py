@@ -121,7 +121,7 @@ class Names:
         if self.letters.printed and name.stem not in TRIG:
             return None
         if squeeze(name.stem) in ("theta", "q") and name.lower.isdigit():
-            return self.letters.summed(name.lower)
+            return self.letters.angle(name.lower)
         function = TRIG.get(name.stem)
         if function is None or not name.lower:
             return self.letters.abbreviated(name.stem)
@@ -159,7 +159,7 @@ class Names:
             if token.text in ("+", "-"):
                 negative = token.text == "-"
                 continue
-            angle = self.letters.summed(token.text)
+            angle = self.letters.angle(token.text)
             if angle is None:
                 raise FormulaError(f"there is no joint angle {token.text}", token.offset)
             terms.append(-angle if negative else angle)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
-from derive.derivation import Claim, Phrase, Record, Result, as_matrix
+from derive.derivation import Claim, LinearSystem, Phrase, Record, Result, as_matrix
 from derive.expression import ZERO, Derivative, Expr, Matrix, Symbol, column
 from derive.kinds.lagrange._meanings import (
     INERTIAL,
@@ -107,5 +107,5 @@ def _result_chains(model: Model, results: Mapping[str, Result]) -> Iterator[Chai
     yield INERTIAL, as_matrix(results["M"], "M") * accelerations
     for name, meaning in meant.items():
         result = results.get(name, meaning)
-        if not isinstance(result, tuple | Phrase | float | str):
+        if not isinstance(result, tuple | LinearSystem | Phrase | float | str):
             yield meaning, result

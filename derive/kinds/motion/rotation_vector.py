@@ -8,7 +8,7 @@ from typing import Any
 from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numbers.floats import Point, numbers
 from derive.algebra.scalar import Scalar
-from derive.derivation import Derivation, PageFacts, Phrase
+from derive.derivation import Derivation, LinearSystem, PageFacts, Phrase
 from derive.errors import NotDerivable
 from derive.expression import (
     ONE,
@@ -53,7 +53,9 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
     nothing = axis == "any"
     if nothing:  # whatever the axis is
         work = work.line(r, value=column((ZERO, ZERO, ZERO)), label="r")
-    elif not isinstance(axis, Matrix) or isinstance(angle, tuple | Phrase | float | str | Matrix):
+    elif not isinstance(axis, Matrix) or isinstance(
+        angle, tuple | LinearSystem | Phrase | float | str | Matrix
+    ):
         raise NotDerivable("this rotation has no single axis")
     else:
         vector = column(_entry(angle, entry, problem) for (entry,) in axis.rows)

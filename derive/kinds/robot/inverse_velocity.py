@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from contextlib import suppress
+from functools import partial
 from typing import Any
 
 from derive.algebra.normal import normal_matrix
@@ -13,12 +15,25 @@ from derive.errors import NotReal
 from derive.expression import ONE, ZERO, Expr, Relation, Symbol, column, transpose
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import OptionsModel, Quantity
+from derive.kinds.linear_systems import solution_at
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
+from derive.kinds.robot._determinants import determinant
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._units import of_joints
+from derive.kinds.robot._velocity.equations import equations_for
 from derive.kinds.robot._velocity.functions import task_for
-from derive.kinds.robot._velocity.solving import PLUS, RATES, A, J, Solved, V, by_inverse, by_pseudo_inverse
+from derive.kinds.robot._velocity.solving import (
+    PLUS,
+    RATES,
+    A,
+    J,
+    Solved,
+    V,
+    by_inverse,
+    by_pseudo_inverse,
+    fills_pages,
+)
 from derive.kinds.robot._velocity.splitting import by_wrist
 from derive.kinds.robot._velocity.task import RowName, Task
 from derive.kinds.work import Work
@@ -41,8 +56,11 @@ class Options(OptionsModel):
     task: tuple[Quantity, ...] = ()
 
 
+BY_JOINT = ("qdot",)
+
+
 class Facts(PageFacts):
-    way: str  # "wrist", "adjugate", ...
+    way: str  # "wrist", "adjugate", "pseudo-inverse", "equations"
     rows: tuple[Symbol, ...]
     frames: tuple[int, ...] = ()  # of the arm and of the hand
     offset: bool = False  # of the center of the wrist
@@ -56,7 +74,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """qdot (n by 1): J^-1 v by the adjugate; the least rates (J^T (J J^T)^-1 v) or the least error
     ((J^T J)^-1 J^T v) where J is not square (Siciliano et al., section 3.5).
 
-    Raises NotDerivable where J is singular in every configuration, or too large to be written.
+    Where that would fill pages, the linear equations for it. Raises NotDerivable where J is singular in every
+    configuration.
     """
     task = task_for(problem, options.rows, options.point, options.task)
     whole = task.square and options.point is None and not options.task
@@ -64,9 +83,16 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     if wrist:
         split = by_wrist(task, wrist)
         facts = Facts(
-            way="wrist", rows=task.velocities, frames=split.frames, offset=split.offset, zero=split.zero
+            way="wrist",
+            rows=task.velocities,
+            frames=split.frames,
+            offset=split.offset,
+            zero=split.zero,
+            by_joint=BY_JOINT,
         )
         return _answer(task, split.work, split.qdot, facts)
+    if fills_pages(task):
+        return _as_equations(task, bool(options.task))
     solved = by_inverse(task) if task.square else by_pseudo_inverse(task)
     facts = Facts(
         way=solved.way,
@@ -75,8 +101,30 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         least=None if task.square else _least(task.redundant),
         spare=Phrase("null-space") if task.redundant else None,
         of_functions=bool(options.task),
+        by_joint=BY_JOINT,
     )
     return _answer(task, _law(task, solved), problem.final(solved.qdot), facts, solved.apart)
+
+
+def _as_equations(task: Task, of_functions: bool) -> Derivation:
+    """The equations for qdot. Raises NotDerivable where they are dependent everywhere."""
+    system, work = equations_for(task)
+    facts = Facts(
+        way="equations",
+        rows=task.velocities,
+        zero=((determinant(J if task.square else A), ZERO),),
+        least=None if task.square else _least(task.redundant),
+        spare=Phrase("null-space") if task.redundant else None,
+        of_functions=of_functions,
+        by_joint=BY_JOINT,
+    )
+    found = partial(solution_at, system)
+    return _compared(task, work, found).answer(
+        "inverse-velocity",
+        {"J": task.problem.final(task.written), "qdot": system},
+        facts,
+        matrices=frozenset({"J"}),
+    )
 
 
 def _law(task: Task, solved: Solved) -> Work:
@@ -96,6 +144,12 @@ def _least(redundant: bool) -> Phrase:
 
 
 def _answer(task: Task, work: Work, qdot: Expr, facts: Facts, apart: Expr = ONE) -> Derivation:
+    """As formulas."""
+    work = _compared(task, work, qdot).claim(_fails_where(task, facts, apart))
+    return work.answer("inverse-velocity", {"qdot": qdot}, facts)
+
+
+def _compared(task: Task, work: Work, qdot: Expr | Callable[[Point], Any]) -> Work:
     """With NumPy's pseudo-inverse of a Jacobian by differences as the second route."""
     names = [name.name for name in task.velocities]
 
@@ -104,9 +158,7 @@ def _answer(task: Task, work: Work, qdot: Expr, facts: Facts, apart: Expr = ONE)
 
         return np.linalg.pinv(task.numbers(at)) @ np.array([at[name] for name in names])
 
-    work = work.agrees("pseudo-inverse", task.symbols.union(names), qdot, seen, DIFFERENCES)
-    work = work.claim(_fails_where(task, facts, apart))
-    return work.answer("inverse-velocity", {"qdot": qdot}, facts)
+    return work.agrees("pseudo-inverse", task.symbols.union(names), qdot, seen, DIFFERENCES)
 
 
 def _fails_where(task: Task, facts: Facts, apart: Expr) -> Claim:

@@ -13,18 +13,21 @@ import numpy as np
 import pytest
 
 from derive.algebra.numbers.floats import numbers
-from derive.errors import NotDerivable
+from derive.errors import DivisionByZero, NotDerivable
 from derive.expression import Symbol, number
+from derive.kinds.linear_systems import solution_at, solved_as_written
 from derive.kinds.problem import Problem
 from derive.mechanics.oracle import Oracle
 from tests.kinds.robot.test_singularities import (
     ELBOW,
+    IIWA,
     NAMES,
     PUMA,
     SCARA,
     STANFORD,
     THREE_R,
     TWO_R,
+    UR5,
     WRIST,
     arm,
 )
@@ -75,12 +78,29 @@ def test_fewer_joints_than_velocities_leave_the_least_error() -> None:
     assert qdot == pytest.approx(list(expected), rel=1e-6)
 
 
-def test_too_large_an_inverse_is_refused() -> None:
-    from tests.kinds.robot.test_singularities import IIWA, UR5
+@pytest.mark.parametrize(
+    ("rows", "names"), [(UR5, ()), (IIWA, ()), (IIWA, ("vx", "vy", "vz")), (PUMA[:5], ())]
+)
+def test_rates_that_fill_pages_are_told_by_equations(rows, names) -> None:
+    """Inverse, least rates, least error: as NumPy's pseudo-inverse of the rows of J."""
+    found = problem(arm(rows)).ask("inverse-velocity", rows=names).results["qdot"]
+    wanted = names or ("vx", "vy", "vz", "wx", "wy", "wz")
+    velocity = dict(zip(wanted, (0.3, 0.5, -0.4, 0.1, 0.7, -0.2), strict=False))
+    at = {**VALUES, "d7": 0.2, "q7": 0.6}
+    qdot = solution_at(found, {**at, **velocity})
+    expected = np.linalg.pinv(jacobian(rows, wanted, at)) @ list(velocity.values())
+    assert qdot == pytest.approx(list(expected), rel=1e-6)
 
-    for rows in (UR5, IIWA):
-        with pytest.raises(NotDerivable, match="fills pages"):
-            problem(arm(rows)).ask("inverse-velocity")
+
+def test_equations_are_solved_again_as_they_are_written() -> None:
+    """x + y = a, x - y = b with b = 1: in ball arithmetic, from the text of the JSON."""
+    told = {
+        "unknowns": ["x"], "auxiliary": ["y"], "where": {"b": "2/2"},
+        "equations": ["x + y = a", "x - y = b"],
+    }  # fmt: skip
+    assert solved_as_written(told, {"a": number(4)}) == [2.5, 1.5]
+    with pytest.raises(DivisionByZero):
+        solved_as_written({"unknowns": ["x", "y"], "equations": ["x + y = 1", "2*x + 2*y = 2"]}, {})
 
 
 @pytest.mark.parametrize("rows", [TWO_R, THREE_R, ELBOW, SCARA, WRIST, PUMA])

@@ -76,6 +76,8 @@ def inverse_velocity(asked: Asked, point: Point) -> Iterator[Test]:
     """qdot: of all that come nearest to v, the smallest."""
     arm = Arm(asked, point, 1)
     names, J = _wanted(asked, arm)
+    if "J" in asked.results:
+        yield Same("J", J)
     yield Same("qdot", _nearest(J, [[point[name]] for name in names]))
 
 

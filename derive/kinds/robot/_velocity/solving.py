@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import comb
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
@@ -38,6 +39,8 @@ from derive.kinds.work import Work
 from derive.mechanics.minors import minors
 
 MOST_JOINTS = 4  # of an adjugate that is written out
+MOST_MINORS = 35  # of those whose solutions are written out
+MOST_TERMS = 1000  # of the matrix whose inverse is in the pseudo-inverse
 J, V, RATES, A, PLUS = symbols("J v q_dot A J^+")
 ADJ = Call("adj", (J,))
 
@@ -57,14 +60,25 @@ class Solved:
     apart: Expr = ONE
 
 
+def fills_pages(task: Task) -> bool:
+    """Whether the rates as formulas would; the Jacobian says so before any is worked out."""
+    m, n = task.J.shape
+    least = min(m, n)
+    if task.square:
+        return n > MOST_JOINTS
+    if least > MOST_JOINTS - 1 or (task.redundant and comb(n, m) > MOST_MINORS):
+        return True
+    return sum(len(entry.numerator) for row in _gram(task).rows for entry in row) > MOST_TERMS
+
+
+def _gram(task: Task) -> ScalarMatrix:
+    """J J^T, or J^T J where there are fewer joints than rows."""
+    return task.J @ task.J.T if task.redundant else task.J.T @ task.J
+
+
 def by_inverse(task: Task) -> Solved:
-    """adj J / det J. Raises NotDerivable for a Jacobian too large, or singular everywhere."""
+    """adj J / det J. Raises NotDerivable for a Jacobian that is singular everywhere."""
     problem, variables = task.problem, task.found.variables
-    if len(variables) > MOST_JOINTS:
-        raise NotDerivable(
-            f"the inverse of a Jacobian of {len(variables)} joints fills pages where no spherical wrist "
-            "splits it in two; put numbers into the Jacobian, or ask for fewer rows"
-        )
     det, adjugate, velocity = task.J.det(), task.J.adjugate(), column(task.velocities)
     if not det:
         raise NotDerivable(f"the Jacobian of {', '.join(task.rows)} is singular in every configuration")
@@ -111,13 +125,11 @@ def _over(det: Expr, adjugate: Matrix) -> Expr:
 def by_pseudo_inverse(task: Task) -> Solved:
     """J^T (J J^T)^-1 v, the smallest rates; or (J^T J)^-1 J^T v, the smallest error.
 
-    Raises NotDerivable for a Jacobian too large, and for one that is dependent everywhere.
+    Raises NotDerivable for a Jacobian that is dependent everywhere.
     """
     turned, inverse = transpose(J), Call("inverse", (A,))
     plus = Product((turned, inverse) if task.redundant else (inverse, turned))
-    if min(task.J.shape) > MOST_JOINTS - 1:
-        raise NotDerivable("the pseudo-inverse of so large a Jacobian fills pages; ask for fewer rows")
-    gram = task.J @ task.J.T if task.redundant else task.J.T @ task.J
+    gram = _gram(task)
     det = gram.det()
     if not det:
         raise NotDerivable(f"the rows {', '.join(task.rows)} are dependent in every configuration")

@@ -1,0 +1,55 @@
+"""Linear equations that stand in place of a formula, solved in numbers: in floats from their trees, and in
+ball arithmetic from their text."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from flint import arb, arb_mat, ctx
+
+from derive.algebra.numbers.floats import Point, completed, numbers
+from derive.derivation import LinearSystem
+from derive.errors import DivisionByZero
+from derive.expression import ONE, ZERO, Expr
+from derive.kinds.sure import ROUNDS, read, sure
+
+SINGULAR = 1e-12  # what the least singular value is of the largest, at most
+ROUNDING = 1e-14  # of the largest unknown: what is smaller is nothing
+
+
+def solution_at(system: LinearSystem, point: Point) -> list[float]:
+    """The unknowns that are wanted. Raises KeyError for a name without a value, DivisionByZero where the
+    equations have not one solution."""
+    import numpy as np
+
+    at = completed(point, system.names)
+    left, right = (np.array(numbers(each, at)) for each in (system.left, system.right))
+    sizes = np.linalg.svd(left, compute_uv=False)
+    if sizes[-1] <= SINGULAR * sizes[0]:
+        raise DivisionByZero("the equations for it are dependent there")
+    found = np.linalg.solve(left, right.reshape(-1))
+    found[abs(found) <= ROUNDING * max(abs(found))] = 0.0
+    return [float(each) for each in found[: system.wanted]]
+
+
+def solved_as_written(written: Mapping[str, Any], point: Mapping[str, Expr]) -> list[float]:
+    """All unknowns of equations as they stand in the JSON, `{"unknowns": ["x"], "equations": ["2*x = a"]}`,
+    sure to the last digit. Raises as `sure` does, and DivisionByZero where they have not one solution."""
+    unknowns: Sequence[str] = (*written["unknowns"], *written.get("auxiliary", ()))
+    names = {**point, **{name: read(text) for name, text in written.get("where", {}).items()}}
+    sides = [tuple(map(read, each.split(" = "))) for each in written["equations"]]
+    nothing: dict[str, Expr] = dict.fromkeys(unknowns, ZERO)
+
+    def gaps(values: Mapping[str, Expr]) -> list[arb]:
+        at = {**names, **nothing, **values}
+        return [sure(left, at) - sure(right, at) for left, right in sides]
+
+    with ctx.workprec(ROUNDS[0]):
+        rest = gaps({})
+        columns = [[a - b for a, b in zip(gaps({name: ONE}), rest, strict=True)] for name in unknowns]
+        try:
+            found = arb_mat(columns).transpose().solve(arb_mat([[-each] for each in rest]))
+        except ZeroDivisionError as error:
+            raise DivisionByZero("the equations have not one solution") from error
+        return [0.0 if each.contains(0) else float(each.mid()) for each in found.entries()]
