@@ -11,6 +11,7 @@ from derive.expression import Approximate, Expr, Relation, Symbol
 from derive.figures.axes import IN_TIME, axis, short
 from derive.mechanics.course import Course, Points, extremes, is_joined, sampled
 from derive.mechanics.profile import Sort
+from derive.mechanics.shapes import TERMS
 
 NAMES = tuple(map(Symbol, ("q", "q_dot", "q_ddot")))
 LIMIT, OTHER_LIMIT = Phrase("limit"), Phrase("limit-back")
@@ -19,6 +20,7 @@ IN_DEGREES = ("°", "°/s", "°/s²")
 SHAPES = {
     (3,): "shape-cubic",
     (5,): "shape-quintic",
+    (TERMS,): "shape-cycloid",
     (2, 1, 2): "shape-trapezoid",
     (2, 2): "shape-triangle",
 }

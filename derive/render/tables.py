@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import get_args
 
 from derive.derivation import Cell, Table
-from derive.expression import ZERO, Approximate, Degrees, Expr, Number
+from derive.expression import ZERO, Approximate, Degrees, Expr, Number, free_symbols
 from derive.render.values import Values
 
 TREES = get_args(Expr)
@@ -62,6 +62,8 @@ def _without_degrees(cell: Cell, values: Values) -> Cell:
             return values.cell(Number(value, True))
         case Approximate():
             return replace(cell, value=values.degrees(cell))
+        case _ if isinstance(cell, TREES) and cell != ZERO and not free_symbols(cell):
+            return values.cell(Approximate(values.degrees(cell)))
     return _said(cell, values)
 
 

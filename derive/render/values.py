@@ -71,8 +71,8 @@ class Values:
         if not any(map(is_factored, before)) or whole in before:
             before, last = [factored(tree) for tree in before], whole
         if free_symbols(last) or not _is_value(last):
-            turned = self._turned(last) if unit and unit.startswith("deg") and PI in walk(last) else last
-            return _distinct((*before, turned))
+            turned = unit and unit.startswith("deg") and PI in walk(last) and not self._of_angles(last)
+            return _distinct((*before, self._turned(last) if turned else last))
         exact, rounded = self.value(last, unit)
         return _distinct((*before, *exact, *rounded))
 
@@ -166,6 +166,11 @@ class Values:
             return rebuild(tree, self._turned)
         rest = (factor for factor in tree.factors if free_symbols(factor))
         return Product((self._degrees(Product(tuple(plain))), *rest))
+
+    def _of_angles(self, tree: Expr) -> bool:
+        """Whether one of its names is an angle already, so that pi is a number beside it: 2 pi d/T^2."""
+        units = (self.units.get(Symbol(name), "") for name in free_symbols(tree))
+        return any(unit.startswith("deg") for unit in units)
 
     def _entries(self, matrix: Matrix) -> Matrix:
         """Numbers of a matrix in one style: decimals where all of them are plain."""

@@ -1,0 +1,80 @@
+"""The shortest time of a motion from rest to rest within its limits, and which of them determines it."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from derive.derivation import Derivation, Figure
+from derive.errors import NotDerivable
+from derive.expression import ZERO, Degrees, walk
+from derive.figures.courses import panels
+from derive.kinds.checks import law
+from derive.kinds.fields import Evaluation, OptionsModel
+from derive.kinds.problem import Problem
+from derive.kinds.profile._fastest import fastest
+from derive.kinds.profile._fixed_shape import shaped
+from derive.kinds.profile._minimum_told import Facts as Facts
+from derive.kinds.profile._minimum_told import at_point, evaluated_of, met_of, results_of
+from derive.kinds.profile._shape_told import claims_of as claims_of_shape
+from derive.kinds.profile._shape_told import courses_of, facts_of, steps_of
+from derive.kinds.profile._shapes import TIME
+from derive.kinds.values_at import point_of
+from derive.mechanics.profile import Profile, Sort
+
+CLAIMED = dict.fromkeys(("time", "v_peak", "a_peak", "solutions"), "as-told|no-time-is-shorter")
+
+
+class Options(OptionsModel):
+    """`law`: how the distance is covered, as fast as the limits allow if left out; where symbols stand for
+    the distance and the limits, `evaluate` gives the time at a point and draws the motion."""
+
+    law: Literal["cubic", "quintic", "cycloidal", "trapezoidal"] = "trapezoidal"
+    evaluate: Evaluation = None
+
+
+def claims_of(profile: Profile, options: Options) -> tuple[str, ...]:
+    """The keys of what is claimed."""
+    if options.law == "trapezoidal":
+        return ("no-time-is-shorter", "binding-limits")
+    return ("as-told", "right-case", *(("on-axes",) if len(profile.axes) > 1 else ()))
+
+
+def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
+    """The longest of the times that the limits need (Biagiotti and Melchiorri, chapter 5; Siciliano et al.,
+    section 4.2.1; Lynch and Park, section 9.2.2).
+
+    Raises NotDerivable where a time is given, and where the slowest of several axes cannot be told.
+    """
+    if profile.time is not None:
+        raise NotDerivable("the time is what is looked for, and one is given; leave it out")
+    if options.law == "trapezoidal":
+        return fastest(profile, options.evaluate, problem)
+    each = shaped(options.law, profile, problem)
+    outcomes = tuple(case.outcome for case in each.cases)
+    met = met_of(outcomes, options.evaluate, problem)
+    point = point_of(dict(options.evaluate or ()), problem.where)
+    start = profile.journey.start if profile.journey else ZERO
+    known = options.evaluate or len(outcomes) == 1
+    courses = courses_of(each, each.cases[met], point, start) if known else {}
+    open_ = options.evaluate and len(outcomes) > 1
+    facts = facts_of(each, profile, at_point(outcomes[met]) if open_ else None, bool(courses))
+    steps = tuple(steps_of(each))
+    plots: tuple[Figure, ...] = ()
+    claims = [*claims_of_shape(each, facts, steps), law("drawn", facts.drawn == bool(courses))]
+    if courses:
+        end = next(iter(courses.values()))[-1].end
+        typed = any(isinstance(node, Degrees) for _, tree in options.evaluate or () for node in walk(tree))
+        turned = problem.style.degrees or typed
+        sort: Sort = "angle" if typed and not profile.sort else profile.sort
+        plots = (panels("motion", courses, sort, turned, {TIME: end}),)
+    return Derivation(
+        "minimum-time",
+        steps,
+        results_of(outcomes, met),
+        tuple(claims),
+        each.base.definitions,
+        evaluated_of(outcomes[met], options.evaluate, problem),
+        plots=plots,
+        facts=facts,
+        units=dict(each.base.units),
+    )
