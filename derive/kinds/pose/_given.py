@@ -84,7 +84,7 @@ class Given:
 
     @property
     def lacking(self) -> tuple[Scalar, Scalar, Scalar]:
-        """What R lacks of symmetry, r_32 - r_23, ...: 2 sin(angle) times the axis."""
+        """The antisymmetric part of R as a vector, r_32 - r_23, ...: 2 sin(angle) times the axis."""
         R = self.R
         return R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]
 

@@ -88,7 +88,7 @@ class _Names:
 
 
 def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
-    """The angle (rad, from 0 to pi) from the trace, the axis (3 by 1) from what R lacks of symmetry; from
+    """The angle (rad, from 0 to pi) from the trace, the axis (3 by 1) from the antisymmetric part of R; from
     R + 1 for half a turn (Siciliano et al., eqs. 2.27 and 2.28)."""
     given, names = given_pose(options, problem), _Names.of(problem)
     work = Work(problem, given.entries, uses=given.uses)

@@ -29,7 +29,7 @@ class Facts(PageFacts):
 
 
 def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
-    """q_0 from the trace, the rest from what R lacks of symmetry (Siciliano et al., eqs. 2.34 and 2.35);
+    """q_0 from the trace, the rest from the antisymmetric part of R (Siciliano et al., eqs. 2.34 and 2.35);
     from the diagonal for half a turn."""
     given = given_pose(options, problem)
     square = sum((given.R[i, i] for i in range(3)), Scalar.of(1)) / 4

@@ -10,7 +10,7 @@ from pydantic import Field
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.readable.form import readable_matrix
 from derive.algebra.readable.terms import Style
-from derive.derivation import Derivation, PageFacts, Phrase, Result, Said, Step
+from derive.derivation import Derivation, PageFacts, Phrase, Result, Step
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Matrix, Product, Symbol, column, symbols
 from derive.kinds.checks import is_rotation
@@ -100,7 +100,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     free = tuple(i for i, sort in enumerate(sorts, 1) if sort == "motion")
     facts = Facts(
         dh_rows="dh-row" in sorts,
-        free=_free(robot, free) if "dh-row" in sorts else None,
+        free=_free(free) if "dh-row" in sorts else None,
         locals=beside,
         base=("T_base", "T_1^0") if robot.base else (),
         tool=tool,
@@ -159,14 +159,9 @@ def _beside(rows: Sequence[Step]) -> tuple[tuple[str, ...], ...]:
     return tuple(tuple(step.name for step in group) for _, group in groups)
 
 
-def _free(robot: Robot, rows: tuple[int, ...]) -> Phrase | None:
-    """That rows follow no convention; where one is a joint, that its zero was chosen."""
-    names = [robot.links[i - 1].variable for i in rows]
-    joints = tuple(Symbol(name) for name in names if name)
-    if not rows:
-        return None
-    about: dict[str, Said] = {"rows": rows}
-    return Phrase("free-joints", {**about, "joints": joints}) if joints else Phrase("free-rows", about)
+def _free(rows: tuple[int, ...]) -> Phrase | None:
+    """That the frames of these rows follow no convention."""
+    return Phrase("free-frames" if len(rows) > 1 else "free-frame", {"frames": rows}) if rows else None
 
 
 def _by_screws(robot: Robot, problem: Problem, last: int, whole: bool) -> Derivation:

@@ -266,7 +266,7 @@ def _facts(arm: Arm, options: Options, run: Iteration, table: Table) -> Facts:
         newton=Phrase("newton") if first and newton and arm.task.square else None,
         pseudo=Phrase("newton-pseudo") if first and newton and not arm.task.square else None,
         gradient=None if newton or again else Phrase("gradient"),
-        best=Phrase("best-step") if first and not newton and fixed is None else None,
+        best=Phrase("best-step", {"f": F}) if first and not newton and fixed is None else None,
         alpha=(ALPHA, fixed) if fixed is not None and first else None,
         measure=None if explained or not last else Phrase("measure", {"r_d": R, "f": F}),
         table=table if last else None,

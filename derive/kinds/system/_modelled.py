@@ -39,7 +39,8 @@ class Answer:
     def table(self) -> dict[Expr, Expr]:
         """Everything that has a value."""
         known = {**self.plant.point, **self.plant.problem.names}
-        return {**known, **dict[Expr, Expr](self.gains), **dict[Expr, Expr](self.filter)}
+        typed: dict[Expr, Expr] = {name: gain for name, gain in self.gains if name != gain}
+        return {**known, **typed, **dict[Expr, Expr](self.filter)}
 
 
 def modelled(solved: Plant, controller: Controller | None, transfer: Rational) -> Answer:
