@@ -60,13 +60,13 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     a, b = (Symbol(free(problem.taken, letter, f"{letter}_w")) for letter in ("a", "b"))
     work = Work(problem).resting_on(rates, change).knowing({a: column(wanted), Q_DOT: column(task.rates)})
     work = work.line(b, a - J_DOT * Q_DOT, rule="rest", label="b").closed(b)
-    parts = tuple(Symbol(f"{b.name}_{k}") for k in range(1, len(wanted) + 1))
+    parts = (b,) if len(wanted) == 1 else tuple(Symbol(f"{b.name}_{k}") for k in range(1, len(wanted) + 1))
     in_parts = dict[Expr, Expr](zip(task.velocities, parts, strict=True))
     known = dict[Expr, Expr](zip(parts, work.entries(b), strict=True))
-    work = work.knowing(known).line(
-        Q_DDOT, value=replace(rates.matrix("qdot"), in_parts), rule="solve", label="qddot"
-    )
-    qddot = replace(work[Q_DDOT], known)
+    told = next((step.result for step in rates.steps if step.name == "qdot"), rates.matrix("qdot"))
+    shown = replace(told, in_parts)  # in the names of minors, where it has such
+    work = work.knowing(known).line(Q_DDOT, value=shown, rule="solve", label="qddot")
+    qddot = replace(replace(rates.matrix("qdot"), in_parts), known)
     work = work.claim(
         route("acceleration-met", (_is_met(task, qddot, wanted, at) for at in _points(task, wanted)))
     )

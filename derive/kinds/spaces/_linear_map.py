@@ -13,7 +13,7 @@ from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.floats import Point, completed
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
-from derive.expression import Expr, Symbol, column, free_symbols
+from derive.expression import Expr, Symbol, free_symbols
 from derive.kinds.fields import Evaluation, OptionsModel, Place, Quantity
 from derive.kinds.problem import Problem
 from derive.kinds.robot._point import PointOn
@@ -48,7 +48,7 @@ class LinearMap:
     place: Place
     numbers: Callable[[Point], Any]
     base: tuple[Derivation, ...] = ()
-    task: Expr | None = None  # the functions, as a column
+    functions: tuple[Expr, ...] = ()  # of a task
 
     @property
     def rates(self) -> tuple[Symbol, ...]:
@@ -113,5 +113,5 @@ def _of_arm(task: Task, place: Place, problem: Problem) -> LinearMap:
         place,
         task.numbers,
         base=task.base,
-        task=column(task.functions) if isinstance(task, FunctionTask) else None,
+        functions=task.functions if isinstance(task, FunctionTask) else (),
     )

@@ -29,12 +29,14 @@ from derive.expression import (
     add,
     column,
     free_symbols,
+    is_negative,
     multiply,
     transpose,
 )
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import Quantity
 from derive.kinds.problem import Problem
+from derive.kinds.robot._velocity.functions import functions_given
 from derive.kinds.spaces._linear_map import LinearMap, MapOptions, linear_map
 from derive.kinds.spaces._span import Span, solution, span
 from derive.kinds.values_at import Here, values_at
@@ -52,7 +54,7 @@ CLAIMED = {"rank": "rank-in-numbers"} | dict.fromkeys(
 )
 POINTS, TRIES, SMALL = 3, 40, 1e-6
 MOST_ENTRIES = 24  # of a matrix whose minors are looked at together
-V, F, TAU, RATES, TASK = map(Symbol, ("v", "F", "tau", "qdot", "r"))
+V, F, TAU, RATES = map(Symbol, ("v", "F", "tau", "qdot"))
 SPACES = ("null_space", "range", "left_null_space")
 
 
@@ -102,7 +104,7 @@ def derive(subject: Robot | GivenMatrix, options: Options, problem: Problem) -> 
         rank=spaces.rank,
         height=found.J.shape[0],
         width=found.J.shape[1],
-        leads=_leads(problem, spaces, found.J),
+        leads=_leads(found, spaces),
         J=found.name,
         empty=(not spaces.null, not spaces.range, not spaces.left),
     )
@@ -132,8 +134,8 @@ def _names(problem: Problem) -> tuple[Symbol, Symbol, Symbol]:
 def _board(found: LinearMap) -> Work:
     """J on a board, after the functions of a task."""
     work = Work(found.problem, uses=found.base)
-    if found.task is not None:
-        work = work.given(TASK, found.task)
+    if found.functions:
+        work = functions_given(work, found.functions)
     return work.line(found.name, value=found.J, rule=found.sort, label="J")
 
 
@@ -194,16 +196,27 @@ def _spans(work: Work, found: LinearMap, spaces: Span, names: Sequence[Symbol], 
     yield all(not basis.shape[1] or _rank(basis) == basis.shape[1] for basis in (null, left))
 
 
-def _leads(problem: Problem, spaces: Span, J: ScalarMatrix) -> tuple[Expr, ...]:
-    """Where one of these vanishes the rank may be lower; none where the minors cannot vanish together."""
-    positive = frozenset(name for name, what in problem.assumptions.items() if what == "positive")
+def _leads(found: LinearMap, spaces: Span) -> tuple[Expr, ...]:
+    """Where one of these vanishes the rank may be lower; none where the minors cannot vanish together.
+    Lengths of an arm are nonzero."""
+    problem, J = found.problem, found.J
+    nonzero = frozenset(name for name, what in problem.assumptions.items() if what in ("positive", "nonzero"))
+    if found.sort != "matrix":
+        nonzero |= found.symbols - {*found.variables}
+
+    def never_zero(value: Scalar) -> bool:
+        return sign_of(value, nonzero) is not None and value.letters() <= nonzero
+
     if spaces.rank and prod(J.shape) <= MOST_ENTRIES:
         pivots = ScalarMatrix.beside([J.columns(j) for j in spaces.pivots])
-        squares = sum((each.value * each.value for each in minors(pivots)), Scalar.of(0))
-        if sign_of(squares, positive):
+        if never_zero(sum((each.value * each.value for each in minors(pivots)), Scalar.of(0))):
             return ()
-    told = (problem.readable(primitive(each)) for each in spaces.leads if not sign_of(each, positive))
-    return tuple(dict.fromkeys(told))
+    told = (problem.readable(primitive(each)) for each in spaces.leads if not never_zero(each))
+    return tuple(dict.fromkeys(map(_unsigned, told)))
+
+
+def _unsigned(tree: Expr) -> Expr:
+    return -tree if is_negative(tree) else tree
 
 
 # -- a velocity, a wrench -----------------------------------------------------------------------------

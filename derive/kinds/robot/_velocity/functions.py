@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
@@ -34,8 +34,8 @@ class FunctionTask(Task):
 
     def board(self, work: Work | None = None) -> Work:
         """A board with lines for the functions and their derivatives."""
-        started = replace(work or Work(self.problem)).given(R, column(self.functions))
-        return started.line(J, value=self.J, rule="task")
+        started = functions_given(work or Work(self.problem), self.functions)
+        return started.line(J, value=self.J, rule="task", label="J")
 
     @property
     def velocities(self) -> tuple[Symbol, ...]:
@@ -55,6 +55,15 @@ class FunctionTask(Task):
 
         ends = ((moved(q, STEP), moved(q, -STEP)) for q in self.found.variables)
         return np.array([(ahead - behind) / (2 * STEP) for ahead, behind in ends]).T
+
+
+def functions_given(work: Work, functions: tuple[Expr, ...]) -> Work:
+    """With a line for the functions r_1, ..., several of them as a column."""
+    names = tuple(Symbol(f"r{i}") for i in range(1, len(functions) + 1))
+    if len(names) == 1:
+        return work.line(names[0], value=functions[0], rule="given", label="r")
+    work = work.knowing(dict[Expr, Expr](zip(names, functions, strict=True)))
+    return work.line(R, column(names), value=column(functions), rule="given", label="r")
 
 
 def task_for(
