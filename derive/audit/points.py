@@ -96,6 +96,8 @@ class Point:
             return mpmath.cos(value), mpmath.sin(value)
         c, s = Fraction(1), Fraction(0)
         for part, times in angle.as_coefficients_dict().items():
+            if not times.is_Rational:
+                raise Irrational
             c1, s1 = self._whole_turn(part, Fraction(int(times.p), int(times.q)))
             c, s = c * c1 - s * s1, s * c1 + c * s1
         return c, s

@@ -8,7 +8,7 @@ from typing import Any
 
 from derive.algebra.numbers.floats import number
 from derive.derivation import Caption, Drawing, Phrase, Said, Stroke
-from derive.expression import Expr, Symbol
+from derive.expression import Expr, Symbol, free_symbols
 from derive.figures import bodies
 from derive.figures.arm import place_of
 from derive.figures.arm_frames import LONG, arrows_drawn, pointing_at_reader, shared
@@ -124,7 +124,16 @@ def _seen(poses: Sequence[Any]) -> Iterator[Phrase]:
 
 
 def _moves(source: FrameSource) -> tuple[Move, ...]:
-    return source.moves if isinstance(source, Motion) else ()
+    """The moves of a motion; of axes that hold names, turns by these."""
+    match source:
+        case Motion(moves):
+            return moves
+        case Observed():
+            entries = [*source.x, *source.y, *source.z]
+        case ByMatrix(matrix):
+            entries = [entry for row in matrix.rows[:3] for entry in row[:3]]
+    names = frozenset().union(*map(free_symbols, entries))
+    return tuple(Move("rotate", "z", Symbol(name)) for name in sorted(names))
 
 
 def _origins(source: FrameSource) -> tuple[Expr, ...]:

@@ -88,7 +88,7 @@ def evaluated_words(
         "point": [telling.given(name, value) for name, value in at.items() if name not in told],
         "display": telling.display(chains) if chains else "",
         "branches": [
-            telling.branch(branch, working)
+            telling.branch(branch, working, facts.page_names)
             for branch in (found["solutions"] if "solutions" in names and not tabled else ())
             if branch.get("real", True) or not facts.met
         ],
@@ -235,11 +235,14 @@ class Telling:
             return exact
         return in_unit(_real(value), unit if value else "")
 
-    def branch(self, branch: Mapping[str, Any], working: Collection[str]) -> dict[str, Any]:
+    def branch(
+        self, branch: Mapping[str, Any], working: Collection[str], page_names: Mapping[str, str | Expr]
+    ) -> dict[str, Any]:
         """One solution: its equations as inline mathematics, and when it is the one."""
         names = [name for name in branch if name not in ABOUT and name not in working]
         in_line = self.in_line()
-        chains = [(name, in_line.chain(Symbol(name), branch[name], name)) for name in names]
+        called = {name: _called(page_names.get(name, name)) for name in names}
+        chains = [(name, in_line.chain(called[name], branch[name], name)) for name in names]
         equations = [self.inline(chain, branch[name], name) for name, chain in chains if chain]
         when = self.speech.when(branch.get("when", ()))
         return {"when": when, "real": branch.get("real", True), "equations": equations}

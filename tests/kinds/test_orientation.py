@@ -13,12 +13,14 @@ from scipy.spatial.transform import Rotation
 from derive.algebra.numbers.floats import number, numbers
 from derive.build import build
 from derive.derivation import Phrase
-from derive.errors import SheetErrors
-from derive.expression import Degrees, Symbol
+from derive.errors import NotDerivable, SheetErrors
+from derive.expression import PI, ZERO, Degrees, Symbol, multiply
+from derive.expression import number as exact
 from derive.kinds.problem import Problem
 from derive.mechanics import euler
 from derive.mechanics.frames import ByMatrix, Frame, Frames
 from derive.mechanics.motion import Motion, Move
+from derive.mechanics.rotations import GivenRotation
 from tests.kinds.published import matrix
 
 SEQUENCES = ["".join(axes) for axes in product("xyz", repeat=3) if axes[0] != axes[1] != axes[2]]
@@ -199,3 +201,78 @@ def test_axes_exchanged_in_a_convention(asked: str, tmp_path: Path, monkeypatch:
     monkeypatch.setattr(euler, "_axis", lambda letter: {"x": "x", "y": "z", "z": "y"}[letter])
     with pytest.raises(SheetErrors):
         build([sheet], ["md"], None)
+
+
+# -- any rotation matrix -----------------------------------------------------------------------------
+
+ENTRIES = tuple(f"r{i}{j}" for i, j in product((1, 2, 3), repeat=2))
+ANY = Problem("rotation", GivenRotation(matrix("r11, r12, r13\nr21, r22, r23\nr31, r32, r33")))
+
+
+def met(kind: str, R: np.ndarray, **options) -> list[dict]:
+    """The solutions that are some where the entries have these values."""
+    at = {name: exact(repr(float(value))) for name, value in zip(ENTRIES, R.ravel(), strict=True)}
+    derivation = ANY.ask(kind, evaluate=at, **options)
+    assert holds(derivation)
+    return [each for each in derivation.evaluated["solutions"] if each.get("real", True)]
+
+
+@every_convention
+def test_any_matrix_has_these_angles(convention: str) -> None:
+    R = Rotation.from_rotvec([0.3, -1.1, 0.7]).as_matrix()
+    found = met("euler-angles", R, convention=convention)
+    assert len(found) == 2
+    for each in found:
+        assert np.allclose(scipy_matrix(convention, [each[name] for name in ANGLES]), R)
+
+
+@every_convention
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_singular_matrix_has_angles_too(convention: str, sign: int) -> None:
+    proper = convention[0] == convention[2]
+    middle = (0 if sign > 0 else np.pi) if proper else sign * np.pi / 2
+    R = np.round(scipy_matrix(convention, [np.pi / 2, middle, np.pi]))
+    (each,) = met("euler-angles", R, convention=convention)
+    assert np.allclose(scipy_matrix(convention, [each[name] for name in ANGLES]), R)
+
+
+@pytest.mark.parametrize("vector", [(0.3, -1.1, 0.7), (-2, 0.1, 0.1), (0, 0, 3)])
+def test_any_matrix_turns_about_this_axis(vector) -> None:
+    turn = Rotation.from_rotvec(vector)
+    plus, minus = met("axis-angle", turn.as_matrix())
+    assert np.allclose(plus["angle"] * np.array(plus["axis"]), turn.as_rotvec())
+    assert np.allclose(minus["angle"] * np.array(minus["axis"]), turn.as_rotvec())
+    assert minus["angle"] < 0
+
+
+@pytest.mark.parametrize("axis", [(2, -3, 6), (0, 3, -4), (0, 0, 1)])
+def test_half_a_turn_has_two_axes(axis) -> None:
+    k = np.array(axis) / np.linalg.norm(axis)
+    R = 2 * np.outer(k, k) - np.eye(3)
+    found = met("axis-angle", np.where(abs(R) < 1e-15, 0, R))
+    assert len(found) == 2
+    assert all(each["angle"] == pytest.approx(np.pi) for each in found)
+    assert np.allclose(found[0]["axis"], -np.array(found[1]["axis"]))
+    assert abs(np.dot(found[0]["axis"], k)) == pytest.approx(1)
+
+
+def test_nothing_turned_has_any_axis() -> None:
+    (found,) = met("axis-angle", np.eye(3))
+    assert found["angle"] == 0 and "axis" not in found
+
+
+def test_numbers_of_no_rotation_are_refused() -> None:
+    with pytest.raises(NotDerivable, match="no rotation"):
+        met("axis-angle", np.diag([1.0, 1.0, -1.0]))
+    with pytest.raises(NotDerivable, match="give all nine"):
+        ANY.ask("euler-angles", evaluate={"r11": exact("1")})
+
+
+def test_what_is_known_of_the_entries_is_put_in() -> None:
+    psi = matrix("0, sin(psi), cos(psi)\n0, cos(psi), -sin(psi)\n-1, 0, 0")
+    found = Problem("rotation", GivenRotation(psi)).ask(
+        "euler-angles", convention="XYX", angles=("phi", "theta", "psi_e")
+    )
+    first = found.results["solutions"][0]
+    angles = [first.values[name] for name in ("phi", "theta", "psi_e")]
+    assert angles == [ZERO, multiply(exact("1/2"), PI), Symbol("psi")]

@@ -4,7 +4,7 @@ another route."""
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Any, TypeAlias
 
@@ -103,15 +103,21 @@ def _entries(compared: Comparison, facts: Facts, steps: Mapping[str, Chain]) -> 
     in, at the rotation that is given."""
     entries = facts.entries
     if entries is None:
+        yield from _put_in(compared, [case.determined for case in facts.cases], steps)
         return
     said = (entries.middle, *(pair for pairs in entries.pairs for pair in pairs))
     size = (entries.size, Call("abs", (facts.g,)))
-    euler, given = compared.euler, compared.given
+    euler = compared.euler
     yield told((*said, size), lambda at: entries_of(rotation_at(euler, at)), euler.names, {}, "entries")
-    chains = [_around(steps[name][1:]) for branch in facts.branches for name in branch.steps]
+    yield from _put_in(compared, [name for branch in facts.branches for name in branch.steps], steps)
+
+
+def _put_in(compared: Comparison, names: Sequence[str], steps: Mapping[str, Chain]) -> Iterator[Claim]:
+    """What the formulas of these steps come to, at the rotation that is given."""
+    given, problem = compared.given, compared.given.problem
+    chains = [_around(steps[name][1:]) for name in names]
     if any(len(chain) > 1 for chain in chains):
-        problem = given.problem
-        written = [each for branch in facts.branches for name in branch.steps for each in steps[name][1:]]
+        written = [each for name in names for each in steps[name][1:]]
         chains += [(each, Call("abs", (each,))) for each in written if _is_half_turn(each)]
         yield told(chains, lambda at: entries_of(given.turns(at)), problem.symbols, problem.where)
 
@@ -157,7 +163,7 @@ def _answers(work: Work, compared: Comparison, solutions: tuple[Branch, ...], fa
             continue
 
         def back(at: Point, branch: Branch = branch) -> list[Any]:
-            known = {euler.outer[2]: FREE, **at}
+            known = {euler.outer[2]: FREE, **given.place(at)}
             angles = {name: number(value, known) for name, value in branch.values.items()}
             return [*rotation_at(euler, angles).ravel(), *(_gap(each, angles) for each in branch.when)]
 
@@ -178,6 +184,11 @@ def _gap(condition: Condition, angles: Point) -> float:
     return 0.0 if holds.get(at.sign, False) else 1.0
 
 
+def _principal(angle: float) -> float:
+    """The same angle in (-pi, pi]."""
+    return angle if -math.pi < angle <= math.pi else math.pi - (math.pi - angle) % (2 * math.pi)
+
+
 def branches_at(place: Place | None, compared: Comparison, solutions: tuple[Branch, ...]) -> dict[str, Any]:
     """The solutions in floats at a point, nothing where symbols are left; the case that does not occur there
     is not real. A free angle is chosen zero."""
@@ -195,6 +206,6 @@ def branches_at(place: Place | None, compared: Comparison, solutions: tuple[Bran
         case = compared.singular_cases[k - regular] if k >= regular else None
         occurs = singular and here * case.entry > 0 if case else not singular
         free = {compared.euler.outer[2]: 0.0, **point}
-        values = {name: number(value, free) for name, value in branch.values.items()} if occurs else {}
+        values = {name: _principal(number(value, free)) for name, value in branch.values.items() if occurs}
         found.append({**values, "when": branch.when, **({} if occurs else {"real": False})})
     return {"R": R, "solutions": found}

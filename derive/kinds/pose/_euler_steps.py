@@ -99,8 +99,9 @@ class Comparison:
         for k, case in enumerate(self.singular_cases, 1):
             matrix = self.singular_matrix(case)
             yield Step(f"R_singular_{k}", (self.given.rotation, matrix), "singular")
-            determined = self.determined(case)
-            yield Step(f"determined_{k}", self._chain(determined, case.direction.angle()), "singular")
+            determined, angle = self.determined(case), case.direction.angle()
+            chain = (determined, angle) if self.regular else self._chain(determined, angle)
+            yield Step(f"determined_{k}", chain, "singular")
 
     def determined(self, case: Singular) -> Expr:
         """The sum or difference of the outer angles that a singular case determines."""
@@ -121,16 +122,23 @@ class Comparison:
         return Matrix(tuple(tuple(map(written, row)) for row in case.matrix.rows))
 
     def _chain(self, name: Expr, value: Expr) -> tuple[Expr, ...]:
-        """The formula; for a rotation of numbers also the numbers put in, and the angle."""
-        if not self.given.numeric:
+        """The formula; where the entries are short also these put in, and the angle."""
+        if not self.puts_in:
             return (name, value)
         filled = self._filled(value)
+        if not (self.given.numeric or self.given.shows(filled)):
+            return (name, value)
         return distinct((name, value, filled, known_angle(filled, self.problem)))
+
+    @property
+    def puts_in(self) -> bool:
+        """Whether the entries are put into the formulas on the page."""
+        return self.given.numeric or (self.given.short and not self.given.named)
 
     def _filled(self, value: Expr) -> Expr:
         """A formula with the entries put in, the arguments of functions made short where they are numbers."""
         filled = replace(value, self.given.entries)
-        return _short(filled, self.problem) if self.given.numeric else _tidied(filled)
+        return _short(filled, self.problem) if self.puts_in else _tidied(filled)
 
     # -- results ----------------------------------------------------------------------------------
 
@@ -157,10 +165,11 @@ class Comparison:
 
     def _value(self, value: Expr) -> Expr:
         filled = self._filled(value)
-        if not self.given.numeric:
+        if not self.puts_in:
             return filled
         terms = filled.terms if isinstance(filled, Sum) else (filled,)
-        return add(*(known_angle(term, self.problem) for term in terms))
+        known = (known_angle(term, self.problem) for term in terms)
+        return add(*(term for term in known if term not in (ZERO, -ZERO)))
 
     @cached_property
     def chosen(self) -> tuple[Equation, ...]:
@@ -278,8 +287,10 @@ def _signed(sign: Sign, expr: Expr) -> Expr:
 
 
 def _short(expr: Expr, problem: Problem) -> Expr:
-    """Arguments of atan2 without symbols, as short numbers."""
+    """Arguments of atan2 as short as they can be written."""
     match expr:
+        case Product((first, inner)) if first == MINUS_ONE:
+            return -_short(inner, problem)
         case Call("atan2", (y, x)):
             return Call("atan2", (shortened(y, problem), shortened(x, problem)))
         case Sum(terms):

@@ -18,7 +18,7 @@ from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation
 from derive.errors import NotDerivable
-from derive.expression import Expr, Symbol, free_symbols, number
+from derive.expression import Expr, Symbol, add, free_symbols, number
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.pose._numbers import over
 from derive.kinds.problem import Problem
@@ -52,6 +52,9 @@ class Given:
     T: ScalarMatrix
     uses: tuple[Derivation, ...]
     oracle: Callable[[Point], NDArray[Any]]
+    place: Callable[[Point], Point] = dict  # of a point: where its names are those of a rotation
+    every: bool = False  # every turn is asked for, not only the one by 0 to pi
+    named: bool = False  # the entries are names, so that it is any rotation
 
     @cached_property
     def R(self) -> ScalarMatrix:
@@ -111,6 +114,11 @@ def given_pose(options: PoseOptions, problem: Problem, rotation_only: bool = Tru
         raise NotDerivable("'from' and 'to' choose among frames; this problem has none")
     given: Given = import_module(f"derive.kinds.{problem.name}._pose").given(options, problem, rotation_only)
     return given
+
+
+def diagonal() -> Expr:
+    """The trace of R, in the names of its entries."""
+    return add(*(Symbol(f"r_{i}{i}") for i in (1, 2, 3)))
 
 
 def lacking() -> tuple[Expr, Expr, Expr]:

@@ -1,10 +1,12 @@
-"""Exact numbers as a person writes them: an angle of known sine and cosine as 30 deg, pi/6 or the atan2 of
-numbers; a square root as 2 where it is 2, else as the root of a short number."""
+"""Exact numbers as a person writes them: an angle of known sine and cosine as 30 deg, pi/6, psi or an atan2;
+a square root as 2 where it is 2, else as the root of a short number."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from fractions import Fraction
+from itertools import product
 
 from derive.algebra.normal import normal, trig_of
 from derive.algebra.numbers.floats import number
@@ -12,22 +14,29 @@ from derive.algebra.rationals import as_fraction
 from derive.algebra.roots_and_functions import root
 from derive.algebra.scalar import Scalar
 from derive.expression import (
+    MINUS_ONE,
     PI,
     ZERO,
     Call,
     Degrees,
     Expr,
     Matrix,
+    Number,
     Product,
+    Symbol,
+    add,
     atan2,
     column,
+    free_symbols,
     multiply,
     sqrt,
+    walk,
 )
 from derive.expression import number as exact
 from derive.kinds.problem import Problem
 
 STEP = Fraction(1, 180)  # of pi: whole degrees are recognised
+LONGEST = 10**6  # a number that stands in a sentence
 NEARLY = 1e-9  # rad, so that only a likely angle is compared exactly
 
 
@@ -37,7 +46,8 @@ def known_angle(expr: Expr, problem: Problem) -> Expr:
         case Call("atan2", (y, x)):
             return _direction(y, x, problem)
         case Product((factor, Call("atan2", (y, x)))):
-            return multiply(factor, _direction(y, x, problem))
+            angle = _direction(y, x, problem)
+            return -angle if factor == MINUS_ONE else multiply(factor, angle)
     return expr
 
 
@@ -56,12 +66,24 @@ def turns_of(angle: Expr) -> Fraction:
 
 
 def _direction(y: Expr, x: Expr, problem: Problem) -> Expr:
+    if names := free_symbols(y) | free_symbols(x):
+        return _by_name(y, x, names, problem) or atan2(y, x)
     angle = math.atan2(number(y, {}), number(x, {}))
     turns = Fraction(round(angle / math.pi / STEP)) * STEP
     if abs(angle - math.pi * turns) > NEARLY:
         return atan2(y, x)
     c, s = trig_of(Scalar.symbol("pi") * turns)
     return fixed_angle(turns, problem) if normal(y) * c == normal(x) * s else atan2(y, x)
+
+
+def _by_name(y: Expr, x: Expr, names: Collection[str], problem: Problem) -> Expr | None:
+    """The angle, up to whole turns, where it is a name or its opposite and some right angles more."""
+    sine, cosine = normal(y), normal(x)
+    for name, sign, turns in product(names, (1, -1), (0, 2, 1, -1)):
+        quarter = Fraction(turns, 2)
+        if trig_of(Scalar.symbol(name) * sign + Scalar.symbol("pi") * quarter) == (cosine, sine):
+            return add(Symbol(name) if sign > 0 else -Symbol(name), fixed_angle(quarter, problem))
+    return None
 
 
 def size(square: Scalar, problem: Problem) -> Expr:
@@ -100,6 +122,12 @@ def shortened(expr: Expr, problem: Problem) -> Expr:
         case Call("sqrt", (inside,)):
             return size(normal(inside), problem)
     return problem.readable(normal(expr))
+
+
+def is_short(value: Expr) -> bool:
+    """Whether no number in it has more digits than anyone reads."""
+    numbers_in = (node.value for node in walk(value) if isinstance(node, Number))
+    return all(max(abs(each.numerator), each.denominator) < LONGEST for each in numbers_in)
 
 
 def is_plain(value: Scalar) -> bool:

@@ -34,10 +34,12 @@ from derive.expression import (
     transpose,
 )
 from derive.kinds.meanings import Chain, Names, as_told, column_of, told
-from derive.kinds.pose._given import Given, given_pose, lacking
+from derive.kinds.pose._every_turn import EveryTurn, Singular
+from derive.kinds.pose._every_turn_checks import put_back, turns_at
+from derive.kinds.pose._given import Given, diagonal, given_pose, lacking
 from derive.kinds.pose._given import PoseOptions as Options
 from derive.kinds.pose._meanings import entries_of, printed, turn_of
-from derive.kinds.pose._numbers import along, fixed_angle, known_angle, over, size
+from derive.kinds.pose._numbers import along, fixed_angle, is_short, known_angle, over, size
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.motion import Move
@@ -45,8 +47,9 @@ from derive.mechanics.oracle import elementary
 from derive.mechanics.oracle.poses import turn
 from derive.names import free
 
-SUBJECTS = ("motion", "frames", "robot")
+SUBJECTS = ("motion", "frames", "robot", "rotation")
 CLAIMS = ("as-told",)
+CLAIMED = {"solutions": "turns-again"}
 LONGEST_ANGLE = 8  # operations above which the angle of symbols is left in what it is made of
 
 
@@ -62,6 +65,8 @@ class Facts(PageFacts):
     half: Expr | None = None  # a turn, the largest angle
     by: Expr | None = None  # of numbers: the angle, and a vector
     along: Matrix | None = None  # along the axis
+    opposite: tuple[Expr, Expr] | None = None  # the angle and the axis of the turn that is as good
+    singular: Singular | None = None  # of any rotation
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,15 +108,19 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
     (x,), (y,), (z,) = axis.rows
     move = Move("rotate", (x, y, z), angle)
     work = work.agrees(
-        "orientation-again", problem.symbols, lambda at: elementary(move, at)[:3, :3], given.turns, 1e-8
+        "orientation-again",
+        problem.symbols,
+        lambda at: elementary(move, given.place(at))[:3, :3],
+        given.turns,
+        1e-8,
     )
     facts = replace(
         _half_facts(given, names) if half else _facts(given, names),
         angle_results=("angle",),
         style=problem.style,
         page_names={"angle": names.angle, "axis": names.axis},
-        by=angle if given.numeric else None,
-        along=along(axis) if given.numeric else None,
+        by=angle if given.numeric and is_short(angle) else None,
+        along=along(axis) if given.numeric and is_short(angle) else None,
     )
     work = as_told(
         work,
@@ -119,16 +128,30 @@ def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
         (*_told(given, names, facts), (names.angle, angle), (names.axis, axis)),
     )
     work = work.law("said", ((facts.law is None) != half, (facts.turned is None) == (half or given.numeric)))
-    return work.answer("axis-angle", {"angle": angle, "axis": axis}, facts)
+    results: dict[str, Result] = {"angle": angle, "axis": axis}
+    if not given.every:
+        return work.answer("axis-angle", results, facts)
+    turns = EveryTurn(given, names.angle, names.axis)
+    branches = turns.branches(angle, axis, half)
+    if given.named:
+        work = replace(work, steps=(*work.steps, *turns.steps()))
+        facts = replace(facts, singular=turns.facts())
+    work = work.claim(*put_back(turns, branches, {step.name: step.chain for step in work.steps}))
+    facts = replace(facts, met=True, numbers=("solutions",) if options.evaluate else None)
+    if not half:
+        facts = replace(facts, opposite=(-names.angle, -names.axis))
+    evaluated = turns_at(turns, options.evaluate, branches)
+    return work.answer("axis-angle", {**results, "solutions": branches}, facts, evaluated=evaluated)
 
 
 def _meant(given: Given, names: _Names, axis: Matrix | None, at: Point) -> Names:
     """The rotation by its other route; its angle and axis by what it does."""
     import numpy as np
 
-    R = given.turns(at)
-    angle, k = turn_of(R, None if axis is None else printed(axis, at))
-    return {**_called(names, R, angle, k), given.rotation: R, Symbol("I"): np.eye(3)}
+    R, there = given.turns(at), given.place(at)
+    angle, k = turn_of(R, None if axis is None else printed(axis, there))
+    letters: Names = {Symbol(name): value for name, value in there.items()}
+    return {**letters, **_called(names, R, angle, k), given.rotation: R, Symbol("I"): np.eye(3)}
 
 
 def _called(names: _Names, R: Any, angle: float, k: Any) -> dict[Expr, Any]:
@@ -176,9 +199,9 @@ def _facts(given: Given, names: _Names) -> Facts:
         angle=names.angle,
         axis=names.axis,
         turned=None if given.numeric else names.turn,
-        plus=None if given.numeric else given.rotation + Symbol("I"),
+        plus=None if given.numeric or given.named else given.rotation + Symbol("I"),
         twice=(names.turn, 2 * names.axis * sin(names.angle)),
-        trace=(_diagonal(), 1 + 2 * cos(names.angle)),
+        trace=(diagonal(), 1 + 2 * cos(names.angle)),
         half=fixed_angle(Fraction(1), given.problem),
     )
 
@@ -189,14 +212,9 @@ def _half_facts(given: Given, names: _Names) -> Facts:
     return Facts(rotation=given.rotation, law=(given.rotation, twice - Symbol("I")))
 
 
-def _diagonal() -> Expr:
-    """The trace of R."""
-    return add(*(Symbol(f"r_{i}{i}") for i in (1, 2, 3)))
-
-
 def _trace() -> Expr:
     """That, less one: twice the cosine of the angle."""
-    return _diagonal() - 1
+    return diagonal() - 1
 
 
 def _nothing(work: Work, given: Given, names: _Names) -> Derivation:
@@ -206,6 +224,8 @@ def _nothing(work: Work, given: Given, names: _Names) -> Derivation:
     facts = Facts(rotation=given.rotation)
     work = as_told(work, partial(_meant, given, names, None), _told(given, names, facts))
     results: dict[str, Result] = {"angle": ZERO, "axis": "any"}
+    if given.every:
+        results["solutions"] = (EveryTurn(given, names.angle, names.axis).nothing(),)
     return work.answer("axis-angle", results, facts)
 
 
@@ -213,15 +233,16 @@ def _general(work: Work, given: Given, names: _Names) -> tuple[Work, Expr, Matri
     """w = 2 sin(angle) k, the trace is 1 + 2 cos(angle); with the values where these can be read, else with
     those of w and the cosine. Angle and axis are checked by their second route alone."""
     angle_of, axis_of = atan2(names.length, _trace()), names.turn / names.length
-    angle, axis = _value(given) if given.short else _long(given)
+    angle, axis = _value(given) if given.short and not given.named else _long(given)
     shown = given.short and given.shows(angle) and (given.numeric or operations(angle) <= LONGEST_ANGLE)
     exact = known_angle(angle, work.problem) if given.numeric and shown else angle
-    if given.short:
+    if given.short and not given.named:
         work = work.line(names.turn, column(lacking()), label="w")
     else:
         work = work.line(names.turn, value=column(lacking()), label="w")
     if given.short and not given.numeric:
-        work = work.line(cos(names.angle), _trace() / 2, rule="cosine", label="cosine")
+        value = _trace() / 2 if given.named else None
+        work = work.line(cos(names.angle), _trace() / 2, value=value, rule="cosine", label="cosine")
     if shown:
         work = work.line(names.angle, angle_of, angle, value=exact, label="angle")
         work = work.line(names.axis, axis_of, value=axis, label="axis")
@@ -229,7 +250,8 @@ def _general(work: Work, given: Given, names: _Names) -> tuple[Work, Expr, Matri
         work = work.line(names.angle, value=angle_of, label="angle")
         work = work.line(names.axis, value=axis_of, label="axis")
         work = work.knowing({names.angle: angle, names.axis: axis})
-    return work.linked(but=("angle", "axis") if given.short else ("w", "angle", "axis")), exact, axis
+    unlinked = ("w", "cosine", "angle", "axis") if given.named else ("angle", "axis")
+    return work.linked(but=unlinked if given.short else ("w", "angle", "axis")), exact, axis
 
 
 def _value(given: Given) -> tuple[Expr, Matrix]:

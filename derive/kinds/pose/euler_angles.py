@@ -24,7 +24,7 @@ from derive.kinds.work import Work
 from derive.mechanics.euler import Convention, Euler
 
 ORDERS = {True: "about-current", False: "about-world"}  # of capital letters, and of small ones
-SUBJECTS = ("motion", "frames", "robot")
+SUBJECTS = ("motion", "frames", "robot", "rotation")
 DEFAULTS = (("phi", "theta", "psi"), ("alpha", "beta", "gamma"), ("phi_e", "theta_e", "psi_e"))
 CLAIMS = ("orthogonal", "right-handed", "as-convention", "branch-again|singular-again", "orientation-again")
 CLAIMED = {"solutions": "branch-again|singular-again"}
