@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 from derive.algebra.numbers.floats import number
@@ -23,6 +25,7 @@ from derive.mechanics.sequences import in_product_order
 
 A_ROW = 4  # panels side by side
 ROOM = 0.85  # of an axis, between panels
+SAME = 1e-6  # places and directions that differ by less
 AXIS = 1.15  # of an axis: how far that of a turn is drawn
 SLANTED = "k"  # one that is no axis of a frame
 LARGE, WIDE = 42.0, 345.0  # points: an axis of a frame in every such figure, and all panels side by side
@@ -53,8 +56,10 @@ def of_motion(motion: Motion, where: Mapping[str, Expr], wish: Wish) -> Drawing:
         title = (k % A_ROW) * wide, -(k // A_ROW) * high - 0.6 * size
         captions.append(Caption(title, _step(made[k], k + 1), (0.0, 0.0), "note"))
     steps = tuple(_step(move, k + 1) for k, move in enumerate(made))
+    seen = any(not _hidden(before, after, size) for before, after in pairwise(poses))
+    told = Phrase("steps" if seen else "steps-alone")
     return Drawing(
-        "figure", tuple(strokes), tuple(captions), Phrase("steps"), Phrase("steps-seen", {"steps": steps}),
+        "figure", tuple(strokes), tuple(captions), told, Phrase("steps-seen", {"steps": steps}),
         unit=min(LARGE / size, WIDE / (wide * min(A_ROW, len(made)))),
     )  # fmt: skip
 
@@ -63,9 +68,11 @@ def _panel(
     view: View, poses: Sequence[Any], k: int, move: Move, point: Mapping[str, float], size: float
 ) -> tuple[list[Stroke], list[Caption]]:
     """The frame after move k, the one before it, and how the move leads from one to the other."""
-    before = shared([("", poses[k])], "xyz", size)
+    before = shared([(str(k), poses[k])], "xyz", size)
     strokes = [Stroke(stroke.places, "before") for stroke, _ in arrows_drawn(view, before, size / LONG)]
     arrows = shared([(str(k + 1), poses[k + 1])], "xyz", size)
+    if _hidden(poses[k], poses[k + 1], size):
+        arrows = [_also(arrow, before) for arrow in arrows]
     captions: list[Caption] = []
     if move.kind == "translate":
         strokes += _shift(view, place_of(poses[k]), place_of(poses[k + 1]))
@@ -80,6 +87,22 @@ def _panel(
         strokes += signs
         captions.append(caption)
     return strokes, captions
+
+
+def _hidden(before: Any, after: Any, size: float) -> bool:
+    """Whether each axis of the frame before a move lies under one of that after it."""
+    first, then = (shared([("", pose)], "xyz", size) for pose in (before, after))
+    return all(any(_on(arrow, other) for other in then) for arrow in first)
+
+
+def _on(arrow: Arrow, other: Arrow) -> bool:
+    return math.dist(arrow.origin, other.origin) < SAME and math.dist(arrow.way, other.way) < SAME
+
+
+def _also(arrow: Arrow, before: Sequence[Arrow]) -> Arrow:
+    """The arrow with the names of that which lies under it."""
+    under = (name for each in before if _on(arrow, each) for name in each.names)
+    return replace(arrow, names=(*arrow.names, *under))
 
 
 def _shift(view: View, start: Vector, end: Vector) -> Iterator[Stroke]:

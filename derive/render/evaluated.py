@@ -261,11 +261,11 @@ class Telling:
 
 
 def _degrees(angle: float) -> Expr:
-    """An angle in radians, in degrees; whole ones exactly."""
+    """An angle in radians, in degrees; whole ones and tenths exactly."""
     value = math.degrees(angle)
-    whole = round(value)
-    if abs(value - whole) < WHOLE_WITHIN:
-        return Degrees(Fraction(whole))
+    tenths = round(10 * value)
+    if abs(value - tenths / 10) < WHOLE_WITHIN:
+        return Degrees(Fraction(tenths, 10))
     return Approximate(value) * Degrees(Fraction(1))
 
 

@@ -111,7 +111,7 @@ def rows_fitted(work: Work, facts: Facts, results: Mapping[str, Expr], pairs: Pa
     R, p = rows[:, :size] / lengths[:, None], rows[:, size]
     T = np.vstack([rows, [0.0] * size + [1.0]])
     names: dict[Expr, Any] = {
-        **_names("A T R", table, T, R), Symbol("p"): p[:, None], Symbol("rms"): pairs.rms(R, p),
+        **_names("M T R", table, T, R), Symbol("p"): p[:, None], Symbol("rms"): pairs.rms(R, p),
     }  # fmt: skip
     for k in range(size):
         names[Symbol(f"beta_{k + 1}")], names[Symbol(f"x_{k + 1}")] = pairs.b[:, k : k + 1], rows[k][:, None]

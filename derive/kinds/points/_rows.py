@@ -26,7 +26,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.fitting import PointPairs, residual
 
-A, T, R = Symbol("A"), Symbol("T"), Symbol("R")
+M, T, R = Symbol("M"), Symbol("T"), Symbol("R")
 SHORT = 10**6  # a squared length as p/q with p q below this has a root worth printing
 
 
@@ -50,7 +50,7 @@ def fitted(pairs: PointPairs, problem: Problem) -> Derivation:
     rms = residual(scaled.numbers, [row[0] for row in matrix_numbers(position, {})], *data.floats)
     whole = shown(_transform(rows, size), problem)
     steps = (
-        Step("A", (A, shown(table, problem)), "table"),
+        Step("M", (M, shown(table, problem)), "table"),
         *_row_steps(rows, targets, problem),
         Step("T", (T, whole), "transform"),
         *(
@@ -141,7 +141,7 @@ def _transform(rows: Sequence[ScalarMatrix], size: int) -> ScalarMatrix:
 def _row_steps(
     rows: Sequence[ScalarMatrix], targets: Sequence[ScalarMatrix], problem: Problem
 ) -> Iterator[Step]:
-    """x = (A^T A)^-1 A^T beta, a row at a time."""
+    """x = (M^T M)^-1 M^T beta, a row at a time."""
     for k, target in enumerate(targets, 1):
         yield Step(f"beta_{k}", (Symbol(f"beta_{k}"), shown(target, problem)), "coordinates")
     for k, row in enumerate(rows, 1):

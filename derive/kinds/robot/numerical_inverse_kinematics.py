@@ -38,6 +38,7 @@ from derive.kinds.robot._velocity.iterated import (
     result_row,
     share,
     stopped,
+    table_row,
 )
 from derive.kinds.robot._velocity.repeated import Repeated
 from derive.kinds.robot._velocity.task import Task, task_of
@@ -52,6 +53,7 @@ from derive.mechanics.task import ROWS, moving_rows
 CLAIMED = {"iterations": "as-listed", "solution": "last-row"}
 CLAIMS = ("rows-in-numbers", "place", "begun", "numbered", "errors", "ended", "as-listed", "last-row")
 J, R, F, ALPHA = symbols("J r_d f alpha")
+BOUND = number(10) ** number(-10)  # of an error that is none
 
 
 Start = Annotated[Place, PlainValidator(read_point), WithJsonSchema({"type": "object"})]
@@ -106,7 +108,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     evaluated = {"iterations": listed, "solution": list(map(float, run.rows[-1].q))}
     rows = tuple(result_row(k, row) for k, row in enumerate(run.rows))
     table = Table(
-        (Symbol("k"), *map(Symbol, arm.variables), Phrase("error")), tuple(row[:-1] for row in rows)
+        (Symbol("k"), *map(Symbol, arm.variables), Phrase("error")),
+        tuple(table_row(k, row, BOUND) for k, row in enumerate(run.rows)),
     )
     facts, forward = _facts(arm, options, run, table), arm.forward()
     solution = _solution(arm, run)
@@ -257,7 +260,7 @@ def _facts(arm: Arm, options: Options, run: Iteration, table: Table) -> Facts:
     about: dict[str, Said] = {
         "steps": last,
         "error": _measured(Approximate(error), arm, options),
-        "bound": _measured(number(10) ** number(-10), arm, options),
+        "bound": _measured(BOUND, arm, options),
     }
     fixed = None if newton else options.step
     first = not again

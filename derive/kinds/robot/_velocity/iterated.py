@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from derive.derivation import Phrase, Plot, Said
+from derive.derivation import Cell, Phrase, Plot, Said
 from derive.expression import ZERO, Approximate, Expr, Product, Relation, Symbol, number, symbols, transpose
 from derive.figures.axes import short
 from derive.mechanics.iteration import CLOSE, Iteration, Row, Verdict
@@ -55,10 +55,10 @@ def result_row(k: int, row: Row) -> tuple[Expr, ...]:
     return (number(k), *map(Approximate, row.q), Approximate(error), Approximate(error**2 / 2))
 
 
-def line(k: int, row: Row) -> tuple[Expr, ...]:
-    """One line of the table."""
-    error = row.error if row.error >= ROUNDING else 0.0
-    return (number(k), *map(Approximate, row.q), Approximate(error))
+def table_row(k: int, row: Row, bound: Expr) -> tuple[Cell, ...]:
+    """One row of the table; an error that is none is below the bound, as it is said under the table."""
+    error = Approximate(row.error) if row.error >= CLOSE else Phrase("error-below", {"bound": bound})
+    return (number(k), *map(Approximate, row.q), error)
 
 
 def error_plot(run: Iteration, newton: bool, unit: str) -> Plot:

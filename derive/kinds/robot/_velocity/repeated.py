@@ -12,9 +12,10 @@ from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.floats import number
-from derive.derivation import Claim, Table
+from derive.derivation import Claim, Phrase, Table
 from derive.expression import Expr, Symbol
 from derive.kinds.checks import close, route
+from derive.kinds.fields import TREES
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._velocity.task import Task
 from derive.mechanics.iteration import Verdict
@@ -83,9 +84,17 @@ class Repeated:
 
     def _row(self, table: Table, row: Sequence[Any]) -> Row:
         """By the headings: k, the joint variables, the error."""
-        k, *q, error = (number(cell, {}) for cell in row)
+        *numbers, last = row
+        k, *q = (number(cell, {}) for cell in numbers)
+        error = self._none(last) if isinstance(last, Phrase) else number(last, {})
         names = [heading.name for heading in table.headings[1:-1] if isinstance(heading, Symbol)]
         return Row(k, {**self.here, **dict(zip(names, q, strict=True))}, error)
+
+    @staticmethod
+    def _none(below: Phrase) -> float:
+        """Zero, for an error that is below what counts as none."""
+        bound = below.about["bound"]
+        return 0.0 if isinstance(bound, TREES) and number(bound, {}) == REACHED else math.nan
 
     def place(self, at: Mapping[str, float]) -> NDArray[Any]:
         """f(q)."""
@@ -110,7 +119,7 @@ class Repeated:
 
     def _measured(self, row: Row) -> bool:
         """Whether the error is that of its joint variables."""
-        return abs(math.hypot(*self._gap(row.at)) - row.error) < NEAR
+        return abs(math.hypot(*self._gap(row.at)) - row.error) < (NEAR if row.error else REACHED)
 
     def _follows(self, row: Row, after: Row) -> bool:
         """Newton: the least step with J dq = e, or nearest to it. Gradient: along J^T e, by the fixed step or
