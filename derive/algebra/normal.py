@@ -18,7 +18,7 @@ from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.powers import power
 from derive.algebra.ring import Ring, ring
-from derive.algebra.roots_and_functions import absolute, opaque, root
+from derive.algebra.roots_and_functions import opaque, root
 from derive.algebra.scalar import Scalar, common_ring, trig
 from derive.algebra.trigonometry import RESOLVED
 from derive.algebra.trigonometry import trig_of as trig_of
@@ -28,6 +28,7 @@ from derive.algebra.values import (
     Value,
     halved,
     joined,
+    length,
     matrix_of,
     product,
     raised,
@@ -245,13 +246,13 @@ class Walk:
         values = [self.value(argument) for argument in arguments]
         if function in MATRIX_FUNCTIONS:
             return MATRIX_FUNCTIONS[function](*map(matrix_of, values))
+        if function == "abs":
+            return length(values[0])
         scalars = tuple(value for value in values if isinstance(value, Scalar))
         if len(scalars) < len(values):
             raise NotDerivable(f"{function} of a matrix")
         if function == "sqrt":
             return root(scalars[0])
-        if function == "abs":
-            return absolute(scalars[0])
         return opaque(function, scalars)
 
     @staticmethod

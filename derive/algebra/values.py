@@ -10,6 +10,7 @@ from typing import TypeAlias
 from flint import fmpq_mpoly
 
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.roots_and_functions import absolute, root
 from derive.algebra.scalar import Scalar
 from derive.errors import NotDerivable
 
@@ -86,6 +87,13 @@ def scalar_of(value: Value) -> Scalar:
     if value.shape != (1, 1):
         raise NotDerivable("a matrix stands where a scalar is needed")
     return value[0, 0]
+
+
+def length(value: Value) -> Scalar:
+    """|x| of a scalar or of a column."""
+    if isinstance(value, Scalar):
+        return absolute(value)
+    return root(scalar_of(value.T @ value))
 
 
 def matrix_of(value: Value) -> ScalarMatrix:

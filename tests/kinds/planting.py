@@ -120,6 +120,12 @@ def values(planter: Planter) -> Iterator[None]:
         yield
 
 
+def _is_zero(tree: Expr) -> bool:
+    return (
+        all(entry == ZERO for row in tree.rows for entry in row) if isinstance(tree, Matrix) else tree == ZERO
+    )
+
+
 @contextmanager
 def lines(planter: Planter) -> Iterator[None]:
     """The last two expressions of the chain of every step pass the planter. Laws, which have nothing to be
@@ -130,7 +136,7 @@ def lines(planter: Planter) -> Iterator[None]:
         self: Step, name: str, chain: tuple[Expr, ...] = (), rule: str = "", *others: Any, **more: Any
     ) -> None:
         chain = tuple(chain)
-        if rule != "law" and chain and chain[-1] != ZERO:
+        if rule != "law" and chain and not _is_zero(chain[-1]):
             for i in range(max(1, len(chain) - 2), len(chain)):
                 wrong = turned(chain[i], chain[-1])
                 if wrong is not None and planter.here(name):

@@ -1,0 +1,118 @@
+"""Paths: turned by Rodrigues' formula, differentiated by SymPy, their length by quadrature in many digits."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import fields
+from typing import TypeAlias, get_args
+
+import mpmath
+import sympy
+
+from derive.audit.asked import Asked, Holds, Same, Test
+from derive.audit.points import ROUNDED, Number, Point, agree
+from derive.audit.poses import UNIT, turned
+from derive.expression import Expr, free_symbols
+from derive.mechanics.paths import Arc, Curve, Line, Shape
+
+LETTERS = ("s", "lambda", "sigma", "u")  # of the parameter where the sheet has none
+TREES = get_args(Expr)
+Between: TypeAlias = tuple[sympy.Expr, sympy.Expr] | None
+
+
+def path(asked: Asked, point: Point) -> Iterator[Test]:
+    """Derivatives, the frame by that of the unit tangent, curvature and length."""
+    s = _parameter(asked)
+    p, between = _place(asked, s, point)
+    v = p.diff(s)
+    speed = sympy.sqrt(sum(each**2 for each in v))
+    yield Same("p", point.vector(list(p)))
+    yield Same("v", point.vector(list(v)))
+    yield Same("a", point.vector(list(v.diff(s))))
+    t = point.vector([each / speed for each in v])
+    yield Same("t", t)
+    turning = point.vector([(each / speed).diff(s) for each in v])
+    size = point.at(sympy.sqrt(sum((each / speed).diff(s) ** 2 for each in v)))
+    yield Same("curvature", size / point.at(speed))
+    if "n" in asked.results:
+        n = [each / size for each in turning]
+        yield Same("n", n)
+        if len(n) == len(UNIT):
+            yield Same("b", _cross(t, n))
+    if "length" in asked.results:
+        yield _length(asked, point.in_digits(), speed, s, between)
+
+
+def _cross(a: Sequence[Number], b: Sequence[Number]) -> list[Number]:
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def _parameter(asked: Asked) -> sympy.Symbol:
+    shape: Shape = asked.subject.shape
+    if isinstance(shape, Curve):
+        return sympy.Symbol(shape.parameter)
+    values = [getattr(shape, each.name) for each in fields(shape)]
+    trees = [each for value in values for each in (value if isinstance(value, tuple) else (value,))]
+    taken = frozenset(asked.where).union(*(free_symbols(each) for each in trees if isinstance(each, TREES)))
+    return sympy.Symbol(next(letter for letter in LETTERS if letter not in taken))
+
+
+def _place(asked: Asked, s: sympy.Symbol, point: Point) -> tuple[sympy.Matrix, Between]:
+    """p(s) as a column, and the range of s."""
+    shape: Shape = asked.subject.shape
+    match shape:
+        case Line(start, end):
+            begin, final = (sympy.Matrix([asked.formula(each) for each in place]) for place in (start, end))
+            size = _size(final - begin)
+            return begin + (final - begin) * s / size, (sympy.Integer(0), size)
+        case Curve(value=value, between=between):
+            ends = None if between is None else (asked.formula(between[0]), asked.formula(between[1]))
+            return sympy.Matrix([asked.formula(each) for (each,) in value.rows]), ends
+        case Arc() as arc:
+            return _round(arc, asked, s, point)
+    raise TypeError(f"no path: {shape!r}")
+
+
+def _size(vector: sympy.Matrix) -> sympy.Expr:
+    return sympy.sqrt(sum(each**2 for each in vector))
+
+
+def _round(arc: Arc, asked: Asked, s: sympy.Symbol, point: Point) -> tuple[sympy.Matrix, Between]:
+    """Turned about its axis, in the plane about z. Raises ZeroDivisionError where a radius is negative, which
+    sends the audit to another point."""
+    flat = arc.axis is None
+    center, away = (
+        sympy.Matrix([*map(asked.formula, place), *([0] if flat else [])])
+        for place in (arc.center, arc.start)
+    )
+    away = away - center if arc.placed else away
+    r = _size(away) if arc.radius is None else asked.formula(arc.radius)
+    angle = asked.formula(arc.angle)
+    if point.in_digits().at(r) <= 0 or (angle.free_symbols and point.in_digits().at(angle) <= 0):
+        raise ZeroDivisionError
+    axis = UNIT[arc.axis or "z"] if arc.axis is None or isinstance(arc.axis, str) else arc.axis
+    k = sympy.Matrix([each if isinstance(each, int) else asked.formula(each) for each in axis])
+    k = k / _size(k)
+    back = -1 if point.in_digits().at(angle) < 0 else 1
+    by = s if arc.pitch is not None else s / r
+    p = center + turned(list(back * k), by) * (away / _size(away) * r)
+    if arc.pitch is not None:
+        p += back * k * asked.formula(arc.pitch) * s / (2 * sympy.pi)
+    end = back * angle * (1 if arc.pitch is not None else r)
+    return sympy.Matrix(p[:2]) if flat else p, (sympy.Integer(0), end)
+
+
+def _length(asked: Asked, point: Point, speed: sympy.Expr, s: sympy.Symbol, between: Between) -> Holds:
+    """The integral of the speed, to the digits of a float."""
+    if between is None:
+        return Holds("length", False, "there is no range")
+    low, high = (point.at(each) for each in between)
+    with mpmath.workdps(20):
+        theirs = mpmath.quad(
+            lambda at: point.where(**{s.name: sympy.Float(at, 20)}).at(speed), mpmath.linspace(low, high, 5)
+        )
+    ours = point.at(asked.result("length"))
+    return Holds("length", agree(ours, theirs, near=ROUNDED), f"the length is {mpmath.nstr(theirs, 10)}")
+
+
+KINDS = {"path": path}

@@ -1,0 +1,49 @@
+"""What is given of a path."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from derive.derivation import Phrase, Said
+from derive.expression import PI, Symbol, column, multiply, number
+from derive.given.datum import Datum, measured, vector
+from derive.kinds.path._naming import place_name
+from derive.kinds.problem import Problem
+from derive.mechanics.paths import Arc, Curve, Line, Path
+
+FULL = multiply(number(2), PI)
+
+
+def data(path: Path, problem: Problem) -> Iterator[Datum]:
+    """A sentence of the shape; of a function its formula."""
+    match path.shape:
+        case Line(start, end):
+            yield Datum(Phrase("line", {"start": vector(start), "end": vector(end)}))
+        case Curve(parameter, value, between):
+            name = place_name(problem)
+            yield Datum(
+                Phrase("function", {"s": Symbol(parameter)}),
+                equations=((name, value),),
+                ours=frozenset({name.name}),
+            )
+            if between is not None:
+                low, high = between
+                yield Datum(Phrase("range", {"s": Symbol(parameter), "low": low, "high": high}))
+        case Arc() as arc:
+            yield from _arc(arc)
+
+
+def _arc(arc: Arc) -> Iterator[Datum]:
+    yield Datum(Phrase("helix" if arc.pitch is not None else "circle", {"center": vector(arc.center)}))
+    if arc.radius is not None:
+        yield Datum(Phrase("radius", {"r": measured(arc.radius)}))
+    if arc.axis is not None:
+        axis: Said = Symbol(arc.axis) if isinstance(arc.axis, str) else column(arc.axis)
+        yield Datum(Phrase("axis" if isinstance(arc.axis, str) else "axis-along", {"axis": axis}))
+    yield Datum(Phrase("starts-at" if arc.placed else "starts-towards", {"start": vector(arc.start)}))
+    if arc.pitch is not None:
+        yield Datum(Phrase("pitch", {"pitch": measured(arc.pitch)}))
+    if arc.turns is not None:
+        yield Datum(Phrase("turns", {"turns": arc.turns}))
+    elif arc.angle != FULL:
+        yield Datum(Phrase("turned", {"angle": arc.angle}))

@@ -1,0 +1,165 @@
+"""A path by its parameter: tangent, normal, binormal, curvature and length."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Any
+
+from derive.algebra.matrix import ScalarMatrix
+from derive.derivation import Derivation, PageFacts, Phrase, Result
+from derive.expression import ZERO, Expr, Relation, Symbol
+from derive.kinds.fields import NoOptions as Options
+from derive.kinds.meanings import as_told
+from derive.kinds.path._frenet import E_B, E_N, E_T, KAPPA, Bent, bent
+from derive.kinds.path._length import SIGMA, measured
+from derive.kinds.path._meanings import meant
+from derive.kinds.path._shapes import along
+from derive.kinds.problem import Problem
+from derive.kinds.work import Work
+from derive.mechanics.paths import Arc, Curve, Line, Path
+
+CLAIMS = ("differences", "unit", "frenet")
+DIFFERENCES = 1e-6
+LENGTHS = {"steady": "length-steady", "integral": "length-integral", "quadrature": "length-quadrature"}
+
+
+class Facts(PageFacts):
+    shape: Phrase
+    typed: bool  # whether p is given as such
+    given: tuple[tuple[Expr, Expr], ...]  # names of what is given
+    before: tuple[str, ...]  # steps: what p is made of
+    s: Symbol
+    first: Symbol
+    second: Symbol
+    speed: Symbol
+    sigma: Symbol = SIGMA
+    unit: bool  # whether s is the arc length
+    steady: bool
+    straight: bool
+    flat: bool
+    across: tuple[str, ...]  # the step of dp/ds x d2p/ds2, where it is needed
+    frame: tuple[str, ...]  # steps of e_n and e_b
+    length: Phrase | None
+    lengths: tuple[str, ...]  # steps
+
+
+def derive(path: Path, options: Options, problem: Problem) -> Derivation:
+    """p(s), dp/ds, the unit vectors t, n, b (columns of 2 or 3), the curvature and the length.
+
+    Siciliano et al., section 4.3.1.
+    """
+    found = bent(along(path, problem))
+    long = measured(found)
+    work, way = long.work, found.along
+    results: dict[str, Result] = {
+        "p": work.final(way.p),
+        "v": work.final(found.first),
+        "a": work.final(found.second),
+    }
+    if long.way:
+        results["length"] = work.final(way.L)
+    results["curvature"] = work.final(KAPPA)
+    for name, vector in zip("tnb", found.frame, strict=False):
+        results[name] = work.final(vector)
+    work = _obeys(work, found)
+    facts = _facts(path, found, work, long.way)
+    symbols = problem.symbols | {way.s.name}
+    work = as_told(work, partial(meant, problem, found), facts.given, "differences", DIFFERENCES, symbols)
+    work = work.law("said", _said(facts, found, work))
+    return work.answer("path", results, facts)
+
+
+def _obeys(work: Work, found: Bent) -> Work:
+    """Unit vectors, perpendicular to each other, that turn with the curvature (Frenet)."""
+    frame = ScalarMatrix.beside([work.value_matrix(each) for each in found.frame])
+    work = work.law("unit", frame.T @ frame == ScalarMatrix.identity(len(found.frame)))
+    s, kappa, speed = found.along.s.name, work.value_matrix(KAPPA)[0, 0], work.value_matrix(found.speed)[0, 0]
+    turning = work.value_matrix(E_T).diff(s)
+    along_normal = work.value_matrix(E_N).scaled(kappa * speed) if not found.straight else turning.scaled(0)
+    work = work.law("frenet", turning == along_normal)
+    if SIGMA in work.known:
+        work = work.law("arc-length", work.value_matrix(SIGMA).diff(s)[0, 0] == speed)
+    return work
+
+
+def _facts(path: Path, found: Bent, work: Work, way: str) -> Facts:
+    names = {step.name for step in work.steps}
+
+    def those(*steps: Expr) -> tuple[str, ...]:
+        return tuple(
+            str(each)
+            for step in steps
+            for each in [step.name if isinstance(step, Symbol) else ""]
+            if each in names
+        )
+
+    along = found.along
+    lengths = tuple(name for name in those(SIGMA, along.L) if name not in along.lines)
+    low, high = along.between or (ZERO, ZERO)
+    ends: dict[str, Any] = {"s": along.s, "low": low, "high": high}
+    ends |= {"start": Relation(along.s, "=", low), "end": Relation(along.s, "=", high)}
+    about = {**ends, "speed": found.speed, "sigma": SIGMA}
+    return Facts(
+        shape=_shape(path, along.s),
+        typed=isinstance(path.shape, Curve),
+        given=_named(work, found),
+        before=along.lines,
+        s=along.s,
+        first=found.first,
+        second=found.second,
+        speed=found.speed,
+        unit=found.unit,
+        steady=found.steady,
+        straight=found.straight,
+        flat=found.flat,
+        across=those(found.across) if not found.steady and not found.flat else (),
+        frame=those(E_N, E_B) if found.steady or found.flat else those(E_B, E_N),
+        length=Phrase(LENGTHS[way], about) if way and lengths else None,
+        lengths=lengths,
+        page_names=_page_names(found),
+    )
+
+
+def _named(work: Work, found: Bent) -> tuple[tuple[Expr, Expr], ...]:
+    """What was given by a name that is not its author's; a radius that its start says is told by a line."""
+    told = {step.name for step in work.steps}
+    names = [name for name in found.along.given.values() if name.name not in told]
+    return tuple((name, work[name]) for name in names if work[name] != name)
+
+
+def _page_names(found: Bent) -> dict[str, str]:
+    """What the results are called on the page."""
+    names = {
+        "p": found.along.p,
+        "v": found.first,
+        "a": found.second,
+        "length": found.along.L,
+        "curvature": KAPPA,
+    }
+    return {key: name.name for key, name in {**names, "t": E_T, "n": E_N, "b": E_B}.items()}
+
+
+def _shape(path: Path, s: Symbol) -> Phrase:
+    match path.shape:
+        case Line():
+            return Phrase("line-by-length", {"s": s})
+        case Arc(pitch=None):
+            return Phrase("circle-by-length", {"s": s})
+        case Arc():
+            return Phrase("helix-by-angle", {"s": s})
+        case Curve():
+            return Phrase("as-given", {"s": s})
+    raise TypeError(f"no path: {path!r}")
+
+
+def _said(facts: Facts, found: Bent, work: Work) -> tuple[bool, ...]:
+    """What is said of the parameter and of the curvature."""
+    s = found.along.s.name
+    squared = (work.value_matrix(found.first).T @ work.value_matrix(found.first))[0, 0]
+    turned = work.value_matrix(E_T).diff(s)
+    return (
+        facts.unit == (squared == 1),
+        facts.steady == (not squared.diff(s)),
+        facts.straight == (not turned),
+        facts.flat == (work.value_matrix(found.first).shape[0] == 2),
+    )

@@ -1,0 +1,71 @@
+"""Paths: where a point goes, as a function of a parameter, as its author describes it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from derive.expression import Expr, Matrix
+from derive.mechanics.motion import Axis
+
+Place: TypeAlias = tuple[Expr, ...]  # two coordinates or three
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """Straight from one place to another."""
+
+    start: Place
+    end: Place
+
+
+@dataclass(frozen=True, slots=True)
+class Arc:
+    """Part of a circle, or of a helix where there is a `pitch`, the way along the axis a turn.
+
+    `start` is the place where it begins, or else (not `placed`) the direction to it from the center. Without
+    a `radius` that is how far the place is away. In the plane there is no axis. It turns by `angle`,
+    counterclockwise as seen from the tip of the axis.
+    """
+
+    center: Place
+    radius: Expr | None
+    axis: Axis | None
+    start: Place
+    placed: bool
+    angle: Expr
+    pitch: Expr | None = None
+    turns: Expr | None = None  # of a helix
+
+
+@dataclass(frozen=True, slots=True)
+class Curve:
+    """Coordinates as functions of a parameter between two values of it, if these are given."""
+
+    parameter: str
+    value: Matrix  # a column
+    between: tuple[Expr, Expr] | None
+
+
+Shape: TypeAlias = Line | Arc | Curve
+
+
+@dataclass(frozen=True, slots=True)
+class Path:
+    """A path of a point."""
+
+    shape: Shape
+
+    @property
+    def size(self) -> int:
+        """How many coordinates it has, 2 or 3."""
+        match self.shape:
+            case Line(start=place) | Arc(center=place):
+                return len(place)
+            case Curve(value=value):
+                return len(value.rows)
+
+    @property
+    def defines(self) -> frozenset[str]:
+        """The name of the parameter, which the answer uses as its author does."""
+        return frozenset({self.shape.parameter}) if isinstance(self.shape, Curve) else frozenset()

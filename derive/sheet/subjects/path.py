@@ -1,0 +1,222 @@
+"""path: a line, an arc of a circle, a helix, or coordinates as functions of a parameter."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import product
+from typing import Annotated, Any, TypeAlias
+
+from pydantic import Discriminator, Field, Tag
+
+from derive.errors import SheetError
+from derive.expression import ONE, PI, ZERO, Expr, add, column, free_symbols, multiply, number
+from derive.kinds.fields import Angle, Formula, Length, Name, OptionsModel, Quantity
+from derive.mechanics.paths import Arc, Curve, Line, Path, Place
+from derive.sheet.faults import NO_FORM, did_you_mean
+from derive.sheet.source import At, Faults, Route
+from derive.sheet.subjects.moves import AxisField
+from derive.sheet.subjects.registry import Known
+
+FORMS = (
+    "write line: {from: [..], to: [..]}, circle: {center, radius, axis, start}, helix: {..} "
+    "or function: [..] of s"
+)
+CIRCLE, HELIX = ("radius", "axis", "start", "angle"), ("center", "radius", "axis", "start", "turns")
+HARMLESS = frozenset(  # each of them makes the path
+    {"parameter", "range", *(f"circle.{each}" for each in CIRCLE), *(f"helix.{each}" for each in HELIX)}
+)
+UNIT = {"x": (ONE, ZERO, ZERO), "y": (ZERO, ONE, ZERO), "z": (ZERO, ZERO, ONE)}
+TURN = multiply(number(2), PI)
+Point: TypeAlias = Annotated[list[Length], Field(min_length=2, max_length=3)]
+
+
+class GivenLine(OptionsModel):
+    """Straight from one point to another."""
+
+    start: Point = Field(alias="from")
+    end: Point = Field(alias="to")
+
+
+class GivenCircle(OptionsModel):
+    """An arc about `axis` (z if left out; none in the plane), by `angle` (a full turn if left out), from the
+    point `start`, or where that is no point of the circle from the direction `start` (that of x, or of the
+    next axis, if left out)."""
+
+    center: Point
+    radius: Length | None = None
+    axis: AxisField | None = None
+    start: Point | None = None
+    angle: Angle = TURN
+
+
+class GivenHelix(OptionsModel):
+    """A circle that moves along its axis by `pitch` a turn, `turns` times."""
+
+    center: tuple[Length, Length, Length] = (ZERO, ZERO, ZERO)
+    radius: Length | None = None
+    axis: AxisField = "z"
+    start: tuple[Length, Length, Length] | None = None
+    pitch: Length
+    turns: Formula = ONE
+
+
+class OfLine(OptionsModel):
+    """A line."""
+
+    line: GivenLine
+
+
+class OfCircle(OptionsModel):
+    """An arc of a circle."""
+
+    circle: GivenCircle
+
+
+class OfHelix(OptionsModel):
+    """A helix."""
+
+    helix: GivenHelix
+
+
+class OfFunction(OptionsModel):
+    """Two or three coordinates as functions of a parameter, `s` if left out, and its `range`, needed for the
+    length."""
+
+    function: Annotated[list[Quantity], Field(min_length=2, max_length=3)]
+    parameter: Name = "s"
+    range: tuple[Quantity, Quantity] | None = None
+
+
+def _form(value: Any) -> str | None:
+    keys = value if isinstance(value, dict) else ()
+    return next((f"={form}" for form in ("line", "circle", "helix", "function") if form in keys), None)
+
+
+Given: TypeAlias = Annotated[
+    Annotated[OfLine, Tag("=line")]
+    | Annotated[OfCircle, Tag("=circle")]
+    | Annotated[OfHelix, Tag("=helix")]
+    | Annotated[OfFunction, Tag("=function")],
+    Discriminator(_form, custom_error_type=NO_FORM, custom_error_message=FORMS),
+]
+
+
+def build(given: Given, at: At, known: Known) -> Path:
+    """The path. Raises SheetErrors: a line of no length, a start beside the circle, no parameter."""
+    match given:
+        case OfLine(line=line):
+            Faults(_line_faults(line, at, known)).settle()
+            return Path(Line(tuple(line.start), tuple(line.end)))
+        case OfCircle(circle=circle):
+            return Path(_arc(circle, circle.angle, None, at, known, ("circle",)))
+        case OfHelix(helix=helix):
+            turned = multiply(TURN, helix.turns) if helix.turns != ONE else TURN
+            arc = _arc(helix, turned, helix.pitch, at, known, ("helix",))
+            return Path(replace(arc, turns=helix.turns))
+        case OfFunction():
+            Faults(_function_faults(given, at, known)).settle()
+            return Path(Curve(given.parameter, column(given.function), given.range))
+    raise TypeError(f"no path: {given!r}")
+
+
+# -- circles ------------------------------------------------------------------------------------------
+
+
+def _arc(
+    given: GivenCircle | GivenHelix, angle: Expr, pitch: Expr | None, at: At, known: Known, key: Route
+) -> Arc:
+    Faults(_arc_faults(given, angle, pitch, at, known, key)).settle()
+    center = tuple(given.center)
+    axis = given.axis if len(center) == 2 or given.axis else "z"
+    start = _first(axis) if given.start is None else tuple(given.start)
+    placed = given.start is not None and _on_circle(given, known)
+    return Arc(center, given.radius, axis, start, placed, angle, pitch)
+
+
+def _first(axis: Any) -> Place:
+    """The direction of x, or of the next coordinate axis, beside a coordinate axis."""
+    return (ONE, ZERO) if axis is None else UNIT["y" if axis == "x" else "x"]
+
+
+def _on_circle(given: GivenCircle | GivenHelix, known: Known) -> bool:
+    """Whether it starts at a point of the circle and not in a direction."""
+    away = _away(given)
+    if given.radius is None:
+        return True
+    size = add(*(part * part for part in away)) - given.radius * given.radius
+    return known.sign(size) == 0 and known.sign(_dot(away, _axis(given))) == 0
+
+
+def _away(given: GivenCircle | GivenHelix) -> Place:
+    return tuple(p - c for p, c in zip(given.start or (), given.center, strict=False))
+
+
+def _axis(given: GivenCircle | GivenHelix) -> Place:
+    axis = given.axis or "z"
+    return UNIT[axis] if isinstance(axis, str) else axis
+
+
+def _dot(left: Place, right: Place) -> Expr:
+    return add(*(a * b for a, b in zip(left, right, strict=False))) if len(left) == 3 else ZERO
+
+
+def _arc_faults(
+    given: GivenCircle | GivenHelix, angle: Expr, pitch: Expr | None, at: At, known: Known, key: Route
+) -> Iterator[SheetError]:
+    flat = len(given.center) == 2
+    if given.radius is None and given.start is None:
+        yield at.fault(
+            "how large it is is not given", key, "add radius: r, or the point start: [..]", key=True
+        )
+        return
+    if given.radius is not None and known.sign(given.radius) in (0, -1):
+        yield at.fault("the radius must be positive", (*key, "radius"))
+    if known.sign(angle) == 0:
+        yield at.fault("it turns by nothing", (*key, "turns" if pitch is not None else "angle"))
+    if flat and given.axis is not None:
+        yield at.fault("a circle in the plane has no axis", (*key, "axis"), "give its center as [x, y, z]")
+        return
+    if given.start is None:
+        if given.axis is not None and not isinstance(given.axis, str):
+            hint = "a direction perpendicular to the axis, or a point of the circle: start: [..]"
+            yield at.fault("where it starts is not given", key, f"add {hint}", key=True)
+        return
+    if len(given.start) != len(given.center):
+        yield at.fault(
+            f"the start has {len(given.start)} coordinates, the center {len(given.center)}", (*key, "start")
+        )
+        return
+    direction = _away(given) if _on_circle(given, known) else tuple(given.start)
+    if all(known.sign(part) == 0 for part in direction):
+        yield at.fault("this start is no direction", (*key, "start"), "give a point of the circle")
+    elif not flat and known.sign(_dot(direction, _axis(given))) != 0:
+        hint = "give a point of the circle, or a direction perpendicular to its axis"
+        yield at.fault("the start is not on the circle", (*key, "start"), hint)
+
+
+# -- what is refused ----------------------------------------------------------------------------------
+
+
+def _line_faults(line: GivenLine, at: At, known: Known) -> Iterator[SheetError]:
+    if len(line.start) != len(line.end):
+        fault = f"it ends at {len(line.end)} coordinates and starts at {len(line.start)}"
+        yield at.fault(fault, ("line", "to"), "give both points as many coordinates")
+    elif all(known.sign(b - a) == 0 for a, b in zip(line.start, line.end, strict=True)):
+        yield at.fault("the line ends where it starts", ("line", "to"))
+
+
+def _function_faults(given: OfFunction, at: At, known: Known) -> Iterator[SheetError]:
+    names = {name for tree in given.function for name in free_symbols(tree)}
+    for name in names & known.where.keys():
+        names |= free_symbols(known.where[name])
+    if given.parameter in known.where:
+        yield at.fault(f"'{given.parameter}' has a value under where: and cannot vary", ("function",))
+    elif given.parameter not in names:
+        hint = did_you_mean(given.parameter, names) or "say which letter is: parameter: t"
+        yield at.fault(f"the path does not depend on '{given.parameter}'", ("function",), hint)
+    for end, (k, tree) in product((given.parameter,), enumerate(given.range or ())):
+        if end in free_symbols(tree):
+            yield at.fault("the range depends on the parameter", ("range", k))
+    if given.range and known.sign(given.range[1] - given.range[0]) in (0, -1):
+        yield at.fault("the range ends before it begins", ("range",), "write range: [from, to]")
