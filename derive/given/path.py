@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from derive.algebra.formulas.with_units import measured
 from derive.derivation import Phrase, Said
 from derive.expression import PI, Symbol, column, multiply, number
-from derive.given.datum import Datum, measured, vector
+from derive.given.datum import Datum, vector
 from derive.kinds.path._naming import place_name
 from derive.kinds.problem import Problem
 from derive.mechanics.paths import Arc, Curve, Line, Path
