@@ -163,6 +163,9 @@ class LinearSystem:
     wanted: int
     names: Mapping[str, Expr] = field(default_factory=dict)
 
+    def __hash__(self) -> int:
+        return hash((self.unknowns, self.left, self.right))
+
     @property
     def equations(self) -> tuple[tuple[Expr, Expr], ...]:
         """Both sides of each, written out."""

@@ -8,10 +8,12 @@ from typing import Any
 
 from flint import arb, arb_mat, ctx
 
+from derive.algebra.ball_arithmetic import balls
+from derive.algebra.fold import fold
 from derive.algebra.numbers.floats import Point, completed, numbers
 from derive.derivation import LinearSystem
 from derive.errors import DivisionByZero
-from derive.expression import ONE, ZERO, Expr
+from derive.expression import Expr, free_symbols
 from derive.kinds.sure import ROUNDS, read, sure
 
 SINGULAR = 1e-12  # what the least singular value is of the largest, at most
@@ -37,17 +39,17 @@ def solved_as_written(written: Mapping[str, Any], point: Mapping[str, Expr]) -> 
     """All unknowns of equations as they stand in the JSON, `{"unknowns": ["x"], "equations": ["2*x = a"]}`,
     sure to the last digit. Raises as `sure` does, and DivisionByZero where they have not one solution."""
     unknowns: Sequence[str] = (*written["unknowns"], *written.get("auxiliary", ()))
-    names = {**point, **{name: read(text) for name, text in written.get("where", {}).items()}}
-    sides = [tuple(map(read, each.split(" = "))) for each in written["equations"]]
-    nothing: dict[str, Expr] = dict.fromkeys(unknowns, ZERO)
-
-    def gaps(values: Mapping[str, Expr]) -> list[arb]:
-        at = {**names, **nothing, **values}
-        return [sure(left, at) - sure(right, at) for left, right in sides]
-
+    given = {**point, **{name: read(text) for name, text in written.get("where", {}).items()}}
+    gaps = [left - right for left, right in (map(read, each.split(" = ")) for each in written["equations"])]
+    names = frozenset().union(*map(free_symbols, gaps)) - {*unknowns}
+    known = {name: sure(given[name], given) for name in names}
     with ctx.workprec(ROUNDS[0]):
-        rest = gaps({})
-        columns = [[a - b for a, b in zip(gaps({name: ONE}), rest, strict=True)] for name in unknowns]
+        nothing = {**known, **dict.fromkeys(unknowns, arb(0))}
+        rest = [fold(gap, balls(nothing)) for gap in gaps]
+        columns = []
+        for name in unknowns:
+            one = {**nothing, name: arb(1)}
+            columns.append([fold(gap, balls(one)) - still for gap, still in zip(gaps, rest, strict=True)])
         try:
             found = arb_mat(columns).transpose().solve(arb_mat([[-each] for each in rest]))
         except ZeroDivisionError as error:

@@ -24,20 +24,21 @@ from derive.expression import (
     terms_of,
 )  # fmt: skip
 from derive.kinds.fields import NoOptions as Options
+from derive.kinds.linear_systems import solution_at
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import EVERY, Meaning, by_index
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.matrix_laws import acceleration_law
+from derive.kinds.robot._dynamics.solving import accelerations_at, equations_of_motion
 from derive.kinds.robot._dynamics.terms import Term, equation, equations
 from derive.kinds.robot._units import of_joints, together
 from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 from derive.names import entry_symbol
 
-CLAIMED = {"D_inv": "adjugate"}
+CLAIMED = {"D_inv": "adjugate", "h": "equations-hold", "qddot": "solved"}
 
 NEEDS = ("bodies",)
-CLAIMS = ("adjugate", "joint-forces", "names")
 measures = together(of_joints("qddot", power=2), of_joints("h", effort=True))
 
 
@@ -54,21 +55,28 @@ MEANINGS: Mapping[str, Meaning] = {
 }
 
 
+def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:
+    """Those of formulas, or of equations."""
+    if len(robot.variables) > MOST_JOINTS:
+        return ("equations-hold", "solved", "names")
+    return ("adjugate", "joint-forces", "names")
+
+
 class Facts(PageFacts):
     one: bool  # joint
     in_full: Phrase | None
+    rubbing: Phrase | None = None  # in the equations of many joints
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """qddot = D^-1 (tau - h), by the adjugate and the determinant (Craig, eq. 6.115).
 
-    Raises NotDerivable for an arm with more than three joints, and where D has no inverse.
+    Of more than three joints the linear equations D qddot = tau - h. Raises NotDerivable where D has no
+    inverse.
     """
     arm, n = Arm(problem), len(robot.variables)
     if n > MOST_JOINTS:
-        raise NotDerivable(
-            f"the accelerations are worked out for arms of at most {MOST_JOINTS} joints; this one has {n}"
-        )
+        return _as_equations(problem, arm)
     motion, indices = problem.ask("dynamics"), range(1, n + 1)
     inertia = motion.matrix("D")
     names = Matrix(tuple(tuple(entry_symbol("d", *sorted((i, j))) for j in indices) for i in indices))
@@ -123,6 +131,21 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         Facts(one=n == 1, in_full=Phrase("long") if long else None),
         matrices=frozenset({"D_inv"}),
     )
+
+
+def _as_equations(problem: Problem, arm: Arm) -> Derivation:
+    """D qddot = tau - h with the entries of D and h by name. Raises NotDerivable where D has no inverse."""
+    solved = equations_of_motion(problem, arm)
+    work = solved.work.agrees(
+        "solved",
+        arm.moving | {f"tau_{k}" for k, _ in enumerate(arm.variables, 1)},
+        lambda at: solution_at(solved.system, at),
+        lambda at: accelerations_at(arm, at),
+    )
+    results = {"D": arm.inertia.results["D"], "h": solved.rest, "qddot": solved.system}
+    work = by_index(work, results)
+    facts = Facts(one=False, in_full=None, rubbing=solved.rubbing, by_joint=("h", "qddot"))
+    return work.answer("forward-dynamics", results, facts, matrices=frozenset({"D"}))
 
 
 def _rest(terms: Iterable[Term]) -> Iterable[Term]:

@@ -6,13 +6,15 @@ from collections.abc import Mapping
 from typing import Any
 
 from derive.algebra.numbers.floats import Point, numbers
-from derive.derivation import Derivation, PageFacts, Phrase, Step
+from derive.derivation import Derivation, LinearSystem, PageFacts, Phrase, Result, Step, as_matrix
 from derive.expression import Expr, Symbol, children, column
 from derive.kinds.fields import Evaluation, OptionsModel
+from derive.kinds.linear_systems import solution_at
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
 from derive.kinds.robot._dynamics.drives import friction_sorts
 from derive.kinds.robot._dynamics.linearisation import linear_at, linearised
+from derive.kinds.robot._dynamics.solving import first_order
 from derive.kinds.work import Work
 from derive.mechanics.robot import Robot
 
@@ -46,11 +48,12 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """x = (q, qdot), and A, B about rest at `at` (Spong et al., section 8.1; Siciliano et al., 8.4)."""
     arm, forward = Arm(problem), problem.ask("forward-dynamics")
     x = column([*map(Symbol, robot.variables), *arm.rates])
-    f = column([*arm.rates, *children(forward.matrix("qddot"))])
+    moved = forward.results["qddot"]
+    f = first_order(moved, arm) if isinstance(moved, LinearSystem) else _with_rates(forward, arm)
     state = Step("x", (Symbol("x"), x), "state")
     derivative = Step("f", (Symbol("x_dot"), column([*arm.rates, *arm.accelerations])), "state")
     work = Work(problem).resting_on(forward).showing(state, derivative)
-    results: dict[str, Expr] = {"x": x, "f": f}
+    results: dict[str, Result] = {"x": x, "f": f}
     linear = None if options.at is None else linear_at(problem, dict(options.at))
     if linear:
         work = linearised(work, linear)
@@ -67,7 +70,16 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     return work.answer("state-space", results, facts, matrices=frozenset({"A", "B"}))
 
 
-def _moves_so(work: Work, arm: Arm, results: Mapping[str, Expr]) -> Work:
+def _with_rates(forward: Derivation, arm: Arm) -> Expr:
+    return column([*arm.rates, *children(forward.matrix("qddot"))])
+
+
+def _at(found: Result, at: Point) -> list[float]:
+    """x or f in numbers (2n)."""
+    return solution_at(found, at) if isinstance(found, LinearSystem) else numbers(as_matrix(found, "f"), at)
+
+
+def _moves_so(work: Work, arm: Arm, results: Mapping[str, Result]) -> Work:
     """x and f, of the results and of the printed lines, against a motion: the joint forces it needs bring
     about its accelerations."""
     names, lines = arm.variables, {step.name: step.result for step in work.steps if step.rule == "state"}
@@ -75,7 +87,7 @@ def _moves_so(work: Work, arm: Arm, results: Mapping[str, Expr]) -> Work:
     def ours(at: Point) -> list[Any]:
         forces = {f"tau_{k}": force for k, force in enumerate(arm.rubbing.torques(at), 1)}
         wholly = {**at, **forces}
-        return [numbers(found[name], wholly) for found in (results, lines) for name in ("x", "f")]
+        return [_at(found[name], wholly) for found in (results, lines) for name in ("x", "f")]
 
     def moving(at: Point) -> list[Any]:
         q, rates, rises = ([at[name + dots] for name in names] for dots in ("", "_dot", "_ddot"))

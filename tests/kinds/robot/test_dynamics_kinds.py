@@ -12,9 +12,11 @@ from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import number_rows, numbers
 from derive.build import assemble
 from derive.derivation import Table
-from derive.errors import NotDerivable, SheetErrors
+from derive.errors import SheetErrors
+from derive.kinds.linear_systems import solution_at
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.regressor import dependent, standard_parameters
+from derive.mechanics.oracle import Oracle
 from derive.sheet.load import load_sheet
 from derive.writing import render
 from tests.kinds.published import matrix, same, same_scalar
@@ -258,12 +260,6 @@ def test_reasons(tmp_path: Path, question: str, said: str) -> None:
     assert said in caught.value.errors[0].message
 
 
-@pytest.mark.parametrize("kind", ["forward-dynamics", "state-space", "operational-space-inertia"])
-def test_many_joints(kind: str) -> None:
-    with pytest.raises(NotDerivable, match=r"at most 3 joints|give numbers"):
-        Problem("robot", ARMS["SCARA"]).ask(kind)
-
-
 def test_a_name_that_means_two_things(tmp_path: Path) -> None:
     with pytest.raises(SheetErrors) as caught:
         derived(tmp_path, pendulum().replace("mass: m", "mass: D"), "inertia-matrix")
@@ -348,3 +344,19 @@ def test_a_name_under_where_that_is_one_of_the_answer(tmp_path: Path, name: str,
     with pytest.raises(SheetErrors) as caught:
         assemble(load_sheet(sheet))
     assert "choose another name" in caught.value.errors[0].message
+
+
+def test_accelerations_of_many_joints_are_told_by_equations() -> None:
+    """A PUMA 560: what the torques of a motion bring about are its accelerations (Newton-Euler)."""
+    robot = ARMS["PUMA 560"]
+    arm = Oracle(robot, {})
+    found = Problem("robot", robot).ask("forward-dynamics")
+    names = [f"{name}{dots}" for name in robot.variables for dots in ("", "_dot", "_ddot")]
+    at = dict.fromkeys(Problem("robot", robot).symbols, 0.4) | {"g": 9.81}
+    at |= {name: 0.3 - 0.1 * k for k, name in enumerate(names)}
+    forces = {f"tau_{k}": force for k, force in enumerate(arm.torques(at), 1)}
+    rises = [at[f"{name}_ddot"] for name in robot.variables]
+    assert solution_at(found.results["qddot"], {**at, **forces}) == pytest.approx(rises, rel=1e-8)
+    f = Problem("robot", robot).ask("state-space").results["f"]
+    rates = [at[f"{name}_dot"] for name in robot.variables]
+    assert solution_at(f, {**at, **forces}) == pytest.approx([*rates, *rises], rel=1e-8)

@@ -25,6 +25,7 @@ from derive.expression import (
     multiply,
     number,
     symbols,
+    terms_of,
 )
 from derive.kinds.robot._dynamics.sums import over, written_out
 from derive.mechanics.dynamics import (
@@ -135,3 +136,11 @@ def motion_law(taken: Collection[str], viscous: bool, coulomb: bool) -> Step:
     found[Symbol("tau_k")] = add(readable(tau), *forces)
     chain = (add(inertial, moving, g_k, *against), Symbol("tau_k"))
     return Step("tau_k-law", chain, "law", instance=found)
+
+
+def rest_law(taken: Collection[str], viscous: bool, coulomb: bool) -> Step:
+    """h_k, what the equation of joint k has beside accelerations, tried in the same case."""
+    whole = motion_law(taken, viscous, coulomb)
+    inertial, *rest = terms_of(whole.chain[0])
+    h_k, case = Symbol("h_k"), whole.instance
+    return in_general("h_k", add(*rest), {**case, h_k: case[whole.chain[-1]] - case[inertial]})
