@@ -192,7 +192,7 @@ class Telling:
     def cited(self, *whats: Step | Expr) -> str:
         """ " (2) and (5)": the numbers of the equations of this problem that say what these names are, and of
         laws that the sheet has told; "" where one of them was not displayed."""
-        return _numbers(
+        return self._references(
             self.so_far.law(self.values.shown(what.chain))
             if isinstance(what, Step)
             else self.so_far.value(what, self.d)
@@ -201,7 +201,11 @@ class Telling:
 
     def found(self, *kinds: str) -> str:
         """The same for the answers of these kinds, on which this one rests."""
-        return _numbers(self.so_far.answer(kind, self.d) for kind in kinds)
+        return self._references(self.so_far.answer(kind, self.d) for kind in kinds)
+
+    def _references(self, found: Iterator[str | None]) -> str:
+        """None where the page has answers alone: what they rest on is not on it."""
+        return "" if self.level == "answers" else _numbers(found)
 
     def answer(self, *names: Shown, trig: Trig = None, entries: str = "", lines: int = 2) -> str:
         """The same as `show` for what was asked, which stands in a frame."""

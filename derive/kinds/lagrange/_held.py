@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 STEP, SLOPES = 1e-5, 1e-6  # of differences, and what they leave
 NEARLY = 1e-9
 GROWING, STEADY = 1e-5, 1e-4  # real parts of eigenvalues, relative to the largest
+EFFECTIVE = Symbol("V")  # minus the Lagrangian at rest
 TRIED = 60  # points, where a state need not be real
 UNREAL = (ValueError, ZeroDivisionError, OverflowError)
 
@@ -94,11 +95,17 @@ class Still:
 
 
 def held(
-    still: Still, problem: Problem, steps: Sequence[Step], branches: Sequence[Branch]
+    still: Still,
+    problem: Problem,
+    steps: Sequence[Step],
+    branches: Sequence[Branch],
+    effective: Expr | None,
 ) -> Iterator[Claim]:
-    """What is claimed of the states as they are told."""
+    """What is claimed of the states as they are told, and of the effective potential energy."""
     names = problem.symbols | still.letters
     chains = [(_name(step), step.chain[-1] if step.name == "K" else step.chain[0]) for step in steps]
+    if effective is not None:
+        chains.append((EFFECTIVE, effective))
     yield told(chains, lambda at: _meant(still, steps, at), names, problem.where, tolerance=SLOPES, points=1)
     places = [list(islice(_places(still, names, branch), 2)) for branch in branches]
     pairs = [(branch, at) for branch, each in zip(branches, places, strict=True) for at in each]
@@ -125,7 +132,8 @@ def _meant(still: Still, steps: Sequence[Step], at: Point) -> Names:
     left = still.differences.left_over(point)
     rest: dict[Expr, Any] = {Symbol(f"rest_{k}"): value for k, value in enumerate(left, 1)}
     K = still.slopes(point, still.system.coordinates)
-    return {**rest, Symbol("K"): K if K.size > 1 else float(K[0, 0])}
+    energy = -still.differences.lagrangian_at(point)
+    return {**rest, Symbol("K"): K if K.size > 1 else float(K[0, 0]), EFFECTIVE: energy}
 
 
 def _places(still: Still, names: frozenset[str], branch: Branch) -> Iterator[dict[str, float]]:

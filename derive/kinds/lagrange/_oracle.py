@@ -81,6 +81,11 @@ class Differences:
             later[first] = at[first] + at[second] * s
         return later
 
+    def lagrangian_at(self, at: Mapping[str, float]) -> float:
+        """T - P at a point."""
+        with self.digits(at) as point:
+            return float(self.lagrangian(point).mid())
+
     def lagrangian(self, at: Numbers) -> arb:
         """T - P from the trees of the sheet."""
         kinetic = sum((self.kinetic(body, at) for body in self.system.bodies), arb(0))

@@ -74,7 +74,8 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
         if is_exact(each):
             work = work.claim(_put_back(model, left, each, k, positive))
     still, free = Still(Differences(system, problem.where), given), [each.free for each in found]
-    work = work.claim(*held(still, problem, steps, branches))
+    stands = criterion(model, said)
+    work = work.claim(*held(still, problem, steps, branches, stands.effective))
     work = work.claim(*none_is_missing(still, problem, steps, branches, free))
     told_of = given.items() if any(left) else ()
     facts = Facts(
@@ -83,7 +84,7 @@ def derive(system: LagrangianSystem, options: Options, problem: Problem) -> Deri
         table=_table(system, branches) if branches else None,
         free=tuple(Symbol(q) for q in dict.fromkeys(q for each in found for q in each.free)),
         angles=any(PI in walk(tree) for branch in branches for tree in branch.values.values()),
-        criterion=criterion(model, said),
+        criterion=stands,
     )
     return work.answer("equilibria", {"solutions": branches}, facts)
 

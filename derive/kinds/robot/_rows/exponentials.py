@@ -50,7 +50,8 @@ NAMED = ("exponential", "home", "twist")  # rules of the lines that are results
 class ScrewsTold(Record):
     axes: Phrase  # what they are described by
     twists: Phrase
-    pitch: Phrase | None
+    pitch: Phrase | None  # what it is of each joint that has one
+    law: Phrase | None  # what the exponential is of
     base: bool
     home: str  # a step
     motions: Phrase  # what moves what
@@ -170,6 +171,7 @@ class Exponentials:
             "turn": Relation(S, "=", self._twist("i", False, PITCH if helical else None)),
             "slide": Relation(S, "=", self._twist("i", True)),
             "pitch": PITCH,
+            "pitches": self._pitches(),
             "sliding": sliding,
             "helical": helical,
         }
@@ -177,8 +179,9 @@ class Exponentials:
         order = Phrase("order-with-home" if self.whole else "order")
         return ScrewsTold(
             axes=Phrase(_of(turning, sliding, "axes-of-turns", "axes-of-slides", "axes-of-both"), about),
-            twists=Phrase(_of(turning, sliding, "turns", "slides", "turns-and-slides"), about),
+            twists=Phrase(self._twisted(turning, sliding, helical), about),
             pitch=Phrase("pitch", about) if helical else None,
+            law=_law(bool(helical)) if turning else None,
             base=bool(self.robot.base),
             home=self.letters["M"] if self.whole else "",
             motions=Phrase("coupled-motions" if self.problem.subject.coupled else "motions"),
@@ -195,7 +198,23 @@ class Exponentials:
         sliding = tuple(i for i, (_, w) in halves.items() if not w)
         helical = tuple(i for i, (v, w) in halves.items() if (w.T @ v)[0, 0])
         said = told.pitch.about["helical"] if told.pitch else ()
-        return route("joint-sorts", (told.twists.about["sliding"] == sliding, said == helical))
+        right = told.twists.about["sliding"] == sliding, said == helical
+        pitches = (each.right for each in self._pitches())
+        ours = (self.problem.readable((w.T @ v)[0, 0]) for v, w in (halves[i] for i in helical))
+        return route("joint-sorts", (*right, [*pitches] == [*ours]))
+
+    def _pitches(self) -> tuple[Relation, ...]:
+        """h_1 = h of each joint that advances as it turns."""
+        return tuple(
+            Relation(Symbol(f"h_{s.i}"), "=", self.problem.readable(s.h)) for s in self.screws if s.h
+        )
+
+    @staticmethod
+    def _twisted(turning: tuple[int, ...], sliding: tuple[int, ...], helical: tuple[int, ...]) -> str:
+        """The key of the phrase about the twists."""
+        if helical:
+            return "advances-and-slides" if sliding else "advances"
+        return _of(turning, sliding, "turns", "slides", "turns-and-slides")
 
     def _name(self, letter: str, i: int | str) -> Symbol:
         return Symbol(f"{self.letters[letter]}_{i}")
@@ -218,6 +237,14 @@ class Exponentials:
         home pose still belongs to T_1^0."""
         more = i == 1 and (bool(self.robot.base) or (self.whole and self.last == 1))
         return Symbol(f"T_{i}^{i - 1}") if self.frames and not more else Symbol(f"E_{i}")
+
+
+def _law(helical: bool) -> Phrase:
+    """What it is of: a rotation about a line, or a screw motion along it."""
+    point = Symbol("q")
+    if helical:
+        return Phrase("law-with-pitch", {"pitch": Symbol("h"), "point": point})
+    return Phrase("law", {"point": point})
 
 
 def _of(turning: tuple[int, ...], sliding: tuple[int, ...], turns: str, slides: str, both: str) -> str:
