@@ -41,6 +41,7 @@ KINDS = {
     "singularities": singular.singularities,
     "manipulability": singular.manipulability,
     "rank": spans.rank,
+    "redundancy": spans.redundancy,
     "workspace": reach.workspace,
     "numerical-inverse-kinematics": iteration.numerical_inverse_kinematics,
     "dh-table": kinematics.dh_table,
