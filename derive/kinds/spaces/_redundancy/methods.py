@@ -11,7 +11,8 @@ from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
 from derive.derivation import Record
 from derive.errors import NotDerivable
-from derive.expression import Expr, Matrix, Symbol, add, multiply, negate, squared, transpose
+from derive.expression import Expr, Matrix, Symbol, add, column, multiply, negate, squared, transpose
+from derive.kinds.robot._velocity.functions import functions_given
 from derive.kinds.spaces._linear_map import LinearMap
 from derive.kinds.spaces._redundancy.board import Board, Seen, diagonal, names_of, one
 from derive.kinds.spaces._redundancy.given import Given
@@ -62,8 +63,10 @@ def begun(given: Given, board: Board) -> Board:
 
 
 def _map(board: Board, found: LinearMap, name: Symbol, end: str) -> Board:
-    if found.task is not None:
-        work = board.work.given(Symbol("r_s" if end else "r"), found.task)
+    if found.functions:
+        functions = found.functions
+        second = functions[0] if len(functions) == 1 else column(functions)
+        work = board.work.given(Symbol("r_s"), second) if end else functions_given(board.work, functions)
         board = replace(board, work=work)
     return board.begin(name, found.J, lambda seen: found.numbers(seen.point), f"J{end}", found.sort)
 
