@@ -219,7 +219,7 @@ MISTAKES = {
     "w = 2 cos(theta) k": Mistake(
         axis_angle._facts, "axis * sin(names.angle)", "axis * cos(names.angle)", "pose.axis_angle"
     ),
-    "r_00 in the trace": Mistake(axis_angle._diagonal, "(1, 2, 3)", "(0, 1, 2)", "pose.axis_angle"),
+    "r_00 in the trace": Mistake(_given.diagonal, "(1, 2, 3)", "(0, 1, 2)", "pose.axis_angle"),
     "R = 2 k k^T + 1": Mistake(axis_angle._half_facts, "- Symbol", "+ Symbol", HALF_TURN),
     "entries of w exchanged": Mistake(
         _given.lacking, '("r_32", "r_23")', '("r_23", "r_32")', "pose.quaternion"
