@@ -81,8 +81,8 @@ def world() -> dict[str, Array]:
     rate = q_dot.ravel()
     D_dot, C = np.einsum("kji,i->kj", dd, rate), np.einsum("ijk,i->kj", c, rate)
     J, J_dot = dice.normal(size=(3, 3)), dice.normal(size=(3, 3))
-    g, B = dice.normal(size=3), dice.normal(size=3)
-    h = (coriolis(rate) + g).reshape(-1, 1)
+    g, B = dice.normal(size=(3, 1)), dice.normal(size=3)
+    h = coriolis(rate).reshape(-1, 1) + g
     tau = D @ q_ddot + h
     axis = dice.normal(size=3)
     axis /= np.linalg.norm(axis)
@@ -97,7 +97,7 @@ def world() -> dict[str, Array]:
         "v_dot": J @ q_ddot + J_dot @ q_dot, "Lambda": np.linalg.inv(J @ np.linalg.inv(D) @ J.T),
         "R": R, "I": np.eye(3), "eye": np.eye(3), "S": S, "omega": column(*axis),
         "p": dice.normal(size=(3, 1)),
-        "g": g, "B_f": np.diag(B), "k": column(*axis), "S_k": S, "dq": q_dot, "dp": J @ q_dot,
+        "g": g, "F_v": np.diag(B), "k": column(*axis), "S_k": S, "dq": q_dot, "dp": J @ q_dot,
     }  # fmt: skip
 
 

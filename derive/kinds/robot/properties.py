@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numbers.floats import number_rows
+from derive.algebra.numbers.floats import Point, number_rows
 from derive.derivation import Derivation, PageFacts, Phrase, Result
 from derive.expression import Expr, Matrix, Symbol, add, multiply, symbols
 from derive.kinds.checks import route
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import by_index
-from derive.kinds.robot._dynamics.arm import Arm
+from derive.kinds.robot._dynamics.arm import DOTS, Arm
 from derive.kinds.robot._dynamics.definite import is_diagonal, is_positive, minors
+from derive.kinds.robot._dynamics.drives import friction_sorts
 from derive.kinds.robot._dynamics.index_laws import skew_law
 from derive.kinds.work import Work
 from derive.mechanics.dynamics import time_derivative
@@ -21,7 +24,7 @@ from derive.mechanics.sampled import physical_points
 from derive.names import entry_symbol, require_free
 
 NEEDS = ("bodies",)
-CLAIMS = ("skew-symmetric", "names")
+CLAIMS = ("skew-symmetric", "names", "power")
 D_DOT, C, N = symbols("D_dot C N")
 POINTS = 3
 ROUNDING = 1e-9
@@ -29,6 +32,7 @@ ROUNDING = 1e-9
 
 class Facts(PageFacts):
     big: bool
+    power: Phrase  # where that of the joints goes
     definite: Phrase  # or not, or not known
 
 
@@ -55,11 +59,12 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     shown = bool(signs) and all(signs)
     if shown:
         work = told.law("positive", signs)
+    work = _power(work, arm, D)
     names = ("Y", "parameters", "Y_b", "base_parameters")
     return work.answer(
         "properties",
         {**results, **{name: linear.results[name] for name in names}},
-        Facts(big=arm.long, definite=_definite(values, D if shown else None)),
+        Facts(big=arm.long, power=_power_told(robot), definite=_definite(values, D if shown else None)),
         matrices=frozenset({"D_dot", "N", "Y", "Y_b"}),
     )
 
@@ -71,6 +76,28 @@ def _definite(values: list[list[float]], shown: Matrix | None) -> Phrase:
     if shown is None:
         return Phrase("definite" if all(map(_positive, values)) else "semidefinite", {"D": Symbol("D")})
     return Phrase("diagonal" if is_diagonal(shown) else "by-minors", {"D": Symbol("D")})
+
+
+def _power_told(robot: Robot) -> Phrase:
+    """Whose power the rate of the kinetic energy is."""
+    return Phrase("power-of-forces-rubbing" if any(friction_sorts(robot)) else "power-of-forces")
+
+
+def _power(work: Work, arm: Arm, D: Matrix) -> Work:
+    """d/dt (qdot^T D qdot / 2) = qdot^T (tau - g), with tau by Newton and Euler and without friction."""
+    import numpy as np
+
+    g, rate = arm.problem.ask("dynamics").matrix("g"), work.matrix("D_dot")
+
+    def gained(at: Point) -> Any:
+        inertia, slope, load = (np.array(number_rows(each, at)) for each in (D, rate, g))
+        speeds, rises = (np.array([[at[f"{name}_{dots}"]] for name in arm.variables]) for dots in DOTS)
+        return speeds.T @ (inertia @ rises + slope @ speeds / 2 + load)
+
+    def given(at: Point) -> Any:
+        return np.dot([at[each.name] for each in arm.rates], arm.rigid.torques(at))
+
+    return work.agrees("power", arm.moving, gained, given)
 
 
 def _entries(D: Matrix) -> dict[Expr, Expr]:

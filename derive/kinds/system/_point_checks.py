@@ -16,10 +16,13 @@ from derive.kinds.system._plant import AtPoint
 AT_POINT = ("in-numbers", "shown-in-numbers", "values-as-given")
 
 
-def is_named(head: Expr, name: str, system: System) -> bool:
-    """Whether this is what a result of the name is called where the equations may have that name too."""
+def is_named(head: Expr, name: str, system: System, source: str = "") -> bool:
+    """Whether this is what a result of the name is called where the equations may have that name too; that
+    of a disturbance has its name, or the index of that, behind it."""
     free = isinstance(head, Symbol) and head.name not in system.names
-    return free and head in (Symbol(name), Symbol(f"{name}_{system.output.name}"))
+    of = source if source != system.input.name else ""
+    indices = (of.rpartition("_")[2], of) if of else ("", system.output.name)
+    return free and head in [Symbol(f"{name}_{index}".rstrip("_")) for index in indices]
 
 
 def point_claims(
@@ -49,7 +52,9 @@ def point_claims(
 
 def _given(held: Held, told: AtPoint, name: str) -> Iterator[bool]:
     """The values in the sentence are those of the sheet, and the function is called by its name."""
-    yield all(len(chain) == 2 and is_named(chain[0], name, held.system) for chain in told.shown)
+    yield all(
+        len(chain) == 2 and is_named(chain[0], name, held.system, held.source.name) for chain in told.shown
+    )
     known = {**held.problem.where, **(held.given or {})}
     yield {chain[0]: chain[-1] for chain in told.point} == {
         Symbol(name): tree for name, tree in known.items()

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
+from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import scalar_number
 from derive.algebra.readable.form import readable
 from derive.algebra.roots_and_functions import root
@@ -52,7 +53,7 @@ def facts_of(answer: Answer, closed: bool, at: StabilityAtPoint | None) -> Facts
         second=_second(answer),
         concluded=tuple(_concluded(answer, what)),
         needed=None if never else needed,
-        conditions=() if never or not answer.symbols else answer.written,
+        conditions=() if never or not answer.symbols else in_one(answer),
         one_sign=_one_sign(answer) if not never else None,
         limit=_limit(answer),
         critical=_critical(answer),
@@ -127,11 +128,20 @@ def _limit(answer: Answer) -> Phrase | None:
     relation = _written_limit(answer)
     if relation is None:
         return None
-    several = len(answer.written) > 1
+    several = len(in_one(answer)) > 1
     equation = Relation(relation.left, "=", relation.right)
     return Phrase(
         "limit-while" if several else "limit-alone", {"equation": equation, "s": S, "square": S ** number(2)}
     )
+
+
+def in_one(answer: Answer) -> tuple[Relation, ...]:
+    """Two bounds of one name as a person writes them, 0 < K < 5; other conditions as they are."""
+    match answer.written:
+        case (Relation(Symbol() as name, ">", low), Relation(also, "<", high)) if name == also:
+            if known_sign(normal(high) - normal(low), answer.positive) == 1:
+                return (Relation(Relation(low, "<", name), "<", high),)
+    return answer.written
 
 
 def written_of(answer: Answer, found: Iterable[Scalar]) -> tuple[Relation, ...]:

@@ -148,7 +148,8 @@ def said(held: Held, printed: Printed, results: Mapping[str, Result]) -> Iterato
     yield {each.key for each in told.concluded} <= (SYMBOLIC if symbolic else IN_NUMBERS)
     yield (told.said("always") is not None) == (symbolic and not told.never and not told.conditions)
     yield (told.said("left-where") is not None) == (bool(told.conditions) and printed.degree > 1)
-    yield told.conditions == (() if told.never or not symbolic else printed.conditions)
+    written = tuple(bound for each in told.conditions for bound in _bounds(each))
+    yield written == (() if told.never or not symbolic else printed.conditions)
     beside = bool(printed.positive & {*printed.symbols})
     yield (told.needed is not None) == bool(told.conditions)
     yield told.needed is None or told.needed.key == ("needed-beside" if beside else "needed")
@@ -170,6 +171,14 @@ def said(held: Held, printed: Printed, results: Mapping[str, Result]) -> Iterato
         yield printed.degree <= 2
     if not symbolic:
         yield from _on_axis(printed, results)
+
+
+def _bounds(condition: Relation) -> tuple[Relation, ...]:
+    """What 0 < K < 5 says of K: K > 0 and K < 5."""
+    if not isinstance(inner := condition.left, Relation):
+        return (condition,)
+    assert not isinstance(inner.left, Relation)  # two bounds at most
+    return Relation(inner.right, ">", inner.left), Relation(inner.right, "<", condition.right)
 
 
 def _mended(printed: Printed) -> Iterator[bool]:

@@ -40,6 +40,7 @@ from derive.kinds.system._transfer_checks import drift_claims, eliminations, sai
 from derive.kinds.system._transfer_facts import Facts as Facts
 from derive.kinds.system._transfer_facts import Told
 from derive.kinds.work import Work
+from derive.names import free
 
 SUBJECTS = ("system", "motor")
 S = Symbol("s")
@@ -63,7 +64,7 @@ def claims_of(system: System, options: Options) -> tuple[str, ...]:
 def derive(system: System, options: Options, problem: Problem) -> Derivation:
     """Output over input with all other inputs zero (Dorf and Bishop, Modern Control Systems, section 2.5)."""
     solved = plant(problem, options.source, options.evaluate)
-    definitions = {**solved.solution.values, solved.named("G"): solved.solution.ratio.expr(solved.style)}
+    definitions = {**solved.solution.values, _name(solved): solved.solution.ratio.expr(solved.style)}
     evaluated, numbers = _evaluated(solved, options)
     picture = _picture(solved, options, problem)
     G, told = _result(solved), _facts(solved, numbers, picture is not None, _before(options, problem))
@@ -155,7 +156,7 @@ def _left(step: Elimination, solved: Plant) -> Phrase:
 
 def _transfer(solved: Plant) -> Iterator[Step]:
     """G, as the elimination leaves it and as it is reported."""
-    G, head = solved.named("G"), solved.system.output / solved.solution.source
+    G, head = _name(solved), solved.system.output / solved.solution.source
     unexpanded, collected = _forms(solved)
     chain: tuple[Expr, ...] = (G, head, unexpanded)
     apart = operations(unexpanded) <= operations(collected)
@@ -172,6 +173,15 @@ def _transfer(solved: Plant) -> Iterator[Step]:
         yield Step("final", (G, result), "substitute")
     if integrates_once(solved.rational):
         yield Step("drift", drift(solved, solved.rational), "drift")
+
+
+def _name(solved: Plant) -> Symbol:
+    """G; with the index of the disturbance where it is that of a disturbance, G_d of T_d."""
+    source = solved.solution.source
+    if source == solved.system.input:
+        return solved.named("G")
+    index = source.name.rpartition("_")[2]
+    return Symbol(free(solved.system.names, f"G_{index}", f"G_{source.name}"))
 
 
 def _forms(solved: Plant) -> tuple[Expr, Expr]:
@@ -247,7 +257,7 @@ def _evaluated(solved: Plant, options: Options) -> tuple[dict[str, Any], DriftAt
     if options.evaluate is None:
         return {}, None
     numeric = solved.there(solved.rational.reduced())
-    shown = ((solved.named("G"), numeric.expr(solved.style)),)
+    shown = ((_name(solved), numeric.expr(solved.style)),)
     told = DriftAtPoint(shown=shown, point=point_chains(options.evaluate, solved.problem.where))
     if numeric.symbols():
         return {"G": transfer_json(numeric)}, told

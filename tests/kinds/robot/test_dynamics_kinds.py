@@ -173,7 +173,7 @@ def test_skew_symmetry_in_numbers(tmp_path: Path) -> None:
     N = np.array(number_rows(found.results["N"], at))
     assert np.allclose(N, -N.T)
     assert abs(N).max() > 1
-    assert found.facts.definite.key == "definite"
+    assert found.facts.definite.key == "by-minors"
 
 
 def test_an_arm_whose_inertia_is_semidefinite_only(tmp_path: Path) -> None:

@@ -67,7 +67,7 @@ def friction_sorts(robot: Robot) -> tuple[bool, bool]:
 
 def friction_told(viscous: bool, coulomb: bool) -> Phrase | None:
     """What joints rub by, in the letters of the law."""
-    about: dict[str, Said] = {"viscous": Symbol("B_k"), "coulomb": Symbol("tau_ck")}
+    about: dict[str, Said] = {"viscous": Symbol("f_vk"), "coulomb": Symbol("tau_ck")}
     if viscous and coulomb:
         return Phrase("both-frictions", about)
     return Phrase("viscous", about) if viscous else Phrase("coulomb", about) if coulomb else None

@@ -126,13 +126,13 @@ def motion_law(taken: Collection[str], viscous: bool, coulomb: bool) -> Step:
     rate, rise = rate_column(names), rate_column(names, "ddot")
     momentum = (time_derivative(D, names) @ rate + D @ rise)[2, 0]
     tau = momentum - kinetic_energy(D, rate).diff(names[2]) + P.diff(names[2])
-    g_k, B_k, q_k, rubbing = symbols("g_k B_k q_k_dot tau_ck")
+    g_k, f_vk, q_k, rubbing = symbols("g_k f_vk q_k_dot tau_ck")
     inertial, moving = over("j", *symbols("d_kj q_j_ddot")), over("i j", *symbols("c_ijk q_i_dot q_j_dot"))
     found: dict[Expr, Expr] = {each: written_out(each, {"k": 3}, case) for each in (inertial, moving)}
     turning = Symbol(f"{names[2]}_dot")
-    against = [B_k * q_k] * viscous + [rubbing * Call("sign", (q_k,))] * coulomb
+    against = [f_vk * q_k] * viscous + [rubbing * Call("sign", (q_k,))] * coulomb
     forces = [number(5) * turning] * viscous + [number(7) * Call("sign", (turning,))] * coulomb
-    found |= {g_k: readable(P.diff(names[2])), B_k: number(5), rubbing: number(7), q_k: turning}
+    found |= {g_k: readable(P.diff(names[2])), f_vk: number(5), rubbing: number(7), q_k: turning}
     found[Symbol("tau_k")] = add(readable(tau), *forces)
     chain = (add(inertial, moving, g_k, *against), Symbol("tau_k"))
     return Step("tau_k-law", chain, "law", instance=found)

@@ -36,7 +36,7 @@ LEFT = 1e-5
 @dataclass(frozen=True)
 class Linear:
     """An arm at an equilibrium: the joint forces that hold it (n by 1), its D_0, the slope K_0 of gravity and
-    its viscous friction B_f (n by n)."""
+    its viscous friction F_v (n by n)."""
 
     problem: Problem
     at: Mapping[str, Expr]
@@ -112,10 +112,10 @@ def linear_at(problem: Problem, at: Mapping[str, Expr]) -> Linear:
 
 
 def linearised(work: Work, linear: Linear) -> Work:
-    """With tau_0, D_0, K_0, where there is friction B_f, then A and B; of long ones the blocks that are not
+    """With tau_0, D_0, K_0, where there is friction F_v, then A and B; of long ones the blocks that are not
     plain, over the determinant of D_0 that they share."""
     found = {"tau_0": linear.torques, "D_0": linear.inertia, "K_0": linear.slope}
-    found |= {"B_f": linear.friction} if linear.friction else {}
+    found |= {"F_v": linear.friction} if linear.friction else {}
     at_rest, slope, *state = linear_laws(linear.problem.taken, bool(linear.friction))
     for name, value in found.items():
         work = work.line(name, value=value, rule="linearised")
@@ -146,7 +146,7 @@ def _blocks(linear: Linear) -> Iterator[Step]:
     """det D_0, then A_21, A_22 and B_2 as a matrix over it."""
     readable = linear.problem.readable_matrix
     yield Step("det_0", (DET, linear.problem.readable(linear.det)), "blocks")
-    routes = (-(INVERSE * Symbol("K_0")), -(INVERSE * Symbol("B_f")), INVERSE)
+    routes = (-(INVERSE * Symbol("K_0")), -(INVERSE * Symbol("F_v")), INVERSE)
     for name, route, top in zip(("A_21", "A_22", "B_2"), routes, linear.tops, strict=True):
         if top:
             yield Step(name, (Symbol(name), route, _over_det(readable(top))), "blocks")
@@ -160,7 +160,7 @@ def _over_det(top: Matrix) -> Expr:
 
 
 def _viscous(problem: Problem) -> ScalarMatrix:
-    """B_f."""
+    """F_v."""
     frictions = (link.friction or Friction() for link in moving(problem.subject))
     return normal_matrix(diagonal(each.viscous for each in frictions), problem.names)
 
@@ -175,7 +175,7 @@ def _smooth(robot: Robot) -> Robot:
 
 
 def _differences(arm: Oracle, at: Mapping[str, Expr], point: Point, rubs: bool) -> Any:
-    """tau_0 (n), D_0, K_0, where there is friction B_f (n by n), A (2n by 2n) and B (2n by n) by central
+    """tau_0 (n), D_0, K_0, where there is friction F_v (n by n), A (2n by 2n) and B (2n by n) by central
     differences of torques and of dx/dt about rest, the forces those of rest."""
     import numpy as np
 

@@ -126,27 +126,27 @@ def acceleration_law() -> Step:
 
 
 def linear_laws(taken: Collection[str], rubs: bool) -> tuple[Step, ...]:
-    """The equations about rest, K_0, and x_dot = A x + B u with A and B in blocks; tried on numbers, where A
-    and B are what the equations make of each state and of each force alone."""
-    D, K, B_f, A, B, x = symbols("D_0 K_0 B_f A B x")
+    """The equations about rest, the entries of K_0, and x_dot = A x + B u in blocks; tried on numbers, where
+    A and B are what the equations make of each state and of each force alone."""
+    D, K, F_v, A, B, x = symbols("D_0 K_0 F_v A B x")
     nothing, one, variable = Symbol("0"), Symbol("1"), Symbol(free(taken, "zeta_1"))
     state, force = _rows((1,), (-2,), (3,), (1,)), _rows((1,), (4,))
     square = [_motion(unit, _rows((0,), (0,)), rubs) for unit in _units(4)]
     forced = [_motion(_rows((0,), (0,), (0,), (0,)), unit, rubs) for unit in _units(2)]
     moved = _motion(state, force, rubs)
     case: dict[Expr, Expr] = {
-        D: INERTIA, K: STIFFNESS, B_f: RUBBING, U: force, x: state,
+        D: INERTIA, K: STIFFNESS, F_v: RUBBING, U: force, x: state,
         one: _rows((1, 0), (0, 1)), nothing: _rows((0, 0), (0, 0)),
         Q: Matrix(state.rows[:2]), RATE: Matrix(state.rows[2:]), RISE: Matrix(moved.rows[2:]),
         A: _beside(square), B: _beside(forced), Symbol("x_dot"): moved,
     }  # fmt: skip
-    damping = B_f * RATE if rubs else ZERO
-    below = (-(D**-1 * K), -(D**-1 * B_f) if rubs else nothing)
-    gradient = Derivative(Symbol("g"), Q)
-    slope: dict[Expr, Expr] = {gradient: Derivative(sin(variable), variable), K: Call("cos", (variable,))}
+    damping = F_v * RATE if rubs else ZERO
+    below = (-(D**-1 * K), -(D**-1 * F_v) if rubs else nothing)
+    gradient, entry = Derivative(*symbols("g_i q_j")), Symbol("k_ij")
+    slope: dict[Expr, Expr] = {gradient: Derivative(sin(variable), variable), entry: Call("cos", (variable,))}
     return (
         Step("rest-law", (add(D * RISE, damping, K * Q), U), "law", instance=case),
-        in_general("K_0", gradient, slope),
+        in_general("k_ij", gradient, slope),
         in_general("x_dot", A * x + B * U, case),
         in_general("A", Matrix(((nothing, one), below)), case),
         in_general("B", Matrix(((nothing,), (D**-1,))), case),
