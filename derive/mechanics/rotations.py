@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from derive.expression import Matrix, Symbol
+from derive.expression import Matrix, Symbol, free_symbols
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,3 +21,9 @@ class GivenRotation:
         depend on each other. None else."""
         found = [entry.name for row in self.matrix.rows for entry in row if isinstance(entry, Symbol)]
         return tuple(found) if len(set(found)) == 9 else ()
+
+    @property
+    def variables(self) -> tuple[str, ...]:
+        """The names in the entries, row by row."""
+        entries = (entry for row in self.matrix.rows for entry in row)
+        return tuple(dict.fromkeys(name for entry in entries for name in sorted(free_symbols(entry))))

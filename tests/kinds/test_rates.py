@@ -6,11 +6,13 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from derive.algebra.formulas.grammar import parse
 from derive.algebra.numbers.floats import numbers
 from derive.errors import NotDerivable
 from derive.expression import Symbol
 from derive.kinds.problem import Problem
 from derive.mechanics.motion import Motion, Move
+from derive.mechanics.rotations import GivenRotation
 from tests.kinds.published import matrix, same
 from tests.kinds.test_orientation import CONVENTIONS, motion
 
@@ -79,3 +81,55 @@ def test_nothing_turns() -> None:
         still.ask("velocity")
     with pytest.raises(NotDerivable, match="no move is by b"):
         problem().ask("velocity", rates=("b",))
+
+
+# -- a rotation matrix that is given -----------------------------------------------------------------
+
+PRECESSION = (("z", "Omega*t"), ("x", "beta"), ("z", "p*t"))
+
+
+def test_steady_precession() -> None:
+    """alpha is Omega x omega (Meriam and Kraige, Dynamics, section 7/6), of a motion and its matrix."""
+    moving = Problem("motion", Motion(tuple(Move("rotate", axis, parse(by)) for axis, by in PRECESSION)))
+    R = moving.ask("rotation-matrix").results["R"]
+    at = {"t": 0.7, "Omega": 1.3, "beta": 0.4, "p": -2.0}
+    about = np.array([0, 0, 1.3])
+    spin = -2.0 * Rotation.from_euler("ZX", [0.91, 0.4]).as_matrix()[:, 2]
+    for each in (moving, Problem("rotation", GivenRotation(R))):
+        d = each.ask("acceleration")
+        assert holds(d) and "a" not in d.results
+        omega, alpha = (np.ravel(numbers(d.results[name], at)) for name in ("omega", "alpha"))
+        assert np.allclose(omega, about + spin)
+        assert np.allclose(alpha, np.cross(about, omega))
+
+
+@pytest.mark.parametrize("convention", ["ZYX", "ZXZ", "xyz"])
+def test_a_matrix_turns_as_scipy_says(convention: str) -> None:
+    R = problem(convention).ask("rotation-matrix").results["R"]
+    rates = {"phi_dot": 0.7, "theta_dot": -0.4, "psi_dot": 1.1}
+    rises = {"phi_ddot": 0.2, "theta_ddot": 0.9, "psi_ddot": -0.5}
+    start, first, second = (np.array([*each.values()]) for each in (POINT, rates, rises))
+    h = 1e-4
+
+    def there(t: float) -> Rotation:
+        return Rotation.from_euler(convention, start + t * first + t * t / 2 * second)
+
+    def omega(t: float) -> np.ndarray:
+        return (there(t + h) * there(t - h).inv()).as_rotvec() / (2 * h)
+
+    d = Problem("rotation", GivenRotation(R)).ask("acceleration")
+    assert holds(d)
+    ours = [np.ravel(numbers(d.results[name], POINT | rates | rises)) for name in ("omega", "alpha")]
+    assert np.allclose(ours[0], omega(0), atol=1e-6)
+    assert np.allclose(ours[1], (omega(h) - omega(-h)) / (2 * h), atol=1e-5)
+
+
+def test_names_of_entries_do_not_turn() -> None:
+    entries = matrix("r11,r12,r13\nr21,r22,r23\nr31,r32,r33")
+    with pytest.raises(NotDerivable, match="nothing says how these change"):
+        Problem("rotation", GivenRotation(entries)).ask("velocity")
+    with pytest.raises(NotDerivable, match="nothing turns"):
+        Problem("rotation", GivenRotation(matrix("0,-1,0\n1,0,0\n0,0,1"))).ask("acceleration")
+    with pytest.raises(NotDerivable, match="no entry depends on psi"):
+        given = GivenRotation(matrix("cos(phi),-sin(phi),0\nsin(phi),cos(phi),0\n0,0,1"))
+        Problem("rotation", given).ask("velocity", rates=("psi",))

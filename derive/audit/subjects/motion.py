@@ -7,15 +7,13 @@ from typing import Any
 
 import sympy
 
-from derive.audit import orientation
+from derive.audit import orientation, turning
 from derive.audit.asked import Asked, Holds, Same, Test
 from derive.audit.points import Point
-from derive.audit.poses import UNIT, after, homogeneous, moved, turned, vector_of
+from derive.audit.poses import UNIT, after, homogeneous, moved, turned
 from derive.audit.putting_back import put_back
 from derive.expression import free_symbols
 from derive.mechanics.motion import Motion
-
-TIME = "t"
 
 
 def angles(motion: Motion) -> frozenset[str]:
@@ -43,26 +41,9 @@ def transform(asked: Asked, point: Point) -> Iterator[Test]:
         yield Same(f"A_{k}", point.each(moved(move, asked)))
 
 
-def velocity(asked: Asked, point: Point) -> Iterator[Test]:
-    """S = dR/dt R^T, omega out of it, and dp/dt."""
-    T = pose(asked, point)
-    rate = sympy.zeros(4, 4)
-    for name in _varying(asked):
-        rate += T.diff(sympy.Symbol(name)) * (1 if name == TIME else sympy.Symbol(f"{name}_dot"))
-    S = rate[:3, :3] * T[:3, :3].T
-    yield Same("S", point.each(S))
-    yield Same("omega", point.each(vector_of(S)))
-    v = list(rate[:3, 3])
-    if "v" in asked.results:
-        yield Same("v", point.each(v))
-    else:
-        yield put_back("omega", point, v, [sympy.Integer(0)] * 3, "the origin moves too")
-
-
-def _varying(asked: Asked) -> set[str]:
-    """The names that change: as asked; else the time, or all that the moves are by."""
-    names = frozenset().union(*(free_symbols(move.by) for move in asked.subject.moves)) - asked.where.keys()
-    return set(asked.options.rates) or {TIME} & names or set(names)
+def _names(asked: Asked) -> frozenset[str]:
+    """Those that the moves are by."""
+    return frozenset().union(*(free_symbols(move.by) for move in asked.subject.moves))
 
 
 def equivalent_sequences(asked: Asked, point: Point) -> Iterator[Test]:
@@ -104,7 +85,7 @@ def _told(told: Mapping[str, Any], asked: Asked) -> sympy.Matrix:
 KINDS = {
     "rotation-matrix": rotation_matrix,
     "transform": transform,
-    "velocity": velocity,
     "equivalent-sequences": equivalent_sequences,
     **orientation.kinds(pose),
+    **turning.kinds(pose, _names),
 }

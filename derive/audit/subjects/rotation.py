@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy
 
-from derive.audit import orientation
+from derive.audit import orientation, turning
 from derive.audit.asked import Asked, Holds, Test
 from derive.audit.conditions import holds
 from derive.audit.points import NEAR, ROUNDED, Point
@@ -22,7 +22,7 @@ AXES = ((2, -3, 6, 7), (0, 3, -4, 5), (0, 0, 1, 1))  # of half turns, and their 
 
 
 def angles(given: GivenRotation) -> frozenset[str]:
-    """The time and the names in a matrix of formulas; those of any rotation."""
+    """Those of any rotation."""
     return frozenset(map(str, ANGLES)) if given.names else frozenset()
 
 
@@ -101,4 +101,5 @@ def _at_rotations(audit: Auditor) -> Auditor:
 KINDS = {
     "euler-angles": _at_rotations(orientation.kinds(pose)["euler-angles"]),
     "axis-angle": _at_rotations(axis_angle),
+    **turning.kinds(pose, lambda asked: asked.subject.variables),
 }

@@ -1,4 +1,4 @@
-"""The angular velocity of a motion whose angles and lengths change, and the velocity of its origin."""
+"""The angular velocity of a motion or a rotation that changes in time, and the velocity of its origin."""
 
 from __future__ import annotations
 
@@ -8,43 +8,40 @@ from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
-from derive.algebra.numbers.floats import Point, completed, number
+from derive.algebra.numbers.floats import Point, number
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts
-from derive.errors import NotDerivable
 from derive.expression import (
-    ONE,
     Call,
     Derivative,
     Expr,
     Symbol,
-    add,
-    free_symbols,
-    multiply,
     symbols,
     transpose,
 )
 from derive.kinds.fields import Name, OptionsModel
 from derive.kinds.meanings import Names, as_told, column_of
+from derive.kinds.motion._turning import Turning, by_chain_rule, rate_of, turning_of
 from derive.kinds.pose._numbers import size
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.lagrangian import TIME
-from derive.mechanics.motion import Motion, Move
-from derive.mechanics.oracle import made, slope, vee
-from derive.mechanics.poses import composed, position_part, rotation_part, skew
-from derive.mechanics.sequences import in_product_order
+from derive.mechanics.motion import Motion
+from derive.mechanics.oracle import slope, vee
+from derive.mechanics.poses import skew
+from derive.mechanics.rotations import GivenRotation
 from derive.names import free
 
 DIFFERENCES = 1e-6
 R, R_DOT, P, S, V = symbols("R R_dot p S v")
 LONGEST_SPEED = 12  # operations above which the size of omega is left out
+SUBJECTS = ("motion", "rotation")
 CLAIMS = ("skew-symmetric", "differences")
 
 
 class Options(OptionsModel):
-    """`rates`: the names that change in time. If left out, those are all that the moves are by, and where
+    """`rates`: the names that change in time. If left out, those are all that it is by, and where
     the time t is among them the others are constants."""
 
     rates: tuple[Name, ...] = ()
@@ -55,23 +52,18 @@ class Facts(PageFacts):
     shifted: bool
 
 
-def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
+def derive(subject: Motion | GivenRotation, options: Options, problem: Problem) -> Derivation:
     """S(omega) = dR/dt R^T (3 by 3; Spong et al., eq. 4.18; Siciliano et al., eq. 3.6), and the omega and v
     (3 by 1 each) that go with it.
 
     Raises NotDerivable where nothing changes.
     """
-    varying = _varying(motion, options, problem)
-    T = composed(in_product_order(motion.moves))
-    rotation, position = rotation_part(T), position_part(T)
-    turning = tuple(name for name in varying if rotation.diff(name))
-    if not turning:
-        raise NotDerivable("no rotation changes with the names it is by, so nothing turns")
-    shifting = tuple(name for name in varying if position.diff(name))
-    work = Work(problem, uses=(problem.ask("transform" if shifting else "rotation-matrix"),))
-    work = work.knowing({R: problem.readable_matrix(rotation), P: problem.readable_matrix(position)})
+    found = turning_of(subject, options.rates, problem)
+    varying, turning, shifting = found.varying, found.turning, found.shifting
+    work = Work(problem, uses=found.uses)
+    work = work.knowing({R: problem.readable_matrix(found.R)})
     work = _rate(work, turning).line(S, R_DOT * transpose(R), rule="skew")
-    turn, omega = work.value_matrix(S), Symbol(free(problem.taken, "omega", "w", "omega_R"))
+    turn, omega = work.value_matrix(S), spin_name(problem)
     spin = ScalarMatrix.column((turn[2, 1], turn[0, 2], turn[1, 0]))
     work = work.line(omega, value=spin, rule="read-off", label="omega")
     square = sum((part * part for (part,) in spin.rows), Scalar.of(0))
@@ -81,12 +73,13 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
     work = work.linked(but=("speed",))
     results = {"omega": work.final(omega), "S": work.final(S)}
     if shifting:
-        work = work.line(V, _by_chain_rule(P, shifting), rule="chain-rule")
+        work = work.knowing({P: problem.readable_matrix(found.p)})
+        work = work.line(V, by_chain_rule(P, shifting), rule="chain-rule")
         results["v"] = work.final(V)
     names = problem.symbols.union(f"{name}_dot" for name in varying if name != TIME)
     S_told, omega_told = normal_matrix(results["S"]), normal_matrix(results["omega"])
     work = work.law("skew-symmetric", S_told == skew(omega_told))
-    means = partial(_meant, problem, motion.moves, varying, omega)
+    means = partial(_meant, found, omega)
     as_printed = [
         (name, results[key]) for key, name in (("omega", omega), ("S", S), ("v", V)) if key in results
     ]
@@ -97,45 +90,27 @@ def derive(motion: Motion, options: Options, problem: Problem) -> Derivation:
     return work.answer("velocity", results, facts)
 
 
-def _varying(motion: Motion, options: Options, problem: Problem) -> tuple[str, ...]:
-    names = tuple(name for name in motion.variables if name not in problem.where)
-    if unknown := set(options.rates) - set(names):
-        raise NotDerivable(f"no move is by {min(unknown)}, so it has no rate here")
-    if not any(move.kind == "rotate" and set(names) & free_symbols(move.by) for move in motion.moves):
-        raise NotDerivable("no rotation is by a symbol, so nothing turns")
-    return options.rates or tuple(name for name in names if name == TIME) or names
-
-
-def rate_of(name: str) -> Expr:
-    """How fast a name changes: the time itself by 1."""
-    return ONE if name == TIME else Symbol(f"{name}_dot")
-
-
-def _by_chain_rule(of: Symbol, names: Sequence[str]) -> Expr:
-    """The sum of the derivatives by each name times its rate."""
-    return add(*(multiply(Derivative(of, Symbol(name)), rate_of(name)) for name in names))
+def spin_name(problem: Problem) -> Symbol:
+    """What the angular velocity is called."""
+    return Symbol(free(problem.taken, "omega", "w", "omega_R"))
 
 
 def _rate(work: Work, turning: Sequence[str]) -> Work:
     """dR/dt, written out where the page has room for that."""
-    formula = _by_chain_rule(R, turning)
+    formula = by_chain_rule(R, turning)
     value = work.problem.readable_matrix(work.value_matrix(formula))
     return work.line(R_DOT, formula, value=value, rule="chain-rule", spare=(value,))
 
 
-def _meant(
-    problem: Problem, moves: tuple[Move, ...], varying: Sequence[str], omega: Symbol, at: Point
-) -> Names:
-    """Everything by differences of the motion made in numbers, where the names of `where` move along."""
-
-    def pose(point: Point) -> Any:
-        return made(moves, completed(point, problem.where))
-
-    rates = {name: number(rate_of(name), at) for name in varying}
-    T, change = pose(at), slope(pose, at, rates)
-    names: dict[Expr, Any] = {R: T[:3, :3], P: T[:3, 3:], R_DOT: change[:3, :3], V: change[:3, 3:]}
-    for name in varying:
-        alone = slope(pose, at, {name: 1.0})
+def _meant(found: Turning, omega: Symbol, at: Point) -> Names:
+    """Everything by differences of the pose made in numbers, where the names of `where` move along."""
+    rates = {name: number(rate_of(name), at) for name in found.varying}
+    T, change = found.pose(at), slope(found.pose, at, rates)
+    names: dict[Expr, Any] = {R: T[:3, :3], R_DOT: change[:3, :3]}
+    if found.shifting:
+        names |= {P: T[:3, 3:], V: change[:3, 3:]}
+    for name in found.varying:
+        alone = slope(found.pose, at, {name: 1.0})
         names[Derivative(R, Symbol(name))] = alone[:3, :3]
         names[Derivative(P, Symbol(name))] = alone[:3, 3:]
     spin = change[:3, :3] @ T[:3, :3].T
