@@ -88,6 +88,29 @@ def test_axes_wait_for_the_slowest(tmp_path: Path) -> None:
     assert degrees == pytest.approx([135 / sqrt(18), 45 / sqrt(18), 30, 10])
 
 
+def test_the_cubic_of_craig_is_slowed_down(tmp_path: Path) -> None:
+    """Example 7.1 turns by 60 degrees in 3 s: 30 deg/s and 40 deg/s^2 at most."""
+    profile = "{from: 15 deg, to: 75 deg, time: 3 s, v_max: 25 deg/s, a_max: 45 deg/s^2}"
+    results = found(tmp_path, profile, "cubic", kind="time-scaling")
+    assert number(results["k"], {}) == pytest.approx(1.2)
+    assert number(results["time"], {}) == pytest.approx(3.6)
+    names = ("v_peak", "a_peak", "v_k", "a_k")
+    peaks = [number(results[name], {}) * 180 / pi for name in names]
+    assert peaks == pytest.approx([30, 40, 25, 40 / 1.44])
+    assert active(results, "time_scaling") == "velocity"
+
+
+@pytest.mark.parametrize("law", ["cubic", "quintic", "cycloidal"])
+def test_a_scaled_motion_is_the_fastest(tmp_path: Path, law: str) -> None:
+    """Scaling leads to the shortest time from whatever time is given."""
+    sizes = "v_max: 0.7 m/s, a_max: 1.1 m/s^2"
+    least = found(tmp_path, f"{{distance: -0.4 m, {sizes}}}", law)
+    for time in (0.5, 4):
+        scaled = found(tmp_path, f"{{distance: -0.4 m, {sizes}, time: {time} s}}", law, kind="time-scaling")
+        assert number(scaled["time"], {}) == pytest.approx(number(least["time"], {}))
+        assert number(scaled["k"], {}) == pytest.approx(number(least["time"], {}) / time)
+
+
 @pytest.mark.parametrize(
     ("profile", "law", "said"),
     [

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
 from math import isclose
@@ -96,29 +96,26 @@ def shaped(law: shapes.Law, profile: Profile, problem: Problem) -> Shaped:
     for bound in bare.bounds:
         axis = bare.axis(bound)
         name, limit = time_of(axis, bound[1]).name, axis.limits[bound[1]]
-        work = work.worked(
-            name, needed(shape, bound[1], axis.d, limit), _written(shape, work, bound[1], axis)
-        )
+        work = work.worked(name, needed(shape, bound[1], axis.d, limit), written(shape, work, bound[1], axis))
     bare = replace(bare, base=work)
-    return replace(bare, cases=tuple(_cases(bare)))
+    return replace(bare, cases=tuple(cases_of(bare, time_of, _timed)))
 
 
-def _written(shape: Shape, work: Work, rate: int, axis: Limited) -> Expr:
+def written(shape: Shape, work: Work, rate: int, axis: Limited) -> Expr:
     """A time that a limit needs as a person writes it: a root is not taken apart."""
     d, limit = axis.d, axis.limits[rate]
-    formula = needed(shape, rate, d, limit)
-    found = work.shown(formula)
+    if free_symbols(work[d]) and free_symbols(work[limit]):
+        return needed(shape, rate, work[d], work[limit])
+    found = work.shown(needed(shape, rate, d, limit))
     if rate == 1 or isinstance(found, Number):
         return found
-    if free_symbols(found):
-        return needed(shape, rate, work[d], work[limit])
     return sqrt(work.problem.readable(normal(over(shape.strong, d, limit), work.definitions)))
 
 
-def _reached(shape: Shape, work: Work, axis: Limited) -> Expr:
-    """The velocity reached at the greatest acceleration: 3 d/(2 T) with T^2 = 6 d/a_M, no root below the
-    line."""
-    found = work.shown(peak(shape, 1, axis.d, TIME))
+def at_most(shape: Shape, work: Work, axis: Limited, formula: Expr) -> Expr:
+    """The velocity reached at the greatest acceleration, as a `formula` says it: 3 d/(2 T) with
+    T^2 = 6 d/a_M, no root below the line."""
+    found = work.shown(formula)
     if isinstance(found, Number | Degrees):
         return found
     n, m = parts(shape.strong)
@@ -134,11 +131,15 @@ def time_of(axis: Limited, rate: int) -> Symbol:
     return Symbol(f"T_{'va'[rate - 1]}{axis.end}")
 
 
-def _cases(each: Shaped) -> Iterator[Case]:
-    """One; of a single axis with symbols one for either limit."""
+def cases_of(
+    each: Shaped,
+    name_of: Callable[[Limited, int], Symbol],
+    case: Callable[[Shaped, tuple[Bound, ...], tuple[Relation, ...]], Case],
+) -> Iterator[Case]:
+    """One; of a single axis with symbols one for either limit. Names are those of what each limit needs."""
     work, bounds = each.base, tuple(each.bounds)
     if each.several or len(bounds) == 1:
-        yield _timed(each, _longest(each))
+        yield case(each, _longest(each, name_of), ())
         return
     (axis,) = each.axes
     border = over(SHAPES[each.law].border, squared(axis.limits[1]), axis.limits[2])
@@ -146,18 +147,18 @@ def _cases(each: Shaped) -> Iterator[Case]:
     if sign is None:
         left, right = work.shown(border), work.shown(axis.d)
         for bound, relation in zip(bounds, ("<=", ">"), strict=True):
-            yield _timed(each, (bound,), (Relation(left, relation, right),))
+            yield case(each, (bound,), (Relation(left, relation, right),))
     else:
-        yield _timed(each, bounds if not sign else bounds[:1] if sign < 0 else bounds[1:])
+        yield case(each, bounds if not sign else bounds[:1] if sign < 0 else bounds[1:], ())
 
 
-def _longest(each: Shaped) -> tuple[Bound, ...]:
+def _longest(each: Shaped, name_of: Callable[[Limited, int], Symbol]) -> tuple[Bound, ...]:
     """Those that need the longest time. Raises NotDerivable where symbols leave that open."""
     bounds = each.bounds
     if len(bounds) == 1:
         return tuple(bounds)
     try:
-        names = [time_of(each.axis(bound), bound[1]) for bound in bounds]
+        names = [name_of(each.axis(bound), bound[1]) for bound in bounds]
         times = [value_of(each.base.final(name), {}) for name in names]
     except KeyError:
         message = "the slowest axis cannot be told without numbers; give values under where:"
@@ -166,7 +167,7 @@ def _longest(each: Shaped) -> tuple[Bound, ...]:
     return tuple(bound for bound, time in pairs if isclose(time, max(times), rel_tol=SAME))
 
 
-def _timed(each: Shaped, active: tuple[Bound, ...], when: tuple[Relation, ...] = ()) -> Case:
+def _timed(each: Shaped, active: tuple[Bound, ...], when: tuple[Relation, ...]) -> Case:
     """The time, and what is reached in it."""
     shape = SHAPES[each.law]
     longest = time_of(each.axis(active[0]), active[0][1])
@@ -177,15 +178,14 @@ def _timed(each: Shaped, active: tuple[Bound, ...], when: tuple[Relation, ...] =
             if (0, rate) in active:
                 work = work.worked(name, axis.limits[rate])
             elif rate == 1:  # equal for positive sizes only, which the search checks
-                work = work.worked(
-                    name, peak(shape, 1, axis.d, TIME), _reached(shape, work, axis), "in-numbers"
-                )
+                formula = peak(shape, 1, axis.d, TIME)
+                work = work.worked(name, formula, at_most(shape, work, axis, formula), "in-numbers")
             else:
                 work = work.worked(name, peak(shape, 2, axis.d, TIME))
         values = {name: work.final(name) for name in PEAKS}
         return Case(Outcome(active, {"time": work.final(TIME), **values}, when), work, {})
     peaks = {
-        name: tuple(_plain(work.shown(peak(shape, rate, axis.d, TIME))) for axis in each.axes)
+        name: tuple(plain(work.shown(peak(shape, rate, axis.d, TIME))) for axis in each.axes)
         for rate, name in enumerate(PEAKS, 1)
     }
     columns = {
@@ -195,7 +195,7 @@ def _timed(each: Shaped, active: tuple[Bound, ...], when: tuple[Relation, ...] =
     return Case(Outcome(active, {"time": work.final(TIME), **columns}, when), work, peaks)
 
 
-def _plain(value: Expr) -> Expr:
+def plain(value: Expr) -> Expr:
     """As it stands in a table: rounded where it is no plain number."""
     return value if isinstance(value, Number | Degrees) else Approximate(value_of(value, {}))
 
@@ -230,24 +230,30 @@ def _points(each: Shaped, case: Case) -> Iterator[tuple[Point, dict[Bound, float
             yield at, times
 
 
-def _names(each: Shaped, at: Point, times: Mapping[Bound, float]) -> Names:
-    """What was given, the times that the search finds, and the peaks of the motion in the longest."""
+def given_names(each: Shaped, at: Point) -> dict[Expr, Any]:
+    """What was given, in numbers."""
     known = completed(at, each.base.problem.where)
     names: dict[Expr, Any] = {Symbol(name): value for name, value in known.items()}
-    ways = []
     for axis in each.axes:
         sizes = axis.in_numbers(each.base, at) or (0.0, 0.0, 0.0)
-        ways.append(sizes[0])
         names |= {axis.d: sizes[0], **{name: sizes[rate] for rate, name in axis.limits.items()}}
+    return names
+
+
+def names_of(each: Shaped, at: Point, times: Mapping[Bound, float]) -> Names:
+    """The times that the search finds beside what was given, and the peaks of the motion in the longest."""
+    names = given_names(each, at)
     names |= {time_of(each.axis(bound), bound[1]): time for bound, time in times.items()}
-    d, way = (WAY, 1.0) if each.several else (each.axes[0].d, ways[0])
+    d, way = (WAY, 1.0) if each.several else (each.axes[0].d, names[each.axes[0].d])
     return {**names, **meanings(each.law, d, TIME, way, max(times.values()))}
 
 
-def as_told(each: Shaped, case: Case, chains: Sequence[Chain]) -> Iterator[bool]:
-    """Whether all that is told of a case holds where the search finds it."""
+def as_told(
+    each: Shaped, case: Case, chains: Sequence[Chain], names: Callable[[Point, Mapping[Bound, float]], Names]
+) -> Iterator[bool]:
+    """Whether all that is told of a case holds where the search finds it, by what `names` are there."""
     for at, found in islice(_points(each, case), EACH):
-        yield farthest(chains, _names(each, at, found)) < LOOSE
+        yield farthest(chains, names(at, found)) < LOOSE
 
 
 def right_case(each: Shaped) -> Iterator[bool]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from math import isclose
 
 from derive.algebra.numbers.floats import Point
@@ -13,7 +14,7 @@ from derive.expression import ZERO, Expr, Relation, Symbol, number, sqrt
 from derive.kinds.checks import law, route
 from derive.kinds.fields import TREES
 from derive.kinds.meanings import Chain
-from derive.kinds.profile._fixed_shape import Case, Shaped, as_told, reached, right_case
+from derive.kinds.profile._fixed_shape import Case, Shaped, as_told, names_of, reached, right_case
 from derive.kinds.profile._limited import given_of
 from derive.kinds.profile._minimum_told import NUMBERS, CaseTold, Facts, begins
 from derive.kinds.profile._shapes import PEAKS, TAU, TIME, WAY
@@ -38,10 +39,10 @@ def steps_of(each: Shaped) -> Iterator[Step]:
     """Those that all cases share, then those of each."""
     yield from each.base.steps
     for case in each.cases:
-        yield from (replace(step, name=name) for name, step in _own(each, case))
+        yield from (replace(step, name=name) for name, step in own(each, case))
 
 
-def _own(each: Shaped, case: Case) -> list[tuple[str, Step]]:
+def own(each: Shaped, case: Case) -> list[tuple[str, Step]]:
     """The lines of a case by their names."""
     mark = f"{case.outcome.active[0][1]}_" if case.outcome.when else ""
     return [(f"{mark}{step.name}", step) for step in case.work.steps[len(each.base.steps) :]]
@@ -49,22 +50,20 @@ def _own(each: Shaped, case: Case) -> list[tuple[str, Step]]:
 
 def facts_of(each: Shaped, profile: Profile, at_point: Phrase | None, drawn: bool) -> Facts:
     """What the words read."""
-    d = WAY if each.several else each.axes[0].d
     names = tuple(step.name for step in each.base.steps)
     how = _how(each)
-    about: dict[str, Said] = {"d": d, "T": TIME, "tau": TAU, "share": Relation(TAU, "=", NOW / TIME)}
     return Facts(
         given=given_of(each.base, each.axes),
         units=profile.units,
-        direction=_direction(each),
-        opening=Phrase(LAWS[each.law], about),
+        direction=direction(each),
+        opening=opening(each, TIME),
         laws=names[:3],
         greatest=GREATEST[each.law],
         peaks=names[3:5],
         bounds=Phrase("bound" if len(each.bounds) == 1 else "bounds"),
         needed=names[5:],
         cases=tuple(
-            CaseTold(begins=begins(case.outcome, how), lines=tuple(name for name, _ in _own(each, case)))
+            CaseTold(begins=begins(case.outcome, how), lines=tuple(name for name, _ in own(each, case)))
             for case in each.cases
         ),
         reached=Phrase("reached", {"T": TIME}) if each.several else None,
@@ -76,7 +75,14 @@ def facts_of(each: Shaped, profile: Profile, at_point: Phrase | None, drawn: boo
     )
 
 
-def _direction(each: Shaped) -> Phrase | None:
+def opening(each: Shaped, T: Symbol) -> Phrase:
+    """What the law is, over which distance in which time."""
+    d = WAY if each.several else each.axes[0].d
+    about: dict[str, Said] = {"d": d, "T": T, "tau": TAU, "share": Relation(TAU, "=", NOW / T)}
+    return Phrase(LAWS[each.law], about)
+
+
+def direction(each: Shaped) -> Phrase | None:
     """What is said where sizes are told of a motion backwards, or symbols leave open that it is none."""
     if any(axis.backwards for axis in each.axes):
         return Phrase("backwards-axes" if each.several else "backwards")
@@ -122,10 +128,11 @@ def claims_of(each: Shaped, facts: Facts, steps: Sequence[Step]) -> Iterator[Cla
         yield from case.work.linked().claims
     given: list[Chain] = [(name, value) for name, value, _ in facts.given]
     told_of = (
-        (case, [*shared, *(chains[name] for name, _ in _own(each, case)), *given, *_results(each, case)])
+        (case, [*shared, *(chains[name] for name, _ in own(each, case)), *given, *_results(each, case)])
         for case in each.cases
     )
-    yield route("as-told", (right for case, lines in told_of for right in as_told(each, case, lines)))
+    names = partial(names_of, each)
+    yield route("as-told", (right for case, lines in told_of for right in as_told(each, case, lines, names)))
     yield route("right-case", right_case(each))
     yield law("said", _said(each, facts))
     if facts.table is not None:
@@ -146,23 +153,36 @@ def _results(each: Shaped, case: Case) -> Iterator[Chain]:
 
 
 def _said(each: Shaped, facts: Facts) -> Iterator[bool]:
-    """The sentences are those of this law and of so many limits; the peaks are where they are said to be."""
-    rates: dict[Expr, int] = {axis.d: 0 for axis in each.axes}
-    rates |= {name: rate for axis in each.axes for rate, name in axis.limits.items()}
-    yield all(rates.get(name) == rate for name, _, rate in facts.given)
-    yield facts.greatest is not None and _greatest_there(each.law, facts.greatest)
-    yield facts.opening is not None and facts.opening.key == LAWS[each.law]
+    """The sentences are those of so many limits and cases."""
+    yield from said_of(each, facts.given, facts.opening, facts.greatest, facts.direction)
     yield facts.bounds == Phrase("bounds" if len(each.bounds) > 1 else "bound")
-    back = any(axis.backwards for axis in each.axes)
-    told_back = facts.direction is not None and facts.direction.key.startswith("backwards")
-    yield told_back == back and (facts.direction is not None) == (
-        back or any(axis.open for axis in each.axes)
-    )
-    for case, told in zip(each.cases, facts.cases, strict=True):
-        yield told.begins.about.get("limits") == case.outcome.limits
-        yield (told.begins.about.get("when"),) == (case.outcome.when or (None,))
+    yield from (said_of_case(case, told.begins) for case, told in zip(each.cases, facts.cases, strict=True))
     if facts.table is not None:
         yield [row[0] for row in facts.table.rows] == [number(k) for k, _ in enumerate(each.axes, 1)]
+
+
+def said_of_case(case: Case, begins: Phrase) -> bool:
+    """Whether a case is begun with its limits and its condition."""
+    when = case.outcome.when or (None,)
+    return begins.about.get("limits") == case.outcome.limits and (begins.about.get("when"),) == when
+
+
+def said_of(
+    each: Shaped,
+    given: Sequence[tuple[Expr, Expr, int | None]],
+    opening: Phrase | None,
+    greatest: Phrase | None,
+    way: Phrase | None,
+) -> Iterator[bool]:
+    """The sentences are those of this law; the peaks are where they are said to be."""
+    rates: dict[Expr, int] = {axis.d: 0 for axis in each.axes}
+    rates |= {name: rate for axis in each.axes for rate, name in axis.limits.items()}
+    yield all(rates.get(name) == rate for name, _, rate in given)
+    yield greatest is not None and _greatest_there(each.law, greatest)
+    yield opening is not None and opening.key == LAWS[each.law]
+    back = any(axis.backwards for axis in each.axes)
+    yield (way is not None and way.key.startswith("backwards")) == back
+    yield (way is not None) == (back or any(axis.open for axis in each.axes))
 
 
 def _greatest_there(kind: shapes.Law, said: Phrase) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from derive.audit.subjects.profile.pieces import lspb_trajectory, spline_trajectory
 from derive.audit.subjects.profile.polynomial import cubic_trajectory, quintic_trajectory
-from derive.audit.subjects.profile.times import minimum_time
+from derive.audit.subjects.profile.times import minimum_time, time_scaling
 from derive.audit.subjects.profile.trapezoid import trapezoidal_profile
 
 KINDS = {
@@ -14,4 +14,5 @@ KINDS = {
     "spline-trajectory": spline_trajectory,
     "trapezoidal-profile": trapezoidal_profile,
     "minimum-time": minimum_time,
+    "time-scaling": time_scaling,
 }

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any, TypeAlias
 
 import mpmath
 
@@ -18,7 +19,7 @@ Typed = tuple[Expr, Expr | None, Expr | None]  # a distance and both limits
 Sizes = tuple[mpmath.mpf, mpmath.mpf, mpmath.mpf]  # of a distance and both limits
 CASES = re.compile(r"([a-z ]+) if ([^;]+)")
 PLACES = 6  # where the cases of symbols are told apart
-NAMES = ("time", "v_peak", "a_peak")
+Route: TypeAlias = "Callable[[Asked, Point], tuple[str, Mapping[str, object]]]"
 
 
 def unit_peaks(law: str) -> tuple[mpmath.mpf, mpmath.mpf]:
@@ -49,45 +50,64 @@ def _flat() -> mpmath.mpf:
 
 def minimum_time(asked: Asked, point: Point) -> Iterator[Test]:
     """The longest of the times that the limits of all axes need."""
+    yield from _held(asked, point, _found)
+
+
+def time_scaling(asked: Asked, point: Point) -> Iterator[Test]:
+    """That time over the one that was given."""
+    yield from _held(asked, point, _scaled)
+
+
+def _held(asked: Asked, point: Point, found: Route) -> Iterator[Test]:
+    """All results and numbers; those of several axes have no symbols."""
+    ahead = [
+        each for each in (_positive(asked, point, place) for place in range(PLACES)) if _is_ahead(asked, each)
+    ]
     if "solutions" in asked.results:
-        for place in range(PLACES):
-            there = _positive(asked, point, place)
-            if all(floating(there.at(asked.formula(way))) > 0 for way, *_ in _typed(asked)):
-                yield from _by_cases(asked, there)  # backwards it is told otherwise
+        for there in ahead:
+            yield from _by_cases(asked, there, found)  # backwards it is told otherwise
     else:
-        there = _positive(asked, point)
-        active, values = _found(asked, there)
+        there = ahead[0] if ahead else point
+        active, values = found(asked, there)
         yield Holds("active", asked.results["active"] == active, active)
-        for name in NAMES:
-            yield Same(name, values[name])
+        for name in values.keys() & asked.results.keys():
+            if isinstance(asked.results[name], list):
+                yield Same(name, values[name])
+            else:
+                yield put_back(name, there, asked.result(name), values[name], "it is another")
     if asked.evaluated:
-        _, values = _found(asked, asked.here)
-        for name in NAMES:
-            if name in asked.evaluated:
-                yield Same(EVALUATED + name, values[name])
+        _, values = found(asked, asked.here)
+        for name in values.keys() & asked.evaluated.keys():
+            yield Same(EVALUATED + name, values[name])
 
 
-def _by_cases(asked: Asked, point: Point) -> Iterator[Test]:
+def _by_cases(asked: Asked, point: Point, found: Route) -> Iterator[Test]:
     """The case whose condition holds is the right one, and told as such."""
-    active, values = _found(asked, point)
-    expected = [values[name] for name in NAMES]
+    active, values = found(asked, point)
     met = []
     for branch in asked.objects("solutions"):
         case, _, condition = branch["when"].partition(": ")
         if holds(condition, asked, point):
             met.append(case)
-            told = [point.at(asked.read(branch[name])) for name in NAMES]
+            names = [name for name in values if name in branch]
+            told = [point.at(asked.read(branch[name])) for name in names]
+            expected = [values[name] for name in names]
             yield put_back("solutions", point, told, expected, f"not the least if {condition}")
     said = CASES.findall(str(asked.results["active"]))
     told_cases = [case.strip() for case, condition in said if holds(condition, asked, point)]
     yield Holds("solutions", met == [active], f"{met or 'no case'} is met where it is {active}")
     yield Holds("active", told_cases == [active], f"it is {active}")
     branches = asked.objects("solutions")
-    first = next(
-        (each for each in branches if asked.evaluated and _is_here(asked, each["when"])), branches[0]
-    )
-    for name in NAMES:
+    here = (each for each in branches if asked.evaluated and _is_here(asked, each["when"]))
+    first = next(here, branches[0])
+    for name in values.keys() & first.keys():
         yield put_back(name, point, asked.result(name), asked.read(first[name]), "none of the solutions")
+
+
+def _is_ahead(asked: Asked, point: Point) -> bool:
+    """Whether every axis goes forward, as far as symbols decide that."""
+    ways = [asked.formula(way) for way, *_ in _typed(asked)]
+    return all(not way.free_symbols or floating(point.at(way)) > 0 for way in ways)
 
 
 def _is_here(asked: Asked, when: str) -> bool:
@@ -129,6 +149,19 @@ def _found(asked: Asked, point: Point) -> tuple[str, Mapping[str, object]]:
     return _listed(texts), values
 
 
+def _scaled(asked: Asked, point: Point) -> tuple[str, Mapping[str, object]]:
+    """Which limits are active, the factor, the new time, and the peaks before and after."""
+    active, values = _found(asked, point)
+    longest: Any = values["time"]
+    time = floating(point.at(asked.formula(asked.subject.time)))
+    fast, strong = unit_peaks(asked.options.law)
+    found = {"k": longest / time, "time": longest, "v_k": values["v_peak"], "a_k": values["a_peak"]}
+    if len(_typed(asked)) == 1:
+        d, *_ = _sizes(asked, point, _typed(asked)[0])
+        found |= {"v_peak": fast * d / time, "a_peak": strong * d / time**2}
+    return active, found
+
+
 def _listed(texts: list[str]) -> str:
     *most, last = texts
     return f"{', '.join(most)} and {last}" if most else last
@@ -149,7 +182,8 @@ def _sizes(asked: Asked, point: Point, typed: Typed) -> Sizes:
 
 def _positive(asked: Asked, point: Point, place: int = 0) -> Point:
     """Near the point, with every size positive."""
-    formulas = [asked.formula(tree) for typed in _typed(asked) for tree in typed if tree is not None]
+    trees = [tree for typed in _typed(asked) for tree in (*typed, asked.subject.time) if tree is not None]
+    formulas = [asked.formula(tree) for tree in trees]
     names = {symbol.name for formula in formulas for symbol in formula.free_symbols}
     assumptions = {**point.assumptions, **dict.fromkeys(names, "positive")}
     return Point(point.seed + 100 * place, point.exact, point.angles, assumptions, point.fixed)
