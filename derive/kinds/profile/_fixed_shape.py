@@ -121,7 +121,7 @@ def at_most(shape: Shape, work: Work, axis: Limited, formula: Expr) -> Expr:
     n, m = parts(shape.strong)
     d, a = work[axis.d], work[axis.limits[2]]
     inner = multiply(*(factor for factor in (m, d, a) if factor != ONE)) / n
-    if not free_symbols(inner):
+    if not (free_symbols(d) and free_symbols(a)):
         inner = work.problem.readable(normal(inner))
     return multiply(shape.fast, sqrt(inner))
 
