@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
+from dataclasses import dataclass, field, replace
 
 from derive.expression import Expr, Indexed, Number, Symbol, column, walk
+from derive.render.document import ProblemPage
+from derive.render.known_names import alone
 from derive.render.latex import Printer
 from derive.render.layout import Link, one_line
 from derive.render.notation import Notation
@@ -20,10 +23,19 @@ WORDS = "words/_coordinates.j2"
 
 def speaks_of_q(printed: Iterable[Printed]) -> bool:
     """Whether a formula has the vector q, or an entry of it in general."""
-    trees = (link.tree for each in printed for chain in each.chains for link in chain if link.tree)
-    found = {name for tree in trees for node in walk(tree) if (name := _name(node))}
+    found = _named(printed)
     q = RATE if any(map(POINT.fullmatch, found)) else Q
     return any(map(q.fullmatch, found))
+
+
+def point_by_q(printed: Iterable[Printed], variables: Iterable[str]) -> str:
+    """The first of the points that are called q_1 and so on, "" where none is: joint variables may be."""
+    return next((name for name in sorted(_named(printed) - {*variables}) if POINT.fullmatch(name)), "")
+
+
+def _named(printed: Iterable[Printed]) -> set[str]:
+    trees = (link.tree for each in printed for chain in each.chains for link in chain if link.tree)
+    return {name for tree in trees for node in walk(tree) if (name := _name(node))}
 
 
 def _name(node: Expr) -> str:
@@ -37,15 +49,39 @@ def _name(node: Expr) -> str:
     return ""
 
 
-def coordinates(arms: Mapping[tuple[str, ...], Notation], printed: list[Printed]) -> str:
-    """The sentence for the first of these arms, "" where there is none; its formula is added to `printed`."""
-    if not arms:
+@dataclass(frozen=True, slots=True)
+class Spoken:
+    """What goes by q on a sheet: the joint variables of `arms`, each with its notation and its first problem;
+    another quantity in problems without joints; a point of an axis by q and an index."""
+
+    arms: dict[tuple[str, ...], tuple[Notation, int]] = field(default_factory=dict)
+    other: bool = False
+    point: str = ""
+
+    def and_by(self, problem: ProblemPage, printed: Iterable[Printed]) -> Spoken:
+        """With these formulas of a question."""
+        formulas, variables = [*printed], problem.variables
+        point = self.point or (point_by_q(formulas, variables) if variables else "")
+        if not speaks_of_q(formulas):
+            return replace(self, point=point)
+        if not variables:
+            return replace(self, point=point, other=True)
+        arms = {variables: (problem.notation, problem.number)} | self.arms
+        return replace(self, point=point, arms={**self.arms, **arms})
+
+
+def coordinates(spoken: Spoken, printed: list[Printed]) -> str:
+    """The sentence for the first of the arms, "" where there is none; its formula is added to `printed`."""
+    if not spoken.arms:
         return ""
-    variables, notation = next(iter(arms.items()))
+    variables, (notation, number) = next(iter(spoken.arms.items()))
     printer = Printer(notation, in_line=True)
     trees = Symbol("q"), column(map(Symbol, variables))
     chain = tuple(Link("=", printer.write(tree), tree) for tree in trees)
     printed.append(Printed.inline(one_line(chain), chain, notation))
     q = f"${one_line(chain)}$"
     words = environment().get_template(WORDS)
-    return words.render(q=q, several=len(variables) > 1, others=len(arms) > 1).strip()
+    point = alone(Symbol(spoken.point), notation, printed) if spoken.point else ""
+    several, others = len(variables) > 1, len(spoken.arms) > 1
+    problem = number if spoken.other else 0
+    return words.render(q=q, several=several, others=others, problem=problem, point=point).strip()

@@ -7,7 +7,7 @@ import re
 from derive.render import html_skin
 from derive.render.author_text import latex_prose, markdown_prose
 from derive.render.conventions import conventions
-from derive.render.coordinates import coordinates, speaks_of_q
+from derive.render.coordinates import Spoken, coordinates
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked, file_path, plot_path
 from derive.render.evaluated import evaluated_words
 from derive.render.foot import Proved
@@ -15,7 +15,6 @@ from derive.render.formulas import spelt
 from derive.render.given import given_words
 from derive.render.html_skin import HTML
 from derive.render.markdown_math import left_alone, rows_apart
-from derive.render.notation import Notation
 from derive.render.plain_text import latex_text, markdown_text
 from derive.render.printed import Printed, Reader, Said, unread
 from derive.render.skin import HELD_LINE, Skin, english, environment, require_texts, words_file
@@ -70,7 +69,7 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
     figures: dict[int, str] = {}
     said: list[Said] = []
     so_far = SoFar()
-    arms: dict[tuple[str, ...], Notation] = {}  # the joint variables of those of which q is spoken
+    spoken = Spoken()
     for problem in document.problems:
         told: list[Printed] = []
         given[problem.number, 0] = given_words(problem.given, problem.subject, skin, problem.notation, told)
@@ -83,12 +82,12 @@ def _page(document: Document, skin: Skin, front: bool, read: Reader) -> str:
             figures[problem.number] = subject_figure(document, problem, skin, so_far, printed)
         so_far.problem = problem.number
         answer = _answer(document, problem, question, skin, printed, so_far)
-        if problem.variables and answer and speaks_of_q(printed):
-            arms.setdefault(problem.variables, problem.notation)
+        if answer:
+            spoken = spoken.and_by(problem, printed)
         answers[problem.number, question.number] = answer
         said.append(Said(f"{problem.number}.{question.number}", question.place, tuple(printed)))
     taken: list[Printed] = []
-    agreed = " ".join(filter(None, (conventions(said, taken), coordinates(arms, taken))))
+    agreed = " ".join(filter(None, (conventions(said, taken), coordinates(spoken, taken))))
     known = spelt(agreed, skin.formulas, taken) if document.solutions else ""
     said.append(Said("conventions", None, tuple(taken)))
     look = f"{skin.name}/page.j2"

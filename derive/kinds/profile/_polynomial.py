@@ -74,7 +74,7 @@ def polynomial(
     facts = Facts(
         given=tuple((name, value, ends.rates[name]) for name, value in typed if name in ends.rates),
         units=profile.units,
-        ends=Phrase({2: "cubic-ends", 3: "quintic-ends"}[order]),
+        ends=_ends_told(ends),
         first=tuple(step.name for step in work.steps[:order]),
         T=ends.T,
         sum=() if bool(free_symbols(law) - {"t"}) and not ends.at_rest else ("q_of_t",),
@@ -90,7 +90,7 @@ def polynomial(
     told_too = (*printed, *((name, value) for name, value, _ in facts.given), (ends.T, facts.T))
     rates = {name: rate for places in (ends.start, ends.end) for rate, name in enumerate(places)}
     told_rates = [rate == (None if name == ends.T else rates[name]) for name, _, rate in facts.given]
-    work = work.law("said", (*told_rates, *_said(facts, len(names)), *_from_to(ends, journey)))
+    work = work.law("said", (*told_rates, *_said(facts, len(names), journey), *_from_to(ends, journey)))
     work = as_told(work, means.names, told_too, "both-ends", symbols=problem.symbols | {t.name})
     moments: dict[Expr, Expr] = {ends.T: profile.time or ONE}
     work = work.claim(*drawn.claims(((results["q"], None),), facts.limits, facts.drawn, moments=moments))
@@ -101,6 +101,14 @@ def polynomial(
     return work.answer(kind, results, facts, evaluated=evaluated, plots=plots, units=units)
 
 
+def _ends_told(ends: Ends) -> Phrase:
+    """What is known there; that there is no acceleration need not be given."""
+    if ends.order == 2:
+        return Phrase("cubic-ends")
+    still = ends.start[2] == ends.end[2] == ZERO
+    return Phrase("quintic-ends-unaccelerated" if still else "quintic-ends")
+
+
 def _greatest(order: int) -> Phrase:
     """Where velocity and acceleration are greatest from rest to rest; shares of the whole time."""
     if order == 2:
@@ -109,10 +117,12 @@ def _greatest(order: int) -> Phrase:
     return Phrase("quintic-peaks", {"early": half - apart, "late": half + apart})
 
 
-def _said(facts: Facts, coefficients: int) -> Iterator[bool]:
+def _said(facts: Facts, coefficients: int, journey: Journey) -> Iterator[bool]:
     """The sentences are those for so many coefficients; the jerk vanishes where it is said."""
     name = {4: "cubic", 6: "quintic"}[coefficients]
-    yield facts.ends.key == f"{name}-ends" and (facts.greatest is not None) == bool(facts.peaks)
+    pushed = any(each != ZERO for each in (journey.start_acceleration, journey.end_acceleration))
+    known = f"{name}-ends" if coefficients == 4 or pushed else f"{name}-ends-unaccelerated"
+    yield facts.ends.key == known and (facts.greatest is not None) == bool(facts.peaks)
     if facts.greatest is not None:
         yield facts.greatest.key == f"{name}-peaks"
         shares = [value_of(share, {}) for share in facts.greatest.about.values() if isinstance(share, TREES)]

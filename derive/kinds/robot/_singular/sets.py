@@ -97,10 +97,11 @@ def analysed(problem: Problem, block: Block, found: Stratum, inner: bool) -> Ana
     equations = tuple(_positive(problem.readable(each.factor)) for each in steps) if not signed(place) else ()
     told = not signed(place) and (inner or len(values) > MOST_SHOWN)
     once = any(map(_turns_with_others, values))
-    cases = tuple(
-        _case(block, zeros, shown=not inner, with_J=not inner and not (once and k))
-        for k, zeros in enumerate(() if told else values)
-    )
+    cases: tuple[Case, ...] = ()
+    for zeros in () if told else values:
+        case = _case(block, zeros, shown=not inner)
+        alike = once and any(each.looks == case.looks for each in cases)
+        cases = (*cases, case if inner or alike else _with_spaces(block, case))
     pairs = tuple((Symbol(zero.variable), zero.value) for zero in known)
     return Analysed(block, equations, pairs, found.rank, found.exact, cases, values[:MOST_CHECKED], inner)
 
@@ -115,18 +116,20 @@ def _positive(tree: Expr) -> Expr:
     return opposite(tree) if mostly_negative(tree) else tree
 
 
-def _case(block: Block, zeros: tuple[Zero, ...], shown: bool, with_J: bool) -> Case:
+def _case(block: Block, zeros: tuple[Zero, ...], shown: bool) -> Case:
     values = tuple((Symbol(zero.variable), zero.value) for zero in zeros)
-    case = Case(values, zeros, block.seeing.looks(zeros) if shown else ())
-    if not with_J:
-        return case
+    return Case(values, zeros, block.seeing.looks(zeros) if shown else ())
+
+
+def _with_spaces(block: Block, case: Case) -> Case:
+    """With the Jacobian, where it has a short form."""
     try:
-        return _with_spaces(block, case)
+        return _spaces(block, case)
     except (TooLong, NotDerivable, ZeroDivisionError):
         return case
 
 
-def _with_spaces(block: Block, case: Case) -> Case:
+def _spaces(block: Block, case: Case) -> Case:
     J = at_zeros(block.J, case.zeros)
     null, lost = null_space(J, block.variables), null_space(J.T, block.variables)
     spanned = column_space(J, block.variables)
