@@ -101,7 +101,7 @@ def cross_section(sizes: Sizes) -> Plot:
         arm = _aside((x, y), sizes.side)
     key = "in-the-plane" if sizes.offset else "distance"
     return Plot(
-        "workspace", _with_unit(key, sizes.unit), _with_unit("height", sizes.unit), series, regions=regions,
+        "workspace", with_unit(key, sizes.unit), with_unit("height", sizes.unit), series, regions=regions,
         arms={LINKS: arm}, equal=True, unscaled=not sizes.known,
         caption=Phrase("drawn-section" if sizes.known else "drawn-section-in-letters"),
         alt=Phrase("seen-section", sizes.said()) if sizes.known else Phrase("seen-section-in-letters"),
@@ -114,7 +114,8 @@ def _aside(curve: Curve, side: float) -> Curve:
     return tuple(math.hypot(each, side) for each in x), y
 
 
-def _with_unit(key: str, unit: str) -> Phrase:
+def with_unit(key: str, unit: str) -> Phrase:
+    """What an axis of the plot is called, with its unit."""
     return Phrase("with-unit", {"name": Phrase(key), "unit": unit}) if unit else Phrase(key)
 
 

@@ -82,7 +82,7 @@ def swung_arm(chain: Chain, point: ScalarMatrix, last: int) -> SwungArm | None:
     if any(not _fixed(chain, each) for each in (offset, height, side)):
         return None
     center = start + first.scaled(height)
-    return SwungArm((lengths[0], lengths[1]), _size(offset * offset), _size(side * side), center)
+    return SwungArm((lengths[0], lengths[1]), size(offset * offset), size(side * side), center)
 
 
 def turns_freely(chain: Chain, moving: Sequence[int], spare: Sequence[int], planar: bool) -> bool:
@@ -106,7 +106,7 @@ def _lengths(chain: Chain, rows: Sequence[int], point: ScalarMatrix) -> tuple[Sc
         square = dot(seen, seen)
         if not _fixed(chain, square):
             return ()
-        found.append(_size(square))
+        found.append(size(square))
     return tuple(found)
 
 
@@ -114,7 +114,7 @@ def _fixed(chain: Chain, value: Scalar) -> bool:
     return not any(value.diff(name) for name in chain.variables)
 
 
-def _size(square: Scalar) -> Scalar:
+def size(square: Scalar) -> Scalar:
     """The root of a square; lengths are taken as positive, so that of a^2 is a."""
     if square.constant is not None or square.denominator is not None or not square:
         return root(square)

@@ -11,7 +11,8 @@ from derive.mechanics.robot import Robot
 
 def unit_of_lengths(problem: Problem, more: Iterable[Expr] = ()) -> str:
     """Metres where a length was typed in them; "" where none was; `more` are values of a point."""
-    rows = problem.subject.motions() if isinstance(problem.subject, Robot) else ()
+    arm = problem.subject if isinstance(problem.subject, Robot) else None
+    rows = (*arm.motions(), *(end for ends in arm.ranges.values() for end in ends)) if arm else ()
     trees = (*rows, *problem.where.values(), *more)
     units = (node.unit for tree in trees for node in walk(tree) if isinstance(node, Number))
     return "m" if "m" in units else ""

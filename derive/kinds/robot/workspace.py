@@ -2,23 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Mapping
 
 from derive.algebra.numbers import floats as numeric
-from derive.derivation import Claim, Derivation, PageFacts, Phrase, Plot, Step
+from derive.derivation import Claim, Derivation, PageFacts, Phrase, Plot, Record, Step
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Expr, Relation, Symbol, between
+from derive.expression import ZERO, Call, Expr, Relation, Symbol, between, walk
+from derive.figures.limited_workspaces import Outline, drawn
 from derive.figures.typical import completed, typical
 from derive.figures.workspaces import Sizes, cross_section, from_above
-from derive.kinds.chains import closing
+from derive.kinds.chains import closing, distinct
 from derive.kinds.checks import close, route
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._lengths import unit_of_lengths
 from derive.kinds.robot._point import PointOn, Tracked, tracked
+from derive.kinds.robot._reach import sampled
 from derive.kinds.robot._reach.checks import Reached
-from derive.kinds.robot._reach.regions import Region, Secondary, final_distance, region_of, secondary
+from derive.kinds.robot._reach.limited import Limited, Shape, ranges_of
+from derive.kinds.robot._reach.regions import (
+    Region,
+    Secondary,
+    final_distance,
+    refuse_coupled,
+    region_of,
+    secondary,
+)
+from derive.kinds.robot._reach.spans import Span
 from derive.kinds.robot._reach.told import (
     R_MAX,
     R_MIN,
@@ -27,17 +39,20 @@ from derive.kinds.robot._reach.told import (
     closed_where,
     orientations_told,
     region_told,
+    shape_orientations,
 )
 from derive.kinds.robot._units import of_variables, together
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
-from derive.mechanics.reach import moving_joints, turns_freely
+from derive.mechanics.chain import Chain
+from derive.mechanics.reach import moving_joints, planar_arm, swung_arm, turns_freely
 from derive.mechanics.robot import Robot
+from derive.names import free
 
 NOTHING, NEARLY = 1e-9, 1e-3  # of a hole, and of the corners of a circle
 EXAMPLE = 0.6  # of the first link: a second one of which nothing is known, so that a hole is seen
-CLAIMS = ("largest-distance", "smallest-distance", "lines", "link-lengths", "hole", "called")
-measures = together(of_variables, r_min="m", r_max="m")
+CLAIMS = ("largest-distance|inside", "smallest-distance|filled", "lines", "link-lengths|touching", "called")
+measures = together(of_variables, r_min="m", r_max="m", area="m^2", volume="m^3")
 
 
 class Options(OptionsModel):
@@ -45,6 +60,15 @@ class Options(OptionsModel):
 
     point: PointOn | None = None
     evaluate: Evaluation = None
+
+
+class Limits(Record):
+    """Of an arm with slides or limits: the distances that have an end, and the size."""
+
+    distances: tuple[str, ...]
+    measure: str
+    size: Phrase | None
+    rise: Phrase | None  # above the plane square to the first axis
 
 
 class Facts(PageFacts):
@@ -57,6 +81,8 @@ class Facts(PageFacts):
     kinds: Phrase  # of a workspace
     orientations: Phrase
     plots: tuple[str, ...]
+    limits: Phrase  # of the joints
+    limited: Limits | None = None
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -65,10 +91,12 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 
     Raises NotDerivable for arms of any other build.
     """
-    if robot.ranges:
-        raise NotDerivable("the workspace within the ranges of joints is not derived yet")
     found = chain_of(problem)
     point = tracked(problem, found, options.point)
+    refuse_coupled(found, point)
+    shape = _limited(problem, found, point)
+    if shape:
+        return _within(problem, found, point, shape, options)
     region = region_of(problem, found, point)
     r_max, r_min = final_distance(problem, region.largest[-1]), final_distance(problem, region.smallest[-1])
     steps = (
@@ -89,6 +117,123 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     return work.answer("workspace", results, facts, plots=plots)
 
 
+def _limited(problem: Problem, found: Chain, point: Tracked) -> Shape | None:
+    """The shape where a joint has a range, or slides so that it matters. Raises NotDerivable where there is a
+    range and no shape is known."""
+    rows = moving_joints(found, point.position, point.last)
+    ranged = any(problem.subject.links[i - 1].range for i in rows)
+    if not ranged and (
+        planar_arm(found, point.position, point.last) or swung_arm(found, point.position, point.last)
+    ):
+        return None
+    shape = Limited(problem, found, point).shape()
+    if shape is None and ranged:
+        raise NotDerivable("the workspace within ranges of the joints of this arm is not derived yet")
+    return shape
+
+
+def _within(problem: Problem, found: Chain, point: Tracked, shape: Shape, options: Options) -> Derivation:
+    """Every joint within its limits: the distances that are met, and the size of what they enclose."""
+    heads = {
+        "r_max": R_MAX, "r_min": R_MIN, "area": Symbol(free(problem.taken, "A", "A_w")),
+        "volume": Symbol(free(problem.taken, "V", "V_w")),
+    }  # fmt: skip
+    told = {name: final_distance(problem, chain[-1]) for name, chain in shape.formulas.items()}
+    steps = tuple(
+        closing(Step(name, (heads[name], *distinct(chain)), name), told[name])
+        for name, chain in shape.formulas.items()
+    )
+    unlinked = [step.name for step in steps if any(_is_no_form(each) for each in step.chain)]
+    work = Work(problem, uses=(problem.ask("forward-kinematics"),)).step(*steps).linked(but=unlinked)
+    work = work.claim(*sampled.claims(problem, found, point, shape, steps, told))
+    plots = _outlines(problem, shape, told, options)
+    spare = tuple(i for i, _ in found.moving if i not in shape.rows and i <= point.last)
+    loose = tuple(i for i in spare if problem.subject.links[i - 1].range is None)
+    planar = shape.kind in ("ring", "rail")
+    turning = [i for i in shape.rows if found.joint(i).type == "revolute"]
+    facts = Facts(
+        arm=shape.arm,
+        shoulder=None,
+        description=shape.description,
+        within=None,
+        closed=None,
+        nearer=None if shape.side == ZERO else Phrase("not-nearer", {"side": shape.side}),
+        kinds=Phrase("kinds-in-a-plane" if planar else "kinds"),
+        orientations=shape_orientations(
+            shape, spare, bool(turning) and turns_freely(found, turning, loose, planar), planar
+        ),
+        plots=tuple(plot.name for plot in plots),
+        limits=_limits(problem, found, shape),
+        limited=Limits(
+            distances=tuple(name for name in ("r_max", "r_min") if name in told),
+            measure=shape.measure,
+            size=Phrase(f"its-{shape.measure}") if shape.measure else None,
+            rise=_rise(shape),
+        ),
+        numbers=(*told,),
+        page_names={name: heads[name] for name in told},
+    )
+    return work.answer("workspace", {**told, "description": shape.description}, facts, plots=plots)
+
+
+def _is_no_form(tree: Expr) -> bool:
+    """Whether there is no normal form of it."""
+    return any(isinstance(node, Call) and node.function in ("max", "acos", "abs") for node in walk(tree))
+
+
+def _limits(problem: Problem, found: Chain, shape: Shape) -> Phrase:
+    told = ranges_of(problem, shape.rows)
+    rest = tuple(
+        Symbol(found.joint(i).variable) for i in shape.rows if not problem.subject.links[i - 1].range
+    )
+    key = "without-limits" if not told else "within-limits-but" if rest else "within-limits"
+    if not told and any(found.joint(i).type == "prismatic" for i in shape.rows):
+        key = "slides-without-limits"
+    return Phrase(key, {"ranges": told, "rest": rest})
+
+
+def _rise(shape: Shape) -> Phrase | None:
+    if shape.rise is None:
+        return None
+    function, low, high = shape.rise
+    return Phrase("rise", {"function": function, "ends": between(low, function, high)})
+
+
+def _outlines(problem: Problem, shape: Shape, told: Mapping[str, Expr], options: Options) -> tuple[Plot, ...]:
+    """With the lengths that are given; nothing of what has no end, is a line or a box."""
+    given = dict(options.evaluate or ())
+    known = oracle_of(problem).at(point_of(given, problem.where))
+    try:
+        near, far = (
+            numeric.number(told[name], known) if name in told else 0.0 for name in ("r_min", "r_max")
+        )
+        sides = tuple(_ends(span, known) for span in shape.sides)
+        turn, rise = shape.turn, shape.rise
+        ends = (
+            (numeric.number(turn[0], known), numeric.number(turn[1], known)) if turn else (0.0, 2 * math.pi)
+        )
+        if shape.kind == "ball":
+            low, high = (numeric.number(each, known) for each in rise[1:]) if rise else (-1.0, 1.0)
+            ends = math.asin(low), math.asin(high)
+        rail = _ends(shape.rail, known) if shape.rail else (0.0, 0.0)
+    except (KeyError, NotDerivable):
+        return ()
+    if (len(sides) != 2) if shape.kind == "box" else (far - near < NOTHING and not shape.rail):
+        return ()
+    side = numeric.number(shape.side, known)
+    if side:
+        near, far = (math.sqrt(max(0.0, each**2 - side**2)) for each in (near, far))
+    unit = unit_of_lengths(problem, given.values())
+    return (drawn(Outline(shape.kind, unit, near, far, ends, rail, sides, side)),)
+
+
+def _ends(span: Span, known: Mapping[str, float]) -> tuple[float, float]:
+    """Raises NotDerivable where one is missing."""
+    if span.low is None or span.high is None:
+        raise NotDerivable("there is no end")
+    return numeric.number(span.low, known), numeric.number(span.high, known)
+
+
 def _facts(
     problem: Problem, region: Region, point: Tracked, inner: Secondary | None, plots: tuple[Plot, ...]
 ) -> Facts:
@@ -106,6 +251,7 @@ def _facts(
         kinds=Phrase("kinds-in-a-plane" if planar else "kinds"),
         orientations=orientations_told(region, closed, spare, free, inner),
         plots=tuple(plot.name for plot in plots),
+        limits=Phrase("without-limits"),
         numbers=("r_min", "r_max"),
     )
 

@@ -25,6 +25,9 @@ def workspace(asked: Asked, point: Point) -> Iterator[Test]:
     if point.exact:
         raise Irrational
     said = str(asked.results["description"])
+    if asked.subject.ranges or "r_min" not in asked.results or "r_max" not in asked.results:
+        yield Beyond("description", "no search within limits")
+        return
     lengths = Point(point.seed, False, point.angles, _positive(asked))
     r_min, r_max = (abs(floating(asked.ours(name, lengths))) for name in ("r_min", "r_max"))
     about_a_point = "ball" in said or "shell" in said

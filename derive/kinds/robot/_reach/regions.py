@@ -42,7 +42,6 @@ class Secondary(Record):
 
 def region_of(problem: Problem, found: Chain, point: Tracked) -> Region:
     """What a point reaches. Raises NotDerivable for an arm of another build."""
-    _refuse_coupled(found, point)
     planar = planar_arm(found, point.position, point.last)
     if planar:
         return _annulus(problem, planar)
@@ -55,7 +54,7 @@ def region_of(problem: Problem, found: Chain, point: Tracked) -> Region:
     )
 
 
-def _refuse_coupled(found: Chain, point: Tracked) -> None:
+def refuse_coupled(found: Chain, point: Tracked) -> None:
     """Raises NotDerivable where the rows do not turn as they like, or the point moves in its link."""
     if point.drift is not None or not _each_its_row(found):
         raise NotDerivable(

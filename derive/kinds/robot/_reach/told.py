@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from derive.derivation import Phrase, Said
-from derive.expression import ZERO, Relation, Symbol
+from derive.expression import ZERO, Call, Relation, Symbol
+from derive.kinds.robot._reach.limited import Shape
 from derive.kinds.robot._reach.regions import Region, Secondary
 
 R_MIN, R, R_MAX = Symbol("r_min"), Symbol("r"), Symbol("r_max")
@@ -73,3 +74,20 @@ def orientations_told(
             return Phrase("two-orientations-or-the-base", {"equal": Relation(lengths[0], "=", lengths[1])})
         return Phrase("the-base-alone" if closed else "two-orientations")
     return Phrase("no-wrist" if spare else "no-joint-left")
+
+
+def shape_orientations(shape: Shape, spare: tuple[int, ...], free: bool, planar: bool) -> Phrase:
+    """The same within limits; joints that are `spare` give any orientation where they are `free`."""
+    if free:
+        return Phrase("both-the-same-by-one" if len(spare) == 1 else "both-the-same", {"spare": spare})
+    if shape.kind == "box":
+        return Phrase("no-wrist" if spare else "never-turned")
+    if shape.gap is not None and shape.turn is None and planar and not spare:
+        link = shape.link
+        about: dict[str, Said] = {
+            "r": R, "last": link, "far": shape.far_start, "inside": Call("abs", (R - link,)), "gap": shape.gap
+        }  # fmt: skip
+        return Phrase("last-link-within", about)
+    if len(shape.rows) <= (2 + bool(shape.lift) if planar else 3):
+        return Phrase("no-wrist" if spare else "no-joint-left")
+    return Phrase("orientations-open")
