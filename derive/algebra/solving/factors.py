@@ -97,10 +97,26 @@ def primitive_column(column: ScalarMatrix, names: Iterable[str]) -> ScalarMatrix
         return column
     if sum(len(entry.numerator) for entry in whole) > MOST_TERMS:
         raise TooLong
-    _, quotients = common_factor(whole, names)
-    numbers = (as_fraction(each) for entry in quotients for each in entry.numerator.coeffs())
-    content = measure(numbers)
-    return ScalarMatrix.column([entry / content for entry in quotients])
+    names = tuple(names)
+    found = _divided(whole, names)
+    for (
+        root
+    ) in column.ring.roots:  # w divides w a + w^2 too, where w^2 is written out: then w^2 divides w times it
+        if not root.is_sign and root.degree == 2 and any(root.name in e.generators() for e in found):
+            times = Scalar(column.ring, column.ring.gen(root.name))
+            found = min(found, _divided([entry * times for entry in found], names), key=_terms)
+    return ScalarMatrix.column(found)
+
+
+def _divided(entries: Sequence[Scalar], names: tuple[str, ...]) -> list[Scalar]:
+    """The entries without their common factors and numbers."""
+    _, quotients = common_factor(entries, names)
+    content = measure(as_fraction(each) for entry in quotients for each in entry.numerator.coeffs())
+    return [entry / content for entry in quotients]
+
+
+def _terms(entries: Sequence[Scalar]) -> int:
+    return sum(len(entry.numerator) for entry in entries)
 
 
 def primitive(scalar: Scalar) -> Scalar:
