@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from derive.algebra.normal import normal_matrix
 from derive.algebra.readable.form import factored_matrix
 from derive.algebra.readable.operation_count import operations
-from derive.derivation import Derivation, PageFacts, Phrase
+from derive.derivation import Derivation, PageFacts, Phrase, Said
 from derive.expression import ZERO, Expr, Matrix, Product, Symbol, add, children, free_symbols, transpose
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
@@ -41,6 +43,7 @@ class Facts(PageFacts):
     what the matrices of inertia are called."""
 
     I: Symbol
+    centers: Phrase | None  # where they are given
     moments: Phrase
     big: bool
     drifts: Phrase | None
@@ -60,10 +63,11 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     moments = {name: value for body in bodies for name, value in body.named.items()}
     big = max(map(operations, children(written))) > MOST_IN_THE_BASE
     work = Work(problem).resting_on(problem.ask("forward-kinematics" if big else "joint-axes"))
+    heavy = tuple(body for body in bodies if body.turns or body.body.mass != ZERO) or bodies
     for body in bodies:
         work = work.knowing(body_definitions(problem, body))
-    work = _local(work, bodies) if big else _base(work, found, bodies)
-    work = _sum(work.showing(quadratic_law(inertias(bodies))), bodies, written, moments, big)
+    work = _local(work, bodies) if big else _base(work, found, heavy)
+    work = _sum(work.showing(quadratic_law(inertias(bodies))), heavy, written, moments, big)
     # What rests on D takes it with the names of moments kept.
     work = work.knowing({entry_symbol("d", *ij): entry for ij, entry in _entries(written).items()})
     work = work.knowing({**moments, D: written})
@@ -81,6 +85,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     )
     facts = Facts(
         I=inertias(bodies),
+        centers=None if big else _centers(heavy),
         moments=Phrase(
             "changing-moments" if changing else "moments-of-shapes" if moments else "steady-moments"
         ),
@@ -89,6 +94,15 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         numbers=("D",),
     )
     return work.answer("inertia-matrix", results, facts, matrices=frozenset(results))
+
+
+def _centers(bodies: Sequence[Weighted]) -> Phrase:
+    """That centers of mass are given in frames, or are the origins of these."""
+    about: dict[str, Said] = {name[0]: Symbol(name) for name in ("R_i^0", "o_i", "T_i^0")}
+    if any(any(body.com.entries) for body in bodies):
+        return Phrase("centers", about)
+    del about["R"]
+    return Phrase("centers-at-origins" if len(bodies) > 1 else "center-at-origin", about)
 
 
 def _base(work: Work, found: Chain, bodies: tuple[Weighted, ...]) -> Work:
@@ -111,8 +125,7 @@ def _sum(
 ) -> Work:
     """What each link brings, and D; of a big arm sums in names, compared with D multiplied out."""
     problem, names = work.problem, list[Symbol]()
-    heavy = [body for body in bodies if body.turns or body.body.mass != ZERO]
-    for body in heavy or bodies:
+    for body in bodies:
         names.append(name := Symbol(f"D_{body.i}"))
         formula = _formula(body, big)
         own = formula if big else problem.readable_matrix(link_inertia(body.motion))
