@@ -6,7 +6,7 @@ sentences live in `templates/words/` and refer to the steps by name.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias, TypeVar, dataclass_transform
 
@@ -33,7 +33,7 @@ class PageFacts(Record):
     one for each solution at a point, these are a table; `remark` is what is said after the numbers, and
     angles are `in_degrees` though nobody typed any. The names in a matrix, `at_pose`, are told by it at a
     point. Vectors that are `lying` are rows on the page; those `by_joint` have an entry for each joint and
-    are no twists, even of six.
+    are no twists, even of six. Matrices of `forms` are quadratic forms in a twist.
     """
 
     numbers: tuple[str, ...] | None = None
@@ -42,6 +42,7 @@ class PageFacts(Record):
     angle_results: tuple[str, ...] = ()
     lying: tuple[str, ...] = ()
     by_joint: tuple[str, ...] = ()
+    forms: tuple[str, ...] = ()
     style: Style = Style()
     short_names: tuple[str, ...] = ()
     labels: tuple[Cell, ...] = ()
@@ -51,6 +52,7 @@ class PageFacts(Record):
 
 
 F = TypeVar("F", bound=PageFacts)
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,13 +157,22 @@ class Branch:
 class LinearSystem:
     """Equations in place of a formula that would fill pages: `left` (n by n) times the unknowns is `right`
     (n by 1). The result is the first of the unknowns, as many as are `wanted`; the others are found with
-    them. `names` stand in the equations for what is given with them."""
+    them, and where it is a matrix, row by row, it has so many `columns`. `names` stand in the equations for
+    what is given with them."""
 
     unknowns: tuple[Symbol, ...]
     left: Matrix
     right: Matrix
     wanted: int
     names: Mapping[str, Expr] = field(default_factory=dict)
+    columns: int = 1
+
+    def shaped(self, values: Sequence[T]) -> list[T] | list[list[T]]:
+        """What each of the unknowns that are wanted is, in the shape of the result."""
+        found = [*values[: self.wanted]]
+        if self.columns == 1:
+            return found
+        return [found[k : k + self.columns] for k in range(0, self.wanted, self.columns)]
 
     def __hash__(self) -> int:
         return hash((self.unknowns, self.left, self.right))

@@ -17,6 +17,7 @@ from typing import Any, get_args
 from derive.derivation import Claim, Derivation, LinearSystem
 from derive.errors import DivisionByZero, FormulaError, NotDerivable, NotReal
 from derive.expression import Expr, Number, free_symbols
+from derive.kinds.checks import flat
 from derive.kinds.linear_systems import solved_as_written
 from derive.kinds.sure import MARGIN, read, rounding, sure
 from derive.render.json_result import plain
@@ -92,7 +93,7 @@ class Again:
             return found if abs(found - number) <= MARGIN * abs(number) or abs(number) < MARGIN else number
         return found
 
-    def _solved(self, found: list[float], text: dict[str, Any], names: Mapping[str, Expr]) -> list[float]:
+    def _solved(self, found: list[Any], text: dict[str, Any], names: Mapping[str, Expr]) -> list[Any]:
         """The solution of equations, solved again as they are written."""
         try:
             numbers = solved_as_written(text, names)
@@ -102,8 +103,10 @@ class Again:
             self.left[self.name] = None
         else:
             size = max(1.0, *map(abs, numbers))
-            self.same += (abs(a - b) <= PARTLY * size for a, b in zip(found, numbers, strict=False))
-            return numbers[: len(found)]
+            self.same += (abs(a - b) <= PARTLY * size for a, b in zip(flat(found), numbers, strict=False))
+            width = len(found[0]) if isinstance(found[0], list) else 0
+            rows = range(0, len(found) * width, width or 1)
+            return [numbers[k : k + width] for k in rows] if width else numbers[: len(found)]
         return found
 
     def _put_in(self, found: LinearSystem, equations: list[str], names: Mapping[str, Expr]) -> None:

@@ -13,6 +13,7 @@ from derive.algebra.fingerprint import fingerprint
 from derive.derivation import Branch, Derivation, LinearSystem
 from derive.errors import FormulaError, SheetError, SheetErrors
 from derive.expression import Approximate, Expr, Matrix, Number, rebuild
+from derive.kinds.linear_systems import unknowns_of
 from derive.kinds.sure import read
 from derive.render.document import Document
 
@@ -66,10 +67,9 @@ def _verdicts(value: Any, written: Any, rows: bool = False) -> Iterator[Verdict]
             yield value.true_at == written.get("true_at", True)
             yield from _verdicts({**(value.short or value.values), **value.facts}, written)
         case LinearSystem(unknowns, names=names):
-            told = [*written["unknowns"], *written.get("auxiliary", ())]
             texts = [each.split(" = ") for each in written["equations"]]
             parts = [unknowns, value.equations, dict(names)]
-            yield from _verdicts(parts, [told, texts, written.get("where", {})])
+            yield from _verdicts(parts, [[*unknowns_of(written)], texts, written.get("where", {})])
         case dict():
             for name, part in value.items():
                 yield from _verdicts(part, written[name]) if name != "when" else ()

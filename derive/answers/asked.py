@@ -55,9 +55,15 @@ class Asked:
             equal = ((name, step) for step in steps for name in step.chain if isinstance(name, Symbol))
             found.update({name.name: step.result for name, step in equal})
             found.update({step.name: step.result for step in steps})
-        results = self.derivation.results.items()
-        equations = {name for name, result in results if isinstance(result, LinearSystem)}
-        return {**found, **{name: each for name, each in results if name not in equations & found.keys()}}
+        return {**found, **self.derivation.results, **self._solved}
+
+    @property
+    def _solved(self) -> Mapping[str, Expr]:
+        """The solution in numbers of results that are told by equations."""
+        results, evaluated = self.derivation.results, self.derivation.evaluated
+        told = (name for name, result in results.items() if isinstance(result, LinearSystem))
+        numbers = {name: _numeric(evaluated.get(name)) for name in told}
+        return {name: tree for name, tree in numbers.items() if tree is not None}
 
     @cached_property
     def definitions(self) -> Names:
@@ -129,8 +135,16 @@ def _trees(result: Any) -> Iterator[Expr]:
 
 def _numeric(value: Any) -> Expr | None:
     """Numbers at a point as a tree; None where they are no plain numbers."""
-    if isinstance(value, float | int) and not isinstance(value, bool):
+    if _is_number(value):
         return Approximate(float(value))
-    if isinstance(value, list) and value and all(isinstance(each, float | int) for each in value):
+    if not isinstance(value, list) or not value:
+        return None
+    if all(map(_is_number, value)):
         return column([Approximate(float(each)) for each in value])
+    if all(isinstance(row, list) and all(map(_is_number, row)) for row in value):
+        return Matrix(tuple(tuple(Approximate(float(each)) for each in row) for row in value))
     return None
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, float | int) and not isinstance(value, bool)

@@ -45,7 +45,7 @@ class Asked:
     def read(self, text: Json) -> Any:
         """A text, or nested lists of texts, of the answer as SymPy expressions. Raises Unreadable."""
         if is_system(text):
-            return [self.read(name) for name in text["unknowns"]]
+            return self.read(text["unknowns"])
         if isinstance(text, list | tuple):
             return [self.read(part) for part in text]
         if isinstance(text, str):

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import chain
 from typing import Any, TypeGuard
 
 import sympy
 
 from derive.audit.linear import solve
-from derive.audit.points import Number, Point
+from derive.audit.points import Point, Value
 from derive.audit.text import Json, Names, sympy_of_text
 
 
@@ -17,14 +18,18 @@ def is_system(told: Json) -> TypeGuard[Mapping[str, Any]]:
     return isinstance(told, Mapping) and "equations" in told
 
 
-def solution(told: Mapping[str, Any], names: Names, point: Point) -> list[Number]:
-    """The unknowns that are the result. Raises ZeroDivisionError where they have not one value."""
+def solution(told: Mapping[str, Any], names: Names, point: Point) -> Value:
+    """The unknowns that are the result, or rows of them. Raises ZeroDivisionError where they
+    have not one value."""
     with_them = told.get("where", {})
     known = {**names, **{name: sympy_of_text(text, names) for name, text in with_them.items()}}
     texts = ([sympy_of_text(side, known) for side in each.split(" = ")] for each in told["equations"])
     gaps = [left - right for left, right in texts]
-    unknowns = [*map(sympy.Symbol, (*told["unknowns"], *told.get("auxiliary", ())))]
+    rows = [each if isinstance(each, list) else [each] for each in told["unknowns"]]
+    unknowns = [*map(sympy.Symbol, (*chain(*rows), *told.get("auxiliary", ())))]
     nothing = dict.fromkeys(unknowns, 0)
     left = [[point.at(gap.diff(each)) for each in unknowns] for gap in gaps]
     right = [[-point.at(gap.subs(nothing))] for gap in gaps]
-    return [row[0] for row in solve(left, right)][: len(told["unknowns"])]
+    found = iter(row[0] for row in solve(left, right))
+    values = [[next(found) for _ in row] for row in rows]
+    return [*values] if isinstance(told["unknowns"][0], list) else [*chain(*values)]

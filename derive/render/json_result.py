@@ -96,7 +96,7 @@ def plain(value: Any, speech: Speech, matrix: bool = False) -> Any:
 
 def _system(system: LinearSystem) -> dict[str, Any]:
     """Names of the result, those found with them, the equations, and what is given with them, if any."""
-    wanted, others = system.unknowns[: system.wanted], system.unknowns[system.wanted :]
+    wanted, others = system.shaped(system.unknowns), system.unknowns[system.wanted :]
     told = {"unknowns": wanted, "auxiliary": others, "where": dict(system.names)}
     return {
         **{key: each for key, each in told.items() if each},

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
-from derive.derivation import Condition, Derivation, Phrase, Result, Said
+from derive.derivation import Condition, Derivation, PageFacts, Phrase, Result, Said
 from derive.expression import Expr, Indexed, Matrix, Product, Relation, Symbol, walk
 from derive.render.names import stem_of
 
@@ -97,12 +97,20 @@ def answer(derivation: Derivation) -> Derivation:
     """A derivation whose results, and their numbers, have the angular half first where they are of twists."""
     if not any(_has_twists(step.rule, step.chain) for step in derivation.all_steps()):
         return derivation
-    kept = derivation.facts.by_joint
-    results = {name: found if name in kept else _result(found) for name, found in derivation.results.items()}
-    numbers = {
-        name: found if name in kept else _numbers(found) for name, found in derivation.evaluated.items()
+    facts = derivation.facts
+    results = {
+        name: found if name in facts.by_joint else _result(found)
+        for name, found in derivation.results.items()
     }
+    numbers = {name: _told(found, name, facts) for name, found in derivation.evaluated.items()}
     return replace(derivation, results=results, evaluated=numbers)
+
+
+def _told(found: Any, name: str, facts: PageFacts) -> Any:
+    """The numbers of a result."""
+    if name in facts.forms:
+        return [_numbers(row) for row in _numbers(found)]
+    return found if name in facts.by_joint else _numbers(found)
 
 
 def _result(found: Result) -> Result:

@@ -144,7 +144,7 @@ def _as_equations(problem: Problem, arm: Arm) -> Derivation:
     )
     results = {"D": arm.inertia.results["D"], "h": solved.rest, "qddot": solved.system}
     work = by_index(work, results)
-    facts = Facts(one=False, in_full=None, rubbing=solved.rubbing, by_joint=("h", "qddot"))
+    facts = Facts(one=False, in_full=None, rubbing=solved.rubbing, by_joint=("D", "h", "qddot"))
     return work.answer("forward-dynamics", results, facts, matrices=frozenset({"D"}))
 
 

@@ -8,29 +8,32 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers.floats import Point, numbers
 from derive.algebra.scalar import Scalar
-from derive.derivation import Derivation, PageFacts
+from derive.derivation import Derivation, PageFacts, Result
 from derive.errors import NotDerivable
 from derive.expression import ONE, Call, Expr, Matrix, symbols, transpose
 from derive.kinds.fields import OptionsModel
+from derive.kinds.linear_systems import solution_at
 from derive.kinds.problem import Problem
 from derive.kinds.robot._dynamics.arm import Arm
+from derive.kinds.robot._dynamics.inertia_seen import inertia_at, inertia_by_equations
 from derive.kinds.robot._point import PointOn
 from derive.kinds.robot._velocity.solving import quotient
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.robot import Robot
+from derive.mechanics.task import moving_rows
 from derive.names import require_free
 
 CLAIMED = {"J_inv": "in-numbers"}
 
 NEEDS = ("bodies",)
-CLAIMS = ("symmetric", "kinetic-energy", "in-numbers")
+CLAIMS = ("symmetric|equations-hold", "kinetic-energy|equations-hold", "in-numbers|solved")
 MOST_JOINTS = 3
 J, D, LAMBDA = symbols("J D Lambda")
 DET, INVERSE = Call("det", (J,)), J**-1
 
 
 class Options(OptionsModel):
-    """`point`: where (the end-effector if left out); `rows`: as many velocities as there are joints."""
+    """`point`: where (the end-effector if left out); `rows`: no more velocities than joints."""
 
     point: PointOn | None = None
     rows: tuple[RowName, ...] = ()
@@ -38,20 +41,21 @@ class Options(OptionsModel):
 
 class Facts(PageFacts):
     rows: tuple[Expr, ...]
+    redundant: bool = False
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """Lambda = J^-T D J^-1 (Khatib, A unified approach for motion and force control, 1987, eq. 51).
 
-    Raises NotDerivable for an arm with more than three joints, for one whose D is long, and where J is not
-    square or has no inverse anywhere.
+    Of more than three joints, of an arm whose D is long, and where there are more joints than rows, the
+    linear equations for it. Raises NotDerivable where the rows of J are dependent everywhere.
     """
     require_free(problem.taken, "Lambda")
     arm = Arm(problem)
-    if arm.long:
-        raise NotDerivable("the matrix would fill pages; give numbers to some of the symbols of the arm")
-    task = task_of(problem, options.rows, options.point)
-    jacobian = _square(task)
+    task = _task(problem, options)
+    if len(task.rates) > MOST_JOINTS or arm.long or not task.square:
+        return _as_equations(task, arm)
+    jacobian = _regular(task)
     work = task.board().resting_on(arm.inertia).knowing({D: arm.inertia.matrix("D")})
     inertia, det, adjugate = normal_matrix(work[D]), jacobian.det(), jacobian.adjugate()
     whole = adjugate.T @ inertia @ adjugate  # Lambda times the square of det J
@@ -79,16 +83,40 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     return work.answer("operational-space-inertia", results, facts, matrices=frozenset(results))
 
 
-def _square(task: Task) -> ScalarMatrix:
+def _task(problem: Problem, options: Options) -> Task:
+    """The rows asked for; else those the arm is built for, and only linear ones where it has fewer joints.
+    Raises NotDerivable where rows are more than joints."""
+    task = task_of(problem, options.rows, options.point)
+    if not options.rows and len(task.rows) > len(task.rates):
+        linear, _ = moving_rows(task.whole)
+        task = task_of(problem, tuple(linear), options.point)
+    m, n = task.J.shape
+    if m > n:
+        raise NotDerivable(f"{m} rows are more than the {n} joints can move; give fewer, as rows: [vx, vy]")
+    return task
+
+
+def _as_equations(task: Task, arm: Arm) -> Derivation:
+    """Lambda by linear equations, J and D in them by their entries."""
+    system, work = inertia_by_equations(task, arm)
+    work = work.agrees(
+        "solved",
+        task.symbols | {"g"},
+        lambda at: solution_at(system, at),
+        lambda at: inertia_at(task, arm, at),
+        tolerance=1e-6,
+    )
+    results: dict[str, Result] = {
+        "J": task.problem.final(task.written),
+        "D": arm.inertia.results["D"],
+        "Lambda": system,
+    }
+    facts = Facts(rows=task.velocities, redundant=not task.square, by_joint=("D",), forms=("Lambda",))
+    return work.answer("operational-space-inertia", results, facts, matrices=frozenset(results))
+
+
+def _regular(task: Task) -> ScalarMatrix:
     """J, if it has an inverse anywhere. Raises NotDerivable."""
-    n = len(task.rates)
-    if n > MOST_JOINTS:
-        raise NotDerivable(
-            f"the operational-space inertia is worked out for at most {MOST_JOINTS} joints; this arm has {n}"
-        )
-    if not task.square:
-        m = len(task.rows)
-        raise NotDerivable(f"J must be square: give {n} rows for {n} joints, not {m}, as rows: [vx, vy]")
     if not task.J.det():
         rows = ", ".join(task.rows)
         raise NotDerivable(f"the rows {rows} of J are dependent everywhere; choose others, as rows: [vx, vy]")

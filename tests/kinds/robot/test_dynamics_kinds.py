@@ -250,7 +250,7 @@ def test_results_in_numbers(tmp_path: Path) -> None:
     ("question", "said"),
     [
         ("state-space, at: {phi: 0}", "phi is no joint variable"),
-        ("operational-space-inertia, rows: [vx, vy]", "J must be square"),
+        ("operational-space-inertia, rows: [vx, vy]", "2 rows are more than the 1 joints"),
         ("operational-space-inertia, rows: [vz]", "dependent everywhere"),
     ],
 )
@@ -360,3 +360,16 @@ def test_accelerations_of_many_joints_are_told_by_equations() -> None:
     f = Problem("robot", robot).ask("state-space").results["f"]
     rates = [at[f"{name}_dot"] for name in robot.variables]
     assert solution_at(f, {**at, **forces}) == pytest.approx([*rates, *rises], rel=1e-8)
+
+
+@pytest.mark.parametrize("rows", [(), ("vx", "vz"), ("vx", "vy", "vz", "wx", "wy", "wz")])
+def test_the_inertia_at_the_hand_of_many_joints(rows: tuple[str, ...]) -> None:
+    """A PUMA 560: (J D^-1 J^T)^-1 of NumPy, D by Newton and Euler and J by differences."""
+    robot = ARMS["PUMA 560"]
+    problem = Problem("robot", robot)
+    at = dict.fromkeys(problem.symbols, 0.4) | {"g": 9.81}
+    at |= {name: 0.3 - 0.1 * k for k, name in enumerate(robot.variables)}
+    found = problem.ask("operational-space-inertia", rows=rows).results
+    J, D = np.array(number_rows(found["J"], at)), Oracle(robot, {}).inertia_matrix(at)
+    expected = np.linalg.inv(J @ np.linalg.inv(D) @ J.T)
+    assert np.allclose(solution_at(found["Lambda"], at), expected, rtol=1e-8)

@@ -118,13 +118,17 @@ def accelerations(arm: Mechanics) -> list[Number]:
 
 
 def operational_space_inertia(asked: Asked, point: Point) -> Iterator[Test]:
-    """J^-T D J^-1."""
+    """J^-T D J^-1, or the inverse of J D^-1 J^T."""
     arm = Mechanics(asked, point)
-    J = Task(arm).J
-    J_inv = inverse(J)
+    J, D = Task(arm).J, numbers(arm.D)
     yield Same("J", J)
+    if "D" in asked.results:
+        yield Same("D", D)
+        yield Same("Lambda", inverse(product(J, solve(D, transposed(J)))))
+        return
+    J_inv = inverse(J)
     yield Same("J_inv", J_inv)
-    yield Same("Lambda", product(transposed(J_inv), product(numbers(arm.D), J_inv)))
+    yield Same("Lambda", product(transposed(J_inv), product(D, J_inv)))
 
 
 def state_space(asked: Asked, point: Point) -> Iterator[Test]:
