@@ -50,6 +50,8 @@ def rates(
 def pseudo_inverse(J: Rows) -> Columns:
     """J = C E with independent columns in C: E^T (E E^T)^-1 (C^T C)^-1 C^T."""
     _, pivots, _ = eliminated(J, len(J[0]))
+    if not pivots:
+        return [[0 for _ in J] for _ in J[0]]
     C = [[row[k] for k in pivots] for row in J]
     C_T = transposed(C)
     left = solve(product(C_T, C), C_T)

@@ -89,7 +89,12 @@ def _irrational(asked: Given, options: Options) -> bool:
 
 def _work(asked: Given) -> Work:
     bases = (*asked.map.base, *(asked.second.base if asked.second else ()))
-    return Work(asked.problem, uses=tuple({id(each): each for each in bases}.values()))
+    wanted = zip(asked.map.velocities, asked.velocity.rows, strict=True)
+    valued: dict[Expr, Expr] = {
+        name: value for name, (value,) in wanted if asked.options.velocity is None and name != value
+    }
+    work = Work(asked.problem, uses=tuple({id(each): each for each in bases}.values()))
+    return work.knowing(valued)
 
 
 def _by(asked: Given, options: Options, board: Board) -> tuple[Found, Limited | None]:

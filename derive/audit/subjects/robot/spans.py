@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 from derive.audit.asked import Asked, Test
@@ -33,7 +34,7 @@ def redundancy(asked: Asked, point: Point) -> Iterator[Test]:
     names = Task(arm).names
     if asked.options.task:
         names = tuple(f"r{k}_dot" for k, _ in enumerate(asked.options.task, 1))
-    other = _matrix(asked, arm, second) if second else []
+    other = _matrix(asked, Arm(replace(asked, options=second), there, 1), second) if second else []
     yield from rates(asked, J, there, names, arm.robot.variables, other)
 
 

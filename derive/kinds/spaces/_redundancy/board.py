@@ -77,13 +77,25 @@ class Board:
         return self.values[name]
 
     def line(
-        self, name: Expr, *formulas: Expr, value: ScalarMatrix, again: Again, label: str, rule: str = ""
+        self,
+        name: Expr,
+        *formulas: Expr,
+        value: ScalarMatrix,
+        again: Again,
+        label: str,
+        rule: str = "",
+        entries: tuple[Symbol, ...] = (),
     ) -> Board:
-        """A line more; `again` is the value by NumPy."""
+        """A line more; `again` is the value by NumPy, `entries` what those of a long column are called."""
         written = self.written(value)
         shown: Expr = written.rows[0][0] if value.shape == (1, 1) else written
         work = self.work.line(
-            name, *formulas, value=shown, label=label, rule="in-numbers" if self.rounded else rule
+            name,
+            *formulas,
+            value=shown,
+            label=label,
+            rule="in-numbers" if self.rounded else rule,
+            entries={(k, 0): each for k, each in enumerate(entries)},
         )
         return replace(
             self,

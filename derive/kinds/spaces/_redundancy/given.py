@@ -11,7 +11,8 @@ from pydantic import Field
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
-from derive.algebra.numbers.floats import Point, number
+from derive.algebra.numbers.floats import Point, number, scalar_number
+from derive.algebra.scalar import Scalar
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Matrix, column, free_symbols
 from derive.kinds.fields import Evaluation, OptionsModel, Place, Quantity
@@ -115,6 +116,14 @@ class Given:
         return found.union(*map(free_symbols, self.trees)) - self.map.at({}).keys()
 
     @property
+    def nonzero(self) -> frozenset[str]:
+        """Names that stand for no zero: those its author says are none, lengths of an arm, and weights."""
+        said = self.problem.assumptions.items()
+        found = frozenset(name for name, what in said if what in ("positive", "nonzero"))
+        found = found.union(*map(free_symbols, self.options.weights or ()))
+        return found if self.map.sort == "matrix" else found | (self.map.symbols - {*self.map.variables})
+
+    @property
     def gradient(self) -> tuple[Expr | None, Matrix]:
         """The function, where there is one, and the gradient (n by 1) as typed or differentiated."""
         typed = self.options.gradient
@@ -135,11 +144,21 @@ class Given:
 
     def numbers(self, typed: tuple[Expr, ...], key: str) -> list[Fraction]:
         """Positive numbers, one for each joint. Raises NotDerivable."""
-        values = [normal(each, self.map.values).constant for each in typed]
-        found = [Fraction(int(each.numerator), int(each.denominator)) for each in values if each is not None]
-        if len(found) < len(values) or not all(each > 0 for each in found):
+        try:
+            found = [_fraction(normal(each, self.map.values)) for each in typed]
+        except KeyError as error:
+            raise NotDerivable(f"no value is known of {error.args[0]} in the {key}", key) from error
+        if not all(each > 0 for each in found):
             raise NotDerivable(f"{key} are positive numbers", key)
         return found
+
+
+def _fraction(value: Scalar) -> Fraction:
+    """A number; one that is irrational, such as 120 deg, as a float has it. Raises KeyError."""
+    exact = value.constant
+    if exact is None:
+        return Fraction(f"{scalar_number(value, {}):.15f}")
+    return Fraction(int(exact.numerator), int(exact.denominator))
 
 
 def given(subject: Robot | GivenMatrix, options: Options, problem: Problem) -> Given:

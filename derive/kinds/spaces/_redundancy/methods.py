@@ -9,15 +9,28 @@ from typing import Any
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
+from derive.algebra.signs import sign_of
+from derive.algebra.solving.factors import primitive
 from derive.derivation import Record
 from derive.errors import NotDerivable
-from derive.expression import Expr, Matrix, Symbol, add, column, multiply, negate, squared, transpose
+from derive.expression import (
+    Expr,
+    Matrix,
+    Symbol,
+    add,
+    column,
+    is_negative,
+    multiply,
+    negate,
+    squared,
+    transpose,
+)
 from derive.kinds.robot._velocity.functions import functions_given
 from derive.kinds.spaces._linear_map import LinearMap
 from derive.kinds.spaces._redundancy.board import Board, Seen, diagonal, names_of, one
 from derive.kinds.spaces._redundancy.given import Given
 from derive.kinds.spaces._redundancy.inverses import Inverse, inverse_line, inverted, pinv, pseudo_inverse
-from derive.names import named
+from derive.names import free, named
 
 V, RATES, PLUS = Symbol("v"), Symbol("qdot"), Symbol("J^+")
 DEPENDENT = "the rows are dependent there, and {} needs independent ones; ask for the least-norm solution"
@@ -27,6 +40,7 @@ class Told(Record):
     """What the words read of a method: the names in its lines, and of J^+ how it was found."""
 
     inverse: Inverse | None = None
+    fails: tuple[Expr, ...] = ()  # where one of them vanishes J has a lower rank
     second: Inverse | None = None
     J: Symbol
     J_2: Symbol | None = None
@@ -88,6 +102,8 @@ def weighted(given: Given, board: Board) -> Found:
     (W, A), plus = names_of(board.problem, "W", "A"), Symbol("J_W^+")
     typed = given.options.weights or ()
     weights = tuple(normal(each, given.map.values) for each in typed)
+    if any(sign_of(each) in (0, -1) for each in weights):
+        raise NotDerivable("weights are positive", "weights")
     board = board.begin(
         W, diagonal(weights), lambda seen: _diagonal([seen.of(each) for each in typed]), "W", "given"
     )
@@ -199,6 +215,31 @@ def null_space(given: Given, board: Board) -> Found:
     return _checked(board, told, {"J_pinv": PLUS, "P": P})
 
 
+def _fails(given: Given, board: Board, plus: Symbol) -> tuple[Board, tuple[Expr, ...]]:
+    """The denominators of J^+ that may vanish, with the claim that it has no others."""
+    found: dict[str, Scalar] = {}
+    for entry in board[plus].entries:
+        if entry.denominator is not None:
+            below = primitive(Scalar(entry.ring, entry.denominator))
+            found.setdefault(str(below), below)
+    readable = board.problem.readable
+    told = {_unsigned(readable(each)): each for each in found.values() if _may_vanish(each, given.nonzero)}
+    if not told:
+        return board, ()
+    law = (normal(tree) in (value, -value) for tree, value in told.items())
+    return replace(board, work=board.work.law("denominators", law)), tuple(told)
+
+
+def _unsigned(tree: Expr) -> Expr:
+    return -tree if is_negative(tree) else tree
+
+
+def _may_vanish(value: Scalar, nonzero: frozenset[str]) -> bool:
+    """Whether its sign is not known, or all its terms may be zero."""
+    constant = any(not any(powers) for powers in value.numerator.to_dict())
+    return sign_of(value, nonzero) is None or not (constant or value.letters() <= nonzero)
+
+
 def task_priority(given: Given, board: Board) -> Found:
     """qdot = J^+ v + (J_s P)^+ (v_s - J_s J^+ v), P = 1 - J^+ J."""
     J, second = given.map.name, _second(given)
@@ -225,13 +266,15 @@ def task_priority(given: Given, board: Board) -> Found:
         again=lambda seen: seen[J_2] @ np_null(seen[J]) @ np_null(seen[J]).T,
         label="B",
     )
-    if not board.pivot_rows(board[B]):
-        raise NotDerivable("the first task leaves the second no motion: J_s P vanishes", "second")
-    board, other = pseudo_inverse(board, B, plus_2, "_2")
+    formula: Expr = u
+    value, other = board[u], None
+    if board.pivot_rows(board[B]):
+        board, other = pseudo_inverse(board, B, plus_2, "_2")
+        formula, value = add(u, multiply(plus_2, b)), board[u] + board[plus_2] @ board[b]
     board = _rates(
         board,
-        add(u, multiply(plus_2, b)),
-        value=board[u] + board[plus_2] @ board[b],
+        formula,
+        value=value,
         again=lambda seen: seen[u] + _within(np_null(seen[J]), seen[J_2], seen[b]),
     )
     least = inverse.rank < given.size[0]
@@ -316,6 +359,7 @@ def _with_one(board: Board, I: Symbol, size: int) -> Board:
 def _projector(board: Board, told: Told, plus: Symbol, given: Given) -> tuple[Board, Told]:
     """P = 1 - J^+ J (n by n)."""
     J, n = told.J, given.size[1]
+    board, fails = _fails(given, board, plus)
     I, P = names_of(board.problem, "I", "P")
     board = _with_one(board, I, n)
     board = board.line(
@@ -327,11 +371,14 @@ def _projector(board: Board, told: Told, plus: Symbol, given: Given) -> tuple[Bo
         else lambda seen: np_one(n) - seen[plus] @ seen[J],
         label="P",
     )
-    return board, replace(told, one=I, P=P)
+    return board, replace(told, one=I, P=P, fails=fails)
 
 
 def _rates(board: Board, formula: Expr, value: ScalarMatrix, again: Callable[[Seen], Any]) -> Board:
-    return board.line(RATES, formula, value=value, again=again, label="qdot")
+    indices = [f"_{k}1" for k, _ in enumerate(value.rows, 1)]
+    letter = free(board.problem.taken, "w", "x", indices=indices)
+    names = tuple(Symbol(letter + index) for index in indices)
+    return board.line(RATES, formula, value=value, again=again, label="qdot", entries=names)
 
 
 def _second_begun(board: Board, given: Given, second: LinearMap, J_2: Symbol, v_2: Symbol) -> Board:
