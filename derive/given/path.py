@@ -16,7 +16,16 @@ FULL = multiply(number(2), PI)
 
 
 def data(path: Path, problem: Problem) -> Iterator[Datum]:
-    """A sentence of the shape; of a function its formula."""
+    """A sentence of the shape, of a function its formula; then how it goes along it in time."""
+    yield from _shape(path, problem)
+    if path.timing is not None:
+        yield Datum(Phrase(path.timing.law))
+        for key in ("time", "v_max", "a_max"):
+            if (value := getattr(path.timing, key)) is not None:
+                yield Datum(Phrase(f"one-{key}", {"value": measured(value)}))
+
+
+def _shape(path: Path, problem: Problem) -> Iterator[Datum]:
     match path.shape:
         case Line(start, end):
             yield Datum(Phrase("line", {"start": vector(start), "end": vector(end)}))

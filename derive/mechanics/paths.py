@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Literal, TypeAlias
 
 from derive.expression import Expr, Matrix
 from derive.mechanics.motion import Axis
@@ -51,10 +51,22 @@ Shape: TypeAlias = Line | Arc | Curve
 
 
 @dataclass(frozen=True, slots=True)
+class Timing:
+    """How the parameter goes from rest to rest: by a polynomial in a time, or with a trapezoidal velocity by
+    two of the time, the greatest velocity and the acceleration along the path."""
+
+    law: Literal["cubic", "quintic", "trapezoidal"]
+    time: Expr | None
+    v_max: Expr | None
+    a_max: Expr | None
+
+
+@dataclass(frozen=True, slots=True)
 class Path:
-    """A path of a point."""
+    """A path of a point, and how it goes along it in time, if that is given."""
 
     shape: Shape
+    timing: Timing | None = None
 
     @property
     def size(self) -> int:

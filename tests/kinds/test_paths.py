@@ -104,3 +104,74 @@ def test_what_is_no_path_is_said(path: str, said: str, tmp_path: Path) -> None:
     with pytest.raises(SheetErrors) as fault:
         asked(path, tmp_path)
     assert said in str(fault.value.errors[0])
+
+
+TURN = "{helix: {radius: 0.3, pitch: 0.1, turns: 2}, timing: {%s}}"
+WAY = 2 * np.hypot(0.6 * np.pi, 0.1)
+CURVE = "{function: [s, s^2], range: [1, 3], timing: {%s}}"
+
+
+@pytest.mark.parametrize(
+    ("path", "timing", "whole"),
+    [
+        (TURN, "law: quintic, time: 2", 2.0),
+        (
+            TURN,
+            "law: trapezoidal, v_max: 2, a_max: 3",
+            np.hypot(0.6 * np.pi, 0.1) + 2 / 3,
+        ),  # 2 turns at 2 m/s
+        (TURN, "law: trapezoidal, v_max: 5, a_max: 3", 2 * np.sqrt(WAY / 3)),
+        (CURVE, "law: trapezoidal, time: 2, a_max: 3", 2.0),
+        (CURVE, "law: trapezoidal, time: 2, v_max: 1.5", 2.0),
+    ],
+)
+def test_motions_are_derivatives_of_the_place(path: str, timing: str, whole: float, tmp_path: Path) -> None:
+    """From rest to rest, and at times between them by a spline through places of the answer itself."""
+
+    def at(t: float) -> dict[str, Any]:
+        numbers: dict[str, Any] = asked(path % timing, tmp_path, f"  evaluate: {{t: {t:.12f}}}")["evaluated"]
+        return numbers
+
+    assert at(0)["time"] == pytest.approx(whole)
+    for end in (0.0, whole - 1e-9):
+        assert np.allclose(at(end)["v"], 0, atol=1e-6)
+    for share in (0.1, 0.55):
+        here, step = share * whole, 1e-3
+        behind, now, ahead = (at(here + k * step) for k in (-1, 0, 1))
+        p = [np.array(each["p"]) for each in (behind, now, ahead)]
+        assert np.allclose(now["v"], (p[2] - p[0]) / (2 * step), atol=1e-3)
+        assert np.allclose(
+            now["a"], (p[2] - 2 * p[1] + p[0]) / step**2, atol=1e-3 * max(1, *map(abs, now["a"]))
+        )
+        assert np.allclose(np.cross([*now["v"], 0][:3], [*now["t"], 0][:3]), 0, atol=1e-9)
+
+
+def test_spong_has_this_cubic(tmp_path: Path) -> None:
+    """q = 3 t^2 - 2 t^3 from 0 to 1 in a second (Spong et al., section 5.5.1)."""
+    found = asked("{line: {from: [0, 0], to: [1, 0]}, timing: {law: cubic, time: 1}}", tmp_path)["results"]
+    assert found["p"] == ["t**2*(3 - 2*t)", "0"] and found["v"] == ["6*t*(1 - t)", "0"]
+
+
+def test_siciliano_has_this_trapezoid(tmp_path: Path) -> None:
+    """Section 4.2.1: t_c = t_f/2 - sqrt((t_f^2 a - 4 L)/a)/2, here 1/2 for L = 3 in 2 s with a = 4."""
+    path = "{line: {from: [0, 0], to: [3, 0]}, timing: {law: trapezoidal, time: 2, a_max: 4}}"
+    found = asked(path, tmp_path, "  evaluate: {t: 1}")["evaluated"]
+    assert found["v"] == pytest.approx([2, 0]) and found["p"] == pytest.approx([1.5, 0])
+
+
+@pytest.mark.parametrize(
+    ("timing", "more", "said"),
+    [
+        ("law: cubic, time: 1, v_max: 2", "", "by its time alone"),
+        ("law: trapezoidal, time: 1", "", "1 of its sizes"),
+        ("law: trapezoidal, time: 1, a_max: 1", "", "too short"),
+        ("law: cubic, time: 1", "  evaluate: {t: 2}", "the motion is over"),
+        ("law: trapezoidal, v_max: v, a_max: a", "", "depends on symbols"),
+    ],
+)
+def test_what_is_no_motion_is_said(timing: str, more: str, said: str, tmp_path: Path) -> None:
+    with pytest.raises(SheetErrors) as fault:
+        asked(
+            f"{{line: {{from: [0, 0], to: [3, 4]}}, timing: {{{timing}}}}}", tmp_path, *filter(None, [more])
+        )
+    assert said in str(fault.value.errors[0])

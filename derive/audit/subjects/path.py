@@ -10,37 +10,87 @@ import mpmath
 import sympy
 
 from derive.audit.asked import Asked, Holds, Same, Test
-from derive.audit.points import ROUNDED, Number, Point, agree
+from derive.audit.laws import law
+from derive.audit.points import ROUNDED, Number, Point, Value, agree, shown
 from derive.audit.poses import UNIT, turned
 from derive.expression import Expr, free_symbols
 from derive.mechanics.paths import Arc, Curve, Line, Shape
 
+SHARES = (mpmath.mpf(13) / 100, mpmath.mpf(45) / 100, mpmath.mpf(9) / 10)  # of the whole time
 LETTERS = ("s", "lambda", "sigma", "u")  # of the parameter where the sheet has none
 TREES = get_args(Expr)
 Between: TypeAlias = tuple[sympy.Expr, sympy.Expr] | None
 
 
 def path(asked: Asked, point: Point) -> Iterator[Test]:
-    """Derivatives, the frame by that of the unit tangent, curvature and length."""
+    """Derivatives, the frame by that of the unit tangent, curvature and length; in time at two moments."""
     s = _parameter(asked)
     p, between = _place(asked, s, point)
     v = p.diff(s)
     speed = sympy.sqrt(sum(each**2 for each in v))
-    yield Same("p", point.vector(list(p)))
-    yield Same("v", point.vector(list(v)))
-    yield Same("a", point.vector(list(v.diff(s))))
-    t = point.vector([each / speed for each in v])
-    yield Same("t", t)
-    turning = point.vector([(each / speed).diff(s) for each in v])
-    size = point.at(sympy.sqrt(sum((each / speed).diff(s) ** 2 for each in v)))
-    yield Same("curvature", size / point.at(speed))
-    if "n" in asked.results:
-        n = [each / size for each in turning]
-        yield Same("n", n)
-        if len(n) == len(UNIT):
-            yield Same("b", _cross(t, n))
+    if asked.subject.timing is None:
+        v_now, a_now = point.vector(list(v)), point.vector(list(v.diff(s)))
+        for name, theirs in _frenet(asked, p, v, s, point):
+            yield Same(name, theirs)
+        yield Same("v", v_now)
+        yield Same("a", a_now)
+    else:
+        yield from _in_time(asked, point.in_digits(), p, s, between, speed)
+    if "n" not in asked.results:
+        bent = sum(point.at((each / speed).diff(s)) ** 2 for each in v)
+        yield Holds("curvature", agree(bent, 0), "it is bent, and has a normal")
     if "length" in asked.results:
         yield _length(asked, point.in_digits(), speed, s, between)
+
+
+def _frenet(
+    asked: Asked, p: sympy.Matrix, v: sympy.Matrix, s: sympy.Symbol, point: Point
+) -> Iterator[tuple[str, Value]]:
+    """What a path has at a value of its parameter."""
+    speed = sympy.sqrt(sum(each**2 for each in v))
+    yield "p", point.vector(list(p))
+    t = point.vector([each / speed for each in v])
+    yield "t", t
+    turning = point.vector([(each / speed).diff(s) for each in v])
+    size = point.at(sympy.sqrt(sum((each / speed).diff(s) ** 2 for each in v)))
+    yield "curvature", size / point.at(speed)
+    if "n" in asked.results:
+        n = [each / size for each in turning]
+        yield "n", n
+        if len(n) == len(UNIT):
+            yield "b", _cross(t, n)
+
+
+def _in_time(
+    asked: Asked, point: Point, p: sympy.Matrix, s: sympy.Symbol, between: Between, speed: sympy.Expr
+) -> Iterator[Test]:
+    """Everything at moments of the motion, by its law in numbers."""
+    if between is None:
+        raise NotImplementedError("it has no range")
+    low, high = (point.at(each) for each in between)
+    steady = speed.diff(s).simplify() == 0
+    moved = law(asked, point, low, high, point.at(speed) if steady else mpmath.mpf(1))
+    yield Holds("time", _near(point.at(asked.result("time")), moved.whole), "it takes another time")
+    v = p.diff(s)
+    for share in SHARES:
+        time = moved.whole * share
+        place, rate, change = moved.at(time)
+        there = point.where(**{s.name: place})
+        v_s, a_s = there.vector(list(v)), there.vector(list(v.diff(s)))
+        theirs: dict[str, Value] = dict(_frenet(asked, p, v, s, there))
+        theirs["v"] = [each * rate for each in v_s]
+        theirs["a"] = [each * change + other * rate**2 for each, other in zip(v_s, a_s, strict=True)]
+        theirs[s.name] = place
+        now = point.where(t=time)
+        for name, value in theirs.items():
+            yield Holds(name, _near(now.each(asked.result(name)), value), f"it is {shown(value)}")
+
+
+def _near(ours: Value, theirs: Value) -> bool:
+    if isinstance(ours, Sequence) and isinstance(theirs, Sequence):
+        size = max(abs(each) for each in theirs)  # of numbers
+        return all(agree(a, b, size + 1, ROUNDED) for a, b in zip(ours, theirs, strict=True))
+    return agree(ours, theirs, 1, ROUNDED)
 
 
 def _cross(a: Sequence[Number], b: Sequence[Number]) -> list[Number]:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 STEP = 2e-3  # of what the parameter is measured by
-CHORDS = 400
+CHORDS = 128
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,7 +132,9 @@ def meant(problem: Problem, found: Bent, at: Point) -> Names:
             names[found.across] = column_of(np.cross(first, second))
     if path.ends is not None:
         low, high = path.ends
-        names[along.L], names[SIGMA] = path.length(low, high), path.length(low, s)
+        names[along.L] = path.length(low, high)
+        if not found.steady:
+            names[SIGMA] = path.length(low, s)
     axes: dict[Expr, Any] = {
         name: column_of(axis) for name, axis in zip((E_1, E_2, E_3), path.axes, strict=False)
     }

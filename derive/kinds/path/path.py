@@ -2,25 +2,38 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.derivation import Derivation, PageFacts, Phrase, Result
+from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Relation, Symbol
-from derive.kinds.fields import NoOptions as Options
+from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.meanings import as_told
 from derive.kinds.path._frenet import E_B, E_N, E_T, KAPPA, Bent, bent
 from derive.kinds.path._length import SIGMA, measured
 from derive.kinds.path._meanings import meant
+from derive.kinds.path._motion import Motion, in_motion
 from derive.kinds.path._shapes import along
+from derive.kinds.path._timing import T
 from derive.kinds.problem import Problem
+from derive.kinds.values_at import Here, values_at
 from derive.kinds.work import Work
 from derive.mechanics.paths import Arc, Curve, Line, Path
 
-CLAIMS = ("differences", "unit", "frenet")
+TIMED = ("p", "v", "a", "curvature", "t", "n", "b", "s", "time")
+CLAIMED = dict.fromkeys(TIMED, "timed")
 DIFFERENCES = 1e-6
 LENGTHS = {"steady": "length-steady", "integral": "length-integral", "quadrature": "length-quadrature"}
+
+
+class Options(OptionsModel):
+    """`evaluate`: values of symbols, of the parameter, or with a timing of the time t."""
+
+    evaluate: Evaluation = None
 
 
 class Facts(PageFacts):
@@ -41,6 +54,12 @@ class Facts(PageFacts):
     frame: tuple[str, ...]  # steps of e_n and e_b
     length: Phrase | None
     lengths: tuple[str, ...]  # steps
+    motion: Motion | None = None
+
+
+def claims_of(path: Path, options: Options) -> tuple[str, ...]:
+    """The keys of what is claimed; of a motion that too."""
+    return ("differences", "unit", "frenet", *(("timed",) if path.timing else ()))
 
 
 def derive(path: Path, options: Options, problem: Problem) -> Derivation:
@@ -50,23 +69,42 @@ def derive(path: Path, options: Options, problem: Problem) -> Derivation:
     """
     found = bent(along(path, problem))
     long = measured(found)
-    work, way = long.work, found.along
-    results: dict[str, Result] = {
-        "p": work.final(way.p),
-        "v": work.final(found.first),
-        "a": work.final(found.second),
-    }
-    if long.way:
-        results["length"] = work.final(way.L)
-    results["curvature"] = work.final(KAPPA)
-    for name, vector in zip("tnb", found.frame, strict=False):
-        results[name] = work.final(vector)
-    work = _obeys(work, found)
+    work, way = _obeys(long.work, found), found.along
     facts = _facts(path, found, work, long.way)
     symbols = problem.symbols | {way.s.name}
     work = as_told(work, partial(meant, problem, found), facts.given, "differences", DIFFERENCES, symbols)
     work = work.law("said", _said(facts, found, work))
-    return work.answer("path", results, facts)
+    results = _results(work, found, (way.p, found.first, found.second), long.way)
+    if path.timing is None:
+        answer = work.answer("path", results, facts)
+    else:
+        moved = in_motion(work, found, path.timing, facts.page_names)
+        p_dot, p_ddot = moved.rates
+        by_parameter = _results(moved.work, found, (way.p, p_dot, p_ddot), long.way)
+        work, results, motion = moved.finished(by_parameter)
+        answer = work.answer("path", results, replace(facts, motion=motion, page_names=moved.on_page))
+    if options.evaluate is None:
+        return answer
+    here = Here.of(dict(options.evaluate), problem.where, problem.style)
+    numbers = values_at(answer, here)
+    _require_within(here, numbers)
+    return replace(answer, evaluated=numbers)
+
+
+def _require_within(here: Here, numbers: Mapping[str, Any]) -> None:
+    """Raises NotDerivable for a time before the motion begins or after its end."""
+    time, whole = here.point.get(T.name), numbers.get("time")
+    if time is not None and isinstance(whole, float) and not 0 <= time <= whole:
+        raise NotDerivable(f"the motion is over at t = {whole:.3g}, and begins at 0")
+
+
+def _results(work: Work, found: Bent, place: tuple[Symbol, Symbol, Symbol], way: str) -> dict[str, Result]:
+    """By their names in the JSON."""
+    names = dict(zip("pva", place, strict=True))
+    if way:
+        names["length"] = found.along.L
+    names |= {"curvature": KAPPA, **dict(zip("tnb", found.frame, strict=False))}
+    return {key: work.final(name) for key, name in names.items()}
 
 
 def _obeys(work: Work, found: Bent) -> Work:

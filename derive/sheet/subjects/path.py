@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import product
-from typing import Annotated, Any, TypeAlias
+from typing import Annotated, Any, Literal, TypeAlias
 
 from pydantic import Discriminator, Field, Tag
 
 from derive.errors import SheetError
 from derive.expression import ONE, PI, ZERO, Expr, add, column, free_symbols, multiply, number
-from derive.kinds.fields import Angle, Formula, Length, Name, OptionsModel, Quantity
-from derive.mechanics.paths import Arc, Curve, Line, Path, Place
+from derive.kinds.fields import Angle, Formula, Length, Name, OptionsModel, Quantity, Time
+from derive.mechanics.paths import Arc, Curve, Line, Path, Place, Shape, Timing
 from derive.sheet.faults import NO_FORM, did_you_mean
 from derive.sheet.source import At, Faults, Route
 from derive.sheet.subjects.moves import AxisField
@@ -24,7 +24,13 @@ FORMS = (
 )
 CIRCLE, HELIX = ("radius", "axis", "start", "angle"), ("center", "radius", "axis", "start", "turns")
 HARMLESS = frozenset(  # each of them makes the path
-    {"parameter", "range", *(f"circle.{each}" for each in CIRCLE), *(f"helix.{each}" for each in HELIX)}
+    {
+        "parameter",
+        "range",
+        "timing",
+        *(f"circle.{each}" for each in CIRCLE),
+        *(f"helix.{each}" for each in HELIX),
+    }
 )
 UNIT = {"x": (ONE, ZERO, ZERO), "y": (ZERO, ONE, ZERO), "z": (ZERO, ZERO, ONE)}
 TURN = multiply(number(2), PI)
@@ -61,25 +67,41 @@ class GivenHelix(OptionsModel):
     turns: Formula = ONE
 
 
-class OfLine(OptionsModel):
+class GivenTiming(OptionsModel):
+    """From rest to rest: a `cubic` or `quintic` law in a `time`, or a `trapezoidal` velocity by two of
+    `time`, `v_max` and `a_max` along the path."""
+
+    law: Literal["cubic", "quintic", "trapezoidal"]
+    time: Time | None = None
+    v_max: Quantity | None = None
+    a_max: Quantity | None = None
+
+
+class Timed(OptionsModel):
+    """How the point moves along the path, if that is asked too."""
+
+    timing: GivenTiming | None = None
+
+
+class OfLine(Timed):
     """A line."""
 
     line: GivenLine
 
 
-class OfCircle(OptionsModel):
+class OfCircle(Timed):
     """An arc of a circle."""
 
     circle: GivenCircle
 
 
-class OfHelix(OptionsModel):
+class OfHelix(Timed):
     """A helix."""
 
     helix: GivenHelix
 
 
-class OfFunction(OptionsModel):
+class OfFunction(Timed):
     """Two or three coordinates as functions of a parameter, `s` if left out, and its `range`, needed for the
     length."""
 
@@ -103,20 +125,30 @@ Given: TypeAlias = Annotated[
 
 
 def build(given: Given, at: At, known: Known) -> Path:
-    """The path. Raises SheetErrors: a line of no length, a start beside the circle, no parameter."""
+    """The path. Raises SheetErrors: a line of no length, a start beside the circle, no parameter, a law of
+    time that its sizes do not make."""
+    shape = _shape(given, at, known)
+    if given.timing is None:
+        return Path(shape)
+    Faults(_timing_faults(given.timing, shape, at, known)).settle()
+    timing = given.timing
+    return Path(shape, Timing(timing.law, timing.time, timing.v_max, timing.a_max))
+
+
+def _shape(given: Given, at: At, known: Known) -> Shape:
     match given:
         case OfLine(line=line):
             Faults(_line_faults(line, at, known)).settle()
-            return Path(Line(tuple(line.start), tuple(line.end)))
+            return Line(tuple(line.start), tuple(line.end))
         case OfCircle(circle=circle):
-            return Path(_arc(circle, circle.angle, None, at, known, ("circle",)))
+            return _arc(circle, circle.angle, None, at, known, ("circle",))
         case OfHelix(helix=helix):
             turned = multiply(TURN, helix.turns) if helix.turns != ONE else TURN
             arc = _arc(helix, turned, helix.pitch, at, known, ("helix",))
-            return Path(replace(arc, turns=helix.turns))
+            return replace(arc, turns=helix.turns)
         case OfFunction():
             Faults(_function_faults(given, at, known)).settle()
-            return Path(Curve(given.parameter, column(given.function), given.range))
+            return Curve(given.parameter, column(given.function), given.range)
     raise TypeError(f"no path: {given!r}")
 
 
@@ -220,3 +252,24 @@ def _function_faults(given: OfFunction, at: At, known: Known) -> Iterator[SheetE
             yield at.fault("the range depends on the parameter", ("range", k))
     if given.range and known.sign(given.range[1] - given.range[0]) in (0, -1):
         yield at.fault("the range ends before it begins", ("range",), "write range: [from, to]")
+
+
+def _timing_faults(timing: GivenTiming, shape: Shape, at: At, known: Known) -> Iterator[SheetError]:
+    sizes = {key: getattr(timing, key) for key in ("time", "v_max", "a_max")}
+    given = [key for key, value in sizes.items() if value is not None]
+    for key in given:
+        if known.sign(sizes[key]) in (0, -1):
+            yield at.fault(f"{key} must be positive", ("timing", key))
+    if timing.law == "trapezoidal" and len(given) != 2:
+        hint = "give two of time, v_max and a_max: the third follows"
+        yield at.fault(f"{len(given) or 'none'} of its sizes given", ("timing",), hint, key=True)
+    if timing.law != "trapezoidal" and given != ["time"]:
+        hint = f"write timing: {{law: {timing.law}, time: t_f}}"
+        yield at.fault(f"a {timing.law} law is made by its time alone", ("timing",), hint, key=True)
+    if isinstance(shape, Curve):
+        if shape.between is None:
+            yield at.fault(
+                "where the motion begins and ends is not given", ("function",), "add range: [from, to]"
+            )
+        if shape.parameter == "t":
+            yield at.fault("t is the time and cannot be the parameter", ("timing",), "call the parameter s")
