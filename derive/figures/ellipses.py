@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from derive.derivation import Curve, Label, Panels, Phrase, Place, Plot
-from derive.expression import Expr, number
+from derive.expression import Expr, Relation, number
 from derive.figures.axes import axis, short
 from derive.figures.view import around
 
@@ -23,7 +23,7 @@ Points = Sequence[Place]
 class Tip:
     """An arm by its places in the plane, from the base to the tip, with what the axes are called and the unit
     of lengths; `sizes` are the semi-axes of the velocity ellipse along two unit vectors, `compared` those of
-    the other configurations with which it is compared, drawn to the same scale."""
+    the other configurations with which it is compared, drawn to the same scale; `at` is the configuration."""
 
     arm: Points
     axes: tuple[Expr, Expr]
@@ -31,6 +31,7 @@ class Tip:
     sizes: tuple[float, float]
     directions: Points
     compared: Sequence[tuple[float, float]] = ()
+    at: tuple[Relation, ...] = ()
 
     def velocities(self) -> tuple[Label, Curve]:
         """The ellipse as it is drawn, and what it is with its scale."""
@@ -90,10 +91,15 @@ def at_the_tip(tip: Tip, rates: Rates | None) -> Panels:
     sizes = {"long": short(max(tip.sizes)), "short": short(min(tip.sizes))}
     if rates is None:
         return Panels(
-            "ellipsoids", (right,), True, Phrase("drawn-at-the-tip"), Phrase("seen-at-the-tip", sizes)
+            "ellipsoids", (right,), True, _at(tip, "drawn-at-the-tip"), Phrase("seen-at-the-tip", sizes)
         )
     plots = (_circle(rates), right)
-    return Panels("ellipsoids", plots, True, Phrase("drawn-mapped"), Phrase("seen-mapped", sizes))
+    return Panels("ellipsoids", plots, True, _at(tip, "drawn-mapped"), Phrase("seen-mapped", sizes))
+
+
+def _at(tip: Tip, key: str) -> Phrase:
+    """A caption that begins with the configuration, where that is known by its values."""
+    return Phrase("drawn-there", {"at": tip.at, "drawn": Phrase(key)}) if tip.at else Phrase(key)
 
 
 def _circle(rates: Rates) -> Plot:

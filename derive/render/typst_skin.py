@@ -21,6 +21,9 @@ IN_LINE = "m|long|emph|strong|link|raw"  # the calls that a paragraph may begin 
 LEAD_IN = re.compile(rf"(?<=\n\n)(?!{BLOCK}|#(?!(?:{IN_LINE})\b)|\])((?:.+\n)+)\n(?={BLOCK})")
 SPOKEN = re.compile(rf'#[a-z]+\("[^"]*", {DOLLAR}')  # what is not seen of a formula, and begins it
 BY_ITSELF = 200  # letters and signs: more than two lines
+UNIT = r"(?:rad|deg|mm|cm|kg|Nm|Hz|[mNsVWJgKA])(?![A-Za-z])[23²³]?"
+MEASURE = re.compile(rf"(?:(?<={DOLLAR}\);)|(?<=\d)) {UNIT}(?:[ /]\(?{UNIT}\)?)*")  # behind a number
+WORD_JOINER = "\u2060"  # where no line ends
 HELD = 14.0  # em, up to which a formula does not break in a line of text
 FRAME = 2.4  # em that a frame takes from a line
 TALL = 7  # rows of a display, those of its matrices too, from which it may break between its lines
@@ -57,7 +60,12 @@ def laid_out(page: str) -> str:
     mathematics that is still in TeX."""
     if "$" in page:
         raise PageFailed(f"a formula is still in TeX: {page[page.index('$') :][:80]}")
-    return LEAD_IN.sub(_led, page).replace(BLOCK, "").replace(DOLLAR, "$")
+    return LEAD_IN.sub(_led, MEASURE.sub(_tied, page)).replace(BLOCK, "").replace(DOLLAR, "$")
+
+
+def _tied(found: re.Match[str]) -> str:
+    """A unit in one piece with its number."""
+    return found[0].replace(" ", "~").replace("/", f"/{WORD_JOINER}")
 
 
 def _led(found: re.Match[str]) -> str:

@@ -8,9 +8,13 @@ from derive.derivation import Derivation, PageFacts
 from derive.expression import (
     Expr,
     Matrix,
+    Number,
+    Sum,
     Symbol,
     add,
     column,
+    factors_of,
+    free_symbols,
     multiply,
     number,
     symbols,
@@ -103,8 +107,22 @@ def _link(work: Work, arm: Arm, body: Weighted) -> Work:
     linear = multiply(HALF, body.body.mass, transpose(v), v)
     angular = HALF * transpose(omega) * R * body.I * transpose(R) * omega
     formula = linear + angular if body.turns else linear
-    written = work.readable(kinetic_energy(D, rate_column(arm.variables)))
+    written = _halves(work, work.readable(kinetic_energy(D, rate_column(arm.variables))), arm)
     return work.line(f"K_{body.i}", formula, written, value=arm.final(written), rule="kinetic-energy")
+
+
+def _halves(work: Work, energy: Expr, arm: Arm) -> Expr:
+    """With 1/2 (m l^2/4 + I) in place of 1/8 (m l^2 + 4 I) before the rates."""
+    return add(*(_half(work, term, {rate.name for rate in arm.rates}) for term in terms_of(energy)))
+
+
+def _half(work: Work, term: Expr, rates: set[str]) -> Expr:
+    number, *others = factors_of(term)
+    sums = [each for each in others if isinstance(each, Sum) and not rates & free_symbols(each)]
+    if not isinstance(number, Number) or len(sums) != 1 or number == HALF:
+        return term
+    others.remove(sums[0])
+    return multiply(HALF, work.readable(normal(multiply(number, sums[0])) * 2), *others)
 
 
 def _form(work: Work, arm: Arm, index: str, name: Symbol, D: Matrix, rule: str = "kinetic-energy") -> Work:

@@ -5,12 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
-from derive.algebra.normal import normal_matrix
+from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numbers.floats import Point, numbers
+from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Derivation, PageFacts, Result
 from derive.errors import NotDerivable
-from derive.expression import ONE, Call, Expr, Matrix, symbols, transpose
+from derive.expression import ONE, PI, Call, Expr, Matrix, Symbol, number, replace, symbols, transpose, walk
 from derive.kinds.fields import OptionsModel
 from derive.kinds.linear_systems import solution_at
 from derive.kinds.problem import Problem
@@ -126,7 +127,21 @@ def _regular(task: Task) -> ScalarMatrix:
 def _over(problem: Problem, top: ScalarMatrix, bottom: Scalar) -> Matrix:
     """A matrix over a scalar, entry by entry, what they share left out."""
     names = problem.subject.variables
-    return Matrix(tuple(tuple(quotient(problem, each, bottom, names) for each in row) for row in top.rows))
+    return Matrix(tuple(tuple(_quotient(problem, each, bottom, names) for each in row) for row in top.rows))
+
+
+def _quotient(problem: Problem, top: Scalar, bottom: Scalar, names: tuple[str, ...]) -> Expr:
+    """An entry as it is written, or in sines of the first angle where a quarter turn on it has only cosines:
+    the same in x as in y."""
+    found, angle = quotient(problem, top, bottom, names), Symbol(names[0])
+    more: dict[Expr, Expr] = {angle: angle + PI * number("1/2")}
+    above, below = (normal(replace(problem.readable(each), more)) for each in (top, bottom))
+    further = quotient(problem, above, below, names)
+    calls = [each for each in walk(further) if isinstance(each, Call) and angle in walk(each)]
+    sines = replace(further, {call: Call("sin", call.arguments) for call in calls})
+    if any(call.function != "cos" for call in calls) or normal(sines) * bottom != top:
+        return found
+    return min(found, sines, key=operations)
 
 
 def _in_numbers(task: Task, arm: Arm, at: Point) -> Any:

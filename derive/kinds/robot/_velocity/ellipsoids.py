@@ -13,7 +13,7 @@ from derive.algebra.numbers.arrays import arrays
 from derive.algebra.rationals import significant_digits
 from derive.derivation import Claim, Label, Panels, Phrase, Record, Result, Step, Table
 from derive.errors import DivisionByZero, NotDerivable, NotReal
-from derive.expression import Approximate, Expr, Matrix, Number, Symbol, column
+from derive.expression import Approximate, Expr, Matrix, Number, Relation, Symbol, column
 from derive.figures.axes import axis
 from derive.figures.ellipses import Rates, Tip, at_the_tip
 from derive.kinds.checks import close, route
@@ -70,7 +70,7 @@ def at_point(task: Task, place: Place, compared: Sequence[Place] = ()) -> Ellips
     pushes = tuple(Approximate(force) if force != INFINITE else force for force in forces)
     turned = [directions[k] for k in order]
     unit = unit_of_lengths(task.problem, (value for _, value in place))
-    plots = _pictures(task, here, J, sizes, directions, unit, [*_elsewhere(task, compared)])
+    plots = _pictures(task, here, J, sizes, directions, unit, place, [*_elsewhere(task, compared)])
     told = PointTold(
         point=tuple((Symbol(name), value) for name, value in place),
         table=_table(task, sizes, directions),
@@ -249,12 +249,13 @@ def _pictures(
     values: list[float],
     directions: list[list[float]],
     unit: str,
+    place: Place,
     compared: Sequence[tuple[float, float]],
 ) -> tuple[Panels, ...]:
     """The arm with both ellipses at its tip, where two components in a plane are asked for."""
     if tuple(sorted(task.rows)) not in PLANE or not values[-1]:
         return ()
-    letters = [row[1] for row in task.rows]
+    letters, variables = [row[1] for row in task.rows], task.found.variables
     tip = Tip(
         arm=_arm(task, here, ["xyz".index(each) for each in letters]),
         axes=(Symbol(letters[0]), Symbol(letters[1])),
@@ -262,6 +263,7 @@ def _pictures(
         sizes=(values[0], values[1]),
         directions=[(along[0], along[1]) for along in directions],
         compared=compared,
+        at=tuple(Relation(Symbol(name), "=", value) for name, value in place if name in variables),
     )
     return (at_the_tip(tip, _rates(task, J, values, directions, unit)),)
 
