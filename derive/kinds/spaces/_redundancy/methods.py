@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from math import prod
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
@@ -30,8 +31,10 @@ from derive.kinds.spaces._linear_map import LinearMap
 from derive.kinds.spaces._redundancy.board import Board, Seen, diagonal, names_of, one
 from derive.kinds.spaces._redundancy.given import Given
 from derive.kinds.spaces._redundancy.inverses import Inverse, inverse_line, inverted, pinv, pseudo_inverse
+from derive.mechanics.minors import minors
 from derive.names import free, named
 
+MOST_ENTRIES = 24  # of a matrix whose minors are looked at together
 V, RATES, PLUS = Symbol("v"), Symbol("qdot"), Symbol("J^+")
 DEPENDENT = "the rows are dependent there, and {} needs independent ones; ask for the least-norm solution"
 
@@ -217,6 +220,11 @@ def null_space(given: Given, board: Board) -> Found:
 
 def _fails(given: Given, board: Board, plus: Symbol) -> tuple[Board, tuple[Expr, ...]]:
     """The denominators of J^+ that may vanish, with the claim that it has no others."""
+    J = board[given.map.name]
+    if prod(J.shape) <= MOST_ENTRIES and any(
+        each.value and not _may_vanish(each.value, given.nonzero) for each in minors(J)
+    ):
+        return board, ()
     found: dict[str, Scalar] = {}
     for entry in board[plus].entries:
         if entry.denominator is not None:
