@@ -3,42 +3,49 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from dataclasses import replace
+from typing import Any, Literal
 
 from pydantic import Field
 
+from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.numbers import floats as numeric
 from derive.derivation import Derivation, PageFacts, Phrase
 from derive.errors import NotDerivable
-from derive.expression import Expr, Symbol, column, free_symbols, transpose
+from derive.expression import ZERO, Expr, Symbol, column, free_symbols, symbols, transpose
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._point import PointOn, tracked
-from derive.kinds.robot._units import of_joints
+from derive.kinds.robot._units import of_joints, together
 from derive.kinds.robot._velocity.linear import combined
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
+from derive.kinds.robot._velocity.wrenches import Seen, Wrench, rotation_of
 from derive.kinds.work import Work
+from derive.mechanics.jacobian import halves
 from derive.mechanics.robot import Robot
-from derive.mechanics.task import moving_rows
+from derive.mechanics.task import ROWS, moving_rows
 from derive.names import free
 
 FORCES = {"vx": "fx", "vy": "fy", "vz": "fz", "wx": "mx", "wy": "my", "wz": "mz"}
 DIFFERENCES = 1e-6
-TAU, F, J = Symbol("tau"), Symbol("F"), Symbol("J")
+TAU, F, J, OUTSIDE = symbols("tau F J F_ext")
 
-CLAIMS = ("work-done",)
-measures = of_joints("tau", effort=True)
+CLAIMED = {"wrench": "wrench-turned"}
+measures = together(of_joints("tau", effort=True), wrench="")  # forces and moments have no one unit
 
 
 class Options(OptionsModel):
     """`force`: what the end-effector exerts along the `rows`, forces then moments, by name or value;
-    `point`: where it acts."""
+    `point`: where it acts; `in`: the axes in which it is given, those of the base if left out; `acting`: on
+    the surroundings, or by them on the robot."""
 
     force: tuple[Quantity, ...] | None = Field(None, min_length=1, max_length=6)
     rows: tuple[RowName, ...] = ()
     point: PointOn | None = None
+    frame: Literal["base", "tool"] | None = Field(None, alias="in")
+    acting: Literal["on-environment", "on-robot"] = "on-environment"
 
 
 class Facts(PageFacts):
@@ -46,6 +53,13 @@ class Facts(PageFacts):
     where: Phrase  # the force acts
     revolute: bool
     moments: bool
+    outside: Symbol | None  # what the surroundings exert on the robot
+    seen: Seen | None = None  # from the other frame
+
+
+def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:
+    """A wrench that is seen from another frame too is turned by the pose in numbers."""
+    return ("work-done", "wrench-turned") if _is_seen(options) else ("work-done",)
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -53,23 +67,53 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
 
     Raises NotDerivable where the force has not one component for each row.
     """
-    task = task_of(problem, _rows(options, problem), options.point)
-    force = options.force or tuple(_symbol(row, problem) for row in task.rows)
-    if len(force) != len(task.rows):
-        which = f"the {len(task.rows)} rows {', '.join(task.rows)}"
+    rows = _rows(options, problem)
+    force = options.force or tuple(_symbol(row, problem) for row in rows)
+    if len(force) != len(rows):
+        which = f"the {len(rows)} rows {', '.join(rows)}"
         raise NotDerivable(f"{len(force)} components of the force for {which}; give one for each")
-    work = task.board(Work(problem).given(F, column(force)))
+    task, work = task_of(problem, rows, options.point), Work(problem)
+    wrench = Wrench(problem, task.point, dict(zip(task.rows, force, strict=True)), options.frame == "tool")
+    exerted: tuple[Expr, ...] = force
+    if wrench.in_tool:
+        work = wrench.lines(work)
+        seen = dict(zip(ROWS, wrench.turned(work), strict=True))
+        task = task_of(problem, tuple(row for row in ROWS if seen[row] != ZERO) or rows, options.point)
+        exerted = tuple(seen[row] for row in task.rows)
+    if options.acting == "on-robot":
+        work = work.given(OUTSIDE, column(exerted)).line(F, -OUTSIDE, rule="third-law")
+        exerted = work.entries(F)
+    else:
+        work = work.given(F, column(exerted))
+    work = task.board(work)
     written = work.matrix(J).T * work[F]
     turned = transpose(J) * F
-    work = work.line(TAU, turned, written, value=_by_components(work, turned, force), rule="virtual-work")
+    work = work.line(TAU, turned, written, value=_by_components(work, turned, exerted), rule="virtual-work")
     work = work.agrees(
         "work-done",
         task.symbols.union(*map(free_symbols, force)),
         work.value(TAU),
-        lambda at: _by_work(task, force, at),
+        lambda at: _by_work(task, exerted, at),
         DIFFERENCES,
     ).closed(TAU)
-    return work.answer("statics", {"tau": work.final(TAU)}, _facts(task))
+    results: dict[str, Expr] = {"tau": work.final(TAU)}
+    facts = _facts(task, options)
+    if _is_seen(options):
+        work = work if wrench.in_tool else wrench.lines(work)
+        results["wrench"] = problem.final(column(wrench.turned(work)))
+        facts = replace(facts, seen=wrench.seen())
+        work = work.agrees(
+            "wrench-turned",
+            task.symbols.union(*map(free_symbols, force)),
+            lambda at: numeric.numbers(results["wrench"], at),
+            wrench.numbers,
+        )
+    return work.answer("statics", results, facts)
+
+
+def _is_seen(options: Options) -> bool:
+    """Whether the wrench is wanted in the other frame too."""
+    return options.frame is not None or options.acting == "on-robot"
 
 
 def _by_components(work: Work, turned: Expr, force: tuple[Expr, ...]) -> Expr:
@@ -91,7 +135,11 @@ def _rows(options: Options, problem: Problem) -> tuple[str, ...]:
         return options.rows
     found = chain_of(problem)
     point = tracked(problem, found, options.point)
-    linear, angular = moving_rows(point.jacobian(found))
+    whole = point.jacobian(found)
+    if options.frame == "tool":
+        R = rotation_of(found, point)
+        whole = ScalarMatrix.stacked([R.T @ half for half in halves(whole)])
+    linear, angular = moving_rows(whole)
     if options.force is None:
         return linear or angular
     choices = (linear, linear + angular, ("vx", "vy"), ("vx", "vy", "vz"), ("vx", "vy", "wz"), tuple(FORCES))
@@ -105,12 +153,13 @@ def _by_work(task: Task, force: tuple[Expr, ...], at: Mapping[str, float]) -> An
     return task.numbers(at).T @ F_now
 
 
-def _facts(task: Task) -> Facts:
+def _facts(task: Task, options: Options) -> Facts:
     return Facts(
         rows=() if set(task.rows) >= {"vx", "vy", "vz", "wx", "wy", "wz"} else task.velocities,
         where=_where(task.asked, task.point.name),
         revolute=all(joint.type == "revolute" for _, joint in task.found.moving),
         moments=any(row[0] == "w" for row in task.rows),
+        outside=OUTSIDE if options.acting == "on-robot" else None,
     )
 
 

@@ -113,6 +113,26 @@ def test_statics_is_the_transpose(rows) -> None:
     assert tau == pytest.approx(list(expected), abs=1e-7)
 
 
+@pytest.mark.parametrize("acting", ["on-environment", "on-robot"])
+@pytest.mark.parametrize("frame", ["base", "tool"])
+@pytest.mark.parametrize("rows", [TWO_R, THREE_R, ELBOW, SCARA, WRIST, PUMA])
+def test_statics_in_both_frames(rows, frame, acting) -> None:
+    """By the pose and the Jacobian in numbers: what acts on the robot is balanced by the opposite torques."""
+    names, force = ("vx", "vz", "wy"), (3.0, -1.5, 2.0)
+    robot = arm(rows)
+    options = {"in": frame, "rows": names, "force": tuple(map(number, ("3", "-1.5", "2"))), "acting": acting}
+    found = problem(robot).ask("statics", **options)
+    given = np.zeros(6)
+    given[[0, 2, 4]] = force
+    R = Oracle(robot, {}).tool(VALUES)[:3, :3]
+    turn = R if frame == "tool" else R.T
+    wrench = np.concatenate([turn @ given[:3], turn @ given[3:]])
+    assert np.allclose(numbers(found.results["wrench"], VALUES), wrench)
+    tau = jacobian(rows, ROWS, VALUES).T @ (wrench if frame == "tool" else given)
+    sign = 1 if acting == "on-environment" else -1
+    assert np.allclose(numbers(found.results["tau"], VALUES), sign * tau, atol=1e-7)
+
+
 def test_a_force_in_the_plane_is_enough() -> None:
     """tau of the chapter on the planar arm: J^T f."""
     found = problem(arm(TWO_R)).ask("statics", force=(Symbol("fx"), Symbol("fy")))

@@ -8,7 +8,7 @@ import numpy as np
 import sympy
 
 from derive.audit.asked import Asked, Holds, Same, Test
-from derive.audit.linear import solve, transposed
+from derive.audit.linear import is_zero, solve, transposed
 from derive.audit.orientation import ANGLES
 from derive.audit.points import Number, Point, agree, shown
 from derive.audit.putting_back import put_back
@@ -149,28 +149,43 @@ def _names(asked: Asked, name: str) -> set[str]:
 
 
 def statics(asked: Asked, point: Point) -> Iterator[Test]:
-    """J^T F."""
+    """J^T F, of a force in the axes of the base, and the force in the other axes."""
     task = Task(Arm(asked, point, 1))
     force, names = asked.options.force, _loaded(task)
     if force is None:
         F = [point[_force_name(asked, name)] for name in names]
     else:
         F = [point.at(asked.formula(part)) for part in force]
-    J = numbers(task.rows(names))
-    yield Same("tau", [sum(a * f for a, f in zip(column, F, strict=True)) for column in transposed(J)])
+    given = dict(zip(names, F, strict=True))
+    wrench = np.array([given.get(name, point.number(0)) for name in ROWS], dtype=object)
+    R = values(task.pose[:3, :3])
+    tool, sign = asked.options.frame == "tool", -1 if asked.options.acting == "on-robot" else 1
+    other = np.concatenate([(R if tool else R.T) @ half for half in (wrench[:3], wrench[3:])])
+    J = values(task.whole)
+    yield Same("tau", (sign * (J.T @ (other if tool else wrench))).tolist())
+    if "wrench" in asked.results:
+        yield Same("wrench", other.tolist())
 
 
 def _loaded(task: Task) -> tuple[str, ...]:
     """The rows asked for; else as many of those that move as the force has components."""
-    options, moving = task.arm.asked.options, task.moving
+    options = task.arm.asked.options
     if options.rows:
         return tuple(options.rows)
+    moving = _moving_in_tool(task) if options.frame == "tool" else task.moving
     linear = tuple(name for name in moving if name[0] == "v")
     if options.force is None:
         return linear or moving
     n = len(options.force)
     choices = (linear, moving, ("vx", "vy"), ("vx", "vy", "vz"), ("vx", "vy", "wz"), ROWS)
     return next((names for names in choices if len(names) == n), linear)
+
+
+def _moving_in_tool(task: Task) -> tuple[str, ...]:
+    """The rows that are not zero in the axes of the frame that carries the point."""
+    J, R = values(task.whole), values(task.pose[:3, :3])
+    rows = [*(R.T @ J[:3]), *(R.T @ J[3:])]
+    return tuple(name for name, row in zip(ROWS, rows, strict=True) if not all(map(is_zero, row)))
 
 
 def _force_name(asked: Asked, row: str) -> str:
