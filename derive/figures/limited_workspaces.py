@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from typing import TypeAlias
 
 from derive.derivation import Curve, Label, Phrase, Plot
 from derive.expression import Symbol
@@ -13,68 +13,53 @@ from derive.figures.view import around
 from derive.figures.workspaces import with_unit
 
 CORNERS = 121
-X, Y = Symbol("x"), Symbol("y")
-Ends = tuple[float, float]
+Ends: TypeAlias = tuple[float, float]
+Corners: TypeAlias = Sequence[tuple[float, float]]
 
 
-@dataclass(frozen=True, slots=True)
-class Outline:
-    """The region in numbers, lengths in `unit`: from `near` to `far` between two angles (`turn`; elevations
-    of a shell), moved along a `rail`; of a rectangle its two `sides`."""
-
-    kind: str
-    unit: str
-    near: float
-    far: float
-    turn: Ends
-    rail: Ends = (0.0, 0.0)
-    sides: tuple[Ends, ...] = ()
-    side: float = 0.0
-
-
-def drawn(outline: Outline) -> Plot:
-    """The region as it is seen along the axes, or in section through the first axis."""
-    shell = outline.kind == "ball"
-    regions: dict[Label, Curve] = {Phrase("workspace"): outline_of(outline)}
-    across, up = axis(X, outline.unit), axis(Y, outline.unit)
-    if shell:
-        across, up = with_unit("distance", outline.unit), with_unit("height-above", outline.unit)
+def from_along(parts: Sequence[Corners], names: tuple[str, str], unit: str) -> Plot:
+    """Regions in a plane of the base, whose axes are these."""
+    regions: dict[Label, Curve] = {
+        "" if k else Phrase("workspace"): _curve(part) for k, part in enumerate(parts)
+    }
+    across, up = (axis(Symbol(name), unit) for name in names)
     return Plot(
         "workspace", across, up, {}, regions=regions, equal=True,
-        caption=Phrase("drawn-limited-section" if shell else "drawn-limited"),
-        alt=Phrase("seen-limited-section" if shell else "seen-limited"),
+        caption=Phrase("drawn-limited"), alt=Phrase("seen-limited"),
     )  # fmt: skip
 
 
-def outline_of(outline: Outline) -> Curve:
-    """The corners, outside one way and inside back."""
-    match outline.kind:
-        case "box":
-            (left, right), (bottom, top) = outline.sides
-            corners = [(left, bottom), (right, bottom), (right, top), (left, top), (left, bottom)]
-        case "rail":
-            corners = [*_swept(outline)]
-        case "ball" if outline.side:
-            corners = [
-                (math.hypot(x, outline.side), y) for x, y in _ring(outline.near, outline.far, outline.turn)
-            ]
-        case _:
-            corners = [*_ring(outline.near, outline.far, outline.turn)]
+def in_section(part: Corners, unit: str) -> Plot:
+    """A region by its distance from the first axis."""
+    return Plot(
+        "workspace", with_unit("distance", unit), with_unit("height-above", unit), {},
+        regions={Phrase("workspace"): _curve(part)}, equal=True,
+        caption=Phrase("drawn-limited-section"), alt=Phrase("seen-limited-section"),
+    )  # fmt: skip
+
+
+def _curve(corners: Corners) -> Curve:
     xs, ys = zip(*corners, strict=True)
     return xs, ys
 
 
-def _swept(outline: Outline) -> Iterator[tuple[float, float]]:
+def outline(near: float, far: float, turn: Ends, rail: Ends) -> Corners:
+    """From `near` to `far` between two angles, or all that moved along a rail."""
+    return [*(_swept(near, far, rail) if rail[1] > rail[0] else _ring(near, far, turn))]
+
+
+def _swept(near: float, far: float, rail: Ends) -> Iterator[tuple[float, float]]:
     """Half a circle about each end of the rail; then the lens that is too near to every place of it."""
-    low, high = outline.rail
+    low, high = rail
     quarter = math.pi / 2
-    yield from _arc(high, outline.far, -quarter, quarter)
-    yield from _arc(low, outline.far, quarter, 3 * quarter)
-    yield from _arc(high, outline.far, -quarter, -quarter)
-    if 2 * outline.near > high - low:
-        half = math.acos((high - low) / (2 * outline.near))
-        yield from _arc(low, outline.near, half, -half)
-        yield from _arc(high, outline.near, math.pi + half, math.pi - half)
+    yield from _arc(high, far, -quarter, quarter)
+    yield from _arc(low, far, quarter, 3 * quarter)
+    yield around((high, 0.0), far, -quarter)
+    if 2 * near > high - low:
+        half = math.acos((high - low) / (2 * near))
+        yield from _arc(low, near, half, -half)
+        yield from _arc(high, near, math.pi + half, math.pi - half)
+        yield around((high, 0.0), far, -quarter)
 
 
 def _arc(center: float, radius: float, start: float, end: float) -> Iterator[tuple[float, float]]:
@@ -86,4 +71,4 @@ def _ring(near: float, far: float, turn: Ends) -> Iterator[tuple[float, float]]:
     low, high = turn
     yield from _arc(0.0, far, low, high)
     yield from _arc(0.0, near, high, low)
-    yield from _arc(0.0, far, low, low)
+    yield around((0.0, 0.0), far, low)

@@ -33,6 +33,7 @@ class Flat:
     stretches: tuple[Stretch, ...]
     rail: int
     lift: int
+    square: Scalar  # of the distance between the first axis and the point
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +83,9 @@ def flat(chain: Chain, point: ScalarMatrix, last: int) -> Flat | None:
         if stretch is None:
             return None
         found.append(stretch)
-    return Flat(tuple(turning), tuple(found), *(each[0] if each else 0 for each in (rails, along)))
+    seen = axis.cross(point - places[0])
+    rail, lift = (each[0] if each else 0 for each in (rails, along))
+    return Flat(tuple(turning), tuple(found), rail, lift, dot(seen, seen))
 
 
 def crossed(chain: Chain, point: ScalarMatrix, last: int) -> Crossed | None:

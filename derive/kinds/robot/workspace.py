@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from derive.algebra.numbers import floats as numeric
 from derive.derivation import Claim, Derivation, PageFacts, Phrase, Plot, Record, Step
 from derive.errors import NotDerivable
 from derive.expression import ZERO, Call, Expr, Relation, Symbol, between, walk
-from derive.figures.limited_workspaces import Outline, drawn
 from derive.figures.typical import completed, typical
 from derive.figures.workspaces import Sizes, cross_section, from_above
 from derive.kinds.chains import closing, distinct
@@ -19,7 +17,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._lengths import unit_of_lengths
 from derive.kinds.robot._point import PointOn, Tracked, tracked
-from derive.kinds.robot._reach import sampled
+from derive.kinds.robot._reach import drawn, sampled
 from derive.kinds.robot._reach.checks import Reached
 from derive.kinds.robot._reach.limited import Limited, Shape, ranges_of
 from derive.kinds.robot._reach.regions import (
@@ -30,7 +28,6 @@ from derive.kinds.robot._reach.regions import (
     region_of,
     secondary,
 )
-from derive.kinds.robot._reach.spans import Span
 from derive.kinds.robot._reach.told import (
     R_MAX,
     R_MIN,
@@ -69,6 +66,7 @@ class Limits(Record):
     measure: str
     size: Phrase | None
     rise: Phrase | None  # above the plane square to the first axis
+    borders: Phrase | None
 
 
 class Facts(PageFacts):
@@ -145,11 +143,12 @@ def _within(problem: Problem, found: Chain, point: Tracked, shape: Shape, option
     )
     unlinked = [step.name for step in steps if any(_is_no_form(each) for each in step.chain)]
     work = Work(problem, uses=(problem.ask("forward-kinematics"),)).step(*steps).linked(but=unlinked)
+    units = {heads[name]: f"m^{k}" for k, name in ((2, "area"), (3, "volume")) if unit_of_lengths(problem)}
     work = work.claim(*sampled.claims(problem, found, point, shape, steps, told))
-    plots = _outlines(problem, shape, told, options)
+    plots = tuple(drawn.plots(problem, found, point, shape, told, options.evaluate or ()))
     spare = tuple(i for i, _ in found.moving if i not in shape.rows and i <= point.last)
     loose = tuple(i for i in spare if problem.subject.links[i - 1].range is None)
-    planar = shape.kind in ("ring", "rail")
+    planar = shape.kind in ("ring", "rail", "bent")
     turning = [i for i in shape.rows if found.joint(i).type == "revolute"]
     facts = Facts(
         arm=shape.arm,
@@ -169,11 +168,14 @@ def _within(problem: Problem, found: Chain, point: Tracked, shape: Shape, option
             measure=shape.measure,
             size=Phrase(f"its-{shape.measure}") if shape.measure else None,
             rise=_rise(shape),
+            borders=shape.borders,
         ),
         numbers=(*told,),
         page_names={name: heads[name] for name in told},
     )
-    return work.answer("workspace", {**told, "description": shape.description}, facts, plots=plots)
+    return work.answer(
+        "workspace", {**told, "description": shape.description}, facts, plots=plots, units=units
+    )
 
 
 def _is_no_form(tree: Expr) -> bool:
@@ -197,41 +199,6 @@ def _rise(shape: Shape) -> Phrase | None:
         return None
     function, low, high = shape.rise
     return Phrase("rise", {"function": function, "ends": between(low, function, high)})
-
-
-def _outlines(problem: Problem, shape: Shape, told: Mapping[str, Expr], options: Options) -> tuple[Plot, ...]:
-    """With the lengths that are given; nothing of what has no end, is a line or a box."""
-    given = dict(options.evaluate or ())
-    known = oracle_of(problem).at(point_of(given, problem.where))
-    try:
-        near, far = (
-            numeric.number(told[name], known) if name in told else 0.0 for name in ("r_min", "r_max")
-        )
-        sides = tuple(_ends(span, known) for span in shape.sides)
-        turn, rise = shape.turn, shape.rise
-        ends = (
-            (numeric.number(turn[0], known), numeric.number(turn[1], known)) if turn else (0.0, 2 * math.pi)
-        )
-        if shape.kind == "ball":
-            low, high = (numeric.number(each, known) for each in rise[1:]) if rise else (-1.0, 1.0)
-            ends = math.asin(low), math.asin(high)
-        rail = _ends(shape.rail, known) if shape.rail else (0.0, 0.0)
-    except (KeyError, NotDerivable):
-        return ()
-    if (len(sides) != 2) if shape.kind == "box" else (far - near < NOTHING and not shape.rail):
-        return ()
-    side = numeric.number(shape.side, known)
-    if side:
-        near, far = (math.sqrt(max(0.0, each**2 - side**2)) for each in (near, far))
-    unit = unit_of_lengths(problem, given.values())
-    return (drawn(Outline(shape.kind, unit, near, far, ends, rail, sides, side)),)
-
-
-def _ends(span: Span, known: Mapping[str, float]) -> tuple[float, float]:
-    """Raises NotDerivable where one is missing."""
-    if span.low is None or span.high is None:
-        raise NotDerivable("there is no end")
-    return numeric.number(span.low, known), numeric.number(span.high, known)
 
 
 def _facts(

@@ -25,6 +25,7 @@ TELESCOPE = (
     "{theta: q1*, d: 0, a: 0, alpha: 90 deg}, {theta: 0, d: d2*, a: 0, alpha: -90 deg%s}, "
     "{theta: q3*, d: 0, a: 0.2 m, alpha: 0}"
 )
+LINKS = "{theta: q1*, d: 0, a: 0.5 m, alpha: 0%s}, {theta: q2*, d: 0, a: 0.3 m, alpha: 0%s}"
 SCARA = (
     "{theta: q1*, d: 0, a: 0.35 m, alpha: 0}, {theta: q2*, d: 0, a: 0.25 m, alpha: 180 deg}, "
     "{theta: 0, d: d3*, a: 0, alpha: 0%s}, {theta: q4*, d: 0, a: 0, alpha: 0}"
@@ -94,6 +95,17 @@ def test_a_telescope_between_two_turns(tmp_path: Path) -> None:
 def test_a_lift_makes_a_body(tmp_path: Path) -> None:
     told = found(SCARA, tmp_path, "[0.1 m, 0.3 m]")
     assert told["volume"] == pytest.approx(0.2 * math.pi * (0.6**2 - 0.1**2))
+
+
+def test_two_links_that_bend_to_one_side(tmp_path: Path) -> None:
+    told = found(LINKS, tmp_path, "[-40 deg, 100 deg]", "[30 deg, 120 deg]")
+    turn, low, high = (math.radians(each) for each in (140, 30, 120))
+    area, _ = dblquad(lambda q2, q1: 0.5 * 0.3 * math.sin(q2), 0, turn, low, high)  # |det J|
+    assert told["area"] == pytest.approx(area)
+    r = [math.sqrt(0.34 + 0.3 * math.cos(q)) for q in (high, low)]
+    assert (told["r_min"], told["r_max"]) == pytest.approx(tuple(r))
+    both = found(LINKS, tmp_path, "[-40 deg, 100 deg]", "[-30 deg, 120 deg]")
+    assert (both["r_min"], both["r_max"], "area" in both) == (pytest.approx(r[0]), pytest.approx(0.8), False)
 
 
 def test_what_is_without_end_is_said_so(tmp_path: Path) -> None:

@@ -26,6 +26,7 @@ from derive.mechanics.slides import Crossed, Flat, Stretch, crossed, flat, slidi
 
 R_MIN, R_MAX = Symbol("r_min"), Symbol("r_max")
 WHOLE, NEARLY = 2 * math.pi, 1e-9
+STEPS = 720
 Limits = Mapping[str, tuple[Expr, Expr]]
 
 
@@ -51,9 +52,21 @@ class Shape:
     called: str = ""  # the key of the region, without what it is said with
     measure: str = ""  # "area", "volume", "" where it has no end or none is found
     sides: tuple[Span, ...] = field(default=())  # of a box
+    borders: Phrase | None = None  # what they are
     link: Expr = ZERO  # the last one
     far_start: Expr = ZERO  # how far away it turns round with its start in the ring that the others reach
     gap: Expr | None = None  # the hole of that ring
+
+
+@dataclass(frozen=True, slots=True)
+class Bend:
+    """From where to where two links reach by the range of the joint between them; whether they do so by a
+    `single` bend of the elbow; the `cosine` of the angle between them."""
+
+    distance: Span
+    single: bool
+    cosine: Expr
+    passes: str = ""  # where the elbow changes its side: "stretched", "folded", "both"
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,18 +121,16 @@ class Limited:
         for way in reversed(ways[:-1]):
             distance = order.around(way, distance)
         turn = self._turn(arm.turning[0])
-        if any(self._turn(i) for i in arm.turning[1:]) or (turn and (arm.rail or not _is_sector(arm))):
-            raise NotDerivable(
-                "the workspace of an arm whose joints turn within ranges is found where one joint turns and "
-                "carries a slide; of this arm it is not derived yet"
-            )
-        if turn and not self._goes_outward(arm.stretches[0]):
-            raise NotDerivable("the slide passes the axis of a joint with a range, which is not derived yet")
+        bend = self._bend(arm, ways)
+        if bend:
+            distance = bend.distance
+        else:
+            self._refuse_ranges(arm, turn)
         rail = self._span(arm.rail) if arm.rail else None
         lift = self._span(arm.lift) if arm.lift else None
         rows = tuple(moving_joints(self.chain, self.point.position, self.point.last))
         formulas = dict(_distances(order, distance))
-        area = self._area(distance, turn, rail)
+        area = () if bend and turn and not bend.single else self._area(distance, turn, rail)
         measure = ""
         if area and lift is None:
             measure, formulas["area"] = "area", area
@@ -129,15 +140,83 @@ class Limited:
         if measure:
             formulas[measure] = self._simple_end(formulas[measure], distance)
         called = self._called(distance, turn, rail)
-        description = Phrase(called)
+        description, borders = Phrase(called), None
+        if bend and turn:
+            first, second = (Symbol(self.chain.joint(i).variable) for i in arm.turning)
+            last = self._typed(arm.stretches[1].aside)
+            description = Phrase("bent")
+            about: dict[str, Said] = {"first": first, "second": second, "last": last}
+            borders = Phrase(f"borders-{bend.passes}" if bend.passes else "borders", about)
         if lift:
             description = Phrase("prism" if lift.high is not None else "endless-prism", {"base": description})
         return Shape(
-            "rail" if rail else "ring", rows, distance, formulas, self._told(arm), description, turn, rail,
-            lift, called=called, measure=measure, link=ways[-1].low or ZERO,
+            "rail" if rail else "bent" if bend and turn else "ring", rows, distance, formulas,
+            self._bent(arm, bend) if bend else self._told(arm), description, turn, rail,
+            lift, called="" if borders else called, borders=borders, measure=measure,
+            link=ways[-1].low or ZERO,
             far_start=order.simple((ways[0].high or ZERO) - (ways[-1].low or ZERO)),
-            gap=_gap(ways) if not rail and len(ways) == 2 and distance.high is not None else None,
+            gap=_gap(ways) if not (rail or bend) and len(ways) == 2 and distance.high is not None else None,
         )  # fmt: skip
+
+    def _refuse_ranges(self, arm: Flat, turn: tuple[Expr, Expr] | None) -> None:
+        if any(self._turn(i) for i in arm.turning[1:]) or (turn and (arm.rail or not _is_sector(arm))):
+            raise NotDerivable(
+                "the workspace within ranges of joints that turn is found of two links, and of one joint "
+                "that turns and carries a slide; of this arm it is not derived yet"
+            )
+        if turn and not self._goes_outward(arm.stretches[0]):
+            raise NotDerivable("the slide passes the axis of a joint with a range, which is not derived yet")
+
+    def _bend(self, arm: Flat, ways: Sequence[Span]) -> Bend | None:
+        """The distances of two links whose joints have ranges: r^2 = l1^2 + l2^2 + 2 l1 l2 f, f being the
+        cosine of the angle between them. None of any other arm."""
+        if arm.rail or len(arm.turning) != 2 or any(each.stride is not None for each in arm.stretches):
+            return None
+        tilt = self._turn(arm.turning[1])
+        if tilt is None and self._turn(arm.turning[0]) is None:
+            return None
+        l_1, l_2 = (each.aside for each in arm.stretches)
+        cosine = (arm.square - l_1 * l_1 - l_2 * l_2) / (Scalar.of(2) * l_1 * l_2)
+        function = self.problem.readable(cosine)
+        name = self.chain.joint(arm.turning[1]).variable
+        if free_symbols(function) - self.problem.where.keys() - {name, PI.name}:
+            return None
+        ends = tilt or (-PI, PI)
+        single, low, high = self._extremes(function, Symbol(name), ends)
+        order, squares = self.order, self.problem.readable(arm.square)
+        one, other = (self.problem.readable(length) for length in (l_1, l_2))
+        gap = {1: one - other, -1: other - one, 0: ZERO}.get(order.sign(one - other) or 0)
+        folded = Call("abs", (one - other,)) if order.sign(one - other) is None else order.simple(gap or ZERO)
+
+        def distance(at: Expr | None, straight: Expr) -> Expr:
+            return straight if at is None else sqrt(replace(squares, {Symbol(name): at}))
+
+        ends_of = Span(distance(low, folded), distance(high, order.simple(one + other)))
+        passed = {(False, True): "stretched", (True, False): "folded", (True, True): "both"}
+        passes = "" if single else passed[low is None, high is None]
+        return Bend(ends_of, single, function, passes)
+
+    def _extremes(
+        self, function: Expr, name: Symbol, ends: tuple[Expr, Expr]
+    ) -> tuple[bool, Expr | None, Expr | None]:
+        """Whether a cosine only falls or only rises between two angles, and at which of them it is least and
+        largest; None where it is -1 or 1 on the way."""
+        known = completed({}, self.problem.where)
+        start, end = (number(each, known) for each in ends)
+        steps = [start + (end - start) * k / STEPS for k in range(STEPS + 1)]
+        values = [number(function, {**known, name.name: q}) for q in steps]
+        rising = [b > a for a, b in pairwise(values)]
+        lowest, highest = values.index(min(values)), values.index(max(values))
+        at = {k: q for k, q in ((0, ends[0]), (STEPS, ends[1])) if abs(values[k]) < 1 - NEARLY}
+        return all(rising) or not any(rising), at.get(lowest), at.get(highest)
+
+    def _bent(self, arm: Flat, bend: Bend) -> Phrase:
+        about: dict[str, Said] = {
+            "first": Symbol(self.chain.joint(arm.turning[0]).variable),
+            "lengths": tuple(self._typed(each.aside) for each in arm.stretches),
+            "function": bend.cosine,
+        }
+        return Phrase("two-links-within", about)
 
     def _area(self, distance: Span, turn: tuple[Expr, Expr] | None, rail: Span | None) -> tuple[Expr, ...]:
         """Of what is reached in the plane, by r_min and r_max; none where it has no end."""

@@ -7,6 +7,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers import floats as numeric
@@ -35,6 +36,7 @@ THROWN = 200_000  # places at random in the bounding box
 FAR = 12.0  # where a slide has no end
 NEAR = 4.0  # up to where an endless workspace is looked at
 SMALL = 1e-6
+CURVE, LOOSE = 20_001, 2e-3  # values of the second joint; radians, where a place is read off between two
 APART = 0.25  # the ends of a range that is drawn; typed ones are taken as they are
 CLOSE = 0.03  # relative: of a size by that
 TOUCHING = 0.02  # relative: how near a grid of joint values comes to an extreme
@@ -108,8 +110,15 @@ class Sampled:
         count = EACH[len(self.shape.rows)]
         axes = [np.linspace(*self.limits[row], count) for row in self.shape.rows]
         values = [each.ravel() for each in np.meshgrid(*axes, indexing="ij")]
-        places = np.tile(self.start, (values[0].size, 1))
-        for row, value in reversed([*zip(self.shape.rows, values, strict=True)]):
+        return self.moved(dict(zip(self.shape.rows, values, strict=True)))
+
+    def moved(self, values: Mapping[int, Array]) -> Array:
+        """Where the point is (N by 3) with the joints of these rows at N values each, the others as they
+        are."""
+        import numpy as np
+
+        places = np.tile(self.start, (next(iter(values.values())).size, 1))
+        for row, value in reversed([*values.items()]):
             moved = value - self.here[self.found.joint(row).variable]
             direction, through = self.lines[row]
             if through is None:
@@ -131,18 +140,20 @@ class Sampled:
             return inside
         if shape.kind == "ball":
             return self._in_ball(places, margin)
-        z = self.lines[self._first][0]
-        lift = next((row for row in shape.rows if row != self._first and self._lifts(row)), None)
+        z = self.lines[self.first][0]
+        lift = next((row for row in shape.rows if row != self.first and self._lifts(row)), None)
         if lift and shape.lift:
             inside &= self._between(self._along(lift, places), shape.lift, margin)
         else:
             inside &= np.abs((places - self.start) @ z) < SMALL
-        away = places - self._center
+        away = places - self.center
         away = away - (away @ z)[:, None] * z
+        if shape.kind == "bent":
+            return inside & self._in_reach_of_bends(away, z, margin)
         if shape.rail is None:
             inside &= self._between(np.linalg.norm(away, axis=1), shape.distance, margin)
             return inside & self._turned_so(away, z, margin)
-        u, own = self.lines[shape.rows[self._rail]][0], self._variable(shape.rows[self._rail])
+        u, own = self.lines[shape.rows[self.rail]][0], self.variable(shape.rows[self.rail])
         low, high = self._ends(shape.rail)
         x = away @ u + self.here[own]
         y2 = np.sum(away**2, axis=1) - (away @ u) ** 2
@@ -153,12 +164,56 @@ class Sampled:
         swept: Array = inside & (nearest <= r_max - slack) & (furthest >= r_min + slack)
         return swept
 
+    def _in_reach_of_bends(self, away: Array, z: Array, margin: float) -> Array:
+        """Which of these (N by 3), square to the first axis, two links reach by one of their bends, the
+        second joint moved through its range and the first one then to where the place is."""
+        import numpy as np
+
+        first, second = (row for row in self.shape.rows if self.found.joint(row).type == "revolute")
+        start, side = self.planar(self.start - self.center, z)
+        (low, high), own = self.limits[first], self.here[self.variable(first)]
+        q = np.linspace(*self.limits[second], CURVE)
+        places = self.moved({second: q}) - self.center
+        r = np.linalg.norm(places - (places @ z)[:, None] * z, axis=1)
+        angles = np.arctan2(places @ side, places @ start)
+        rho, phi = np.linalg.norm(away, axis=1), np.arctan2(away @ side, away @ start)
+        slack = margin / np.maximum(rho, margin + SMALL) if margin > 0 else -np.full(len(rho), LOOSE)
+        found = np.zeros(len(away), dtype=bool)
+        for a, b in pairwise(_turns(r)):
+            branch = slice(a, b + 1) if r[b] > r[a] else slice(b, a - 1 if a else None, -1)
+            bent = np.interp(rho, r[branch], np.unwrap(angles[branch]))
+            off = own + phi - bent - (low + high) / 2
+            off = np.abs(off - math.tau * np.round(off / math.tau))
+            within = (rho >= r[branch][0] + (margin or -SMALL)) & (rho <= r[branch][-1] - (margin or -SMALL))
+            found |= within & (off <= (high - low) / 2 - slack)
+        return found
+
+    def bends(self, second: int) -> Iterator[Limits]:
+        """The parts of a range in which the distance from the first axis only grows or only shrinks."""
+        import numpy as np
+
+        q = np.linspace(*self.limits[second], CURVE)
+        z = self.lines[self.first][0]
+        places = self.moved({second: q}) - self.center
+        r = np.linalg.norm(places - (places @ z)[:, None] * z, axis=1)
+        for a, b in pairwise(_turns(r)):
+            yield float(q[a]), float(q[b])
+
+    @staticmethod
+    def planar(start: Array, z: Array) -> tuple[Array, Array]:
+        """The direction of a place, seen along an axis, and what is to the left of it."""
+        import numpy as np
+
+        flat = start - (start @ z) * z
+        flat = flat / np.linalg.norm(flat)
+        return flat, np.cross(z, flat)
+
     def _in_ball(self, places: Array, margin: float) -> Array:
         import numpy as np
 
         shape = self.shape
-        away = places - self._center
-        z = self.lines[self._first][0]
+        away = places - self.center
+        z = self.lines[self.first][0]
         r, height = np.linalg.norm(away, axis=1), away @ z
         flat = away - height[:, None] * z
         inside = self._between(r, shape.distance, margin)
@@ -182,10 +237,10 @@ class Sampled:
 
         if self.shape.turn is None:
             return np.ones(len(away), dtype=bool)
-        start = self.start - self._center
+        start = self.start - self.center
         start = start - (start @ z) * z
         side = np.cross(z, start)
-        own = self.here[self._variable(self._first)]
+        own = self.here[self.variable(self.first)]
         low, high = (self._number(each) for each in self.shape.turn)
         length = np.linalg.norm(away, axis=1)
         slack = (
@@ -213,28 +268,28 @@ class Sampled:
 
     def _along(self, row: int, places: Array) -> Array:
         """The value of a joint that slides, by how far a place is along its way."""
-        found: Array = (places - self.start) @ self.lines[row][0] + self.here[self._variable(row)]
+        found: Array = (places - self.start) @ self.lines[row][0] + self.here[self.variable(row)]
         return found
 
-    def _variable(self, row: int) -> str:
+    def variable(self, row: int) -> str:
         return self.found.joint(row).variable
 
     @property
-    def _first(self) -> int:
+    def first(self) -> int:
         return next(row for row in self.shape.rows if self.found.joint(row).type == "revolute")
 
     def _lifts(self, row: int) -> bool:
         import numpy as np
 
-        along = np.cross(self.lines[row][0], self.lines[self._first][0])
+        along = np.cross(self.lines[row][0], self.lines[self.first][0])
         return self.lines[row][1] is None and float(np.linalg.norm(along)) < SMALL
 
     @property
-    def _rail(self) -> int:
-        return next(k for k, row in enumerate(self.shape.rows) if row < self._first and not self._lifts(row))
+    def rail(self) -> int:
+        return next(k for k, row in enumerate(self.shape.rows) if row < self.first and not self._lifts(row))
 
     @cached_property
-    def _center(self) -> Array:
+    def center(self) -> Array:
         """From where distances count, in the configuration that is looked at."""
         import numpy as np
 
@@ -242,24 +297,22 @@ class Sampled:
             return np.array(numeric.matrix_numbers(self.shape.center, self.here)).ravel()
         if self.shape.kind == "box":
             return self.start
-        through = self.lines[self._first][1]
+        through = self.lines[self.first][1]
         assert through is not None
         return through
 
     # -- what is held -----------------------------------------------------------------------------
 
     @cached_property
-    def _basis(self) -> Array:
+    def basis(self) -> Array:
         """Directions (k by 3) that span the workspace."""
         import numpy as np
 
         if self.shape.kind == "box":
             return np.array([self.lines[row][0] for row in self.shape.rows])
-        if self.shape.kind == "ball" or any(
-            self._lifts(row) for row in self.shape.rows if row != self._first
-        ):
+        if self.shape.kind == "ball" or any(self._lifts(row) for row in self.shape.rows if row != self.first):
             return np.eye(3)
-        z = self.lines[self._first][0]
+        z = self.lines[self.first][0]
         one = np.cross(z, np.eye(3)[int(np.abs(z).argmin())])
         one = one / np.linalg.norm(one)
         return np.array([one, np.cross(z, one)])
@@ -271,12 +324,12 @@ class Sampled:
         """Whether the extremes of the distance are met."""
         import numpy as np
 
-        if self.shape.kind not in ("ring", "ball"):
+        if self.shape.kind not in ("ring", "bent", "ball"):
             yield True
             return
-        away = self.places - self._center
-        if self.shape.kind == "ring":
-            z = self.lines[self._first][0]
+        away = self.places - self.center
+        if self.shape.kind != "ball":
+            z = self.lines[self.first][0]
             away = away - (away @ z)[:, None] * z
         r = np.linalg.norm(away, axis=1)
         low, high = self._ends(self.shape.distance)
@@ -288,11 +341,9 @@ class Sampled:
         """Whether each cell of a coarse grid within the shape, or one beside it, holds a place."""
         import numpy as np
 
-        seen = (self.places - self._center) @ self._basis.T
+        seen = (self.places - self.center) @ self.basis.T
         near = (
-            np.linalg.norm(self.places - self._center, axis=1) <= 2 * NEAR
-            if self._is_endless
-            else slice(None)
+            np.linalg.norm(self.places - self.center, axis=1) <= 2 * NEAR if self._is_endless else slice(None)
         )
         seen = seen[near]
         k = seen.shape[1]
@@ -316,7 +367,7 @@ class Sampled:
         """Whether as many of the places thrown at random lie within the shape."""
         import numpy as np
 
-        seen = (self.places - self._center) @ self._basis.T
+        seen = (self.places - self.center) @ self.basis.T
         k = seen.shape[1]
         low, high = (getattr(seen, pick)(axis=0) for pick in ("min", "max"))
         thrown = low + (high - low) * np.random.default_rng(0).random((THROWN, k))
@@ -326,13 +377,20 @@ class Sampled:
     def _placed(self, seen: Array) -> Array:
         import numpy as np
 
-        rest = self.start - self._center
-        rest = rest - (rest @ self._basis.T) @ self._basis
-        return np.array(self._center + rest + seen @ self._basis)
+        rest = self.start - self.center
+        rest = rest - (rest @ self.basis.T) @ self.basis
+        return np.array(self.center + rest + seen @ self.basis)
 
     @property
     def _is_endless(self) -> bool:
         return any(high >= FAR for _, high in self.limits.values())
+
+
+def _turns(values: Array) -> list[int]:
+    """Where these begin, turn round, and end."""
+    import numpy as np
+
+    return [0, *(int(k) + 1 for k in np.flatnonzero(np.diff(np.sign(np.diff(values))))), len(values) - 1]
 
 
 def _turned(away: Array, z: Array, by: Array) -> Array:
