@@ -22,7 +22,7 @@ LEAD_IN = re.compile(rf"(?<=\n\n)(?!{BLOCK}|#(?!(?:{IN_LINE})\b)|\])((?:.+\n)+)\
 SPOKEN = re.compile(rf'#[a-z]+\("[^"]*", {DOLLAR}')  # what is not seen of a formula, and begins it
 BY_ITSELF = 200  # letters and signs: more than two lines
 UNIT = r"(?:rad|deg|mm|cm|kg|Nm|Hz|[mNsVWJgKA])(?![A-Za-z])[23²³]?"
-MEASURE = re.compile(rf"(?:(?<={DOLLAR}\);)|(?<=\d)) {UNIT}(?:(?: |\\?/)\(?{UNIT}\)?)*")  # behind a number
+MEASURE = re.compile(rf"(?<={DOLLAR}\);) {UNIT}(?:(?: |\\?/)\(?{UNIT}\)?)*")  # behind a formula
 WORD_JOINER = "\u2060"  # where no line ends
 HELD = 14.0  # em, up to which a formula does not break in a line of text
 FRAME = 2.4  # em that a frame takes from a line
