@@ -25,6 +25,7 @@ class Facts(PageFacts):
 
     analytic: bool = False
     angles: tuple[Symbol, ...] = ()  # of the analytic one
+    own: tuple[tuple[Expr, Expr], ...] = ()  # the angles that are joint variables
     det: Expr | None = None  # that of their rates
     restated: bool = False
     point: Phrase | None = None  # where it is no origin that is known

@@ -14,7 +14,7 @@ import pytest
 
 from derive.algebra.numbers.floats import numbers
 from derive.errors import DivisionByZero, NotDerivable
-from derive.expression import Symbol, number
+from derive.expression import Symbol, free_symbols, number
 from derive.kinds.linear_systems import solution_at, solved_as_written
 from derive.kinds.problem import Problem
 from derive.mechanics.oracle import Oracle
@@ -250,6 +250,16 @@ def test_the_analytic_jacobian_is_the_published_one() -> None:
     point = tuple((name, parse_number(value)) for name, value in SLOW.items())
     found = problem(arm(PUMA_560)).ask("jacobian", kind="analytic", convention="ZYZ", evaluate=point)
     assert np.array(found.evaluated["J"])[3:] == pytest.approx(np.array(PUMA_ANALYTIC), abs=1e-9)
+
+
+def test_a_wrist_that_makes_the_rotations_of_its_angles_has_their_rates() -> None:
+    found = problem(arm(WRIST)).ask("jacobian", kind="analytic", convention="ZYZ")
+    own = found.step("J_own").result
+    assert numbers(own, dict.fromkeys(free_symbols(own), 0.7))[3:] == [
+        [1, 0, 0],
+        [0, 1, 0],
+        [0, 0, 1],
+    ]
 
 
 def test_angles_that_always_fail_are_refused() -> None:

@@ -50,9 +50,11 @@ def turned(solved: Solved, known: Values) -> Iterator[bool]:
 
 
 def sided(solved: Solved, known: Values, choice: int) -> Iterator[bool]:
-    """Whether what is said to be positive for the first of two values, and negative for the second, is so."""
+    """Whether what is said to be positive for the first of two values, and negative for the other, is so."""
     if solved.facts.positive is not None:
         yield (arrays(solved.facts.positive, known) > 0) == (choice == 0)
+    if solved.facts.negative is not None:
+        yield (arrays(solved.facts.negative, known) < 0) == (choice == 0)
 
 
 def signed(solved: Solved, known: Values, choice: int) -> Iterator[bool]:

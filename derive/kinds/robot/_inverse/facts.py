@@ -54,8 +54,8 @@ class Method(Record):
 class SolvedFacts(Record):
     """Of one sub-problem: where its equations were read, or that they are those of one before, its steps by
     their rules, and whether an orientation is what is out of reach where it has no solution. The first of
-    `two` values makes something `positive`; where the unknown is `open` nothing determines it. A sum is
-    `called` by a name.
+    `two` values makes something `positive`, or `negative`; where the unknown is `open` nothing determines it.
+    A sum is `called` by a name.
     """
 
     method: Method
@@ -66,6 +66,7 @@ class SolvedFacts(Record):
     again: Phrase | None
     two: Phrase | None
     positive: Expr | None
+    negative: Expr | None  # the opposite, where that has no minus in front
     open: Phrase | None
     orientation: bool
     sides: tuple[Expr, ...]  # the known ones of equations that stand above

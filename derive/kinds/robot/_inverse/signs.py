@@ -79,8 +79,15 @@ def _turned(term: Expr, names: Container[str]) -> Expr | None:
 
 
 def unsigned(tree: Expr) -> Expr:
-    """Without the sign in front: what is squared needs none."""
-    return opposite(tree) if all_negative(tree) else tree
+    """Without the sign in front: what is squared needs none, nor (d r - x) in place of (x - d r)."""
+    return opposite(tree) if all_negative(tree) or _alone_negative(tree) else tree
+
+
+def _alone_negative(tree: Expr) -> bool:
+    """Whether a name by itself is subtracted in a sum, and none added."""
+    terms = terms_of(tree)
+    plain = any(isinstance(term, Symbol) for term in terms)
+    return not plain and any(is_negative(term) and isinstance(-term, Symbol) for term in terms)
 
 
 def times(factor: Expr, other: Expr) -> Expr:

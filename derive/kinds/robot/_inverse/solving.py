@@ -10,12 +10,14 @@ from derive.algebra.infix import text
 from derive.algebra.scalar import Scalar
 from derive.derivation import Phrase, Step
 from derive.expression import Expr, Symbol
+from derive.kinds.robot._chain import chain_of
 from derive.kinds.robot._inverse.compared import Poses
 from derive.kinds.robot._inverse.facts import Compared, Method, SolvedFacts
 from derive.kinds.robot._inverse.progress import Progress
-from derive.kinds.robot._inverse.signs import begins_negative
+from derive.kinds.robot._inverse.signs import all_negative, begins_negative, opposite
 from derive.kinds.robot._inverse.subproblem import Choice, Definition, Solved
 from derive.mechanics.inverse.subproblems import Reach, SubProblem, equations_of
+from derive.mechanics.poses import rotation_part
 
 ORDER = ("name", "equation", "squares", "aside", "solved", "choice")  # of steps on the page
 BY_LENGTH = ("equation", "solved", "name", "choice")  # where the names are other elements
@@ -89,6 +91,7 @@ class Solving:
         compared = self.poses.compared(equations_of(self.found))
         read = self._by("equation") or (self._by("solved") and not self._by("squares"))
         again = self._again(compared) if read else None
+        side = choices[0].signed if method.name in ("zero", "general") else None
         facts = SolvedFacts(
             method=method,
             unknown=head,
@@ -97,8 +100,9 @@ class Solving:
             compared=compared if read and not again else (),
             again=again,
             two=Phrase(TWO[method.name, method.by_length]) if method.name in ("cosine", "sine") else None,
-            open=_open(method, named or head),
-            positive=choices[0].signed if method.name in ("zero", "general") else None,
+            open=self._open(method, named or head),
+            positive=side if side and not all_negative(side) else None,
+            negative=opposite(side) if side and all_negative(side) else None,
             orientation=progress.goal.R is not None and None in progress.goal.p,
             sides=self._sides() if method.name in ("direction", "difference") else (),
             names=self._by("name"),
@@ -145,12 +149,22 @@ class Solving:
             return None
         return Phrase("same-equations", {"known": before[-1].facts.called})
 
+    def _open(self, method: Method, unknown: Expr) -> Phrase | None:
+        """Where the rule says nothing of the unknown."""
+        if not method.unless:
+            return None
+        key = "singular-and-arbitrary-if" if self._matters_no_more(method, unknown) else OPEN[method.name]
+        return Phrase(key, {"zeros": method.unless, "unknown": unknown})
+
+    def _matters_no_more(self, method: Method, unknown: Expr) -> bool:
+        """Whether a slide at zero, which leaves the unknown open, takes it out of all that is known."""
+        slide, goal = method.factor, self.progress.goal
+        if not (isinstance(slide, Symbol) and isinstance(unknown, Symbol)) or method.name != "direction":
+            return False
+        T = chain_of(self.problem).T_tool
+        known = [T.rows[i][3] for i, each in enumerate(goal.p) if each is not None]
+        known += rotation_part(T).entries if goal.R is not None or goal.angle else ()
+        return not any(each.diff(unknown.name).substitute({slide.name: Scalar.of(0)}) for each in known)
+
     def _by(self, rule: str) -> tuple[Step, ...]:
         return tuple(step for step in self.steps if step.rule == rule)
-
-
-def _open(method: Method, unknown: Expr) -> Phrase | None:
-    """Where the rule says nothing of the unknown."""
-    if not method.unless:
-        return None
-    return Phrase(OPEN[method.name], {"zeros": method.unless, "unknown": unknown})

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from itertools import permutations
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal_matrix
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.numbers.floats import Point
-from derive.derivation import Derivation
+from derive.derivation import Derivation, Step
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Indexed, Matrix, Symbol, is_negative, symbols
+from derive.expression import replace as put_in
 from derive.kinds.checks import close, random_points, route
 from derive.kinds.fields import Place
 from derive.kinds.pose import euler_rates
@@ -26,6 +29,7 @@ from derive.kinds.work import Work
 from derive.mechanics.euler import Convention, Euler, rate_matrix
 from derive.mechanics.jacobian import halves
 from derive.mechanics.oracle import STEP
+from derive.mechanics.poses import rotation_part
 from derive.mechanics.task import ROWS, rows_of
 
 DIFFERENCES = 1e-5
@@ -55,11 +59,16 @@ def analytic(options: Any, problem: Problem) -> Derivation:
     work = Work(problem, uses=(base, rates)).knowing({J_V: J_v, J_OMEGA: J_omega, T: rates.definitions[T]})
     work = work.line(J_A, block, value=found, rule="analytic")
     head: Symbol | Indexed = J_A
+    own = () if options.rows else _joints_of(problem, euler, frame)
     if options.rows:
         head, found = Indexed("J", tuple(map(Symbol, options.rows))), rows_of(found, options.rows)
         work = work.line(head, value=found, rule="rows", label="rows")
     routes = _by_rates(angular_rates, problem, euler, frame), _by_angles(problem, euler, frame)
     work = work.closed(head).agrees("rates-agree", problem.symbols, *routes, DIFFERENCES)
+    answer = work.steps[-1].result
+    if own:
+        work = work.showing(_in_joints(problem, euler, own, linear, angular, found))
+        work = work.claim(route("own-angles", _turned_alike(problem, euler, own, frame)))
     det = rates.scalar("det")
     told = _evaluated(problem, options.evaluate, found, euler, frame)
     if told:
@@ -68,16 +77,53 @@ def analytic(options: Any, problem: Problem) -> Derivation:
         work = work.claim(route("there", close(told["J"], right, DIFFERENCES)))
     return work.answer(
         "jacobian",
-        {"J": work.steps[-1].result},
+        {"J": answer},
         Facts(
             analytic=True,
             numbers=("J",),
             angles=tuple(map(Symbol, euler.names)),
+            own=tuple(zip(map(Symbol, euler.names), map(Symbol, own), strict=False)),
             det=-det if is_negative(det) else det,
         ),
         evaluated=told,
         matrices=frozenset({"J"}),
     )
+
+
+def _joints_of(problem: Problem, euler: Euler, frame: int) -> tuple[str, ...]:
+    """The three joint variables that are the angles themselves, where the orientation of the frame is that of
+    their rotations; none of another arm."""
+    chain = chain_of(problem)
+    R = rotation_part(chain.T_tool if frame >= len(chain.T) else chain.T[frame])
+    letters = {name for entry in R.entries for name in entry.letters()} & set(problem.subject.variables)
+    if len(letters) != len(euler.names):
+        return ()
+    orders = permutations(sorted(letters))
+    return next(((a, b, c) for a, b, c in orders if replace(euler, names=(a, b, c)).matrix == R), ())
+
+
+def _in_joints(
+    problem: Problem, euler: Euler, own: tuple[str, ...], linear: ScalarMatrix, angular: ScalarMatrix,
+    found: ScalarMatrix,
+) -> Step:  # fmt: skip
+    """J_a with the joint variables in place of the angles, found anew from their own T."""
+    first, second, third = own
+    rates = rate_matrix(replace(euler, names=(first, second, third))).inverse() @ angular
+    values = dict[Expr, Expr](zip(map(Symbol, euler.names), map(Symbol, own), strict=True))
+    instance: dict[Expr, Expr] = {J_A: put_in(problem.readable_matrix(found), values)}
+    J_own = problem.readable_matrix(ScalarMatrix.stacked([linear, rates]))
+    return Step("J_own", (J_A, J_own), "law", instance=instance)
+
+
+def _turned_alike(problem: Problem, euler: Euler, own: tuple[str, ...], frame: int) -> Iterator[bool]:
+    """Whether the joint variables, as these angles, give the orientation of the frame, in numbers."""
+    oracle = oracle_of(problem)
+    for at in random_points(problem.symbols, 2):
+        known = oracle.at(at)
+        poses = oracle.poses(known)
+        R = (oracle.tool(known) if frame >= len(poses) else poses[frame])[:3, :3]
+        angles = {name: known[joint] for name, joint in zip(euler.names, own, strict=True)}
+        yield close(numeric.matrix_numbers(euler.matrix, angles), R.tolist(), SMALL)
 
 
 def _evaluated(
