@@ -8,12 +8,12 @@ from math import dist
 from typing import Any
 
 from derive.algebra.numbers.floats import number
-from derive.expression import Expr, free_symbols
+from derive.expression import Expr, Symbol, free_symbols
 from derive.figures.view import Vector, between, dot, unit
 from derive.mechanics.dh import moves
 from derive.mechanics.motion import Axis, Move
 from derive.mechanics.oracle import compose
-from derive.mechanics.robot import Robot
+from derive.mechanics.robot import DHRow, Link, Robot
 
 SMALL = 1e-9
 
@@ -27,6 +27,7 @@ class Part:
     by: Expr
     moving: bool = False  # a prismatic joint stretches it
     along_joint: bool = False  # it is the offset of the joint that it begins at
+    called: Symbol | None = None  # its letter in the table of link parameters
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,11 +75,21 @@ def posed(robot: Robot, point: Mapping[str, float]) -> Posed:
 
         T = chained(T, robot, point, parts, joints)
     else:
-        for link in robot.links:
+        for i, link in enumerate(robot.links, 1):
+            before = len(parts)
             T = _run(T, moves(link, robot), link.variable, point, parts, joints)
+            parts[before:] = [_called(part, link, i) for part in parts[before:]]
             poses.append(T)
     T = _run(T, robot.tool, None, point, parts, joints)
     return Posed(tuple(parts), tuple(joints), tuple(poses), T, point)
+
+
+def _called(part: Part, link: Link, i: int) -> Part:
+    """With the letter of its length in the table: d_3 or a_3."""
+    if not isinstance(link.row, DHRow) or part.by not in (link.row.d, link.row.a):
+        return part
+    letter = "d" if part.along_joint or part.by != link.row.a else "a"
+    return replace(part, called=Symbol(f"{letter}_{i}"))
 
 
 def _run(

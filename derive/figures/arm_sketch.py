@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from derive.algebra.numbers.floats import number
 from derive.derivation import Caption, Drawing, Stroke
-from derive.expression import Expr, Symbol, is_negative
+from derive.expression import Expr, Symbol, free_symbols, is_negative
 from derive.figures import described, solids
 from derive.figures.arm import SMALL, Joint, Part, Posed, joint_size, length_between, place_of
 from derive.figures.arm_angles import SHORT, angles, reach, turns
@@ -24,6 +24,7 @@ from derive.figures.wish import Wish
 from derive.mechanics.robot import Robot
 
 MIDDLE, ASIDE = (0.5, 0.35, 0.65, 0.2, 0.8), (0.76, 0.24, 0.5, 0.85, 0.65)  # of a link: its name
+MOST_NUMBERS = 3  # lengths that are written as numbers; of more the letters of the table are
 OF_ROD = 0.08  # of the longest rod: a joint
 MOST, JOINT = 250.0, 16.0  # points: how high an arm is drawn, and how large a joint of it
 
@@ -164,6 +165,8 @@ def _joint(view: View, joint: Joint, size: float) -> solids.Solid:
 
 def _lengths(view: View, posed: Posed, size: float, spots: Sequence[float]) -> Iterator[Caption]:
     """The name of a length beside its piece of a link, on either side, at shares of it in order."""
+    drawn = [part for part in posed.parts if part.called and not free_symbols(part.by)]
+    crowded = len(drawn) > MOST_NUMBERS
     for part in posed.parts:
         a, b = view.place(part.start), view.place(part.end)
         way = (b[0] - a[0], b[1] - a[1])
@@ -172,6 +175,8 @@ def _lengths(view: View, posed: Posed, size: float, spots: Sequence[float]) -> I
         below = (way[1], -way[0]) if way[0] >= 0 else (-way[1], way[0])
         above = (-below[0], -below[1])
         name = -part.by if is_negative(part.by) else part.by
+        if crowded and part in drawn and part.called:
+            name = part.called
         shares = [(a[0] + t * way[0], a[1] + t * way[1]) for t in spots]
         others = tuple((place, side) for place in shares for side in (below, above))
         yield Caption(shares[0], name, below, "length", others[1:])
