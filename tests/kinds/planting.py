@@ -120,12 +120,6 @@ def values(planter: Planter) -> Iterator[None]:
         yield
 
 
-def _is_zero(tree: Expr) -> bool:
-    return (
-        all(entry == ZERO for row in tree.rows for entry in row) if isinstance(tree, Matrix) else tree == ZERO
-    )
-
-
 @contextmanager
 def lines(planter: Planter) -> Iterator[None]:
     """The last two expressions of the chain of every step pass the planter. Laws, which have nothing to be
@@ -203,7 +197,9 @@ def _zeros(expr: Expr) -> set[tuple[int, int]]:
 
 
 def _is_zero(expr: Expr) -> bool:
-    """Whether it is zero, as cos 90 deg is: of that any sign is right."""
+    """Whether it is zero, as cos 90 deg is, or a matrix of zeros: of that any sign is right."""
+    if isinstance(expr, Matrix):
+        return all(entry == ZERO for row in expr.rows for entry in row)
     if isinstance(expr, Call) and not free_symbols(expr):
         with suppress(NotDerivable):
             return abs(number(expr, {})) < 1e-12

@@ -6,6 +6,7 @@ from typing import overload
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
+from derive.algebra.readable.form import readable
 from derive.algebra.scalar import Scalar
 from derive.algebra.signs import sign_of
 from derive.algebra.values import Value
@@ -51,7 +52,7 @@ def _settled(value: Scalar, problem: Problem) -> Scalar:
                 return inner if sign >= 0 else negate(inner)
         return rebuild(tree, sized)
 
-    return normal(sized(problem.readable(value)))
+    return normal(sized(readable(value, problem.style)))
 
 
 def positive_names(problem: Problem) -> frozenset[str]:

@@ -57,7 +57,7 @@ class Timed:
     whole: tuple[Expr, Expr, Expr]
     given: dict[str, Symbol] = field(default_factory=dict)
     lines: tuple[str, ...] = ()
-    reached: bool = True  # the greatest velocity, by a trapezoid
+    reached: bool = True  # whether it goes on at the greatest velocity
 
 
 def timed(timing: Timing, found: Bent, work: Work) -> Timed:
@@ -113,7 +113,7 @@ def _trapezoid(
         room = work.sign(L - v**2 / a)
         if room is None:
             raise NotDerivable(OPEN)
-        reached = room >= 0
+        reached = room > 0
         work = told(work, T_1, v / a if reached else sqrt(L / a))
         work = told(work, T_f, L / v + T_1 if reached else TWO * T_1)
     elif timing.a_max is None:
@@ -123,8 +123,11 @@ def _trapezoid(
         if work.sign(T_f**2 / number(4) - L / given["a_max"]) not in (0, 1):
             raise NotDerivable(NO_TIME)
         work = told(work, T_1, T_f / TWO - sqrt(T_f**2 / number(4) - L / given["a_max"]))
-    if timing.time is not None and (work.sign(T_1) != 1 or work.sign(T_f - TWO * T_1) not in (0, 1)):
-        raise NotDerivable(NO_TIME)
+    if timing.time is not None:
+        left = work.sign(T_f - TWO * T_1)
+        if work.sign(T_1) != 1 or left not in (0, 1):
+            raise NotDerivable(NO_TIME)
+        reached = left == 1
     rate = strong if found.unit or not found.steady else strong / found.speed
     work = told(work, T_2, T_f - T_1) if reached else work
     laws = _laws(rate, T_f, low, reached)

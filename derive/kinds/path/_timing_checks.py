@@ -31,6 +31,9 @@ def agrees(problem: Problem, found: Bent, timed: Timed, chains: Chains) -> Itera
         known = completed(drawn, problem.where)
         path = made(problem.subject, found.along.s.name, known)
         course = driven(problem.subject.timing, path, found.steady, known)
+        if len(course) != len(timed.pieces):
+            yield False
+            return
         joints = [course[0].start, *(piece.end for piece in course)]
         for k, (start, end) in enumerate(pairwise(joints)):
             for share in SHARES:
@@ -52,6 +55,8 @@ def driven(timing: Timing, path: Made, steady: bool, known: Point) -> Course:
     per = (high - low) / d
     moved = []
     for piece in pieces:
+        if piece.end - piece.start < trapezoid.FLAT * pieces[-1].end:
+            continue
         first, *others = (each * per for each in piece.coefficients)
         moved.append(Piece(piece.start, piece.end, (low + first, *others)))
     return tuple(moved)
