@@ -36,7 +36,7 @@ Points = tuple[tuple[float, ...], tuple[float, ...]]
 
 def is_joined(course: Sequence[Piece]) -> bool:
     """Whether it begins at the time 0, and each piece begins when and where the one before it ends."""
-    if course[0].start:
+    if not course or course[0].start:
         return False
     size = max(abs(piece.at(t)) for piece in course for t in (piece.start, piece.end))
     return all(

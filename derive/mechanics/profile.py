@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal, TypeAlias
 
-from derive.expression import Expr
+from derive.expression import ZERO, Expr
 
 Sort: TypeAlias = Literal["length", "angle", ""]  # what moves; "" where nothing typed says it
 
@@ -59,6 +59,16 @@ class Journey:
     blend: Expr | None = None
     v_max: Expr | None = None
     a_max: Expr | None = None
+
+    @property
+    def begins_at_rest(self) -> bool:
+        """Whether no velocity is given at the start."""
+        return self.start_velocity == ZERO
+
+    @property
+    def ends_at_rest(self) -> bool:
+        """Whether none is given at the end."""
+        return self.end_velocity == ZERO
 
 
 @dataclass(frozen=True, slots=True)

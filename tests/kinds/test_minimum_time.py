@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import BPoly
 from scipy.optimize import brentq
@@ -88,6 +88,30 @@ def test_axes_wait_for_the_slowest(tmp_path: Path) -> None:
     assert degrees == pytest.approx([135 / sqrt(18), 45 / sqrt(18), 30, 10])
 
 
+@settings(max_examples=15, deadline=None)
+@given(d=st.integers(-30, 30), v=st.integers(-30, 30), a=st.integers(1, 30))
+def test_the_double_integrator_of_athans_and_falb(tmp_path_factory: Any, d: int, v: int, a: int) -> None:
+    """Optimal Control, section 7.2: from (x, y) to the origin in s y + sqrt(4 s x + 2 y^2), with s the
+    side of the switching curve."""
+    assume(v)
+    profile = f"{{from: {-d}/10, to: 0, start_velocity: {v}/10, a_max: {a}/10}}"
+    results = found(tmp_path_factory.mktemp("s"), profile, "bang-bang")
+    x, y = -d / a, v / a
+    side = 1 if x + y * abs(y) / 2 > 0 else -1
+    assert number(results["time"], {}) == pytest.approx(side * y + sqrt(max(4 * side * x + 2 * y**2, 0)))
+    assert active(results) == "acceleration"
+
+
+def test_a_limit_of_velocity_is_reached_and_held(tmp_path: Path) -> None:
+    """Backward at once, then forward at the greatest velocity: by areas under the velocity."""
+    sizes = "start_velocity: -1 m/s, v_max: 2 m/s, a_max: 1 m/s^2"
+    results = found(tmp_path, f"{{from: 0, to: 6 m, {sizes}}}", "bang-bang")
+    # from -1 to 2 in 3 s over 1.5 m, to rest in 2 s over 2 m, and 2.5 m at 2 m/s
+    times = [number(results[name], {}) for name in ("t_1", "t_2", "time", "v")]
+    assert times == pytest.approx([3, 4.25, 6.25, 2])
+    assert active(results) == "velocity and acceleration"
+
+
 def test_the_cubic_of_craig_is_slowed_down(tmp_path: Path) -> None:
     """Example 7.1 turns by 60 degrees in 3 s: 30 deg/s and 40 deg/s^2 at most."""
     profile = "{from: 15 deg, to: 75 deg, time: 3 s, v_max: 25 deg/s, a_max: 45 deg/s^2}"
@@ -117,6 +141,9 @@ def test_a_scaled_motion_is_the_fastest(tmp_path: Path, law: str) -> None:
         ("{distance: 1, v_max: 1, a_max: 1, time: 3}", "cubic", "leave it out"),
         ("{from: 0, to: 1}", "quintic", "no limit"),
         ("{from: 0, to: 1, a_max: 1}", "trapezoidal", "both limits"),
+        ("{from: 0, to: 1, a_max: 1, start_velocity: 1}", "cubic", "at rest"),
+        ("{from: 0, to: 1, a_max: 1, v_max: 1, start_velocity: 2}", "bang-bang", "beyond the limit"),
+        ("{from: 0, to: d, a_max: 1, start_velocity: 1}", "bang-bang", "without numbers"),
         ("{from: 2, to: 2, a_max: 1}", "cubic", "nothing to move"),
         (
             "[{distance: d, v_max: 1, a_max: 1}, {distance: 1, v_max: 1, a_max: 1}]",

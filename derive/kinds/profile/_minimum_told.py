@@ -27,6 +27,18 @@ class CaseTold(Record):
     lines: tuple[str, ...]  # steps
 
 
+class SwitchedTold(Record):
+    """Between two velocities: the distance of a single ramp, then what is done first."""
+
+    braking: Phrase | None
+    braked: tuple[str, ...]  # steps, as those that follow
+    first: Phrase
+    peak: tuple[str, ...]
+    border: Phrase
+    lines: tuple[str, ...]
+    time: str
+
+
 class Facts(PageFacts):
     cases: tuple[CaseTold, ...]
     given: tuple[tuple[Expr, Expr, int | None], ...] = ()  # each with how often it is differentiated
@@ -40,6 +52,7 @@ class Facts(PageFacts):
     needed: tuple[str, ...] = ()
     reached: Phrase | None = None  # by several axes
     table: Table | None = None
+    switched: SwitchedTold | None = None
     drawn: bool = False
     at_point: Phrase | None = None
 

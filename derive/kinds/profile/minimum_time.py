@@ -18,23 +18,28 @@ from derive.kinds.profile._minimum_told import at_point, evaluated_of, met_of, r
 from derive.kinds.profile._shape_told import claims_of as claims_of_shape
 from derive.kinds.profile._shape_told import courses_of, facts_of, steps_of
 from derive.kinds.profile._shapes import TIME
+from derive.kinds.profile._switched_told import fastest_between
 from derive.kinds.values_at import point_of
 from derive.mechanics.profile import Profile, Sort
 
-CLAIMED = dict.fromkeys(("time", "v_peak", "a_peak", "solutions"), "as-told|no-time-is-shorter")
+USES = frozenset({"start_velocity", "end_velocity"})
+CLAIMED = dict.fromkeys(
+    ("time", "v_peak", "a_peak", "solutions", "t_1", "t_2", "v"), "as-told|no-time-is-shorter"
+)
 
 
 class Options(OptionsModel):
-    """`law`: how the distance is covered, as fast as the limits allow if left out; where symbols stand for
-    the distance and the limits, `evaluate` gives the time at a point and draws the motion."""
+    """`law`: how the distance is covered, as fast as the limits allow if left out; then it may begin and end
+    with a velocity, and by `bang-bang` no limit of that is needed. Where symbols stand for the distance and
+    the limits, `evaluate` gives the time at a point and draws the motion."""
 
-    law: Literal["cubic", "quintic", "cycloidal", "trapezoidal"] = "trapezoidal"
+    law: Literal["cubic", "quintic", "cycloidal", "trapezoidal", "bang-bang"] = "trapezoidal"
     evaluate: Evaluation = None
 
 
 def claims_of(profile: Profile, options: Options) -> tuple[str, ...]:
     """The keys of what is claimed."""
-    if options.law == "trapezoidal":
+    if options.law in ("trapezoidal", "bang-bang"):
         return ("no-time-is-shorter", "binding-limits")
     return ("as-told", "right-case", *(("on-axes",) if len(profile.axes) > 1 else ()))
 
@@ -47,8 +52,14 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     """
     if profile.time is not None:
         raise NotDerivable("the time is what is looked for, and one is given; leave it out")
-    if options.law == "trapezoidal":
+    journey = profile.journey
+    moving = journey is not None and not (journey.begins_at_rest and journey.ends_at_rest)
+    if options.law == "trapezoidal" or options.law == "bang-bang":
+        if moving or (options.law == "bang-bang" and not profile.axes):
+            return fastest_between(profile, options.evaluate, problem)
         return fastest(profile, options.evaluate, problem)
+    if moving:
+        raise NotDerivable("a motion by this law begins and ends at rest; law: bang-bang need not", "law")
     each = shaped(options.law, profile, problem)
     outcomes = tuple(case.outcome for case in each.cases)
     met = met_of(outcomes, options.evaluate, problem)

@@ -50,7 +50,38 @@ def _flat() -> mpmath.mpf:
 
 def minimum_time(asked: Asked, point: Point) -> Iterator[Test]:
     """The longest of the times that the limits of all axes need."""
-    yield from _held(asked, point, _found)
+    moving = asked.subject.journey and not _at_rest(asked)
+    if moving or (asked.options.law == "bang-bang" and not asked.subject.axes):
+        yield from _held(asked, point, _switched)
+    else:
+        yield from _held(asked, point, _found)
+
+
+def _at_rest(asked: Asked) -> bool:
+    journey = asked.subject.journey
+    return bool(journey.begins_at_rest and journey.ends_at_rest)
+
+
+def _switched(asked: Asked, point: Point) -> tuple[str, Mapping[str, object]]:
+    """Of all velocities in between that can be the best, the fastest: those that leave no way for a stretch
+    between both ramps, and the greatest ones."""
+    journey = asked.subject.journey
+    typed = (journey.end - journey.start, journey.start_velocity, journey.end_velocity, journey.a_max)
+    d, v_0, v_f, a = (floating(point.at(asked.formula(tree))) for tree in typed)
+    most = mpmath.inf if journey.v_max is None else floating(point.at(asked.formula(journey.v_max)))
+    squares = [(sign, sign * a * d + (v_0**2 + v_f**2) / 2) for sign in (1, -1)]
+    exact = [sign * mpmath.sqrt(square) for sign, square in squares if square >= 0]
+    found = []
+    for v in (*(v for v in exact if abs(v) <= most), *((most, -most) if most < mpmath.inf else ())):
+        ramps = [(v_0, v), (v, v_f)]
+        rest = d - sum((u + w) / 2 * abs(w - u) / a for u, w in ramps)
+        t_1, t_3 = (abs(w - u) / a for u, w in ramps)
+        if abs(rest) < NEAR * (abs(d) + v**2 / a) or rest * v > 0:
+            coast = rest / v if abs(rest) >= NEAR * (abs(d) + v**2 / a) else mpmath.mpf(0)
+            found.append({"time": t_1 + coast + t_3, "t_1": t_1, "t_2": t_1 + coast, "v": v})
+    best = min(found, key=lambda each: each["time"])
+    held = best["t_2"] > best["t_1"] * (1 + NEAR)
+    return "velocity and acceleration" if held else "acceleration", best
 
 
 def time_scaling(asked: Asked, point: Point) -> Iterator[Test]:
@@ -118,7 +149,7 @@ def _found(asked: Asked, point: Point) -> tuple[str, Mapping[str, object]]:
     """Which limits are active, the time and the peaks."""
     axes = [_sizes(asked, point, each) for each in _typed(asked)]
     several, law = len(axes) > 1, asked.options.law
-    if law == "trapezoidal":
+    if law in ("trapezoidal", "bang-bang"):
         alone = [trapezoid(*each, None) for each in axes]
         longest = max(each.t_3 for each in alone)
         needs = {
