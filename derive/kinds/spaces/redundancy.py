@@ -49,7 +49,9 @@ def derive(subject: Robot | GivenMatrix, options: Options, problem: Problem) -> 
     chains += board.told
     place = {**problem.where, **dict(asked.map.place)}
     work = work.claim(in_numbers(chains, board.meanings, asked.symbols, place, tolerance=NEAR))
-    results: dict[str, Result] = {key: work[name] for key, name in found.results.items()}
+    results: dict[str, Result] = {
+        key: work[name] if key == "s" else board.results[name] for key, name in found.results.items()
+    }
     facts = Facts(
         sort=asked.map.sort,
         place=tuple((Symbol(name), value) for name, value in asked.map.place),

@@ -17,14 +17,18 @@ from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.floats import Point, matrix_numbers, scalar_number
 from derive.algebra.rationals import significant_digits
 from derive.algebra.scalar import Scalar
+from derive.algebra.solving.factors import common_factor
 from derive.algebra.solving.row_reduction import eliminated
 from derive.errors import NotDerivable
 from derive.expression import (
+    ONE,
+    ZERO,
     Approximate,
     Call,
     Expr,
     Matrix,
     Number,
+    Product,
     Symbol,
     free_symbols,
     rebuild,
@@ -67,6 +71,8 @@ class Board:
     decimals: bool = False
     values: Mapping[Expr, ScalarMatrix] = field(default_factory=dict)
     again: Mapping[Expr, Again] = field(default_factory=dict)
+    results: Mapping[Expr, Matrix] = field(default_factory=dict)
+    fractions: Mapping[Expr, tuple[ScalarMatrix, Scalar | None]] = field(default_factory=dict)
     told: tuple[tuple[Expr, Expr], ...] = ()  # what is said in sentences, behind a name for it
 
     @property
@@ -85,10 +91,16 @@ class Board:
         label: str,
         rule: str = "",
         entries: tuple[Symbol, ...] = (),
+        over: Scalar | None = None,
     ) -> Board:
-        """A line more; `again` is the value by NumPy, `entries` what those of a long column are called."""
-        written = self.written(value)
+        """A line more, the value `over` a scalar that is written in front; `again` is it by NumPy, `entries`
+        are what those of a long column are called."""
+        whole, below = self._cancelled(value, over) if over is not None else (value, None)
+        written = result = self.written(whole)
         shown: Expr = written.rows[0][0] if value.shape == (1, 1) else written
+        if below is not None:
+            shown, result = self._over(written, below)
+            value = whole.map(lambda entry: entry / below)
         work = self.work.line(
             name,
             *formulas,
@@ -97,12 +109,34 @@ class Board:
             rule="in-numbers" if self.rounded else rule,
             entries={(k, 0): each for k, each in enumerate(entries)},
         )
+        if below is not None and isinstance(name, Symbol):
+            work = work.knowing({name: result})
         return replace(
             self,
             work=work,
             values={**self.values, name: value},
             again={**self.again, name: again},
+            results={**self.results, name: result},
+            fractions={**self.fractions, name: (whole, below)},
         )
+
+    def _cancelled(self, value: ScalarMatrix, over: Scalar) -> tuple[ScalarMatrix, Scalar | None]:
+        """Without what all share; the whole matrix where nothing but a number is left below."""
+        m, n = value.shape
+        if over.constant is None:
+            _, (over, *rest) = common_factor([over, *value.entries], self.problem.style.order)
+            value = ScalarMatrix.of(rest[i * n : (i + 1) * n] for i in range(m))
+        if over.constant is None:
+            return value, over
+        return ScalarMatrix.of([entry / over for entry in row] for row in value.rows), None
+
+    def _over(self, written: Matrix, below: Scalar) -> tuple[Expr, Matrix]:
+        """With the scalar in front of the matrix, and in each of its entries."""
+        scalar = self.problem.readable(below)
+        rows = (tuple(entry if entry == ZERO else entry / scalar for entry in row) for row in written.rows)
+        result = Matrix(tuple(rows))
+        one = written.shape == (1, 1)
+        return result.rows[0][0] if one else Product((ONE / scalar, written)), result
 
     def begin(self, name: Expr, value: ScalarMatrix, again: Again, label: str, rule: str) -> Board:
         """A line of what the question gives."""

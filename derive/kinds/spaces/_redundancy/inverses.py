@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from derive.algebra.matrix import ScalarMatrix
+from derive.algebra.scalar import Scalar
 from derive.algebra.solving.factors import TooLong
 from derive.derivation import Record
 from derive.errors import NotDerivable
@@ -43,15 +44,19 @@ def pseudo_inverse(board: Board, J: Symbol, plus: Symbol, end: str = "") -> tupl
     if not r:
         raise NotDerivable("all entries of the matrix vanish there, so no rates give any velocity")
     told = Inverse(way="square", rank=r, of=J, plus=plus, end=end)
+    over: Scalar | None = None
     if r == m == n:
-        formula, found = J**-1, inverted(board, value)
+        found, over = parted(board, value)
+        formula: Expr = J**-1
     elif r == m:
         board = _gram(board, A, J, transpose(J), f"A{end}")
-        formula, found = multiply(transpose(J), A**-1), value.T @ inverted(board, board[A])
+        inverse, over = parted(board, board[A])
+        formula, found = multiply(transpose(J), A**-1), value.T @ inverse
         told = replace(told, way="wide")
     elif r == n:
         board = _gram(board, A, transpose(J), J, f"A{end}")
-        formula, found = multiply(A**-1, transpose(J)), inverted(board, board[A]) @ value.T
+        inverse, over = parted(board, board[A])
+        formula, found = multiply(A**-1, transpose(J)), inverse @ value.T
         told = replace(told, way="tall")
     else:
         board = _factored(board, J, rows, (C, E), end)
@@ -60,7 +65,9 @@ def pseudo_inverse(board: Board, J: Symbol, plus: Symbol, end: str = "") -> tupl
         formula = multiply(transpose(E), F**-1, A**-1, transpose(C))
         found = board[E].T @ inverted(board, board[F]) @ inverted(board, board[A]) @ board[C].T
         told = replace(told, way="factors", left=C, right=E, other=F)
-    board = board.line(plus, formula, value=found, again=lambda seen: pinv(seen[J]), label=f"plus{end}")
+    board = board.line(
+        plus, formula, value=found, again=lambda seen: pinv(seen[J]), label=f"plus{end}", over=over
+    )
     return board, told
 
 
@@ -73,6 +80,15 @@ def value_of_inverse(board: Board, value: ScalarMatrix) -> ScalarMatrix:
     back = E.T @ inverted(board, E @ E.T)  # E^+
     C = value @ back
     return back @ inverted(board, C.T @ C) @ C.T
+
+
+def parted(board: Board, value: ScalarMatrix) -> tuple[ScalarMatrix, Scalar | None]:
+    """The adjugate and the determinant of a matrix with symbols and no fractions; else its inverse."""
+    if all(entry.denominator is None for entry in value.entries) and not board.rounded:
+        det = value.det()
+        if det.constant is None:
+            return value.adjugate(), det
+    return inverted(board, value), None
 
 
 def inverted(board: Board, value: ScalarMatrix) -> ScalarMatrix:
@@ -88,8 +104,8 @@ def inverse_line(board: Board, A: Symbol, label: str) -> Board:
     if board[A].shape == (1, 1):
         return board
     head: Expr = A**-1
-    value = inverted(board, board[A])
-    return board.line(head, value=value, again=lambda seen: inv(seen[A]), label=label)
+    value, over = parted(board, board[A])
+    return board.line(head, value=value, again=lambda seen: inv(seen[A]), label=label, over=over)
 
 
 def _gram(board: Board, A: Symbol, left: Expr, right: Expr, label: str) -> Board:

@@ -93,7 +93,8 @@ def least_norm(given: Given, board: Board) -> Found:
     J = given.map.name
     board, inverse = pseudo_inverse(board, J, PLUS)
     board, told = _projector(board, Told(J=J, inverse=inverse), PLUS, given)
-    board = _rates(board, PLUS * V, value=board[PLUS] @ board[V], again=lambda seen: seen[PLUS] @ seen[V])
+    whole, below = board.fractions[PLUS]
+    board = _rates(board, PLUS * V, whole @ board[V], again=lambda seen: seen[PLUS] @ seen[V], over=below)
     least = inverse.rank < given.size[0]
     return _checked(board, replace(told, least=least), {"J_pinv": PLUS, "P": _P(told)})
 
@@ -226,10 +227,10 @@ def _fails(given: Given, board: Board, plus: Symbol) -> tuple[Board, tuple[Expr,
     ):
         return board, ()
     found: dict[str, Scalar] = {}
-    for entry in board[plus].entries:
-        if entry.denominator is not None:
-            below = primitive(Scalar(entry.ring, entry.denominator))
-            found.setdefault(str(below), below)
+    whole, over = board.fractions[plus]
+    below = [Scalar(each.ring, each.denominator) for each in whole.entries if each.denominator is not None]
+    for each in map(primitive, [over] if over is not None else below):
+        found.setdefault(str(each), each)
     readable = board.problem.readable
     told = {_unsigned(readable(each)): each for each in found.values() if _may_vanish(each, given.nonzero)}
     if not told:
@@ -370,10 +371,12 @@ def _projector(board: Board, told: Told, plus: Symbol, given: Given) -> tuple[Bo
     board, fails = _fails(given, board, plus)
     I, P = names_of(board.problem, "I", "P")
     board = _with_one(board, I, n)
+    whole, below = board.fractions[plus]
     board = board.line(
         P,
         add(I, negate(multiply(plus, J))),
-        value=one(n) - board[plus] @ board[J],
+        value=one(n) - whole @ board[J] if below is None else one(n).scaled(below) - whole @ board[J],
+        over=below,
         again=(lambda seen: np_null(seen[J]) @ np_null(seen[J]).T)
         if plus == PLUS
         else lambda seen: np_one(n) - seen[plus] @ seen[J],
@@ -382,11 +385,13 @@ def _projector(board: Board, told: Told, plus: Symbol, given: Given) -> tuple[Bo
     return board, replace(told, one=I, P=P, fails=fails)
 
 
-def _rates(board: Board, formula: Expr, value: ScalarMatrix, again: Callable[[Seen], Any]) -> Board:
+def _rates(
+    board: Board, formula: Expr, value: ScalarMatrix, again: Callable[[Seen], Any], over: Scalar | None = None
+) -> Board:
     indices = [f"_{k}1" for k, _ in enumerate(value.rows, 1)]
     letter = free(board.problem.taken, "w", "x", indices=indices)
     names = tuple(Symbol(letter + index) for index in indices)
-    return board.line(RATES, formula, value=value, again=again, label="qdot", entries=names)
+    return board.line(RATES, formula, value=value, again=again, label="qdot", entries=names, over=over)
 
 
 def _second_begun(board: Board, given: Given, second: LinearMap, J_2: Symbol, v_2: Symbol) -> Board:
