@@ -225,7 +225,7 @@ def printed_wrong(planting: Planting, sheet: Path, most: int = MOST) -> set[str]
     found: set[str] = set()
     for place in sorted({n * count // most for n in range(most)} if count > most else range(count)):
         planter = Planter(place)
-        with planting(planter), suppress(SheetErrors):
+        with planting(planter), suppress(SheetErrors, KeyError):  # refused, or a name stands for nothing
             found |= Built.of(sheet).wrong(right, planter.met[place])
     return found
 

@@ -66,7 +66,7 @@ def test_a_name_beside_its_own_definition_is_no_claim() -> None:
 
 
 def test_steps_of_the_same_name_are_compared_each() -> None:
-    right, wrong = Step("x", (X, X + 0 * A, X)), Step("x", (X, X + X, X))
+    right, wrong = Step("x", (X, A + 0 * A, A)), Step("x", (X, A + A, A))
     assert [claim.holds for claim in links([wrong, right], {X: A})] == [False, True]
 
 

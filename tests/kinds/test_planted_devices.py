@@ -430,7 +430,8 @@ def test_a_table_without_its_last_heading(tmp_path: Path, monkeypatch: pytest.Mo
         return replace(made, headings=made.headings[:-1])
 
     monkeypatch.setattr(_routh_steps.Array, "table", property(table))
-    assert is_refused(tmp_path, MOTOR.replace("OUTPUT", "angle"), "stability", "controller: P", VALUES)
+    with pytest.raises(ValueError, match="a cell under each heading"):
+        faults(tmp_path, MOTOR.replace("OUTPUT", "angle"), "stability", "controller: P", VALUES)
 
 
 @pytest.mark.parametrize(

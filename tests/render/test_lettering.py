@@ -63,7 +63,7 @@ def test_a_letter_that_means_something_else_stays(tmp_path: Path) -> None:
 def test_letters_of_the_author(tmp_path: Path) -> None:
     text = page(tmp_path, "{names: {T: H, tau: Q, P: U}}")
     assert "H_2^0 = H_1^0 H_2^1" in text and "T_2^0" not in text
-    assert r"g_k = Q_k" in text and r"where $Q_k$ is the force" in text and r"\tau" not in text
+    assert r"g_k = Q_k" in text and r"where $Q_k$ is the torque" in text and r"\tau" not in text
     assert "U &= U_1 + U_2" in text and "derivatives of $U$" in text
 
 

@@ -11,7 +11,6 @@ from derive.algebra.formulas.grammar import parse
 from derive.algebra.normal import normal
 from derive.algebra.numbers.floats import number_rows, numbers
 from derive.build import assemble
-from derive.derivation import Table
 from derive.errors import SheetErrors
 from derive.kinds.linear_systems import solution_at
 from derive.kinds.problem import Problem
@@ -152,7 +151,6 @@ def test_energies_of_a_pendulum(tmp_path: Path) -> None:
     assert same_scalar(found.results["K_1"], "(m*l^2 + I)*theta_dot^2/2")
     assert same_scalar(found.results["K_m"], "G^2*J*theta_dot^2/2")
     assert same_scalar(found.results["P"], "m*g*l*sin(theta)")
-    assert isinstance(found.facts.table, Table)
 
 
 # -- properties -------------------------------------------------------------------------------------------
