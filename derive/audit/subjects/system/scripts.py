@@ -20,7 +20,7 @@ from derive.audit.text import Unreadable, sympy_of_text
 
 Values: TypeAlias = Mapping[str, sympy.Expr]
 LINE = re.compile(r"^(\w+) = ([^;#%\n]+?);?\s*(?:[%#].*)?$", re.MULTILINE)
-FILTER = "T_f"  # of the derivative
+FILTERS = ("T_f", "tau_f", "T_filter")  # of the derivative
 TEXT = r"'([^']*)'"
 ADDED = re.compile(r"add_block\('simulink/[\w ]+/([\w ]+)', \[model '/(\w+)'\](.*?)\);", re.DOTALL)
 JOINED = re.compile(r"add_line\(model, '(\w+)/1', '(\w+)/(\d+)'")
@@ -75,7 +75,7 @@ def _controller(asked: Asked, values: Values, s: sympy.Expr) -> sympy.Expr | Non
     given = asked.options.controller
     if given is None:
         return None
-    lag = 1 / (values.get(FILTER, 0) * s + 1)
+    lag = 1 / (next((values[name] for name in FILTERS if name in values), 0) * s + 1)
     terms = (
         sympified(asked.here, asked.formula(k)) * GAINS[letter].subs(S, s) * (lag if letter == "D" else 1)
         for letter, k in zip(given.family, given.gains, strict=True)
