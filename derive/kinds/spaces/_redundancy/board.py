@@ -109,6 +109,8 @@ class Board:
             rule="in-numbers" if self.rounded else rule,
             entries={(k, 0): each for k, each in enumerate(entries)},
         )
+        named = zip(entries, (row[0] for row in written.rows), strict=False)
+        work = work.knowing(dict[Expr, Expr](named))
         if below is not None and isinstance(name, Symbol):
             work = work.knowing({name: result})
         return replace(
