@@ -10,6 +10,7 @@ from typing import Any
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import Names, normal, normal_matrix
 from derive.algebra.numbers.floats import Point, number, numbers
+from derive.algebra.readable.form import common_factor
 from derive.algebra.readable.operation_count import operations
 from derive.algebra.scalar import Scalar
 from derive.derivation import Step
@@ -144,16 +145,20 @@ def linearised(work: Work, linear: Linear) -> Work:
 
 def _blocks(linear: Linear) -> Iterator[Step]:
     """det D_0, then A_21, A_22 and B_2 as a matrix over it."""
-    readable = linear.problem.readable_matrix
     yield Step("det_0", (DET, linear.problem.readable(linear.det)), "blocks")
     routes = (-(INVERSE * Symbol("K_0")), -(INVERSE * Symbol("F_v")), INVERSE)
     for name, route, top in zip(("A_21", "A_22", "B_2"), routes, linear.tops, strict=True):
         if top:
-            yield Step(name, (Symbol(name), route, _over_det(readable(top))), "blocks")
+            yield Step(name, (Symbol(name), route, _over_det(linear.problem, top)), "blocks")
 
 
-def _over_det(top: Matrix) -> Expr:
-    """A matrix over det D_0, entry by entry where these are long, so that a page can name them."""
+def _over_det(problem: Problem, value: ScalarMatrix) -> Expr:
+    """A matrix over det D_0 and times what its entries share; entry by entry where these are long, so that a
+    page can name them."""
+    shared, top = common_factor(value), problem.readable_matrix(value)
+    if shared is not None and value.shape[0] <= MOST_REDUCED:
+        rest = problem.readable_matrix(value.map(lambda entry: entry / shared))
+        return problem.readable(shared) / DET * rest
     if max(map(operations, children(top))) <= MOST_BESIDE:
         return (ONE / DET) * top
     return Matrix(tuple(tuple(entry if entry == ZERO else entry / DET for entry in row) for row in top.rows))
