@@ -11,6 +11,7 @@ import numpy as np
 from derive.audit.asked import Asked, Beyond, Holds, Test
 from derive.audit.points import Irrational, Number, Point, floating, shown
 from derive.audit.subjects.robot.arm import Arm, entries
+from derive.audit.subjects.robot.limits import within
 from derive.audit.subjects.robot.series import Array, Series, values
 from derive.audit.subjects.robot.task import Task
 
@@ -26,7 +27,7 @@ def workspace(asked: Asked, point: Point) -> Iterator[Test]:
         raise Irrational
     said = str(asked.results["description"])
     if asked.subject.ranges or "r_min" not in asked.results or "r_max" not in asked.results:
-        yield Beyond("description", "no search within limits")
+        yield from within(asked, Point(point.seed, False, point.angles, _positive(asked)))
         return
     lengths = Point(point.seed, False, point.angles, _positive(asked))
     r_min, r_max = (abs(floating(asked.ours(name, lengths))) for name in ("r_min", "r_max"))
@@ -57,7 +58,12 @@ def _shape(said: str) -> str:
 
 def _positive(asked: Asked) -> dict[str, str]:
     """Lengths are; a hole is as the formulas of the answer say only then."""
-    names = {symbol.name for name in ("r_min", "r_max") for symbol in asked.result(name).free_symbols}
+    names = {
+        symbol.name
+        for name in ("r_min", "r_max")
+        if name in asked.results
+        for symbol in asked.result(name).free_symbols
+    }
     return {**dict.fromkeys(names, "positive"), **asked.assumptions}
 
 
@@ -69,7 +75,7 @@ def _moved(asked: Asked, lengths: Point, k: int) -> Point:
 
 def _still(asked: Asked, start: Point, ball: bool) -> Iterator[Number]:
     """The distance squared at the start, and where Newton's method from there ends."""
-    center, axis = _center(Task(Arm(asked, start, 1)), ball)
+    center, axis = center_of(Task(Arm(asked, start, 1)), ball)
     q = mpmath.matrix([start[name] for name in asked.subject.variables])
     for _ in range(STEPS):
         there = start.where(**dict(zip(asked.subject.variables, q, strict=True)))
@@ -95,7 +101,7 @@ def _least(H: mpmath.matrix, slope: mpmath.matrix) -> mpmath.matrix:
     return step
 
 
-def _center(task: Task, ball: bool) -> tuple[Array, Array | None]:
+def center_of(task: Task, ball: bool) -> tuple[Array, Array | None]:
     """The shoulder, the point of the first axis that is nearest to the second; or a point of the first axis,
     and its direction."""
     J_v, J_w = values(task.whole[:3]), values(task.whole[3:])
