@@ -75,8 +75,14 @@ def point_units(derivation: Derivation, at: Mapping[str, Expr], turned: bool) ->
         turned=turned,
         rates=any(isinstance(node, Degrees) and node.unit for node in nodes)
         or any(unit.startswith("deg/") for unit in on_page.values()),
-        inlined=style.units,
+        inlined=style.units or _holds_data(derivation),
     )
+
+
+def _holds_data(derivation: Derivation) -> bool:
+    """Whether a line has a quantity that its author typed into a question, as a force of 10 N."""
+    trees = (tree for step in derivation.steps for tree in step.chain)
+    return any(isinstance(node, Number) and node.unit for tree in trees for node in walk(tree))
 
 
 def _of_results(derivation: Derivation, on_page: Mapping[str, str]) -> dict[str, str]:

@@ -174,6 +174,12 @@ def test_a_wrong_unit_of_a_result_is_refused(tmp_path: Path, monkeypatch: pytest
     assert "these are not the numbers that were evaluated" in refused.value.errors[0].message
 
 
+def test_torques_of_a_force_that_was_typed_with_its_unit(tmp_path: Path) -> None:
+    point = "l1: 0.5 m, l2: 0.4 m, theta1: 30 deg, theta2: 60 deg"
+    made = document(f"{ARM}  find: statics\n  force: [10 N, 5 N]\n  evaluate: {{{point}}}\n", tmp_path)
+    assert r"\mathrm{N}\ \mathrm{m}" in render(made, "md")
+
+
 @pytest.mark.parametrize(("right", "wrong"), [("m/s", "m"), ("/s", ""), ("s", "ms")])
 def test_a_misprinted_unit_is_refused(
     right: str, wrong: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
