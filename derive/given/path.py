@@ -22,7 +22,12 @@ def data(path: Path, problem: Problem) -> Iterator[Datum]:
         yield Datum(Phrase(path.timing.law))
         for key in ("time", "v_max", "a_max"):
             if (value := getattr(path.timing, key)) is not None:
-                yield Datum(Phrase(f"one-{key}", {"value": measured(value)}))
+                of_s = isinstance(path.shape, Curve) and key != "time"
+                said = f"one-{key}-of-s" if of_s else f"one-{key}"
+                about: dict[str, Said] = {"value": measured(value)}
+                if isinstance(path.shape, Curve) and of_s:
+                    about["s"] = Symbol(path.shape.parameter)
+                yield Datum(Phrase(said, about))
 
 
 def _shape(path: Path, problem: Problem) -> Iterator[Datum]:

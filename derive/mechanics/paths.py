@@ -69,6 +69,11 @@ class Path:
     timing: Timing | None = None
 
     @property
+    def along(self) -> bool:
+        """Whether its limits are along it, and not, as those of a function, of its parameter."""
+        return not isinstance(self.shape, Curve)
+
+    @property
     def size(self) -> int:
         """How many coordinates it has, 2 or 3."""
         match self.shape:

@@ -68,8 +68,7 @@ def _in_time(
     if between is None:
         raise NotImplementedError("it has no range")
     low, high = (point.at(each) for each in between)
-    steady = speed.diff(s).simplify() == 0
-    moved = law(asked, point, low, high, point.at(speed) if steady else mpmath.mpf(1))
+    moved = law(asked, point, low, high, point.at(speed) if asked.subject.along else mpmath.mpf(1))
     yield Holds("time", _near(point.at(asked.result("time")), moved.whole), "it takes another time")
     v = p.diff(s)
     for share in SHARES:

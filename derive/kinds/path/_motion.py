@@ -115,7 +115,7 @@ def _law_told(time: Timed, found: Bent) -> Phrase:
     about: dict[str, Any] = {"s": time.names[0], "T": time.time}
     if time.law != "trapezoidal":
         return Phrase("by-cubic" if time.law == "cubic" else "by-quintic", about)
-    if not found.steady:
+    if not found.work.problem.subject.along:
         return Phrase("by-trapezoid-of-s" if time.reached else "by-triangle-of-s", about)
     return Phrase("by-trapezoid" if time.reached else "by-triangle", about)
 
@@ -140,4 +140,6 @@ def _said(motion: Motion, time: Timed, found: Bent) -> Iterator[bool]:
         else:
             keys = {1: "speeds-up", -1: "slows-down", 0: "goes-evenly", None: told_as.said.key}
             yield told_as.said.key == keys[time.work.sign(change)]
-    yield motion.said.key.endswith("-of-s") == (time.law == "trapezoidal" and not found.steady)
+    yield motion.said.key.endswith("-of-s") == (
+        time.law == "trapezoidal" and not found.work.problem.subject.along
+    )

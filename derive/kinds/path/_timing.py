@@ -96,9 +96,9 @@ def _polynomial(way: Expr, T_f: Symbol, powers: tuple[tuple[int, int], ...], ord
 def _trapezoid(
     timing: Timing, found: Bent, work: Work, names: tuple[Symbol, Symbol, Symbol], low: Expr
 ) -> Timed:
-    """By two of its sizes: along the path where its speed by the parameter is constant, else of that."""
-    along = found.along
-    L: Expr = along.L if found.steady else work.readable(work.scalar((along.between or (ZERO, ONE))[1] - low))
+    """By two of its sizes: along the path, or of the parameter of a function."""
+    along, by_length = found.along, work.problem.subject.along
+    L: Expr = along.L if by_length else work.readable(work.scalar((along.between or (ZERO, ONE))[1] - low))
     given: dict[str, Symbol] = {}
     for key, usual in (("time", "t_f"), ("v_max", "v_M"), ("a_max", "a_M")):
         value = getattr(timing, key)
@@ -128,7 +128,7 @@ def _trapezoid(
         if work.sign(T_1) != 1 or left not in (0, 1):
             raise NotDerivable(NO_TIME)
         reached = left == 1
-    rate = strong if found.unit or not found.steady else strong / found.speed
+    rate = strong if found.unit or not by_length else strong / found.speed
     work = told(work, T_2, T_f - T_1) if reached else work
     laws = _laws(rate, T_f, low, reached)
     ends: list[Expr] = [ZERO, T_1, T_2, T_f] if reached else [ZERO, T_1, T_f]

@@ -30,7 +30,7 @@ def agrees(problem: Problem, found: Bent, timed: Timed, chains: Chains) -> Itera
     for drawn in random_points(problem.symbols - {found.along.s.name}, POINTS):
         known = completed(drawn, problem.where)
         path = made(problem.subject, found.along.s.name, known)
-        course = driven(problem.subject.timing, path, found.steady, known)
+        course = driven(problem.subject.timing, path, problem.subject.along, known)
         if len(course) != len(timed.pieces):
             yield False
             return
@@ -118,7 +118,7 @@ def _names(
     }  # fmt: skip
     first = abs(at(course, course[0].end / 2, 2))
     low, high = path.ends or (0.0, 1.0)
-    names[A] = first * (told[found.along.L] / (high - low) if found.steady else 1.0)
+    names[A] = first * (told[found.along.L] / (high - low) if problem.subject.along else 1.0)
     for key, name in timed.given.items():
         names[name] = number(getattr(problem.subject.timing, key), known)
     return names

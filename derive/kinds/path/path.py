@@ -13,6 +13,7 @@ from derive.errors import NotDerivable
 from derive.expression import ZERO, Expr, Relation, Symbol
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.meanings import as_told
+from derive.kinds.path._drawn import drawn
 from derive.kinds.path._frenet import E_B, E_N, E_T, KAPPA, Bent, bent
 from derive.kinds.path._length import SIGMA, measured
 from derive.kinds.path._meanings import meant
@@ -55,6 +56,7 @@ class Facts(PageFacts):
     length: Phrase | None
     lengths: tuple[str, ...]  # steps
     motion: Motion | None = None
+    pictures: tuple[str, ...] = ()
 
 
 def claims_of(path: Path, options: Options) -> tuple[str, ...]:
@@ -75,14 +77,14 @@ def derive(path: Path, options: Options, problem: Problem) -> Derivation:
     work = as_told(work, partial(meant, problem, found), facts.given, "differences", DIFFERENCES, symbols)
     work = work.law("said", _said(facts, found, work))
     results = _results(work, found, (way.p, found.first, found.second), long.way)
-    if path.timing is None:
-        answer = work.answer("path", results, facts)
-    else:
+    if path.timing is not None:
         moved = in_motion(work, found, path.timing, facts.page_names)
-        p_dot, p_ddot = moved.rates
-        by_parameter = _results(moved.work, found, (way.p, p_dot, p_ddot), long.way)
+        by_parameter = _results(moved.work, found, (way.p, *moved.rates), long.way)
         work, results, motion = moved.finished(by_parameter)
-        answer = work.answer("path", results, replace(facts, motion=motion, page_names=moved.on_page))
+        facts = replace(facts, motion=motion, page_names=moved.on_page)
+    pictures = tuple(drawn(work, found, results))
+    facts = replace(facts, pictures=tuple(each.name for each in pictures))
+    answer = work.answer("path", results, facts, plots=pictures)
     if options.evaluate is None:
         return answer
     here = Here.of(dict(options.evaluate), problem.where, problem.style)

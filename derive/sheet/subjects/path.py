@@ -69,7 +69,7 @@ class GivenHelix(OptionsModel):
 
 class GivenTiming(OptionsModel):
     """From rest to rest: a `cubic` or `quintic` law in a `time`, or a `trapezoidal` velocity by two of
-    `time`, `v_max` and `a_max` along the path."""
+    `time`, `v_max` and `a_max` along the path (of a function: of its parameter)."""
 
     law: Literal["cubic", "quintic", "trapezoidal"]
     time: Time | None = None

@@ -1,0 +1,72 @@
+"""A path in the plane, and the motion along a path over time, as pictures where numbers say them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from math import hypot
+
+from derive.algebra.numbers.floats import number, scalar_number
+from derive.derivation import Figure, Label, Panels, Phrase, Plot, Result
+from derive.expression import Expr, Matrix, symbols
+from derive.figures.axes import IN_TIME, short
+from derive.kinds.path._frenet import Bent
+from derive.kinds.path._timing import T
+from derive.kinds.work import Work
+
+SAMPLES = 160
+AXES = symbols("x y z")
+
+
+def drawn(work: Work, found: Bent, results: Mapping[str, Result]) -> Iterator[Figure]:
+    """The path in the plane; place, speed and size of the acceleration over time."""
+    try:
+        if found.flat and found.along.between is not None:
+            yield _path(work, found)
+        if "time" in results:
+            yield _motion(work, results)
+    except KeyError:  # symbols are left
+        return
+
+
+def _places(tree: Result, name: str, low: float, high: float) -> tuple[list[float], list[list[float]]]:
+    """Values of the name, and those of each entry of a column there."""
+    if not isinstance(tree, Matrix):
+        raise TypeError("a place is a column")
+    at = [low + (high - low) * k / SAMPLES for k in range(SAMPLES + 1)]
+    return at, [[number(entry, {name: each}) for each in at] for (entry,) in tree.rows]
+
+
+def _path(work: Work, found: Bent) -> Plot:
+    along = found.along
+    low, high = (scalar_number(work.scalar(each), {}) for each in along.between or ())
+    _, (xs, ys) = _places(work.final(along.p), along.s.name, low, high)
+    ends = ((xs[0], ys[0]), (xs[-1], ys[-1]))
+    told = dict(zip(("x_0", "y_0", "x_f", "y_f"), map(short, (*ends[0], *ends[1])), strict=True))
+    return Plot(
+        "path", AXES[0], AXES[1], {"": (tuple(xs), tuple(ys))}, points=ends, equal=True,
+        caption=Phrase("drawn-path"), alt=Phrase("seen-path", {**told}),
+    )  # fmt: skip
+
+
+def _motion(work: Work, results: Mapping[str, Result]) -> Panels:
+    time = results["time"]
+    if not isinstance(time, Expr):
+        raise TypeError("a time is a formula")
+    whole = number(time, {})
+    curves = [_places(results[key], T.name, 0.0, whole) for key in "pva"]
+    at, places = curves[0]
+    of_place: dict[Label, tuple[tuple[float, ...], tuple[float, ...]]] = {
+        name: (tuple(at), tuple(values)) for name, values in zip(AXES, places, strict=False)
+    }
+    speed, strong = (tuple(map(_size, zip(*values, strict=True))) for _, values in curves[1:])
+    plots = (
+        Plot("place", IN_TIME, Phrase("place"), of_place),
+        Plot("speed", IN_TIME, Phrase("speed"), {"": (tuple(at), speed)}),
+        Plot("size", IN_TIME, Phrase("acceleration"), {"": (tuple(at), strong)}),
+    )
+    told = {"time": short(whole), "speed": short(max(speed)), "strong": short(max(strong))}
+    return Panels("motion", plots, caption=Phrase("drawn-motion"), alt=Phrase("seen-motion", {**told}))
+
+
+def _size(vector: Sequence[float]) -> float:
+    return hypot(*vector)
