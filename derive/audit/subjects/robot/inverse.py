@@ -106,8 +106,11 @@ def in_numbers(asked: Asked, point: Point) -> Iterator[Test]:
             yield Holds("evaluated solutions", found, f"{told(formula)} is one of them")
     if not tried and any(formula is not None for formula in formulas):
         yield Holds("evaluated solutions", False, "a branch is real there")
-    if not tried:
-        yield Beyond("evaluated solutions", "none is real there")
+    if not tried and all(formula is None for formula in formulas):  # out of reach
+        real = any(branch.get("real", True) for branch in branches)
+        yield Holds("evaluated solutions", not real, "none is real there")
+    elif not tried:
+        yield Beyond("evaluated solutions", "none is tried there")
 
 
 def _is_inside(asked: Asked, here: Point, name: str, value: Number) -> bool:

@@ -19,8 +19,8 @@ from derive.audit.subjects.robot.task import Task
 Grid = NDArray[np.float64]
 Ends = tuple[float, float]
 SEEDS, APART = 200, 0.25
-COUNT = {1: 801, 2: 161, 3: 41}  # values of a joint
-CELLS = {"area": 40, "volume": 10}  # across the widest direction
+COUNT = {1: 401, 2: 101, 3: 29}  # values of a joint
+CELLS = {"area": 24, "volume": 8}  # across the widest direction
 NEAR = 0.02  # relative
 HOLLOW, SOLID = ("annulus", "shell"), ("disc", "a ball")
 
