@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
@@ -175,6 +176,11 @@ MISTAKES: dict[str, Patch] = {
 }  # fmt: skip
 
 
+def unbroken(text: str) -> str:
+    """A page without what breaks a display into lines: one that is not broken loses nothing."""
+    return re.sub(r"\\(?:begin|end)\{aligned\}|\\\\|\\quad|&|\s", "", text)
+
+
 @pytest.mark.parametrize("mistake", MISTAKES)
 def test_a_mistake_of_the_printer_is_refused_wherever_it_is_seen(
     mistake: str, monkeypatch: pytest.MonkeyPatch
@@ -192,7 +198,7 @@ def test_a_mistake_of_the_printer_is_refused_wherever_it_is_seen(
                 assert all(MISPRINTED in error.message for error in errors.errors)
                 refused.append(sheet)
             else:
-                missed += [sheet] if printed != page(sheet) else []
+                missed += [sheet] if unbroken(printed) != unbroken(page(sheet)) else []
     finally:
         names.name_latex.cache_clear()
     assert refused
