@@ -3,14 +3,14 @@
 %% Parameters
 m = 1;
 b = 2;
-k = 5;
+k_s = 5;
 K_p = 1;
 K_i = 2;
 stop = 17;  % the simulation ends here [s]
 
 %% Transfer functions
 s = tf('s');
-G = 1/(m*s^2 + b*s + k);
+G = 1/(m*s^2 + b*s + k_s);
 C = K_p + K_i/s;
 T = minreal(feedback(C*G, 1));
 [y, t] = step(T, stop);
@@ -29,7 +29,7 @@ add_block('simulink/Continuous/Transfer Fcn', [model '/u_I'], ...
     'Numerator', '[K_i]', 'Denominator', '[1, 0]');
 add_block('simulink/Math Operations/Sum', [model '/f'], 'Inputs', '++');
 add_block('simulink/Continuous/Transfer Fcn', [model '/x'], ...
-    'Numerator', '[1]', 'Denominator', '[m, b, k]');
+    'Numerator', '[1]', 'Denominator', '[m, b, k_s]');
 add_block('simulink/Sinks/Scope', [model '/scope']);
 add_block('simulink/Sinks/To Workspace', [model '/record'], 'VariableName', 'response', ...
     'SaveFormat', 'Timeseries');

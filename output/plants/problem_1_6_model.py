@@ -11,14 +11,14 @@ import numpy
 # Parameters
 m = 1
 b = 2
-k = 5
+k_s = 5
 K_p = 1
 K_i = 2
 stop = 17  # the simulation ends here [s]
 
 # Transfer functions
 s = control.tf("s")
-G = 1/(m*s**2 + b*s + k)
+G = 1/(m*s**2 + b*s + k_s)
 C = K_p + K_i/s
 T = control.feedback(C * G, 1)
 
@@ -28,7 +28,7 @@ blocks = [
     control.tf([K_p], [1], inputs="e", outputs="u_P"),
     control.tf([K_i], [1, 0], inputs="e", outputs="u_I"),
     control.summing_junction(["u_P", "u_I"], "f"),
-    control.tf([1], [m, b, k], inputs="f", outputs="x"),
+    control.tf([1], [m, b, k_s], inputs="f", outputs="x"),
 ]
 loop = control.interconnect(blocks, inputs=["r"], outputs=["x"])
 
