@@ -26,7 +26,7 @@ SAID = {  # words of the language for which pages say others
     "svd": "singular value", "tool": "tool|own frame|end-effector", "positive": "positive|> 0",
     "natural": "natural|accelerations at the ends", "ZYX": "ZYX|yaw|x.*y.*z", "XYZ": "XYZ|x.*y.*z",
     "ZYZ": "ZYZ|z.*y", "revolute": "revolute|pin", "prismatic": "prismatic|slid", "P": "proportional|P ",
-    "quintic": "quintic|degree five", "cycloidal": "cycloid", "bang": "shortest time",
+    "quintic": "quintic|degree five", "cycloidal": "cycloid", "bang": "shortest time|at least",
     "UPS": "universal.*(prismatic|slider).*spherical", "SPS": "spherical.*(prismatic|slider).*spherical",
 }  # fmt: skip
 SAME = re.compile(

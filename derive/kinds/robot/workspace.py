@@ -52,6 +52,9 @@ CLAIMS = ("largest-distance|inside", "smallest-distance|filled", "lines", "link-
 measures = together(of_variables, r_min="m", r_max="m", area="m^2", volume="m^3")
 
 
+SIZES = {"area": "its-area", "volume": "its-volume"}
+
+
 class Options(OptionsModel):
     """`point`: whose positions, the end-effector's if left out; `evaluate`: lengths, to draw it."""
 
@@ -166,7 +169,7 @@ def _within(problem: Problem, found: Chain, point: Tracked, shape: Shape, option
         limited=Limits(
             distances=tuple(name for name in ("r_max", "r_min") if name in told),
             measure=shape.measure,
-            size=Phrase(f"its-{shape.measure}") if shape.measure else None,
+            size=Phrase(SIZES[shape.measure]) if shape.measure else None,
             rise=_rise(shape),
             borders=shape.borders,
         ),

@@ -30,6 +30,22 @@ STEPS = 720
 Limits = Mapping[str, tuple[Expr, Expr]]
 
 
+ENDLESS = {"rectangle": "endless-rectangle", "box": "endless-box"}
+BORDERS = {"both": "borders-both", "folded": "borders-folded", "stretched": "borders-stretched"}
+CARRIED = {  # on a rail, what carries the point, and whether that stands aside
+    (True, "links", False): "rail-links",
+    (True, "slide", False): "rail-slide",
+    (True, "slide", True): "rail-slide-aside",
+    (True, "slide-and-links", False): "rail-slide-and-links",
+    (True, "slide-and-links", True): "rail-slide-and-links-aside",
+    (False, "links", False): "turning-links",
+    (False, "slide", False): "turning-slide",
+    (False, "slide", True): "turning-slide-aside",
+    (False, "slide-and-links", False): "turning-slide-and-links",
+    (False, "slide-and-links", True): "turning-slide-and-links-aside",
+}
+
+
 @dataclass(frozen=True, slots=True)
 class Shape:
     """What is reached: its `kind` ("box", "ring", "rail", "ball"), between which angles the first joint
@@ -101,7 +117,7 @@ class Limited:
         about: dict[str, Said] = {"names": names, "endless": endless}
         what = ("segment", "rectangle", "box")[len(rows) - 1]
         whole = ("whole-line", "whole-plane", "whole-space")[len(rows) - 1]
-        key = what if not endless else f"endless-{what}" if len(endless) < len(rows) else whole
+        key = what if not endless else ENDLESS[what] if len(endless) < len(rows) else whole
         formulas: dict[str, tuple[Expr, ...]] = {}
         measure = "" if endless else ("", "area", "volume")[len(rows) - 1]
         if measure:
@@ -146,7 +162,7 @@ class Limited:
             last = self._typed(arm.stretches[1].aside)
             description = Phrase("bent")
             about: dict[str, Said] = {"first": first, "second": second, "last": last}
-            borders = Phrase(f"borders-{bend.passes}" if bend.passes else "borders", about)
+            borders = Phrase(BORDERS[bend.passes] if bend.passes else "borders", about)
         if lift:
             description = Phrase("prism" if lift.high is not None else "endless-prism", {"base": description})
         return Shape(
@@ -269,8 +285,7 @@ class Limited:
         )
         about["asides"] = asides
         carried = "links" if not slides else "slide-and-links" if links else "slide"
-        carried += "-aside" if asides else ""
-        return Phrase(f"{'rail' if arm.rail else 'turning'}-{carried}", about)
+        return Phrase(CARRIED[bool(arm.rail), carried, bool(asides)], about)
 
     def _called(self, distance: Span, turn: tuple[Expr, Expr] | None, rail: Span | None) -> str:
         hole = distance.low != ZERO
@@ -327,8 +342,9 @@ class Limited:
             "strides": (self.problem.readable(arm.stretch.stride or Scalar.of(0)),),
             "side": self._typed(arm.side),
         }
-        told = "crossed-slide-within" if rise or turn else "crossed-slide"
-        told += "" if side == ZERO else "-aside"
+        told = "crossed-slide" if side == ZERO else "crossed-slide-aside"
+        if rise or turn:
+            told = "crossed-slide-within" if side == ZERO else "crossed-slide-within-aside"
         return Shape(
             "ball", arm.rows, distance, formulas, Phrase(told, about), said, turn,
             rise=rise, center=arm.center, side=side, called=key if side == ZERO else "", measure=measure,
