@@ -71,8 +71,8 @@ class Facts(PageFacts):
     place: tuple[tuple[Expr, Expr], ...]
     rows: tuple[Symbol, ...]
     rank: int
-    height: int
-    width: int
+    nullity: int  # of J
+    spare: int  # of its transpose
     leads: tuple[Expr, ...]  # where one of them vanishes the rank may be lower
     J: Symbol
     empty: tuple[bool, bool, bool]  # null space, range, left null space
@@ -102,8 +102,8 @@ def derive(subject: Robot | GivenMatrix, options: Options, problem: Problem) -> 
         place=tuple((Symbol(name), value) for name, value in found.place),
         rows=found.velocities if found.sort == "rows" else (),
         rank=spaces.rank,
-        height=found.J.shape[0],
-        width=found.J.shape[1],
+        nullity=len(spaces.null),
+        spare=len(spaces.left),
         leads=_leads(found, spaces),
         J=found.name,
         empty=(not spaces.null, not spaces.range, not spaces.left),
