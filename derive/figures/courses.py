@@ -60,12 +60,14 @@ def panels(
 def _caption(courses: Mapping[Label, Course], units: tuple[str, ...], turned: bool) -> Phrase:
     """What moves how, from where to where, and what is drawn of it."""
     about: dict[str, Said] = dict(zip(("q", "v", "a"), NAMES, strict=True))
-    first = next(iter(courses.values()))
-    about["shape"] = _shape(first)
     if len(courses) > 1:
         return Phrase("drawn-together", {**about, "count": len(courses)})
-    ends = _told(first, units, turned).about
-    return Phrase("drawn-motion", {**about, **{name: ends[name] for name in ("start", "end", "time")}})
+    (course,) = courses.values()
+    ends = _told(course, units, turned).about
+    return Phrase(
+        "drawn-motion",
+        {**about, "shape": _shape(course), **{name: ends[name] for name in ("start", "end", "time")}},
+    )
 
 
 def _shape(course: Course) -> Phrase:

@@ -27,7 +27,7 @@ class Switching:
 
 def shortest(d: float, v_max: float, a_max: float) -> Switching:
     """The fastest way over a distance d > 0."""
-    if v_max**2 / a_max <= d:
+    if v_max**2 / a_max < d * (1 - NEARLY):
         t_1, t_2 = v_max / a_max, d / v_max
         return Switching("trapezoidal", t_1, t_2, t_1 + t_2, v_max, a_max)
     t_3 = sqrt(4 * d / a_max)

@@ -121,7 +121,7 @@ def _case(each: Solved, outcome: Outcome, prefix: str) -> CaseTold:
     several, given = len(each.outcomes) > 1, each.given
     border = given.fastest if each.time is not None else given.d
     fits = outcome.plateau == (each.time is None)
-    begins = Phrase("at-most" if fits else "more-than", {"border": border})
+    begins = Phrase("equal" if outcome.just else "at-most" if fits else "more-than", {"border": border})
     return CaseTold(
         begins=Phrase("if", {"when": outcome.when[0]}) if several else begins,
         what=_what(each, outcome),
@@ -137,10 +137,10 @@ def _what(each: Solved, outcome: Outcome) -> Phrase:
     match each.time is None, outcome.plateau:
         case True, True:
             area = Relation(given.d, "=", given.fastest * T_2)
-            return Phrase("room", {**about, "area": area, "after": T_2})
+            return Phrase("room-or-none" if outcome.when else "room", {**about, "area": area, "after": T_2})
         case True, False:
             half = Relation(given.d / 2, "=", given.strongest * T_1**2 / 2)
-            return Phrase("no-room", {**about, "area": half})
+            return Phrase("just-room" if outcome.just else "no-room", {**about, "area": half})
         case False, True:
             area = Relation(given.d, "=", v * (given.t_3 + T_M) / 2)
             return Phrase("plateau", {**about, "between": T_M, "area": area})

@@ -26,8 +26,8 @@ OPENINGS = {
     True: ("ramps", "ramps-among"),
     False: ("triangle-first", "triangle-among"),
 }  # alone, among others
-WHAT = {True: ("room", "no-room"), False: ("plateau", "triangle")}
-WITH_A_PLATEAU = ("room", "plateau")
+WHAT = {True: ("room", "room-or-none", "no-room", "just-room"), False: ("plateau", "triangle")}
+WITH_A_PLATEAU = ("room", "room-or-none", "plateau")
 SURE = 1e-12  # of numbers that are compared as they stand
 LOOSE = 1e-6  # a search for a flat minimum finds no more digits
 PROBE, TO_THE_LIMIT = Symbol("probe"), Symbol("time to the limit")
@@ -112,12 +112,17 @@ def _verdicts(each: Solved, told: AxisTold, k: int, at: Point) -> bool:
     stuck = found.case == "infeasible"
     slow = t_3 is not None and v_max * t_3 <= d
     probe, limit = (v_max**2 / a_max, d) if t_3 is None else (2 * d / t_3, v_max)
-    decided = {"at-most": probe <= limit * (1 + SURE), "more-than": probe > limit * (1 + SURE)}
+    equal = abs(probe - limit) <= SURE * limit
+    decided = {
+        "at-most": probe <= limit * (1 + SURE), "more-than": probe > limit * (1 + SURE), "equal": equal,
+    }  # fmt: skip
     backwards = value_of(each.axis.distance, completed(at, each.problem.where)) < 0
     return (
         told.opening.key in OPENINGS[t_3 is None]
         and case.what.key in WHAT[t_3 is None]
-        and case.begins.key in ("if", "at-most", "more-than")
+        and case.begins.key in ("if", *decided)
+        and (case.begins.key == "equal") == (case.what.key == "just-room")
+        and (len(told.cases) > 1 or case.what.key != "room-or-none")
         and (len(told.cases) > 1) == (case.begins.key == "if")
         and told.backwards in (None, Phrase("backwards"))
         and len(told.given) in (0, len(names.working.typed))

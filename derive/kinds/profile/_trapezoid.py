@@ -42,6 +42,7 @@ class Outcome:
     probe: Step | None = None  # the comparison that decided for it
     too_fast: bool = False  # infeasible because even the greatest velocity does not suffice
     plateau: bool = True
+    just: bool = False  # a triangle whose peak is the greatest velocity
 
     @property
     def values(self) -> dict[str, Expr]:
@@ -76,7 +77,7 @@ def begun(problem: Problem, axis: Axis, time: Expr | None, profile: Profile) -> 
 
 
 def shortest(given: Given) -> tuple[Outcome, ...]:
-    """With a plateau where there is room for it, else a triangle."""
+    """With a plateau where there is room for it, else a triangle; one that just reaches v_M has none."""
     d, v_M, a_M, working = given.d, given.fastest, given.strongest, given.working
     ramps = v_M**2 / a_M
     probe = working.worked("ramps", ramps).steps[-1]
@@ -89,7 +90,7 @@ def shortest(given: Given) -> tuple[Outcome, ...]:
     )
     if room is None:
         return with_plateau, without
-    return (replace(with_plateau if room >= 0 else without, when=()),)
+    return (replace(with_plateau if room > 0 else without, when=(), just=room == 0),)
 
 
 def _fast_trapezoid(given: Given) -> Work:

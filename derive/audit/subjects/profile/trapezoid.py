@@ -38,7 +38,7 @@ def trapezoid(d: mpmath.mpf, v_max: mpmath.mpf, a_max: mpmath.mpf, time: mpmath.
     """Over a distance d > 0: with the peak v the way takes d/v + t_1, and t_1 = v/a."""
     at_most = v_max * (1 + NEAR)
     if time is None:
-        case = "trapezoidal" if d * a_max * (1 + NEAR) >= v_max**2 else "triangular"
+        case = "trapezoidal" if d * a_max > v_max**2 * (1 + NEAR) else "triangular"
         v = min(v_max, mpmath.sqrt(d * a_max))
         t_1, a = v / a_max, a_max
         time = d / v + t_1
