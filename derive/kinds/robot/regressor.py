@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import partial
 
 from derive.algebra.infix import text
-from derive.algebra.normal import normal_matrix
+from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numbers.floats import Point, number, number_rows, numbers
 from derive.algebra.rationals import significant_digits
 from derive.algebra.scalar import Scalar
@@ -19,6 +19,7 @@ from derive.expression import (
     Indexed,
     Matrix,
     Measured,
+    Relation,
     Symbol,
     add,
     children,
@@ -71,6 +72,7 @@ class Facts(PageFacts):
     elements: tuple[Expr, ...]
     about: Phrase  # the points that these refer to
     others: tuple[Phrase, ...]  # that belong to no body
+    alike: Phrase | None  # parameters of the smallest set that are equal, by the values given here
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -114,6 +116,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     for Y, name in PRODUCTS:
         ours = partial(_product, as_matrix(results[Y], Y), results[name])
         work = work.agrees("motion-of-each-body", arm.moving, ours, arm.rubbing.torques, Y=Y, theta=name)
+    alike = tuple(_alike(problem, base))
+    if alike:
+        work = work.law("alike", (not normal(replace(one + -other, theta)) for one, other in alike))
     work = work.claim(route("smallest", _is_smallest(arm, as_matrix(results["Y_b"], "Y_b"))))
     facts = Facts(
         table=_table(values),
@@ -124,6 +129,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         elements=tuple(map(of_each, sorted(ELEMENTS))),
         about=Phrase(ABOUT[referred_to(problem)]),
         others=said_of_each(COLUMNS, (part.name for part in others)),
+        alike=Phrase("equal-here", {"equal": tuple(Relation(one, "=", other) for one, other in alike)})
+        if alike
+        else None,
         numbers=("Y", "parameters", "Y_b", "base_parameters"),
     )
     return work.answer("regressor", results, facts, matrices=frozenset({"Y", "Y_b"}))
@@ -134,6 +142,23 @@ def _moves_its_joint(robot: Robot, part: Standard) -> bool:
     row = int(number(part.name.lower[0], {}))
     own = robot.variables.index(robot.links[row - 1].variable or "")
     return [bool(entry) for entry in part.column.entries] == [k == own for k in range(len(robot.variables))]
+
+
+def _alike(problem: Problem, base: Sequence[Base]) -> Iterator[tuple[Expr, Expr]]:
+    """Theta_2 and Theta_3, or Theta_3 and a multiple of Theta_2, where this arm has them equal:
+    each beside the first that it goes with. Of numbers all are, and none is told."""
+    first: list[Base] = []
+    for each in (each for each in base if each.value.constant is None):
+        ratios = (((each.value / other.value).constant, other) for other in first)
+        ratio, other = next(((ratio, other) for ratio, other in ratios if ratio is not None), (None, None))
+        if other is None or ratio is None:
+            first.append(each)
+        else:
+            yield (
+                (other.name, each.name)
+                if ratio == 1
+                else (each.name, multiply(problem.readable(Scalar.of(ratio)), other.name))
+            )
 
 
 def _is_smallest(arm: Arm, Y_b: Matrix) -> Iterator[bool]:

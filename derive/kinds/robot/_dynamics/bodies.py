@@ -50,7 +50,7 @@ class Weighted:
 
 
 def inertias(bodies: Sequence[Weighted]) -> Symbol:
-    """What their matrices of inertia are called, whichever is meant: I_i, or I_ci."""
+    """What their matrices of inertia are called, whichever is meant: I_ci."""
     return Symbol(bodies[0].I.name.rstrip("0123456789") + "i")
 
 
@@ -62,7 +62,7 @@ def weighted(problem: Problem, found: Chain) -> tuple[Weighted, ...]:
     if any(joint.pitch for _, joint in found.moving):
         raise NotDerivable("the dynamics of a helical joint is not derived; only its kinematics is")
     alike = len({(body.mass, body.inertia) for _, body in carried}) == 1
-    letter = free(problem.taken, "I_", "I_c", "I_C", indices=[str(i) for i, _ in carried])
+    letter = free(problem.taken, "I_c", "I_C", "I_", indices=[str(i) for i, _ in carried])
     return tuple(_weighted(problem, found, i, body, "" if alike else str(i), letter) for i, body in carried)
 
 
