@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from derive.algebra.numbers.floats import FUNCTIONS, Point, completed, number
 from derive.derivation import Claim, Said
 from derive.errors import DivisionByZero, NotReal
-from derive.expression import Call, Expr, Indexed, Matrix, Power, Product, Quotient, Sum, Symbol
+from derive.expression import Call, Expr, Indexed, Matrix, Measured, Power, Product, Quotient, Sum, Symbol
 from derive.kinds.checks import agreement, flat
 
 if TYPE_CHECKING:
@@ -108,6 +108,8 @@ def valued(tree: Expr, names: Names) -> Any:
             return _of_blocks([[np.atleast_2d(valued(entry, names)) for entry in row] for row in rows])
         case Call(function, arguments):
             return _called(function, [valued(each, names) for each in arguments])
+        case Measured(value):
+            return valued(value, names)
         case Symbol(name) if name != "pi":
             raise KeyError(name)
     return number(tree, {})

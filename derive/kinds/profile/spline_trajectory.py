@@ -18,6 +18,7 @@ from derive.expression import (
     Degrees,
     Expr,
     Matrix,
+    Measured,
     Number,
     Symbol,
     column,
@@ -107,7 +108,9 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
     drawn = Drawn.of(spans, profile, problem, options.evaluate)
     names: dict[Expr, Expr] = {Symbol(f"v_{k}"): value for k, value in enumerate(written)}
     general = laws(options.ends == "natural", knots.spans)
-    work = working.knowing(names).showing(*general, *_steps(knots, A, b, written)).linked()
+    units = units_of(profile, {**dict.fromkeys(names, 1), **_coefficients()})
+    rate = units.get(Symbol("v_0"), "").removeprefix("deg")
+    work = working.knowing(names).showing(*general, *_steps(knots, A, b, written, rate)).linked()
     work = work.claim(*joined(spans, working, 3 if all(v is None for v in knots.velocities[1:-1]) else 2))
     work = work.claim(*_passes(knots, spans))
     results = {name: work.final(name) for name in map(text, names)}
@@ -126,7 +129,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
         facts,
         evaluated=drawn.evaluated(results),
         plots=drawn.plots("spline", moments, through=True),
-        units=units_of(profile, {**dict.fromkeys(names, 1), **_coefficients()}),
+        units=units,
     )
 
 
@@ -183,11 +186,15 @@ def _span(knots: Knots, velocities: Sequence[Scalar], k: int) -> Span:
 # -- steps and facts ----------------------------------------------------------------------------------
 
 
-def _steps(knots: Knots, A: ScalarMatrix, b: ScalarMatrix, written: Sequence[Expr]) -> Iterator[Step]:
+def _steps(
+    knots: Knots, A: ScalarMatrix, b: ScalarMatrix, written: Sequence[Expr], rate: str
+) -> Iterator[Step]:
+    """The system, its times bare numbers so that every row has the unit of a velocity; and what it gives."""
     unknown = column(Symbol(f"v_{k}") for k in range(knots.spans + 1))
-    right = column(knots.working.readable(entry) for entry in b.entries)
-    yield Step("system", (_plain(A, knots) * unknown, right))
-    shown = column(_read(each, knots.working.problem.style.decimals) for each in written)
+    decimals = knots.working.problem.style.decimals
+    right = column(_read(knots.working.readable(entry), decimals) for entry in b.entries)
+    yield Step("system", (_plain(A, knots) * unknown, Measured(right, rate) if rate else right))
+    shown = column(_read(each, decimals) for each in written)
     yield Step("velocities", (unknown, shown))
 
 

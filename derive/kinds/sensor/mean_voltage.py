@@ -30,7 +30,7 @@ UNITS: Mapping[Expr | Phrase, str] = {
 
 def derive(voltage: PulseWidth, options: Options, problem: Problem) -> Derivation:
     """The area under one period over its length."""
-    work, (high,) = Work(problem).naming(U=voltage.high)
+    work, (high,) = Work(problem, units=UNITS).naming(U=voltage.high)
     low: Expr = ZERO
     mean, duty = MEAN, DUTY
     bipolar = problem.final(voltage.low) != ZERO
