@@ -19,6 +19,7 @@ DOLLAR = "\x01"  # around what is Typst's mathematics already, until the page is
 BLOCK = "\x02"  # before what a paragraph leads to, until the page is laid out
 IN_LINE = "m|long|emph|strong|link|raw"  # the calls that a paragraph may begin with
 LEAD_IN = re.compile(rf"(?<=\n\n)(?!{BLOCK}|#(?!(?:{IN_LINE})\b)|\])((?:.+\n)+)\n(?={BLOCK})")
+LISTS = re.compile(r"^(?=#(?:list|enum)\()", re.MULTILINE)
 SPOKEN = re.compile(rf'#[a-z]+\("[^"]*", {DOLLAR}')  # what is not seen of a formula, and begins it
 BY_ITSELF = 200  # letters and signs: more than two lines
 UNIT = r"(?:rad|deg|mm|cm|kg|Nm|Hz|[mNsVWJgKA])(?![A-Za-z])[23²³]?"
@@ -27,6 +28,7 @@ WORD_JOINER = "\u2060"  # where no line ends
 HELD = 14.0  # em, up to which a formula does not break in a line of text
 FRAME = 2.4  # em that a frame takes from a line
 TALL = 7  # rows of a display, those of its matrices too, from which it may break between its lines
+HIGH = 30  # rows of a line that may be higher than the page
 
 
 class TypstFormulas:
@@ -39,7 +41,7 @@ class TypstFormulas:
 
     def display(self, formula: Display) -> str:
         spoken = typst_string(aloud(formula))
-        name = "fit" if _is_wide(formula) else "tall" if _rows(formula) > TALL else "eq"
+        name = _shape(formula)
         shown = f"#{name}({spoken}, {DOLLAR} {typst(boxes_of_lines(formula.lines))} {DOLLAR})"
         return f"{BLOCK}#answer[{shown}]" if formula.boxed else f"{BLOCK}{shown}"
 
@@ -50,9 +52,12 @@ def _is_wide(formula: Display) -> bool:
     return formula.wide or framed
 
 
-def _rows(formula: Display) -> int:
-    """How many lines of text a display is about as tall as."""
-    return sum(max(part.count(r"\\") + 1 for part in line.split(r"\begin")) for line in formula.lines)
+def _shape(formula: Display) -> str:
+    """The function of the page that finds room for it."""
+    rows = [max(part.count(r"\\") + 1 for part in line.split(r"\begin")) for line in formula.lines]
+    if max(rows) > HIGH:
+        return "high"
+    return "fit" if _is_wide(formula) else "tall" if sum(rows) > TALL else "eq"
 
 
 def laid_out(page: str) -> str:
@@ -79,7 +84,7 @@ FORMULAS = TypstFormulas()
 
 
 def _prose(text: str) -> str:
-    return spelt(typst_prose(text), FORMULAS, ())
+    return spelt(LISTS.sub(BLOCK, typst_prose(text)), FORMULAS, ())
 
 
 TYPST = Skin("typst", _prose, typst_text, FORMULAS)
