@@ -19,9 +19,9 @@ from derive.mechanics.poses import homogeneous, inverse_pose
 
 @dataclass(frozen=True, slots=True)
 class Between:
-    """The frames between which an equation is written; `last` None is the end-effector."""
+    """The frames between which an equation is written; None is the end-effector's."""
 
-    first: int
+    first: int | None
     last: int | None
 
 
@@ -88,6 +88,17 @@ def position_equations(
         for row in range(3):
             if goal[row] is not None or whole:
                 yield Equation(Between(i, None), row, 3, left[row, 0], right[row, 0])
+
+
+def centre_equations(frames: Frames, goal: Sequence[Scalar], point: ScalarMatrix) -> Iterator[Equation]:
+    """The position of a point (3 by 1) of the base frame of a part, known in the end-effector's frame
+    (`goal`), seen from that, from each frame of the part, and from those after its last joint."""
+    known, there = (ScalarMatrix.column((*part, 1)) for part in (goal, point.entries))
+    for i in (None, *(row - 1 for row in frames.moving), *range(frames.moving[-1], max(frames.T) + 1)):
+        back = inverse_pose(frames.end if i is None else frames.T[i])
+        left, right = (known if i is None else back @ frames.end @ known), back @ there
+        for row in range(3):
+            yield Equation(Between(i, None), row, 3, left[row, 0], right[row, 0])
 
 
 def pose_equations(frames: Frames, R: ScalarMatrix, p: Sequence[Scalar] | None) -> Iterator[Equation]:

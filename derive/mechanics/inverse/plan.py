@@ -1,7 +1,9 @@
 """The order in which the joint variables of an arm are found: a plan of named sub-problems.
 
 An arm with a spherical wrist is decoupled: its first joints bring the centre of the wrist to its place, the
-last three turn the end-effector (Pieper 1968). Any other arm is taken as a whole.
+last three turn the end-effector (Pieper 1968). An arm with a spherical shoulder is taken from the other end:
+its last joints bring the centre of the shoulder to its place, seen from the end-effector, the first three
+turn it. Any other arm is taken as a whole.
 """
 
 from __future__ import annotations
@@ -13,28 +15,42 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import Point, scalar_number
 from derive.algebra.scalar import Scalar
 from derive.algebra.solving.factors import TooLong
+from derive.expression import Symbol
 from derive.mechanics.budget import Budget
 from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.known import Knowledge, singles
-from derive.mechanics.inverse.paul import Equation, Frames, pose_equations, position_equations
+from derive.mechanics.inverse.paul import (
+    Equation,
+    Frames,
+    centre_equations,
+    pose_equations,
+    position_equations,
+)
 from derive.mechanics.inverse.search import Stage
 from derive.mechanics.inverse.subproblems import SubProblem, equations_of
-from derive.mechanics.inverse.wrist import Wrist, spherical_wrist
-from derive.mechanics.poses import rotation_part
+from derive.mechanics.inverse.wrist import Spherical, spherical_shoulder, spherical_wrist
+from derive.mechanics.poses import inverse_pose, rotation_part
 
 
 @dataclass(frozen=True, slots=True)
 class Decoupling:
-    """A spherical wrist: what stands for the place of its centre and for the orientation it has to make.
+    """A spherical wrist or shoulder with its `joints`: what stands for the place of its centre and for the
+    orientation it has to make.
 
-    `centre` are three names and what they stand for; `turn` likewise nine, of the orientation in the frame
-    before the wrist. Empty where nothing needs a name.
+    `centre` are three names and what they stand for; `turn` likewise nine, of the orientation without that of
+    the other joints. Empty where nothing needs a name.
     """
 
-    wrist: Wrist
+    joint: Spherical
+    joints: tuple[str, ...]
     centre: dict[str, Scalar]
     turn: dict[str, Scalar]
+
+    @property
+    def name(self) -> Symbol:
+        """Of the centre."""
+        return Symbol("p_s" if self.joint.shoulder else "p_w")
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,20 +94,22 @@ class Search:
     budget: Budget
 
     def plan(self) -> Plan:
-        """Decoupled where there is a spherical wrist, as a whole otherwise."""
-        wrist = spherical_wrist(self.chain) if self.goal.R is not None and not self.goal.angle else None
-        if wrist is None:
-            return self._whole()
-        decoupling = self._decoupling(wrist)
-        first = self._follow(self._arm(decoupling))
-        if not first.complete:
-            return first
-        second = self._follow(self._hand(decoupling))
-        known = Knowledge.of(self.chain, self.chain.variables)
-        for planned in (*first.steps, *second.steps):
-            known = known.after(planned.subproblem.unknown)
-        steps = (*first.steps, *second.steps)
-        return Plan(steps, known, decoupling, second.left, stopped=second.stopped)
+        """Decoupled where there is a spherical wrist or shoulder, as a whole otherwise."""
+        plans: list[Plan] = []
+        for joint in self._meeting():
+            plans.append(self._decoupled(joint))
+            if plans[-1].complete:
+                return plans[-1]
+        return plans[0] if plans else self._whole()
+
+    def _meeting(self) -> Iterator[Spherical]:
+        """Three joints that make the orientation whatever the others do."""
+        if self.goal.R is None or self.goal.angle:
+            return
+        if wrist := spherical_wrist(self.chain):
+            yield wrist
+        if self.goal.whole_position and (shoulder := spherical_shoulder(self.chain)):
+            yield shoulder
 
     def _whole(self) -> Plan:
         frames, goal = Frames.of(self.chain, singles(self.chain)), self.goal
@@ -129,42 +147,67 @@ class Search:
             return Plan(tuple(steps), known, left=tuple(stage.left(known)), stopped=True)
         return Plan(tuple(steps), known)
 
-    # -- the spherical wrist ----------------------------------------------------------------------
+    # -- three axes that meet ---------------------------------------------------------------------
 
-    def _decoupling(self, wrist: Wrist) -> Decoupling:
+    def _decoupled(self, joint: Spherical) -> Plan:
+        """The joints on the other side of the centre, then the three that meet in it."""
+        decoupling = self._decoupling(joint)
+        first = self._follow(self._arm(decoupling))
+        if not first.complete:
+            return replace(first, decoupling=decoupling)
+        second = self._follow(self._hand(decoupling))
+        known = Knowledge.of(self.chain, self.chain.variables)
+        for planned in (*first.steps, *second.steps):
+            known = known.after(planned.subproblem.unknown)
+        steps = (*first.steps, *second.steps)
+        return Plan(steps, known, decoupling, second.left, stopped=second.stopped)
+
+    def _decoupling(self, joint: Spherical) -> Decoupling:
+        joints = tuple(self.chain.joint(row).variable for row in joint.rows)
         centre: dict[str, Scalar] = {}
-        R = self.goal.R
-        alone = len(self.chain.variables) == 3  # a wrist by itself: its centre stays where it is
-        if R is not None and self.goal.whole_position and wrist.centre and not alone:
-            arm = (R @ wrist.centre).entries
-            parts = [part for part in self.goal.p if part is not None]
-            names = [self.free_name(f"{axis}_w") for axis in "xyz"]
-            centre = {name: p + c for name, p, c in zip(names, parts, arm, strict=True)}
         turn: dict[str, Scalar] = {}
-        base = wrist.rows[0] - 1
-        before = rotation_part(self.chain.T[base])
-        if R is not None and before != ScalarMatrix.identity(3):
-            seen = before.T @ R
-            turn = {self.free_name(f"w_{i + 1}{j + 1}"): seen[i, j] for i in range(3) for j in range(3)}
-        return Decoupling(wrist, centre, turn)
+        R, p = self.goal.R, self.goal.p
+        if R is None:
+            return Decoupling(joint, joints, centre, turn)
+        alone = len(self.chain.variables) == len(joints)  # a wrist by itself: its centre stays where it is
+        if None not in p and not alone and (joint.shoulder or joint.centre):
+            place = ScalarMatrix.column([part for part in p if part is not None])
+            seen = R.T @ (joint.centre - place) if joint.shoulder else place + R @ joint.centre
+            names = [self.free_name(f"{axis}_{'s' if joint.shoulder else 'w'}") for axis in "xyz"]
+            centre = dict(zip(names, seen.entries, strict=True))
+        rest = self._rest(joint)
+        if rest != ScalarMatrix.identity(3):
+            left = R @ rest.T if joint.shoulder else rest.T @ R
+            turn = {self.free_name(f"w_{i + 1}{j + 1}"): left[i, j] for i in range(3) for j in range(3)}
+        return Decoupling(joint, joints, centre, turn)
+
+    def _rest(self, joint: Spherical) -> ScalarMatrix:
+        """The rotation of the arm before a wrist, or after a shoulder."""
+        T = self.chain.T[joint.frame]
+        return rotation_part(inverse_pose(T) @ self.chain.T_tool if joint.shoulder else T)
 
     def _arm(self, decoupling: Decoupling) -> Stage:
-        """The joints before the wrist, by the position of its centre."""
-        wrist = decoupling.wrist
-        frames = Frames.of(self.chain, singles(self.chain), 0, wrist.rows[0] - 1)
-        goal = tuple(map(Scalar.symbol, decoupling.centre)) or self.goal.p
-        equations = position_equations(frames, goal, wrist.before)
-        return Stage.of(equations, self.chain.variables[:-3], self._points(decoupling))
+        """The joints before a wrist, or after a shoulder, by the position of its centre."""
+        joint, home = decoupling.joint, singles(self.chain)
+        variables = [name for name in self.chain.variables if name not in decoupling.joints]
+        names = tuple(map(Scalar.symbol, decoupling.centre))
+        if joint.shoulder:
+            seen = centre_equations(Frames.of(self.chain, home, joint.frame), names, joint.inside)
+            return Stage.of(seen, variables, self._points(decoupling), None)
+        frames = Frames.of(self.chain, home, 0, joint.frame)
+        equations = position_equations(frames, names or self.goal.p, joint.inside)
+        return Stage.of(equations, variables, self._points(decoupling))
 
     def _hand(self, decoupling: Decoupling) -> Stage:
-        """The joints of the wrist, by the orientation that is left to make."""
-        frames = Frames.of(self.chain, singles(self.chain), decoupling.wrist.rows[0] - 1)
+        """The three joints, by the orientation that is left to make."""
+        joint, home = decoupling.joint, singles(self.chain)
+        frames = Frames.of(self.chain, home, *((0, joint.frame) if joint.shoulder else (joint.frame,)))
         R = self.goal.R
         if decoupling.turn:
             names = list(map(Scalar.symbol, decoupling.turn))
             R = ScalarMatrix.of([names[3 * i : 3 * i + 3] for i in range(3)])
         equations = pose_equations(frames, R, None) if R is not None else ()
-        return Stage.of(equations, self.chain.variables[-3:], self._points(decoupling), frames.base)
+        return Stage.of(equations, decoupling.joints, self._points(decoupling), frames.base)
 
     def _points(self, decoupling: Decoupling) -> tuple[Point, ...]:
         named = {**decoupling.centre, **decoupling.turn}

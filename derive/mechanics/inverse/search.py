@@ -50,16 +50,16 @@ class Difference:
 @dataclass(frozen=True, slots=True)
 class Stage:
     """Equations in which joint variables are sought, every angle by itself; `points` are poses the arm
-    reaches: values of every name."""
+    reaches: values of every name. What is known is known in frame `base`, None that of the end-effector."""
 
     equations: tuple[Difference, ...]
     points: tuple[Point, ...]
     joints: tuple[str, ...]
-    base: int = 0
+    base: int | None = 0
 
     @staticmethod
     def of(
-        equations: Iterable[Equation], joints: Iterable[str], points: tuple[Point, ...], base: int = 0
+        equations: Iterable[Equation], joints: Iterable[str], points: tuple[Point, ...], base: int | None = 0
     ) -> Stage:
         """Those that hold any of the joints."""
         joints = tuple(joints)

@@ -1,4 +1,8 @@
-"""The centre of a spherical wrist: the point in which the last three axes meet (Pieper)."""
+"""Three consecutive joints whose axes meet in one point: a spherical wrist (Pieper), or a spherical shoulder.
+
+None of the three moves that point. Seen from the base, the centre of a wrist depends on the joints before it
+alone; seen from the end-effector, the centre of a shoulder depends on the joints after it alone.
+"""
 
 from __future__ import annotations
 
@@ -10,15 +14,24 @@ from derive.algebra.scalar import Scalar
 from derive.mechanics.chain import Chain
 from derive.mechanics.poses import homogeneous, inverse_pose, position_part, rotation_part
 
+THREE = 3
+
 
 @dataclass(frozen=True, slots=True)
-class Wrist:
-    """`rows` are those of its three joints; `centre` (3 by 1) is in the end-effector's frame, `before` the
-    same point in the frame before its first joint, where no joint of the wrist moves it."""
+class Spherical:
+    """`rows` are those of its joints. `centre` (3 by 1) is seen from its own end of the arm, the end-effector
+    of a wrist, the base of a `shoulder`; `inside` is the same point on the other side of the three joints, in
+    frame `frame`, that before a wrist or that after a shoulder."""
 
     rows: tuple[int, int, int]
     centre: ScalarMatrix
-    before: ScalarMatrix
+    inside: ScalarMatrix
+    shoulder: bool = False
+
+    @property
+    def frame(self) -> int:
+        """That of the arm from which it is seen as one fixed point."""
+        return self.rows[-1] if self.shoulder else self.rows[0] - 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,10 +50,30 @@ class Line:
         return not self.direction.cross(point - self.point)
 
 
-def spherical_wrist(chain: Chain) -> Wrist | None:
+def spherical_wrist(chain: Chain) -> Spherical | None:
     """The last three joints where they are revolute and their axes meet in one point."""
-    rows = [i for i, _ in chain.moving][-3:]
-    if len(rows) < 3 or any(chain.joint(i).type != "revolute" for i in rows):
+    found = _meeting(chain, [i for i, _ in chain.moving][-THREE:])
+    if found is None:
+        return None
+    (first, middle, last), near, at_last = found
+    beyond = inverse_pose(inverse_pose(chain.T[last]) @ chain.T_tool) @ inverse_pose(chain.T_local[last - 1])
+    return Spherical((first, middle, last), moved(beyond, at_last), moved(chain.T_local[first - 1], near))
+
+
+def spherical_shoulder(chain: Chain) -> Spherical | None:
+    """Likewise the first three."""
+    found = _meeting(chain, [i for i, _ in chain.moving][:THREE])
+    if found is None:
+        return None
+    (first, middle, last), near, at_last = found
+    inside = moved(inverse_pose(chain.T_local[last - 1]), at_last)
+    return Spherical((first, middle, last), moved(chain.T[first], near), inside, shoulder=True)
+
+
+def _meeting(chain: Chain, rows: list[int]) -> tuple[tuple[int, int, int], ScalarMatrix, ScalarMatrix] | None:
+    """The rows of three joints, the point in which their axes meet in the frame after the first and in that
+    before the last; None where there is no such point."""
+    if len(rows) < THREE or any(chain.joint(i).type != "revolute" for i in rows):
         return None
     first, middle, last = rows
     between = fixed_between(chain, middle, last)
@@ -50,9 +83,7 @@ def spherical_wrist(chain: Chain) -> Wrist | None:
     near = moved(fixed_between(chain, first, middle) @ chain.T_local[middle - 1], inside)
     if not _after(chain, first).holds(near):
         return None
-    at_last = moved(inverse_pose(between), inside)
-    beyond = inverse_pose(inverse_pose(chain.T[last]) @ chain.T_tool) @ inverse_pose(chain.T_local[last - 1])
-    return Wrist((first, middle, last), moved(beyond, at_last), moved(chain.T_local[first - 1], near))
+    return (first, middle, last), near, moved(inverse_pose(between), inside)
 
 
 def meeting(one: Line, other: Line) -> ScalarMatrix | None:

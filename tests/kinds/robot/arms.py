@@ -220,6 +220,17 @@ ARMS = {
          ("theta4*", "d4", "0", "90 deg"), ("theta5*", "d5", "0", "-90 deg"), ("theta6*", "d6", "0", "0")),
         "pose", 8,
     ),
+    "spherical shoulder": Arm(
+        (("theta1*", "0", "0", "90 deg"), ("theta2*", "0", "0", "-90 deg"), ("theta3*", "d3", "0", "90 deg"),
+         ("theta4*", "0", "a4", "0"), ("theta5*", "0", "a5", "90 deg"), ("theta6*", "d6", "0", "0")),
+        "pose", 8,
+    ),
+    "Panda, its last joint fixed": Arm(
+        (("theta1*", "d1", "0", "0"), ("theta2*", "0", "0", "-90 deg"), ("theta3*", "d3", "0", "90 deg"),
+         ("theta4*", "0", "a4", "90 deg"), ("theta5*", "d5", "-a4", "-90 deg"),
+         ("theta6*", "0", "0", "90 deg"), ("q", "d_f", "a7", "90 deg")),
+        "pose", 8, convention="modified",
+    ),
     "parallelogram": Arm(
         (("theta1*", "d1", "0", "90 deg"), ("theta2*", "0", "a2", "0"),
          ("theta3* - theta2", "0", "a3", "0")),

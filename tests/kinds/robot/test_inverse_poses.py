@@ -15,7 +15,8 @@ from derive.expression import Number
 from tests.kinds.robot.arms import ARMS, Arm
 
 HOME = ("3R", "spherical", "SCARA", "wrist", "Stanford", "PUMA 560", "elbow arm", "arm of five joints",
-        "UR5", "parallelogram", "parallelogram with a wrist", "palletiser")  # fmt: skip
+        "UR5", "parallelogram", "parallelogram with a wrist", "palletiser", "spherical shoulder",
+        "Panda, its last joint fixed")  # fmt: skip
 QUARTERS = (0.0, math.pi / 2, -math.pi / 2, math.pi)
 
 

@@ -14,14 +14,16 @@ from derive.mechanics.inverse.paul import Between, Equation
 @dataclass(frozen=True, slots=True)
 class Poses:
     """How the poses of a stage are called: T, or R where only orientations are compared; `base` is the frame
-    in which `wanted` is known, `last` the index of the end-effector's. The stage of the arm brings the centre
-    of a spherical wrist to its place, that of the hand turns the end-effector."""
+    in which `wanted` is known, None the end-effector's, `last` the index of the frame it leads to. The
+    stage of the arm brings the centre of a spherical wrist or `shoulder` to its place, that of the hand
+    turns the end-effector."""
 
     letter: str
-    base: int
+    base: int | None
     last: str
     wanted: Symbol
     stage: Literal["whole", "arm", "hand"] = "whole"
+    shoulder: bool = False
 
     def compared(self, equations: Iterable[Equation]) -> tuple[Compared, ...]:
         """For each product its entries and, where the pose was multiplied, what it equals."""
@@ -40,7 +42,7 @@ class Poses:
             axes=tuple("xyz"[e.row] for e in equations) if position else (),
             entries=() if position else tuple(f"({e.row + 1}, {e.col + 1})" for e in equations),
             frame=None if base else between.first,
-            wrist=self.stage == "arm",
+            centre=("shoulder" if self.shoulder else "wrist") if self.stage == "arm" else None,
             product=None if position else self._product(between),
             equals=None if base or position else Symbol(f"{self.letter}_{end}^{between.first}"),
         )

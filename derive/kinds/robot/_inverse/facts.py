@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from derive.derivation import Condition, PageFacts, Phrase, Record, Step, Table
 from derive.expression import ZERO, Expr, Relation, Symbol
 
@@ -12,14 +14,15 @@ def zero(*trees: Expr) -> tuple[Relation, ...]:
 
 
 class Compared(Record):
-    """Which entries of a pose are compared: `axes` of a position (of the wrist's centre, where `wrist`), or
-    elements of the `product` that is known, and where it is multiplied out what that `equals`. `frame` is the
-    one it is seen from, None the base."""
+    """Which entries of a pose are compared: `axes` of a position (of the `centre` of the wrist or shoulder,
+    where that is said), or elements of the `product` that is known, and where it is multiplied out what that
+    `equals`. `frame` is the one it is seen from, None that in which the position is known: the end-effector's
+    for a shoulder, else the base."""
 
     axes: tuple[str, ...]
     entries: tuple[str, ...]
     frame: int | None
-    wrist: bool
+    centre: Literal["wrist", "shoulder"] | None
     product: Expr | None
     equals: Symbol | None
 
@@ -87,9 +90,9 @@ class SingularWrist(Record):
 
 
 class Wrist(Record):
-    """Of a spherical wrist: where its axes meet, and the place of that centre, where it has to be found; what
-    the joints before it leave it to make, in which `elements`, and what it makes in the angles that are
-    `named`; its sub-problems, and its singular cases."""
+    """Of a spherical wrist or shoulder: where its axes meet, and the place of that centre, where it has to be
+    found; what the other joints leave it to make, in which `elements`, and what it makes in the angles that
+    are `named`; its sub-problems, and its singular cases."""
 
     meeting: Phrase | None
     centre: tuple[Step, ...]

@@ -81,12 +81,13 @@ class Lines:
         yield from (equal(step.chain, known, False) for step in self.worked.elements)
         yield from (equal(pair, known, False) for pair in self.worked.conditions)
         if self.worked.at_end:
-            yield close(self._centre(known), self.target.oracle.tool(known)[:3, 3:], SAME)
+            end = self.target.oracle.tool(known)[:3, 3:]
+            yield close(self._centre(known), 0 * end if self.worked.shoulder else end, SAME)
 
     def leave_free(self, point: Values) -> Iterator[bool]:
         """Whether what is said of a singular wrist holds at a configuration: its sum or difference of angles
         is determined so, and the outer joints can turn against each other without moving anything else."""
-        tool, (first, _, last) = self.target.oracle.tool, self.target.joints[-3:]
+        tool, (first, _, last) = self.target.oracle.tool, self.worked.spherical
         for k, case in enumerate(self.worked.singular):
             middle = case.said.about["middle"]
             yield case.said.key == ("outer-axes-too" if k else "outer-axes")
@@ -102,26 +103,34 @@ class Lines:
 
     def _poses(self, at: Values) -> dict[str, Array]:
         """What the names of poses stand for, by the oracle: T_6^0 and R_6^0 of the end-effector in the base,
-        R_3^0, R_6^3, and the centre of the wrist (3 by 1)."""
+        R_3^0, R_6^3, and the centre of the wrist, or that of the shoulder seen from the end-effector (3 by
+        1)."""
         T, last = self.target.oracle.tool(at), self.worked.last
         found: dict[str, Array] = {f"T_{last}^0": T, f"R_{last}^0": T[:3, :3]}
         if turn := self.worked.orientation:
-            R = self.target.oracle.poses(at)[self._before][:3, :3]
-            found |= {"p_w": self._centre(at), turn.before.name: R, turn.name.name: R.T @ T[:3, :3]}
+            R, point = self.target.oracle.poses(at)[self._inside][:3, :3], self._centre(at)
+            if self.worked.shoulder:
+                seen = T[:3, :3].T @ (point - T[:3, 3:])
+                found |= {"p_s": seen, turn.before.name: R.T @ T[:3, :3], turn.name.name: R}
+            else:
+                found |= {"p_w": point, turn.before.name: R, turn.name.name: R.T @ T[:3, :3]}
         return found
 
     @property
-    def _before(self) -> int:
-        """The frame before the wrist, by the name of its rotation."""
+    def _inside(self) -> int:
+        """The frame before the wrist, or after the shoulder, by the name of its rotation."""
         turn = self.worked.orientation
-        return int(turn.before.name.removeprefix("R_").removesuffix("^0")) if turn else 0
+        if turn is None:
+            return 0
+        of, seen_from = turn.before.name.removeprefix("R_").split("^")
+        return int(seen_from if self.worked.shoulder else of)
 
     def _centre(self, at: Values) -> Array:
-        """The point (3 by 1) that none of the last three joints moves."""
+        """The point (3 by 1, in the base) that none of the three joints of a wrist or shoulder moves."""
         import numpy as np
 
         tool, rows, shifts = self.target.oracle.tool, [], []
-        for name in self.target.joints[-3:]:
+        for name in self.worked.spherical:
             D = tool({**at, name: at[name] + TURNS}) @ np.linalg.inv(tool(at))
             rows.append(D[:3, :3] - np.eye(3))
             shifts.append(-D[:3, 3])
@@ -135,10 +144,10 @@ class Lines:
         known = defined(self.worked.all_items, known)
         poses = self._poses(known)
         centre: Array = np.ones((4, 1))
-        if "p_w" in poses:
-            centre[:3] = poses.pop("p_w")
-            centre = np.linalg.solve(self.target.oracle.poses(known)[self._before], centre)
-        reading = Reading(self.target, known, poses, self._before, centre[:, 0])
+        if self.worked.orientation:
+            centre[:3] = self._centre(known)
+            centre = np.linalg.solve(self.target.oracle.poses(known)[self._inside], centre)
+        reading = Reading(self.target, known, poses, self._inside, centre[:, 0], self.worked.shoulder)
         for k, solved in enumerate(self.worked.solved):
             yield from reading.right(solved, self.worked.solved[:k])
 

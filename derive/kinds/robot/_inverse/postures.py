@@ -82,7 +82,7 @@ class Postures:
 
     def found(self) -> tuple[Posture, ...]:
         """In the order of the sub-problems."""
-        if self.worked.chain.coupling or next(self.tried.solved, None) is None:
+        if self.worked.chain.coupling or self.worked.shoulder or next(self.tried.solved, None) is None:
             return ()
         each = (self._of(solved) for solved in self.worked.solved if solved.two_valued)
         return tuple({posture.part: posture for posture in each if posture}.values())
@@ -199,8 +199,8 @@ def place(worked: Worked, end: End, known: Mapping[str, float]) -> Array:
     if end.axis is not None:
         return _vector(chain.point(end.axis), known)
     if end.wrist and decoupling:
-        T = np.array(numbers(chain.T[decoupling.wrist.rows[0] - 1], known))
-        return np.array(T[:3, :3] @ _vector(decoupling.wrist.before, known) + T[:3, 3])
+        T = np.array(numbers(chain.T[decoupling.joint.frame], known))
+        return np.array(T[:3, :3] @ _vector(decoupling.joint.inside, known) + T[:3, 3])
     T = np.array(numbers(chain.T_tool if end.last is None else chain.T[end.last], known))
     return np.array(T[:3, 3])
 

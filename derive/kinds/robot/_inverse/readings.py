@@ -26,13 +26,15 @@ SAME, NONE = 1e-6, 1e-9
 @dataclass(frozen=True, slots=True)
 class Reading:
     """An arm at a solution: `known` are the values of all names there, `given` the poses that are known, by
-    their names. A spherical wrist has the frame `before` it, and its `centre` (4) in that."""
+    their names. A spherical wrist has the frame `inside` before it, a `shoulder` that after it, and its
+    `centre` (4) in that."""
 
     target: Target
     known: Values
     given: Mapping[str, Array]
-    before: int
+    inside: int
     centre: Array
+    shoulder: bool
 
     def right(self, solved: Solved, before: Sequence[Solved]) -> Iterator[bool]:
         """Whether each equation is read somewhere, and every element told is read by an equation."""
@@ -66,12 +68,19 @@ class Reading:
         """From the point to its place, in the axes of the frame."""
         import numpy as np
 
+        inside, centre = str(self.inside), self.centre
+        if told.centre == "shoulder":  # its place is known in the end-effector's frame
+            frame = TOOL if told.frame is None else str(told.frame)
+            place = self._between(inside, TOOL, self.known) @ centre
+            return np.array(
+                (self._between(TOOL, frame, at) @ place - self._between(inside, frame, at) @ centre)[:3]
+            )
         R = self._pose("0" if told.frame is None else str(told.frame), at)[:3, :3]
-        if not told.wrist:
+        if told.centre is None:
             gap = self._pose(TOOL, self.known) - self._pose(TOOL, at)
             return np.array(R.T @ gap[:3, 3])
-        here, there = (self._pose(str(self.before), each) for each in (at, self.known))
-        return np.array(R.T @ ((there - here) @ self.centre)[:3])
+        here, there = (self._pose(inside, each) for each in (at, self.known))
+        return np.array(R.T @ ((there - here) @ centre)[:3])
 
     def _differs(self, told: Compared, hand: bool, at: Values) -> Array:
         """The product that is known less what it is said to equal, by itself the pose of the end-effector."""
@@ -82,7 +91,10 @@ class Reading:
         known: Array = arrays(told.product, meaning)
         if told.equals is not None:
             return known - self._named(told.equals.name, at)
-        T = self._between(TOOL, str(self.before if hand else 0), at)
+        if hand and self.shoulder:
+            T = self._pose(str(self.inside), at)
+        else:
+            T = self._between(TOOL, str(self.inside if hand else 0), at)
         return known - T[: len(known), : len(known)]
 
     def _named(self, name: str, at: Values) -> Array:

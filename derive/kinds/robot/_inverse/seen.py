@@ -124,7 +124,7 @@ class Seen:
             return self._axis(end.axis, known)[1]
         if end.wrist:
             back = np.linalg.inv(oracle.tool(known))
-            names = self.tried.target.joints[-3:]
+            names = self.worked.spherical
             return meeting([oracle.tool({**known, name: known[name] + TURN}) @ back for name in names])
         T = oracle.tool(known) if end.last is None else oracle.poses(known)[end.last]
         return np.array(T[:3, 3])

@@ -42,7 +42,7 @@ class Stages:
         centre = (self._centre(progress, decoupling),) if decoupling and decoupling.centre else ()
         orientation: Orientation | None = None
         for planned in self.plan.steps:
-            hand = decoupling is not None and planned.stage.joints == self.chain.variables[-3:]
+            hand = decoupling is not None and planned.stage.joints == decoupling.joints
             if hand and decoupling and orientation is None:
                 orientation = self._orientation(progress, decoupling)
             write(Solving(progress, self._poses(hand), planned.subproblem), planned.stage)
@@ -80,35 +80,47 @@ class Stages:
         """How the poses of a stage are called."""
         decoupling, goal = self.plan.decoupling, self.goal
         if hand and decoupling:
-            base = decoupling.wrist.rows[0] - 1
-            return Poses("R", base, self._last, self._end("R", base if decoupling.turn else 0), "hand")
+            frame = decoupling.joint.frame
+            if decoupling.joint.shoulder:
+                return Poses("R", 0, str(frame), Symbol(f"R_{frame}^0"), "hand")
+            return Poses("R", frame, self._last, self._end("R", frame if decoupling.turn else 0), "hand")
         if decoupling:
-            return Poses("T", 0, self._last, Symbol("p_w"), "arm")
+            shoulder = decoupling.joint.shoulder
+            return Poses("T", None if shoulder else 0, self._last, decoupling.name, "arm", shoulder)
         if goal.R is None:
             return Poses("T", 0, self._last, Symbol("p"))
         letter = "T" if goal.whole_position else "R"
         return Poses(letter, 0, self._last, self._end(letter))
 
     def _centre(self, progress: Progress, decoupling: Decoupling) -> Step:
-        """p_w = p + R (centre in the end-effector's frame)."""
+        """p_w = p + R (centre in the end-effector's frame), p_s = R^T ((centre in the base) - p)."""
         names = [progress.define(name, value) for name, value in decoupling.centre.items()]
         p = column(self.problem.readable(part or Scalar.of(0)) for part in self.goal.p)
-        whole = p + multiply(self._end("R"), self.problem.readable_matrix(decoupling.wrist.centre))
+        joint, R = decoupling.joint, self._end("R")
+        centre = self.problem.readable_matrix(joint.centre)
+        if joint.shoulder:
+            whole = multiply(transpose(R), centre - p if joint.centre else -p)
+        else:
+            whole = p + multiply(R, centre)
         values = column(map(progress.value_of, names))
-        return Step("p_w", (Symbol("p_w"), column(names), whole, values), "centre")
+        return Step(decoupling.name.name, (decoupling.name, column(names), whole, values), "centre")
 
     def _orientation(self, progress: Progress, decoupling: Decoupling) -> Orientation:
-        """What is left for the wrist to make, and what it makes."""
-        base = decoupling.wrist.rows[0] - 1
-        rest = rotation_part(inverse_pose(self.chain.T[base]) @ self.chain.T_tool)
-        made = self.problem.readable_matrix(rest)
+        """What is left for the three joints to make, and what they make."""
+        frame, shoulder = decoupling.joint.frame, decoupling.joint.shoulder
+        T = self.chain.T[frame]
+        made = self.problem.readable_matrix(
+            rotation_part(T if shoulder else inverse_pose(T) @ self.chain.T_tool)
+        )
         names = tuple(progress.define(each, value) for each, value in decoupling.turn.items())
         rows = names or tuple(Symbol(f"r{i}{j}") for i, j in product((1, 2, 3), repeat=2))
         entries = Matrix(tuple(rows[k : k + 3] for k in (0, 3, 6)))
-        name, before = self._poses(hand=True).wanted, Symbol(f"R_{base}^0")
-        wanted = Step("turn", (name, transpose(before) * self._end("R"), entries), "turn")
+        name = self._poses(hand=True).wanted
+        rest = self._end("R", frame) if shoulder else Symbol(f"R_{frame}^0")
+        left = self._end("R") * transpose(rest) if shoulder else transpose(rest) * self._end("R")
+        wanted = Step("turn", (name, left, entries), "turn")
         return Orientation(
-            name, entries, (wanted,) if names else (), Step("turn_made", (name, made), "turn"), made, before
+            name, entries, (wanted,) if names else (), Step("turn_made", (name, made), "turn"), made, rest
         )
 
 

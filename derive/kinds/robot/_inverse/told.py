@@ -67,16 +67,16 @@ class Told:
         if worked.plan.decoupling is None or worked.orientation is None:
             return None
         key = "axes-meet-at-the-end" if worked.at_end else "axes-meet"
-        before = Phrase("rest-to-make", {"before": worked.orientation.before})
-        joints = tuple(map(Symbol, worked.chain.variables[-3:]))
+        before = Phrase(self._of("rest-to-make"), {"before": worked.orientation.before})
+        joints = tuple(map(Symbol, worked.spherical))
         return Wrist(
-            meeting=Phrase(key, {"joints": joints}) if worked.arm else None,
+            meeting=Phrase(self._of(key), {"joints": joints}) if worked.arm else None,
             centre=worked.centre,
             before=(before if worked.orientation.wanted else Phrase("not-turned")) if worked.arm else None,
             wanted=worked.orientation.wanted,
             elements=worked.elements,
             whole=len(worked.elements) == ELEMENTS,
-            named=Phrase("in-angles-of-the-wrist")
+            named=Phrase(self._of("in-angles-of-the-wrist"))
             if worked.arm
             else Phrase("in-joint-angles", {"pose": Symbol(f"T_{worked.last}^0")}),
             stands=not worked.arm,
@@ -84,6 +84,10 @@ class Told:
             solved=tuple(map(self._in_wrist, worked.hand)),
             singular=worked.singular,
         )
+
+    def _of(self, key: str) -> str:
+        """The same said of a shoulder."""
+        return f"shoulder-{key}" if self.worked.shoulder else key
 
     def _in_wrist(self, solved: Solved) -> SolvedFacts:
         """What happens where the outer axes coincide is said once."""

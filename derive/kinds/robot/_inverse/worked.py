@@ -79,15 +79,12 @@ class Worked:
     @cached_property
     def singular(self) -> tuple[SingularWrist, ...]:
         """What the wrist determines where its outer axes coincide."""
-        first, joints = next(iter(self.hand), None), self.chain.variables[-3:]
-        if first is None or self.orientation is None or first.head != Symbol(joints[1]):
+        first, decoupling, found = next(iter(self.hand), None), self.plan.decoupling, self.orientation
+        if first is None or decoupling is None or found is None:
             return ()
-        method = first.facts.method.name
-        if method not in ("cosine", "sine"):
+        method, joints = first.facts.method.name, decoupling.joints
+        if method not in ("cosine", "sine") or first.head != Symbol(joints[1]):
             return ()
-        if self.plan.decoupling is None:
-            return ()
-        found = self.orientation
         return tuple(singular(found.rotation, found.entries, joints, method == "cosine"))
 
     @cached_property
@@ -116,8 +113,19 @@ class Worked:
 
     @property
     def at_end(self) -> bool:
-        """Whether the centre of a wrist is the origin of the end-effector's frame."""
-        return self.plan.decoupling is not None and not self.plan.decoupling.wrist.centre
+        """Whether the centre of a wrist is the origin of the end-effector's frame, that of a shoulder the
+        origin of the base frame."""
+        return self.plan.decoupling is not None and not self.plan.decoupling.joint.centre
+
+    @property
+    def shoulder(self) -> bool:
+        """Whether it is a spherical shoulder that was decoupled."""
+        return self.plan.decoupling is not None and self.plan.decoupling.joint.shoulder
+
+    @property
+    def spherical(self) -> tuple[str, ...]:
+        """The three joints of a spherical wrist or shoulder."""
+        return self.plan.decoupling.joints if self.plan.decoupling else ()
 
     @cached_property
     def conditions(self) -> tuple[tuple[Expr, Expr], ...]:
