@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from derive.algebra.formulas.with_units import measured, unit_of
 from derive.derivation import Cell, Phrase, Said, Table
@@ -35,8 +35,9 @@ def bodies(robot: Robot, problem: Problem) -> Iterator[Datum]:
         Symbol("i"), Phrase("mass"), Phrase("center-of-mass"), Phrase("inertia-of-body"),
     )  # fmt: skip
     key = "bodies-of-screws" if robot.by_screws else "bodies"
+    said = _of_one(key, [i for i, _ in carried])
     table = Table(headings, tuple(_line(i, body) for i, body in carried))
-    yield Datum(Phrase(key), table, ours=frozenset(f"o_{i}" for i in range(len(robot.links) + 1)))
+    yield Datum(said, table, ours=frozenset(f"o_{i}" for i in range(len(robot.links) + 1)))
     if added := dict(_added(robot)):
         kept = [k for k in range(len(DRIVEN)) if any(line[k] != ZERO for line in added.values())]
         lines: list[tuple[Cell, ...]] = [
@@ -45,7 +46,15 @@ def bodies(robot: Robot, problem: Problem) -> Iterator[Datum]:
         headings = (Phrase("joint"), *(Phrase(DRIVEN[k]) for k in kept))
         only = {link.motor is None for link in robot.links if link.motor or link.friction}
         key = "drives" if len(only) > 1 or len(kept) > 2 else "frictions" if True in only else "motors"
-        yield Datum(Phrase(key), Table(headings, tuple(lines)))
+        yield Datum(_of_one(key, [*added]), Table(headings, tuple(lines)))
+
+
+def _of_one(key: str, numbers: Sequence[int]) -> Phrase:
+    """The words of `key`, or those that speak of one link or joint."""
+    match numbers:
+        case [i]:
+            return Phrase(f"{key}-one", {"i": str(i)})
+    return Phrase(key)
 
 
 def _line(i: int, body: Body) -> tuple[Cell, ...]:

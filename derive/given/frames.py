@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from derive.derivation import Cell, Phrase, Table
 from derive.expression import Expr, Symbol, add, column, multiply, number
 from derive.given.datum import Datum, as_typed, vector
-from derive.given.moves import moves_said
+from derive.given.moves import moved
 from derive.kinds.problem import Problem
 from derive.mechanics.frames import ByMatrix, Frame, Frames, Observed
 from derive.mechanics.motion import Motion
@@ -20,7 +20,8 @@ def data(frames: Frames, problem: Problem) -> Iterator[Datum]:
     if observed:
         axes = map(Symbol, ("x_i", "y_i", "z_i"))
         headings: tuple[Cell, ...] = (Phrase("frame"), Phrase("seen-in"), *axes, Phrase("origin"))
-        yield Datum(Phrase("observed"), Table(headings, tuple(_line(*pair) for pair in observed)))
+        table = Table(headings, tuple(_line(*pair) for pair in observed))
+        yield Datum(_observed([frame for frame, _ in observed]), table)
     for frame in every:
         about = {"frame": number(frame.number), "parent": number(frame.parent)}
         match frame.source:
@@ -28,7 +29,15 @@ def data(frames: Frames, problem: Problem) -> Iterator[Datum]:
                 key = "matrix" if matrix.shape == (4, 4) else "rotation"
                 yield Datum(Phrase(key, about), equations=((as_typed(matrix, rounded),),))
             case Motion(moves):
-                yield Datum(Phrase("moved", about), items=(*moves_said(moves),))
+                yield moved("moved", moves, about)
+
+
+def _observed(frames: Sequence[Frame]) -> Phrase:
+    """That they have the axes and origins of a table."""
+    match frames:
+        case [frame]:
+            return Phrase("observed-one", {"frame": str(frame.number), "parent": str(frame.parent)})
+    return Phrase("observed")
 
 
 def _line(frame: Frame, source: Observed) -> tuple[Cell, ...]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from derive.algebra.formulas.with_units import measured
-from derive.derivation import Phrase
+from derive.derivation import Phrase, Said
 from derive.expression import MINUS_ONE, ZERO, Expr, Symbol, replace
-from derive.given.datum import vector
+from derive.given.datum import Datum, vector
 from derive.mechanics.motion import Axis, Move
 
 
@@ -17,6 +17,14 @@ def moves_said(moves: Iterable[Move], variable: str | None = None) -> Iterator[P
     for move in moves:
         axis = Phrase("world-axis" if move.about == "world" else "own-axis", {"axis": axis_said(move.axis)})
         yield Phrase(move.kind, {"by": measured(replace(move.by, star)), "axis": axis})
+
+
+def moved(
+    key: str, moves: Sequence[Move], about: Mapping[str, Said] | None = None, variable: str | None = None
+) -> Datum:
+    """What is moved, in the words of `key`, or of `key-one` for a single move, and the moves one by one."""
+    said = Phrase(key if len(moves) > 1 else f"{key}-one", about or {})
+    return Datum(said, items=(*moves_said(moves, variable),))
 
 
 def axis_said(axis: Axis) -> Phrase:

@@ -9,7 +9,7 @@ from derive.derivation import Cell, Phrase, Table
 from derive.expression import ZERO, Degrees, number
 from derive.given.bodies import bodies
 from derive.given.datum import Datum, as_typed, vector
-from derive.given.moves import axis_said, moves_said
+from derive.given.moves import axis_said, moved
 from derive.given.screws_held import Misgiven, held
 from derive.kinds.problem import Problem, expressions
 from derive.kinds.robot._ranges import ranges_told
@@ -50,7 +50,7 @@ def _asked_for_rows(robot: Robot, problem: Problem) -> bool:
 def _rows(robot: Robot) -> Iterator[Datum]:
     """The link parameters, the moves of the base, of rows of another form, of the tool. Raises Misgiven."""
     if robot.base:
-        yield Datum(Phrase("base"), items=(*moves_said(robot.base),))
+        yield moved("base", robot.base)
     kept = [(i, link, link.row) for i, link in enumerate(robot.links, 1) if isinstance(link.row, DHRow)]
     if kept:
         rows = Rows(
@@ -69,17 +69,17 @@ def _rows(robot: Robot) -> Iterator[Datum]:
         yield Datum(Phrase(f"rows-{robot.convention}"), Table(table.headings, lines))
     for i, link in enumerate(robot.links, 1):
         if isinstance(link.row, FreeRow):
-            said = Phrase("free-row", {"frame": number(i), "before": number(i - 1)})
-            yield Datum(said, items=(*moves_said(link.row.moves, link.variable),))
+            frames = {"frame": number(i), "before": number(i - 1)}
+            yield moved("free-row", link.row.moves, frames, link.variable)
     if robot.tool:
-        yield Datum(Phrase("tool"), items=(*moves_said(robot.tool),))
+        yield moved("tool", robot.tool)
 
 
 def _screws(robot: Robot, unit: str = "") -> Iterator[Datum]:
     """The axes of the joints and the pose of the end-effector while all joints are at zero; lengths that were
     found, and not typed, are in `unit`."""
     if robot.base:
-        yield Datum(Phrase("base"), items=(*moves_said(robot.base),))
+        yield moved("base", robot.base)
     pairs = [(link, link.row) for link in robot.links if isinstance(link.row, ScrewRow)]
     helical = any(row.pitch != ZERO for _, row in pairs)
     headings: tuple[Cell, ...] = (
@@ -91,9 +91,9 @@ def _screws(robot: Robot, unit: str = "") -> Iterator[Datum]:
         case ByMatrix(matrix, rounded):
             yield Datum(Phrase("home"), equations=((as_typed(matrix, rounded),),))
         case Motion(moves) if moves:
-            yield Datum(Phrase("home-moves"), items=(*moves_said(moves),))
+            yield moved("home-moves", moves)
     if robot.tool:
-        yield Datum(Phrase("tool"), items=(*moves_said(robot.tool),))
+        yield moved("tool", robot.tool)
 
 
 def _line(i: int, link: Link, row: ScrewRow, helical: bool, unit: str) -> tuple[Cell, ...]:

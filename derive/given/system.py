@@ -15,7 +15,7 @@ def data(system: System, problem: Problem) -> Iterator[Datum]:
     """The equations, each delay in its place, then the signals."""
     delays: dict[Expr, Expr] = {delay.fraction: delay.typed for delay in system.delays}
     sides = ((replace(each.left, delays), replace(each.right, delays)) for each in system.equations)
-    yield Datum(Phrase("equations"), equations=tuple(sides))
+    yield Datum(Phrase("equations" if len(system.equations) > 1 else "equation"), equations=tuple(sides))
     signals = {"input": system.input, "output": system.output}
     yield Datum(Phrase("signals", signals), words=("input|driv|appl|from",))
     if system.disturbance:

@@ -75,7 +75,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         work = work.knowing({_b(i, j, k): value, _b(i, k, j): value})
     work = _matrices(work, arm, symbols)
     results = {name.name: work.matrix(name) for name in ((C, B) if n > 1 else (C,))}
-    changes, others = any(map(bool, values.values())), sum(ijk not in shown for ijk in values)
+    others = sum(ijk not in shown for ijk in values)
     made = _whole(arm, results["C"], results.get("B")) - work[V]
     work = arm.agrees(work.law("makes-v", not work.value_matrix(made)), "v", work[V])
     entries = {_b(*ijk).name: value for ijk, value in sorted(b.items())}
@@ -84,12 +84,20 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         "coriolis-matrices",
         {**results, **entries, "v": work[V]},
         Facts(
-            derivatives=Phrase("long-sums" if arm.long else "derivatives" if changes else "none-changes"),
+            derivatives=_derivatives(work, arm),
             others=Phrase("others-vanish") if shown and others else None,
             one=n == 1,
         ),
         matrices=frozenset({"C", "B"}),
     )
+
+
+def _derivatives(work: Work, arm: Arm) -> Phrase:
+    """What is said of the derivatives of the entries of M."""
+    if arm.long:
+        return Phrase("long-sums")
+    shown = sum(step.rule == "entry-derivative" for step in work.steps)
+    return Phrase("derivatives" if shown > 1 else "derivative" if shown else "none-changes")
 
 
 def _each(arm: Heavy) -> Iterator[tuple[int, int]]:

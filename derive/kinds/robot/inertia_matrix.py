@@ -35,6 +35,11 @@ CLAIMS = ("symmetric", "unit-accelerations", "names")
 MOST_IN_THE_BASE = (
     60  # operations of an entry of D; an arm with a longer one is worked in the frames of its links
 )
+MANY = {
+    "changing-moment": "changing-moments",
+    "moment-of-shape": "moments-of-shapes",
+    "steady-moment": "steady-moments",
+}
 D = Symbol("D")
 
 
@@ -45,6 +50,7 @@ class Facts(PageFacts):
     I: Symbol
     centers: Phrase | None  # where they are given
     moments: Phrase
+    one: bool  # inertia matrix
     big: bool
     drifts: Phrase | None
 
@@ -83,12 +89,13 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     changing = any(
         not free_symbols(each).isdisjoint(robot.variables) for body in bodies for each in body.moments
     )
+    one = sum(body.turns for body in bodies) == 1
+    key = "changing-moment" if changing else "moment-of-shape" if moments else "steady-moment"
     facts = Facts(
         I=inertias(bodies),
         centers=None if big else _centers(heavy),
-        moments=Phrase(
-            "changing-moments" if changing else "moments-of-shapes" if moments else "steady-moments"
-        ),
+        moments=Phrase(key if one else MANY[key]),
+        one=one,
         big=big,
         drifts=Phrase("drifts") if any(body.at.drift for body in bodies) else None,
         numbers=("D",),
@@ -100,7 +107,7 @@ def _centers(bodies: Sequence[Weighted]) -> Phrase:
     """That centers of mass are given in frames, or are the origins of these."""
     about: dict[str, Said] = {name[0]: Symbol(name) for name in ("R_i^0", "o_i", "T_i^0")}
     if any(any(body.com.entries) for body in bodies):
-        return Phrase("centers", about)
+        return Phrase("centers" if len(bodies) > 1 else "center", about)
     del about["R"]
     return Phrase("centers-at-origins" if len(bodies) > 1 else "center-at-origin", about)
 

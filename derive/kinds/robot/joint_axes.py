@@ -12,8 +12,8 @@ from pydantic import Field
 from derive.algebra.infix import text
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.numbers.floats import Point, completed, numbers
-from derive.derivation import Derivation, PageFacts, Phrase
-from derive.expression import Expr
+from derive.derivation import Derivation, PageFacts, Phrase, Said
+from derive.expression import Expr, Symbol
 from derive.kinds.checks import TRIES, close, random_points, route
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
@@ -24,9 +24,11 @@ from derive.kinds.robot._couplings import motion_lines
 from derive.kinds.robot._families import said_of_each
 from derive.kinds.robot._units import of_variables
 from derive.kinds.work import Work
+from derive.mechanics.chain import Chain
 from derive.mechanics.oracle import Oracle
 from derive.mechanics.oracle.astray import Astray
 from derive.mechanics.oracle.instant import Instant
+from derive.mechanics.poses import rotation_part
 from derive.mechanics.robot import Robot
 
 POINTS = 2
@@ -47,6 +49,7 @@ def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:
 
 class Facts(PageFacts):
     vectors: tuple[Phrase, ...]  # what is read off the poses
+    beside: tuple[Phrase, ...]  # of axes that are those of no frame
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -74,8 +77,52 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         named = [step.chain[0] for step in axes.steps]
         work = work.claim(route("of-its-joint", _of_its_joint(problem, named, last)))
     work = by_index(work, results)
-    vectors = (step.chain[0] for step in axes.steps if step.rule == "extract")
-    return work.answer("joint-axes", results, Facts(vectors=said_of_each(VECTORS, vectors)))
+    vectors = [step.chain[0] for step in axes.steps if step.rule == "extract"]
+    aside = [name for name in vectors if text(name)[0] in "kp"]
+    own, ways = [name for name in vectors if name not in aside], _ways(found, aside)
+    beside = _together(aside) if found.coupling else tuple(_lying(problem.subject, *way) for way in ways)
+    if any(letter for _, letter in ways):
+        work = work.claim(route("along", _are_along(problem, ways)))
+    return work.answer("joint-axes", results, Facts(vectors=said_of_each(VECTORS, own), beside=beside))
+
+
+def _together(names: Sequence[Expr]) -> tuple[Phrase, ...]:
+    """What directions and points of axes are called, of joints that are coupled."""
+    return (Phrase("beside", {"vectors": said_of_each(VECTORS, names)}),) if names else ()
+
+
+def _ways(found: Chain, names: Sequence[Expr]) -> list[tuple[int, str]]:
+    """The joints that have a direction and a point of their own, each with the axis of the frame before that
+    its axis is along, "" where it is along none or that frame is moved with the base."""
+    ways = []
+    for i in () if found.coupling else (int(text(name).removeprefix("k_")) for name in names[::2]):
+        joint = found.joint(i)
+        way = (rotation_part(joint.before) @ joint.axis).entries
+        along = (letter for letter, part in zip("xyz", way, strict=True) if part == 1 and i > 1)
+        ways.append((i, next(along, "") if joint.type != "helical" else ""))
+    return ways
+
+
+def _lying(robot: Robot, i: int, letter: str) -> Phrase:
+    """Where the axis of a joint lies that is that of no frame."""
+    about: dict[str, Said] = {"joint": i, "k": Symbol(f"k_{i}"), "p": Symbol(f"p_{i}")}
+    if not letter:
+        return Phrase("axis-beside", about)
+    sort = "axis-slides" if robot.links[i - 1].joint == "prismatic" else "axis-turns"
+    return Phrase(sort, {**about, "letter": Symbol(letter), "frame": i - 1})
+
+
+def _are_along(problem: Problem, ways: Sequence[tuple[int, str]]) -> Iterator[bool]:
+    """Whether these axes are along those of the frames before, in numbers."""
+    import numpy as np
+
+    for point in islice(random_points(problem.symbols, TRIES), POINTS):
+        arm = Instant(oracle_of(problem), completed(point, problem.where))
+        poses = arm.oracle.poses(arm.at)
+        for i, letter in ways:
+            if letter:
+                k = arm.axis(i)
+                yield close(k / np.linalg.norm(k), poses[i - 1][:3, "xyz".index(letter)])
 
 
 def _of_its_joint(problem: Problem, named: Sequence[Expr], last: int) -> Iterator[bool]:

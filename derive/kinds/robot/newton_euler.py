@@ -117,6 +117,7 @@ class Facts(PageFacts):
     in_names: Phrase | None
     constants: tuple[Phrase, ...]  # what there is of each link
     about: Phrase  # which point moments are
+    one: bool  # inertia matrix
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -153,6 +154,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         if any(each.name.name.startswith("p_") for each in constants)
         else Phrase("about-origins"),
         constants=said_of_each(CONSTANTS, (line.name for line in constants)),
+        one=sum(body.turns for body in bodies) == 1,
     )
     work = arm.moved(_same_as_lagrange(work, arm, sweeping), tau)
     return by_index(work, {"tau": tau}, _meanings(work.definitions)).answer(

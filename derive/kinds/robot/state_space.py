@@ -37,6 +37,7 @@ class Facts(PageFacts):
     viscous: bool
     coulomb: Phrase | None
     held: bool
+    blocks: bool  # whether A and B are made of more than four and two entries
 
 
 def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:
@@ -66,6 +67,7 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         viscous=bool(linear and linear.friction),
         coulomb=Phrase("coulomb-left-out") if linear and friction_sorts(robot)[1] else None,
         held=bool(linear and linear.torques),
+        blocks=len(robot.variables) > 1,
     )
     return work.answer("state-space", results, facts, matrices=frozenset({"A", "B"}))
 
