@@ -78,18 +78,19 @@ def posed(robot: Robot, point: Mapping[str, float]) -> Posed:
         for i, link in enumerate(robot.links, 1):
             before = len(parts)
             T = _run(T, moves(link, robot), link.variable, point, parts, joints)
-            parts[before:] = [_called(part, link, i) for part in parts[before:]]
+            own = i - (robot.convention == "modified")
+            parts[before:] = [_called(part, link, i, own) for part in parts[before:]]
             poses.append(T)
     T = _run(T, robot.tool, None, point, parts, joints)
     return Posed(tuple(parts), tuple(joints), tuple(poses), T, point)
 
 
-def _called(part: Part, link: Link, i: int) -> Part:
-    """With the letter of its length in the table: d_3 or a_3."""
+def _called(part: Part, link: Link, i: int, before: int) -> Part:
+    """With the letter of its length in the table: d_3, and a_3 or that of the link before."""
     if not isinstance(link.row, DHRow) or part.by not in (link.row.d, link.row.a):
         return part
-    letter = "d" if part.along_joint or part.by != link.row.a else "a"
-    return replace(part, called=Symbol(f"{letter}_{i}"))
+    named = f"d_{i}" if part.along_joint or part.by != link.row.a else f"a_{before}"
+    return replace(part, called=Symbol(named))
 
 
 def _run(

@@ -43,6 +43,7 @@ LARGEST_SEARCH = 5  # unknowns with which Newton's method is cheap
 
 class Facts(PageFacts):
     goal: Symbol  # f, or the Lagrange function
+    value: Relation | None  # the function by its name, where another one is made of it
     name: Symbol | None  # whose gradient is a combination of others
     multipliers: tuple[Symbol, ...]
     partials: tuple[tuple[Expr, ...], ...]  # each with the zero that it is equal to
@@ -88,7 +89,8 @@ def worked(kind: str, function: Function, problem: Problem) -> Derivation:
     work = work.claim(checked.lines(steps), *checked.points())
     work = work.claim(*cases_told(cases, function.variables, problem))
     facts = Facts(
-        goal=goal, name=name if any(step.rule == "dependent" for step in steps) else None,
+        goal=goal, value=Relation(name, "=", function.values[0]) if multipliers else None,
+        name=name if any(step.rule == "dependent" for step in steps) else None,
         multipliers=tuple(multipliers), variables=len(function.variables),
         partials=tuple((*step.chain, ZERO) for step in steps if step.rule == "stationary"),
         determinants=tuple((*step.chain, ZERO) for step in steps if step.rule == "dependent"),

@@ -89,7 +89,7 @@ def derive(profile: Profile, options: Options, problem: Problem) -> Derivation:
         {**results, "q": pieces},
         facts,
         evaluated=drawn.evaluated(results),
-        plots=drawn.plots("lspb", moments),
+        plots=() if any(base.plots for base in found.uses) else drawn.plots("lspb", moments),
         units=units_of(profile, found.rates),
     )
 

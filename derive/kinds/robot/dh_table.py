@@ -76,9 +76,11 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         )
     results: dict[str, Result] = {"DH": rows.matrix(problem)}
     work = rows.lines(work.step(Step("DH", (), "dh-parameters")))
-    results |= {name: work.final(name) for name in rows.ends}
+    if rows is not given:
+        results |= {name: work.final(name) for name in rows.ends}
     work = work.linked(but=rows.ends)
-    work = rows.each_pose(work) if rows is given else rows.proved(work)
+    work = rows.each_pose(work) if rows is given else work
+    work = rows.proved(work) if rows is not given or rows.ends else work
     table = rows.table()
     work = work.claim(rows.as_listed(table), *claims)
     if given is None:
@@ -100,7 +102,8 @@ def _given(robot: Robot) -> Rows | None:
     if len(rows) < len(robot.links):
         return None
     variables, joints = zip(*((link.variable, link.joint) for link in robot.links), strict=True)
-    return Rows(robot.convention, rows, variables, joints)
+    base, tool = composed(robot.base), composed(robot.tool)
+    return Rows(robot.convention, rows, variables, joints, base, tool)
 
 
 def restated(robot: Robot, given: Rows, convention: Convention) -> Rows:
