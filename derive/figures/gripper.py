@@ -1,4 +1,5 @@
-"""The gripper of an arm: jaws that open along y of the last frame (Spong's s, the sliding direction)."""
+"""The gripper of an arm: jaws that open along y of the last frame (Spong's s, the sliding direction), and in
+a plane along an axis that lies in it."""
 
 from __future__ import annotations
 
@@ -28,8 +29,11 @@ def gripper(view: View, posed: Posed, joints: Sequence[Joint], size: float, inde
     if length(view.place(way)) < SEEN:
         return [], []
     T = posed.end
-    x, y = ((float(T[0, k]), float(T[1, k]), float(T[2, k])) for k in (0, 1))
-    letter, opening = ("y", y) if abs(dot(y, way)) < PARALLEL else ("x", x)
+    axes = {letter: (float(T[0, k]), float(T[1, k]), float(T[2, k])) for k, letter in enumerate("xyz")}
+    across = [letter for letter in "yxz" if abs(dot(axes[letter], way)) < PARALLEL]
+    seen = (letter for letter in across if abs(dot(axes[letter], view.front)) < PARALLEL and view.flat)
+    letter = next(seen, across[0])
+    opening = axes[letter]
     jaw = unit(along(opening, (-dot(opening, way), way)))
     if length(view.place(jaw)) < SEEN:
         aside = cross(view.front, way)

@@ -52,18 +52,20 @@ def _name(node: Expr) -> str:
 @dataclass(frozen=True, slots=True)
 class Spoken:
     """What goes by q on a sheet: the joint variables of `arms`, each with its notation and its first problem;
-    another quantity in problems without joints; a point of an axis by q and an index."""
+    another quantity in problems without joints; a point of an axis by q and an index. Formulas of `silent`
+    arms do without q."""
 
     arms: dict[tuple[str, ...], tuple[Notation, int]] = field(default_factory=dict)
     other: bool = False
     point: str = ""
+    silent: frozenset[tuple[str, ...]] = frozenset()
 
     def and_by(self, problem: ProblemPage, printed: Iterable[Printed]) -> Spoken:
         """With these formulas of a question."""
         formulas, variables = [*printed], problem.variables
         point = self.point or (point_by_q(formulas, variables) if variables else "")
         if not speaks_of_q(formulas):
-            return replace(self, point=point)
+            return replace(self, point=point, silent=self.silent | {variables} if variables else self.silent)
         if not variables:
             return replace(self, point=point, other=True)
         arms = {variables: (problem.notation, problem.number)} | self.arms
@@ -83,5 +85,6 @@ def coordinates(spoken: Spoken, printed: list[Printed]) -> str:
     words = environment().get_template(WORDS)
     point = alone(Symbol(spoken.point), notation, printed) if spoken.point else ""
     several, others = len(variables) > 1, len(spoken.arms) > 1
-    problem = number if spoken.other else 0
+    alone_so = spoken.other or (not others and bool(spoken.silent - {*spoken.arms}))
+    problem = number if alone_so else 0
     return words.render(q=q, several=several, others=others, problem=problem, point=point).strip()

@@ -19,6 +19,7 @@ from derive.expression import (
     Measured,
     Symbol,
     add,
+    children,
     column,
     number,
     symbols,
@@ -29,6 +30,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._lengths import unit_of_lengths
 from derive.kinds.robot._units import of_variables
+from derive.kinds.robot._velocity.ellipsoids import exactly
 from derive.kinds.robot._velocity.iterated import (
     ROUNDING,
     E,
@@ -133,7 +135,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         first, *_, end = (row.error for row in run.rows)
         work = work.claim(route("share", close(first * run.share ** (len(run.rows) - 1), end)))
     if facts.stopped:
-        there = _there(arm, run, target)
+        there = _at_start(arm, options) if len(run.rows) == 1 else ()
+        there = there or _there(arm, run, target)
+        there = there[:1] if run.verdict == "singular" else there
         work = work.step(*there).claim(again.stops(arm.at(run.rows[-1].q), *(step.result for step in there)))
     units = _units(arm, options)
     plot = (
@@ -292,11 +296,21 @@ def _there(arm: Arm, run: Iteration, target: Sequence[float]) -> tuple[Step, ...
     """J where the iteration ended, and where it is stuck the error e."""
     place, J_now = arm.pose(run.rows[-1].q)
     J_here = Matrix(tuple(tuple(Approximate(float(each)) for each in row) for row in J_now))
-    step = Step("J_here", (J, J_here), "numbers")
-    if run.verdict == "singular":
-        return (step,)
     error = column(Approximate(r - f) for r, f in zip(target, place, strict=True))
-    return step, Step("e_here", (E, error), "numbers")
+    return Step("J_here", (J, J_here), "numbers"), Step("e_here", (E, error), "numbers")
+
+
+def _at_start(arm: Arm, options: Options) -> tuple[Step, ...]:
+    """The same at the start, where all of it is numbers of few digits, which nothing has rounded."""
+    where = (*(options.evaluate or ()), *options.start)
+    errors = (r + -f for r, f in zip(options.target, children(arm.forward()), strict=True))
+    rows = (*arm.task.written.rows, tuple(errors))
+    found = [[exactly(arm.task.problem, each, where) for each in row] for row in rows]
+    *J_here, error = ([each for each in row if each is not None] for row in found)
+    if [*J_here, error] != found:
+        return ()
+    J_matrix = Matrix(tuple(map(tuple, J_here)))
+    return Step("J_here", (J, J_matrix), "numbers"), Step("e_here", (E, column(error)), "numbers")
 
 
 def _solution(arm: Arm, run: Iteration) -> tuple[tuple[Symbol, Expr], ...]:

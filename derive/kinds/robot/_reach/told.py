@@ -16,6 +16,7 @@ def arm_told(region: Region, pair: tuple[int, ...]) -> Phrase:
     if region.kind == "planar":
         if len(region.lengths) == 1:
             return Phrase("single-link-sliding" if region.slides else "single-link", about)
+        about["hole"] = Phrase("hole-of-two" if len(region.lengths) == 2 else "hole-of-more")
         return Phrase("parallel-axes-sliding" if region.slides else "parallel-axes", about)
     inner, outer = pair
     about |= {"pair": (inner, outer), "offset": region.offset, "side": region.side}
