@@ -10,8 +10,11 @@ from derive.kinds.problem import Problem
 from derive.mechanics.matrices import GivenMatrix
 from derive.names import named
 
+INERTIA = ("christoffel", "properties")  # kinds for which it is an inertia matrix
+
 
 def data(given: GivenMatrix, problem: Problem) -> Iterator[Datum]:
     """The matrix by the name that answers have for it."""
-    name = named("J", given.value, problem.taken)
+    usual = "D" if any(kind in INERTIA for kind, _ in problem.questions) else "J"
+    name = named(usual, given.value, problem.taken)
     yield Datum(Phrase("matrix"), equations=((name, given.value),), ours=frozenset({name.name}))

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from derive.expression import Matrix
+from derive.expression import Call, Matrix, free_symbols, walk
+
+ANGULAR = ("cos", "sin", "tan")
 
 
 @dataclass(frozen=True, slots=True)
@@ -13,3 +15,10 @@ class GivenMatrix:
 
     value: Matrix
     variables: tuple[str, ...] = ()
+
+    @property
+    def sliding(self) -> tuple[str, ...]:
+        """The variables that stand in no sine or cosine."""
+        calls = [node for node in walk(self.value) if isinstance(node, Call) and node.function in ANGULAR]
+        turning = frozenset().union(*map(free_symbols, calls))
+        return tuple(name for name in self.variables if name not in turning)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from derive.audit.asked import Asked, Test
+from derive.audit.given_inertia import christoffel, properties
 from derive.audit.linear import Rows
 from derive.audit.points import Point
 from derive.audit.redundant import rates
@@ -33,4 +34,4 @@ def _rows(asked: Asked, rows: Any, there: Point) -> Rows:
     return [[there.at(asked.formula(entry)) for entry in row] for row in rows]
 
 
-KINDS = {"rank": rank, "redundancy": redundancy}
+KINDS = {"rank": rank, "redundancy": redundancy, "christoffel": christoffel, "properties": properties}

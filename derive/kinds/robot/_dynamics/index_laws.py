@@ -11,7 +11,7 @@ from itertools import product
 
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
-from derive.algebra.readable.form import readable
+from derive.algebra.readable.form import readable, readable_matrix
 from derive.derivation import Step
 from derive.expression import (
     ONE,
@@ -136,6 +136,25 @@ def motion_law(taken: Collection[str], viscous: bool, coulomb: bool) -> Step:
     found[Symbol("tau_k")] = add(readable(tau), *forces)
     chain = (add(inertial, moving, g_k, *against), Symbol("tau_k"))
     return Step("tau_k-law", chain, "law", instance=found)
+
+
+def torque_law(name: Symbol, taken: Collection[str]) -> Step:
+    """tau = D q_ddot + C q_dot without gravity, by d/dt of dK/dqdot - dK/dq; `name` is what D is called."""
+    _, D, variables = _moving(taken)
+    names = tuple(each.name for each in variables)
+    rate, rise = rate_column(names), rate_column(names, "ddot")
+    energy = kinetic_energy(D, rate)
+    momenta = (time_derivative(D, names) @ rate + D @ rise).entries
+    tau = [momentum - energy.diff(each) for momentum, each in zip(momenta, names, strict=True)]
+    C, q_dot, q_ddot = symbols("C q_dot q_ddot")
+    case: dict[Expr, Expr] = {
+        name: readable_matrix(D),
+        C: readable_matrix(coriolis_matrix(christoffel(D, names), rate)),
+        q_dot: readable_matrix(rate),
+        q_ddot: readable_matrix(rise),
+        Symbol("tau"): readable_matrix(ScalarMatrix.column(tau)),
+    }
+    return Step("motion-law", (Symbol("tau"), name * q_ddot + C * q_dot), "law", instance=case)
 
 
 def rest_law(taken: Collection[str], viscous: bool, coulomb: bool) -> Step:
