@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from math import floor
 from typing import Any, TypeAlias
 
 from derive.render.formula.boxes import Box, Grid
@@ -18,6 +19,7 @@ LINE = 40.5  # em, a line of text
 EM = 220  # twentieths of a point, of 11 pt
 SLACK = 1.12  # Word's letters are wider than those that were measured,
 MOST = 1.35  # and those of other programs may be wider still
+FUNCTION, FUNCTIONS = 0.2, re.compile(r"\\(?:sin|cos|tan|ln|exp|operatorname)\b")
 NUMBER = 3.0  # em, for the number of an equation at the margin
 INSET = 140  # twentieths of a point, that a frame needs beside an equation
 TAGGED = re.compile(r"(.*?)(?:\{\})?\s*\\tag\{(\d+)\}", re.DOTALL)
@@ -141,8 +143,10 @@ def _equation(tex: str, room: float = LINE) -> str:
     box = boxes(tex)
     if isinstance(box, Grid) and box.aligned:
         columns = _columns(tex, room)
-        return _small(_lines(box, columns, framed is not None), sum(columns) / EM, room)
-    wide = SLACK * width(tex)
+        whole = sum(columns) / EM
+        fitting = [round(column * min(1.0, room / whole)) for column in columns]
+        return _small(_lines(box, fitting, framed is not None), whole, room)
+    wide = _wide(tex)
     frame = _frame("pBdr") + _indented(wide, room) if framed else ""
     equation = (
         f'<w:p><w:pPr><w:pStyle w:val="Equation"/>{frame}</w:pPr><m:oMathPara><m:oMath>'
@@ -167,11 +171,16 @@ def _indented(wide: float, room: float) -> str:
 
 
 def _small(written: str, wide: float, room: float) -> str:
-    """An equation in letters so small that it fits, but never under 65 % of their size."""
+    """An equation in letters so small that it fits."""
     if wide <= room:
         return written
-    size = round(22 * max(0.65, room / wide))  # half points
+    size = floor(22 * room / wide)  # half points
     return written.replace("<m:t ", f'<w:rPr><w:sz w:val="{size}"/><w:szCs w:val="{size}"/></w:rPr><m:t ')
+
+
+def _wide(tex: str) -> float:
+    """How wide an equation may be; there is a blank behind the name of a function."""
+    return SLACK * width(tex) + FUNCTION * len(FUNCTIONS.findall(tex))
 
 
 def _columns(tex: str, room: float) -> list[int]:
