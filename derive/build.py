@@ -18,6 +18,7 @@ from derive.kinds.figures import explains, figure_of
 from derive.kinds.problem import Problem as Working
 from derive.kinds.problem import parts
 from derive.kinds.registry import words_folder
+from derive.kinds.robot._lengths import unit_of_lengths
 from derive.lettered import letters_of, unused_letters
 from derive.render.document import Document, ProblemPage, QuestionPage, Worked, figure_path
 from derive.render.lettering import STYLES, Style
@@ -216,10 +217,12 @@ def _page(sheet: Sheet, problem: Problem, folder: str, solutions: bool, warn: Wa
             page = _asked_by_default(page, problem, question, answer, notation)
         questions.append(replace(page, rounded=0 if questions else places))
     figure, drawing = _figure(problem, working, folder, solutions)
+    is_arm = problem.subject_name == "robot"
     whole = ProblemPage(
         problem.number, tuple(questions), problem.title, problem.text, figure, drawing,
         notation=notation, subject=problem.subject_name, place=problem.place,
-        variables=problem.subject.variables if problem.subject_name == "robot" else (),
+        variables=problem.subject.variables if is_arm else (),
+        lengths=unit_of_lengths(working) if is_arm else "",
     )  # fmt: skip
     return with_given(whole, problem, working)
 

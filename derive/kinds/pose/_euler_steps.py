@@ -123,7 +123,7 @@ class Comparison:
 
     def _chain(self, name: Expr, value: Expr) -> tuple[Expr, ...]:
         """The formula; where the entries are short also these put in, and the angle."""
-        if not self.puts_in:
+        if not self.puts_in or self.same:  # an angle is not told by its own sine
             return (name, value)
         filled = self._filled(value)
         if not (self.given.numeric or self.given.shows(filled)):
