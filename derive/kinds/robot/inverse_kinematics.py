@@ -6,10 +6,11 @@ from derive.derivation import Derivation
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of
-from derive.kinds.robot._inverse import open_chain
+from derive.kinds.robot._inverse import held, open_chain
 from derive.kinds.robot._inverse import two_link as triangle
 from derive.kinds.robot._inverse.facts import Facts as Facts
 from derive.kinds.robot._inverse.given import Given, goal_of
+from derive.kinds.robot._inverse.held import Free
 from derive.kinds.robot._inverse.sampled import sample_points
 from derive.kinds.robot._units import of_variables
 from derive.mechanics.inverse.two_link import two_link
@@ -22,15 +23,19 @@ measures = of_variables
 
 class Options(OptionsModel):
     """`given`: `pose` (r11 ... r33, x, y, z), `orientation`, or names for the known coordinates of the
-    end-effector: two or three of its position, or two and its angle in the plane."""
+    end-effector: two or three of its position, or two and its angle in the plane. `free`: joint variables
+    of a redundant arm that are chosen; the others are found from them and what is given."""
 
     given: Given = ("x", "y")
+    free: Free = ()
     evaluate: Evaluation = None
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """By named sub-problems, each chosen by the form of the equations (Paul; Craig, chapter 4; Siciliano et
     al., section 2.12); the two links of a planar arm by their triangle."""
+    if options.free:
+        return held.derive(problem, options.free, options.given, options.evaluate)
     chain, given = chain_of(problem), options.given
     arm = two_link(chain)
     if arm is not None and isinstance(given, tuple) and len(given) == 2:

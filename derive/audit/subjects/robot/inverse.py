@@ -108,7 +108,10 @@ def in_numbers(asked: Asked, point: Point) -> Iterator[Test]:
         yield Holds("evaluated solutions", False, "a branch is real there")
     if not tried and all(formula is None for formula in formulas):  # out of reach
         real = any(branch.get("real", True) for branch in branches)
-        yield Holds("evaluated solutions", not real, "none is real there")
+        if real and any(isinstance(branch.get(joint), str) for branch in branches for joint in q):
+            yield Beyond("evaluated solutions", "none is real at the values drawn for its letters")
+        else:
+            yield Holds("evaluated solutions", not real, "none is real there")
     elif not tried:
         yield Beyond("evaluated solutions", "none is tried there")
 
@@ -145,15 +148,15 @@ def _along(branch: Mapping[str, Json], joints: Values) -> Iterator[Values]:
 
 
 def branch_values(asked: Asked, branch: Mapping[str, Json], known: Point, q: Values) -> Values | None:
-    """The values of a branch, found in turn; of joints that are left free those of q. None where it is not
-    real."""
+    """The values of a branch, found in turn; of joints that are left free, or stand for themselves, those of
+    q. None where it is not real."""
     names = asked.results.get("order") or [name for name in branch if name in q]
     there: Values = {}
     if not isinstance(names, list):
         raise Unreadable("the order is no list")
-    free = {name: value for name, value in q.items() if name not in branch}
+    free = {name: value for name, value in q.items() if branch.get(name, name) == name}
     for name in map(str, names):
-        if name not in branch:
+        if name not in branch or name in free:
             continue
         try:
             value = known.where(**free, **there).at(asked.read(branch[name]))

@@ -153,9 +153,10 @@ class Facts(PageFacts):
     """Of the whole: the pose that is `given`, by its elements, and how it is `known`; `conditions` on it; the
     sub-problems of the `arm`, then of its wrist; how many solutions there are, the `tree` of choices
     where there are several, and the `meaning` of their names. `partial`: not every solution is one at every
-    pose."""
+    pose. `held` are joints that are chosen beforehand."""
 
     triangle: Triangle | None = None
+    held: Phrase | None = None
     given: tuple[Step, ...] = ()
     known: Phrase | None = None
     conditions: tuple[tuple[Expr, ...], ...] = ()

@@ -15,6 +15,7 @@ from derive.derivation import Condition, Phrase
 from derive.expression import (
     ONE,
     ZERO,
+    Approximate,
     Expr,
     Number,
     Relation,
@@ -38,6 +39,7 @@ from derive.mechanics.inverse.subproblems import Elbow, OneEquation, TrigEquatio
 
 SIGNS = (1, -1)
 LONG_CONDITION = 60  # letters
+LONG_FRACTION = 1000  # denominator
 Trees = tuple[Expr, Expr, Expr]  # of a, b, c
 
 
@@ -109,7 +111,7 @@ def _both(solving: Solving, angle: Form, trees: Trees, row: TrigEquation) -> Non
     else:
         values = _general(x, y, c, by_sines)
         form = (times(a, cos(q)) + times(b, sin(q)), c) if isinstance(solving.found, Elbow) else None
-        method = Method(name="general", bound=Relation(_squares(x, y), ">=", square(c)), form=form)
+        method = Method(name="general", bound=Relation(_short(_squares(x, y)), ">=", square(c)), form=form)
     told = progress.tree(_sided(row, q))
     sides = [_side(progress, q, row, sign) for sign in SIGNS]
     choices = [Choice(v, s, when, told=told) for v, s, when in zip(values, SIGNS, sides, strict=True)]
@@ -196,6 +198,13 @@ def _squares(x: Expr, y: Expr) -> Expr:
     """x^2 + y^2."""
     found = sum_of_squares(y, x)
     return total((square(x), square(y))) if found is None else found
+
+
+def _short(tree: Expr) -> Expr:
+    """A number of many digits as a page rounds it."""
+    if isinstance(tree, Number) and tree.value.denominator > LONG_FRACTION:
+        return Approximate(float(tree.value))
+    return tree
 
 
 def _by_sines(progress: Progress, row: TrigEquation) -> int:

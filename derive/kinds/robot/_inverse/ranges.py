@@ -66,9 +66,11 @@ class Ranges:
         return bool(self.told) and self.limits is not None and found.numbers is not None
 
     def _keeps(self, entry: Mapping[str, Any]) -> bool:
-        return all(self._within(name, entry[name], *ends) for name, ends in (self.limits or {}).items())
+        return all(self.within(name, entry[name]) for name in self.limits or {})
 
-    def _within(self, name: str, value: float, low: float, high: float) -> bool:
+    def within(self, name: str, value: float) -> bool:
+        """Whether a joint that has limits is between them, or could be by full turns."""
+        low, high = (self.limits or {})[name]
         if name not in self.slides:
             value += math.tau * math.ceil((low - EDGE - value) / math.tau)
         return low - EDGE <= value <= high + EDGE

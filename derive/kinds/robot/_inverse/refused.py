@@ -35,12 +35,23 @@ def refuse_at_once(chain: Chain, goal: Goal) -> None:
         raise NotDerivable(
             f"no closed form found: the arm has {joints} joint variables, and what is given "
             f"({_listed(goal)}) can determine only {goal.size}, so there are infinitely many solutions; "
-            "give more of the pose, or fix a joint"
+            f"give more of the pose, or say which {_left(joints - goal.size)} chosen: "
+            f"free: [{', '.join(chain.variables[goal.size :])}]"
         )
 
 
 def refuse_self_motion(target: Target, points: Sequence[Mapping[str, float]]) -> None:
     """Raises NotDerivable where the arm can move everywhere without changing what is given."""
+    if rank_at(target, points) < len(target.joints):
+        raise NotDerivable(
+            f"no closed form found: the arm can move its {len(target.joints)} joints without changing what "
+            f"is given ({_listed(target.goal)}), so there are infinitely many solutions; give more of the "
+            "pose, or say which joints are chosen: free: [theta1]"
+        )
+
+
+def rank_at(target: Target, points: Sequence[Mapping[str, float]]) -> int:
+    """How many coordinates of what is given the joints move independently."""
     import numpy as np
 
     ranks = []
@@ -50,12 +61,7 @@ def refuse_self_motion(target: Target, points: Sequence[Mapping[str, float]]) ->
             for step in (STEP, -STEP)
         )
         ranks.append(int(np.linalg.matrix_rank((ahead - behind) / (2 * STEP), tol=1e-5)))
-    if max(ranks) < len(target.joints):
-        raise NotDerivable(
-            f"no closed form found: the arm can move its {len(target.joints)} joints without changing what "
-            f"is given ({_listed(target.goal)}), so there are infinitely many solutions; give more of the "
-            "pose, or fix a joint"
-        )
+    return max(ranks)
 
 
 def no_closed_form(plan: Plan, goal: Goal, problem: Problem) -> str:
@@ -79,6 +85,10 @@ def no_closed_form(plan: Plan, goal: Goal, problem: Problem) -> str:
 def _written(equation: Equation, problem: Problem) -> str:
     written = " = ".join(text(problem.readable(side)) for side in (equation.left, equation.right))
     return written if len(written) <= LONGEST else f"{written[:LONGEST]} ..."
+
+
+def _left(count: int) -> str:
+    return "joint is" if count == 1 else f"{count} joints are"
 
 
 def _listed(goal: Goal) -> str:

@@ -99,7 +99,7 @@ class Stages:
         joint, R = decoupling.joint, self._end("R")
         centre = self.problem.readable_matrix(joint.centre)
         if joint.shoulder:
-            whole = multiply(transpose(R), centre - p if joint.centre else -p)
+            whole = multiply(transpose(R), centre - p) if joint.centre else -multiply(transpose(R), p)
         else:
             whole = p + multiply(R, centre)
         values = column(map(progress.value_of, names))

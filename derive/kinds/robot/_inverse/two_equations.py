@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from derive.algebra.normal import trig_of
 from derive.algebra.scalar import Scalar
-from derive.expression import ZERO, Degrees, Expr, Number, Symbol, atan2, cos, multiply, number, sin
+from derive.expression import ZERO, Call, Degrees, Expr, Number, Symbol, atan2, cos, multiply, number, sin
 from derive.kinds.robot._inverse.facts import Method, zero
 from derive.kinds.robot._inverse.progress import Progress
 from derive.kinds.robot._inverse.signs import opposite, over, times, unsigned
@@ -121,10 +121,18 @@ def _quarters(n: int, progress: Progress) -> Expr:
 def _difference(solving: Solving, found: TwoEquations, first: Sides, second: Sides) -> Answer:
     """c1 = k1 cos - k2 sin, c2 = k2 cos + k1 sin."""
     (k1, _, c1), (k2, _, c2) = first, second
-    value = atan2(c2, c1) - atan2(k2, k1)
+    value = _heading(c2, c1) - _heading(k2, k1)
     unless = solving.progress.may_vanish(k1, k2)
     both = len(unless) == len({unsigned(k1), unsigned(k2)})
     return [Choice(value)], Method(name="difference", unless=unless if both else (), vector=(k1, k2))
+
+
+def _heading(y: Expr, x: Expr) -> Expr:
+    """The direction of a point; where these are the sine and cosine of an angle, that angle, up to turns."""
+    match y, x:
+        case Call("sin", (angle,)), Call("cos", (other,)) if angle == other:
+            return angle
+    return atan2(y, x)
 
 
 def _cramer(solving: Solving, found: TwoEquations, first: Sides, second: Sides) -> Answer:

@@ -1,0 +1,88 @@
+"""Redundant arms with joints that are chosen, put back through poses multiplied out in NumPy."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from fractions import Fraction
+
+import pytest
+
+from derive.errors import NotDerivable
+from derive.expression import Number
+from tests.kinds.robot.arms import Arm
+
+Q = math.pi / 180
+PANDA = Arm(
+    (("theta1*", "0.333", "0", "0"), ("theta2*", "0", "0", "-90 deg"), ("theta3*", "0.316", "0", "90 deg"),
+     ("theta4*", "0", "0.0825", "90 deg"), ("theta5*", "0.384", "-0.0825", "-90 deg"),
+     ("theta6*", "0", "0", "90 deg"), ("theta7*", "0.107", "0.088", "90 deg")),
+    "pose", 8, convention="modified",
+)  # fmt: skip
+IIWA = Arm(
+    (("theta1*", "0.36", "0", "-90 deg"), ("theta2*", "0", "0", "90 deg"), ("theta3*", "0.42", "0", "90 deg"),
+     ("theta4*", "0", "0", "-90 deg"), ("theta5*", "0.4", "0", "-90 deg"), ("theta6*", "0", "0", "90 deg"),
+     ("theta7*", "0.126", "0", "0")),
+    "pose", 8,
+)  # fmt: skip
+RAIL = Arm(
+    (("0", "d1*", "0", "-90 deg"), ("theta2*", "0", "0.5", "0"), ("theta3*", "0", "0.4", "0")), ("x", "z"), 2
+)
+CASES = [(PANDA, "theta7"), (IIWA, "theta3"), (IIWA, "theta1"), (RAIL, "d1")]
+
+
+def place(arm: Arm, at: Mapping[str, float], *names: str) -> tuple[tuple[str, Number], ...]:
+    known = {**arm.known(arm.pose(at)), **{name: at[name] for name in names}}
+    return tuple((name, Number(Fraction(repr(float(value))))) for name, value in known.items())
+
+
+@pytest.mark.parametrize(("arm", "free"), CASES)
+def test_every_solution_reaches_the_pose(arm: Arm, free: str) -> None:
+    at = {name: 0.3 + 0.41 * k * (-1) ** k for k, name in enumerate(arm.joints)}
+    found = arm.problem().ask(
+        "inverse-kinematics", given=arm.given, free=(free,), evaluate=place(arm, at, free)
+    )
+    assert all(claim.holds for claim in found.claims)
+    branches = found.results["solutions"]
+    assert len(branches) == arm.solutions
+    assert all(str(branch.values[free].name) == free for branch in branches)
+    reached = [each for each in found.evaluated["solutions"] if each.get("real", True)]
+    assert all(each[free] == pytest.approx(at[free]) for each in reached)
+    wanted = arm.known(arm.pose(at))
+    for each in reached:
+        assert arm.known(arm.pose(each)) == pytest.approx(wanted, abs=1e-8)
+    home = [
+        max(abs(math.remainder(each[name] - at[name], 2 * math.pi)) for name in arm.joints)
+        for each in reached
+    ]
+    assert min(home) < 1e-7
+
+
+def test_the_panda_at_rest() -> None:
+    """As Franka's documentation has its posture of rest."""
+    rest = dict(zip(PANDA.joints, (0, -45 * Q, 0, -135 * Q, 0, 90 * Q, 45 * Q), strict=True))
+    asked = place(PANDA, rest, "theta7")
+    found = PANDA.problem().ask("inverse-kinematics", given="pose", free=("theta7",), evaluate=asked)
+    gaps = [
+        max(abs(math.remainder(each[name] - rest[name], 2 * math.pi)) for name in rest)
+        for each in found.evaluated["solutions"]
+    ]
+    assert min(gaps) < 1e-7
+    assert len(gaps) == 8
+
+
+@pytest.mark.parametrize(
+    ("free", "why"),
+    [
+        (("theta9",), "'theta9' under free is no joint variable"),
+        (("theta3", "theta7"), "free names 2 of the 7 joint variables, but what is given leaves one"),
+    ],
+)
+def test_joints_that_cannot_be_chosen(free: tuple[str, ...], why: str) -> None:
+    with pytest.raises(NotDerivable, match=why):
+        IIWA.problem().ask("inverse-kinematics", given="pose", free=free)
+
+
+def test_without_a_choice_it_is_said_how_to_make_one() -> None:
+    with pytest.raises(NotDerivable, match=r"free: \[theta7\]"):
+        PANDA.problem().ask("inverse-kinematics", given="pose")
