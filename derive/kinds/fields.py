@@ -30,6 +30,7 @@ from derive.algebra.formulas.units import (
     ACCELERATION,
     ANGLE,
     ANGLE_UNITS,
+    ANGULAR_SPEED,
     ANY,
     FORCE,
     INERTIA,
@@ -171,6 +172,7 @@ Mass: TypeAlias = Annotated[Expr, _Reader(MASS)]
 InertiaMoment: TypeAlias = Annotated[Expr, _Reader(INERTIA)]
 Time: TypeAlias = Annotated[Expr, _Reader(TIME)]
 Speed: TypeAlias = Annotated[Expr, _Reader(SPEED)]
+AngularSpeed: TypeAlias = Annotated[Expr, _Reader(ANGULAR_SPEED)]
 Acceleration: TypeAlias = Annotated[Expr, _Reader(ACCELERATION)]
 Force: TypeAlias = Annotated[Expr, _Reader(FORCE)]
 Torque: TypeAlias = Annotated[Expr, _Reader(TORQUE)]

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from derive.expression import Expr
+from derive.expression import ZERO, Expr
+from derive.mechanics.gearing import Stage
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,11 +45,12 @@ class PulseWidth:
 
 @dataclass(frozen=True, slots=True)
 class Drive:
-    """A motor that moves a load through a gear: inertias in kg m^2, torques in N m; `gear` is how often
-    the motor turns for one turn of the load."""
+    """A motor that moves a load through a gear: inertias in kg m^2 (zero where none is given), torques in
+    N m; `gear` is how often the motor turns for one turn of the load, or `stages` say it, from the motor."""
 
-    rotor: Expr
-    load: Expr
+    rotor: Expr = ZERO
+    load: Expr = ZERO
     gear: Expr | None = None
     torque: Expr | None = None
     load_torque: Expr | None = None
+    stages: tuple[Stage, ...] = ()

@@ -151,7 +151,7 @@ def gear_not_squared(patch: pytest.MonkeyPatch) -> None:
         whole = G * J_m + J_l
         return G * tau_m / whole, tau_m * J_l / whole**2, tau_m * J_l
 
-    patch.setattr(gear_ratio, "_slope", slope)
+    patch.setattr(gear_ratio, "slope_of", slope)
 
 
 INCREMENTAL = "sensor: {encoder: incremental, lines: 500, edges: 4, gear: 20}"

@@ -24,6 +24,7 @@ ACCELERATION: Dimension = (1, 0, -2, 0, 0)
 FORCE: Dimension = (1, 1, -2, 0, 0)
 TORQUE: Dimension = (2, 1, -2, 0, 0)
 INERTIA: Dimension = (2, 1, 0, 0, 0)
+ANGULAR_SPEED: Dimension = (0, 0, -1, 0, 1)
 ANY: Literal["any"] = "any"
 
 BASE_UNITS = ("m", "kg", "s", "A", "rad")
@@ -37,6 +38,7 @@ SPOKEN: dict[Dimension, str] = {
     ACCELERATION: "an acceleration (m/s^2)",
     FORCE: "a force (N)",
     TORQUE: "a torque (N m)",
+    ANGULAR_SPEED: "an angular speed (rad/s or deg/s)",
     INERTIA: "a moment of inertia (kg m^2)",
 }
 

@@ -2,23 +2,30 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from derive.expression import ONE, Expr
+from derive.kinds.drive._rolling import through
+from derive.mechanics.sensing import Drive
 
 
 @dataclass(frozen=True, slots=True)
 class Turning:
     """A rotor and a load, inertias in kg m^2, and the torques on them in N m; the rotor turns `gear` times
-    while the load turns once."""
+    while the load turns once. `shafts` between them have inertias and turn so often meanwhile."""
 
     rotor: float
     load: float
     gear: float
     push: float = 0.0
     pull: float = 0.0
+    shafts: tuple[tuple[float, float], ...] = ()
 
     def energy(self, speed: float) -> float:
-        """What both hold while the load turns at a speed [rad/s]."""
-        return (self.rotor * (self.gear * speed) * (self.gear * speed) + self.load * speed * speed) / 2
+        """What all hold while the load turns at a speed [rad/s]."""
+        parts = ((self.rotor, self.gear), (self.load, 1.0), *self.shafts)
+        return sum(inertia * (turns * speed) * (turns * speed) / 2 for inertia, turns in parts)
 
     def power(self, speed: float) -> float:
         """What the motor gives, less what the load takes."""
@@ -33,4 +40,15 @@ class Turning:
 
     def with_gear(self, gear: float) -> Turning:
         """The same behind another gear."""
-        return Turning(self.rotor, self.load, gear, self.push, self.pull)
+        return replace(self, gear=gear)
+
+
+def built(drive: Drive, at: Callable[[Expr], float]) -> Turning:
+    """A drive in numbers, its stages rolling on each other."""
+    rotor, load = at(drive.rotor), at(drive.load)
+    if not drive.stages:
+        return Turning(rotor, load, at(drive.gear or ONE))
+    speeds = through(drive.stages, [tuple(map(at, stage.sizes)) for stage in drive.stages])
+    parts = [(stage.inertia, speed) for stage, speed in zip(drive.stages, speeds, strict=True)]
+    shafts = tuple((at(inertia), speed / speeds[-1]) for inertia, speed in parts if inertia is not None)
+    return Turning(rotor, load, 1 / speeds[-1], shafts=shafts)

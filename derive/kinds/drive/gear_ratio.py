@@ -3,38 +3,46 @@
 from __future__ import annotations
 
 from derive.derivation import Derivation, Step
-from derive.expression import ONE, Derivative, Expr, Symbol, add, free_symbols, replace, sqrt, symbols
+from derive.expression import ONE, Derivative, Expr, Symbol, free_symbols, replace, sqrt
 from derive.kinds.checks import route
+from derive.kinds.drive._facts import ALPHA
 from derive.kinds.drive._facts import GearFacts as Facts
 from derive.kinds.drive._gear_checks import as_written, is_best
+from derive.kinds.drive._slope import only_ends, slope_of
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.sensing import Drive
 from derive.names import free
 
-ALPHA, BEST = symbols("alpha G_opt")
+BEST = Symbol("G_opt")
 GEARS = ("G", "r", "n", "G_r")  # what it is called, the first that means nothing else
 
 
+NEEDS = ("rotor", "load")
+USES = frozenset({"rotor", "load", "stages"})
 CLAIMS = ("gears-beside", "as-written")
 CLAIMED = {"alpha": "gears-beside"}
 
 
 class Options(OptionsModel):
-    """A gear that the drive has is left out of account."""
+    """A gear that the drive has, or its stages, are left out of account."""
 
 
 def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
     """alpha = (G tau_m - tau_l)/(G^2 J_m + J_l) is greatest where its derivative by G vanishes; without a
-    torque at the load that is G = sqrt(J_l/J_m)."""
+    torque at the load that is G = sqrt(J_l/J_m).
+
+    Raises NotDerivable where shafts in between have inertias.
+    """
+    only_ends(drive)
     torque = drive.torque or Symbol("tau_m")
     work, (J_m, J_l, tau_m) = Work(problem).naming(J_m=drive.rotor, J_l=drive.load, tau_m=torque)
     tau_l = None
     if drive.load_torque is not None:
         work, (tau_l,) = work.naming(tau_l=drive.load_torque)
     G = _gear(drive, problem)
-    law, slope, top = _slope(G, J_m, J_l, tau_m, tau_l)
+    law, slope, top = slope_of(G, J_m, J_l, tau_m, tau_l)
     laws = (Step("alpha", (ALPHA, law)), Step("slope", (Derivative(ALPHA, G), slope)))
     work = _best(Work(problem, work.known, aside={ALPHA: law}, steps=laws), J_m, J_l, tau_m, tau_l)
     fastest = problem.final(replace(replace(work["alpha_max"], {BEST: work[BEST]}), work.definitions))
@@ -51,22 +59,6 @@ def derive(drive: Drive, options: Options, problem: Problem) -> Derivation:
 def _gear(drive: Drive, problem: Problem) -> Symbol:
     trees = [drive.rotor, drive.load, drive.torque or ONE, drive.load_torque or ONE, *problem.where.values()]
     return Symbol(free(frozenset(problem.where).union(*map(free_symbols, trees)), *GEARS))
-
-
-def _slope(G: Symbol, J_m: Expr, J_l: Expr, tau_m: Expr, tau_l: Expr | None) -> tuple[Expr, Expr, Expr]:
-    """The acceleration by G, its derivative, and the numerator of that."""
-    whole = G**2 * J_m + J_l
-    push = G * tau_m
-    if tau_l is None:
-        top = J_l - G**2 * J_m
-        return push / whole, tau_m * top / whole**2, top
-    terms = (
-        tau_m * J_l,
-        2 * G * J_m * tau_l,
-        -1 * G**2 * J_m * tau_m,
-    )
-    top = add(*terms)
-    return (push - tau_l) / whole, top / whole**2, top
 
 
 def _best(work: Work, J_m: Expr, J_l: Expr, tau_m: Expr, tau_l: Expr | None) -> Work:
