@@ -19,6 +19,10 @@ _ELECTRICAL = {
     "armature": ("T_m = K_m*I_a", "V_a = (R_a + L_a*s)*I_a + V_b", "V_b = K_b*{speed}"),
     "field": ("T_m = K_m*I_f", "V_f = (R_f + L_f*s)*I_f"),
 }
+INSIDE = {  # signals between voltage and load: current, torque, induced voltage, torque at the load
+    "armature": tuple(map(Symbol, ("I_a", "T_m", "V_b", "T_L"))),
+    "field": tuple(map(Symbol, ("I_f", "T_m", "T_L"))),
+}
 _LOAD = {
     "angle": "T_L = J*s^2*theta + b*s*theta",
     "speed": "T_L = J*s*omega + b*omega",

@@ -53,6 +53,7 @@ class Facts(PageFacts):
     one: bool  # inertia matrix
     big: bool
     drifts: Phrase | None
+    alone: tuple[Symbol, ...]  # the Jacobian of a single center of mass, and its two parts
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -98,9 +99,14 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
         one=one,
         big=big,
         drifts=Phrase("drifts") if any(body.at.drift for body in bodies) else None,
+        alone=_jacobians(heavy[0].i) if len(heavy) == 1 and not big else (),
         numbers=("D",),
     )
     return work.answer("inertia-matrix", results, facts, matrices=frozenset(results))
+
+
+def _jacobians(i: int) -> tuple[Symbol, ...]:
+    return tuple(Symbol(f"J_{part}{i}") for part in "cvw")
 
 
 def _centers(bodies: Sequence[Weighted]) -> Phrase:

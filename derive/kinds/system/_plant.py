@@ -12,11 +12,12 @@ from derive.algebra.readable.form import readable
 from derive.algebra.readable.terms import Style
 from derive.algebra.scalar import Scalar
 from derive.control.elimination import Solution, solve
+from derive.control.motor import INSIDE
 from derive.control.rational import Polynomial, Rational, S, names_in
 from derive.control.roots import as_json, isolated, roots
 from derive.control.signals import signals
 from derive.control.system import System
-from derive.derivation import Claim, Derivation, Phrase, Record, Step
+from derive.derivation import Claim, Derivation, Phrase, Record, Said, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Number, Symbol, free_symbols, number, walk
 from derive.kinds.checks import law
@@ -169,3 +170,13 @@ def verdict(polynomial: Polynomial) -> str:
 def point_chains(point: Place | None, where: Mapping[str, Expr]) -> tuple[tuple[Expr, ...], ...]:
     """`J = 2`, ... for the words."""
     return tuple((Symbol(name), value) for name, value in (*where.items(), *(point or ())))
+
+
+def inside_motor(system: System) -> Phrase | None:
+    """What the signals of a motor are between its voltage and its load."""
+    for control in system.motor:
+        if control in INSIDE:
+            current, torque, *induced, load = INSIDE[control]
+            about: dict[str, Said] = {"current": current, "torque": torque, "load": load}
+            return Phrase(f"inside-{control}", about | dict(zip(("induced",), induced, strict=False)))
+    return None

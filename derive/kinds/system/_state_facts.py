@@ -11,6 +11,7 @@ class Facts(PageFacts):
     physical: bool
     motor: tuple[str, ...]
     disturbance: Symbol | None
+    inside: Phrase | None  # signals of a motor
     law: tuple[Expr, ...]
     output_law: tuple[Expr, ...]
     matrices: tuple[Symbol, ...]

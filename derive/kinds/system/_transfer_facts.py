@@ -15,6 +15,7 @@ class Told(Record):
 
 class Facts(PageFacts):
     described: Phrase  # by its equations
+    inside: Phrase | None  # signals of a motor
     start: Phrase | None  # of what is eliminated
     found: Phrase  # the transfer function
     input: Symbol

@@ -30,6 +30,7 @@ from derive.kinds.system._plant import (
     asked,
     delay_claims,
     delay_steps,
+    inside_motor,
     mixed,
     point_chains,
     verdict,
@@ -84,7 +85,7 @@ def derive(system: System, options: Options, problem: Problem) -> Derivation:
 
 def _steps(answer: Answer) -> Iterator[Step]:
     if answer.is_physical:
-        if not any(kind == "transfer-function" for kind, _ in answer.plant.problem.questions):
+        if _begins(answer):
             yield from delay_steps(answer.plant.system)
             yield from _given(answer.plant)
         for rule, laws in (("algebraic", answer.space.algebraic), ("rate", answer.space.rates)):
@@ -96,8 +97,13 @@ def _steps(answer: Answer) -> Iterator[Step]:
         yield Step(name, (answer.plant.named(name), readable_form(answer, name)), "matrix")
 
 
+def _begins(answer: Answer) -> bool:
+    """Whether no other question about the system writes its equations down."""
+    return all(kind != "transfer-function" for kind, _ in answer.plant.problem.questions)
+
+
 def _given(solved: Plant) -> Iterator[Step]:
-    """The equations, unless another question about the system writes them down."""
+    """The equations."""
     zero = solved.solution.zero
     for place, equation in enumerate(solved.system.equations, 1):
         yield Step(
@@ -146,6 +152,7 @@ def _facts(answer: Answer, at: AtPoint | None) -> Facts:
         physical=answer.is_physical,
         motor=solved.system.motor,
         disturbance=solved.system.disturbance if answer.is_physical else None,
+        inside=inside_motor(solved.system) if answer.is_physical and _begins(answer) else None,
         law=_equation(answer, Symbol(f"{answer.letter.name}_dot"), "A", "B"),
         output_law=_equation(answer, solved.system.output, "C", "D"),
         matrices=tuple(solved.named(name) for name in MATRICES),

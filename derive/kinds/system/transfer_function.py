@@ -28,6 +28,7 @@ from derive.kinds.system._plant import (
     Plant,
     delay_claims,
     delay_steps,
+    inside_motor,
     plant,
     point_chains,
     poles_json,
@@ -207,6 +208,7 @@ def _facts(solved: Plant, at: DriftAtPoint | None, drawn: bool, before: int | No
         described=Phrase(next((word for word in system.motor if word in MOTORS), "a-system"))
         if before is None
         else Phrase("again", {"number": before}),
+        inside=inside_motor(system) if before is None else None,
         start=Phrase("from-the-output", ends) if solved.solution.steps else None,
         found=Phrase("ratio") if rational.num else Phrase("vanishes", {"input": solved.solution.source}),
         input=solved.solution.source,
