@@ -83,7 +83,7 @@ class _Names:
         return _Names(
             Symbol(free(problem.taken, "theta", "phi", "alpha", "theta_k")),
             Symbol(axis),
-            Symbol(free({*problem.taken, axis}, "u", "w", "v", "w_r")),
+            Symbol(free({*problem.taken, axis}, "w", "v", "u", "w_r")),
         )
 
     @property

@@ -126,7 +126,7 @@ def _names(problem: Problem) -> tuple[Symbol, Symbol, Symbol]:
     """What the bases are called."""
     return (
         Symbol(free(problem.taken, "N", "N_0")),
-        Symbol(free(problem.taken, "R", "R_0")),
+        Symbol(free(problem.taken, "B", "B_0")),
         Symbol(free(problem.taken, "U", "U_0")),
     )
 

@@ -177,6 +177,8 @@ class Exponentials:
         }
         several = len(self.screws) + self.whole + bool(self.robot.base) > 1
         order = Phrase("order-with-home" if self.whole else "order")
+        framed = self.frames and self.last > 1 and not self.robot.base
+        motions = "motions-of-frames" if framed else "motions"
         return ScrewsTold(
             axes=Phrase(_of(turning, sliding, "axes-of-turns", "axes-of-slides", "axes-of-both"), about),
             twists=Phrase(self._twisted(turning, sliding, helical), about),
@@ -184,7 +186,7 @@ class Exponentials:
             law=_law(bool(helical)) if turning else None,
             base=bool(self.robot.base),
             home=self.letters["M"] if self.whole else "",
-            motions=Phrase("coupled-motions" if self.problem.subject.coupled else "motions"),
+            motions=Phrase("coupled-motions" if self.problem.subject.coupled else motions),
             product=self.name.name if several else "",
             order=order if several else None,
         )

@@ -221,7 +221,7 @@ def _positive(problem: Problem, vector: ScalarMatrix) -> ScalarMatrix:
 def _letters(problem: Problem, bases: Sequence[tuple[ScalarMatrix, ...]]) -> tuple[Symbol, ...]:
     """Names of a null space, a range and lost directions that the sheet does not use itself: of a vector a
     small letter, of a matrix of several columns a large one."""
-    pairs = zip(("n", "r", "u"), bases, strict=True)
+    pairs = zip(("n", "b", "u"), bases, strict=True)
     letters = (letter.upper() if len(basis) > 1 else letter for letter, basis in pairs)
     return tuple(Symbol(free(problem.taken, letter, f"{letter}_J")) for letter in letters)
 
