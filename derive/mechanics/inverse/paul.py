@@ -1,7 +1,8 @@
 """Equations for the joint variables: the pose of the end-effector seen from the frames of the arm.
 
 (T_i^0)^-1 T (T_e^j)^-1 = T_j^i moves the joints up to i and those after j to the side of the known pose
-(Paul, Robot Manipulators, chapter 3): each entry is an equation in which some joints no longer occur.
+(Paul, Robot Manipulators, chapter 3): each entry is an equation in which some joints no longer occur. So does
+its inverse, where the arm is seen from the end-effector.
 """
 
 from __future__ import annotations
@@ -23,6 +24,11 @@ class Between:
 
     first: int | None
     last: int | None
+
+    @property
+    def reversed(self) -> bool:
+        """Whether the first of them comes later in the arm."""
+        return self.last is not None and (self.first is None or self.last < self.first)
 
 
 Place: TypeAlias = tuple[Between, int, int]
@@ -112,6 +118,19 @@ def pose_equations(frames: Frames, R: ScalarMatrix, p: Sequence[Scalar] | None) 
             if j > i:
                 after = inverse_pose(inverse_pose(frames.T[j]) @ frames.end)
                 yield from _entries(Between(i, j), left @ after, frames.seen_from(i, frames.T[j]), width)
+
+
+def reversed_equations(frames: Frames, R: ScalarMatrix, p: Sequence[Scalar]) -> Iterator[Equation]:
+    """The position of each frame seen from each later one and from the end-effector: the same chain taken
+    from its other end, (T_e^j) T^-1 T_i^0 = T_i^j."""
+    back = homogeneous(R.T, (-(R.T @ ScalarMatrix.column(p))).entries)
+    for j in (None, *(row - 1 for row in frames.moving)):
+        inside = inverse_pose(frames.end if j is None else frames.T[j])
+        known = back if j is None else inside @ frames.end @ back
+        for i in (frames.base, *frames.moving):
+            if j is None or i < j:
+                left, right = known @ frames.T[i], inside @ frames.T[i]
+                yield from (Equation(Between(j, i), row, 3, left[row, 3], right[row, 3]) for row in range(3))
 
 
 def _entries(between: Between, left: ScalarMatrix, right: ScalarMatrix, width: int) -> Iterator[Equation]:

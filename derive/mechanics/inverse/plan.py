@@ -26,6 +26,7 @@ from derive.mechanics.inverse.paul import (
     centre_equations,
     pose_equations,
     position_equations,
+    reversed_equations,
 )
 from derive.mechanics.inverse.search import Stage
 from derive.mechanics.inverse.subproblems import SubProblem, equations_of
@@ -122,6 +123,11 @@ class Search:
             if goal.R is not None:
                 equations += pose_equations(frames, goal.R, None)
         plan = self._follow(Stage.of(equations, self.chain.variables, self.points))
+        if not plan.complete and goal.R is not None and None not in goal.p and not goal.angle:
+            p = [part for part in goal.p if part is not None]
+            both = [*equations, *reversed_equations(frames, goal.R, p)]
+            other = self._follow(Stage.of(both, self.chain.variables, self.points))
+            plan = other if other.complete else plan
         return replace(plan, conditions=tuple(self._conditions(equations)))
 
     def _conditions(self, equations: Sequence[Equation]) -> Iterator[Equation]:

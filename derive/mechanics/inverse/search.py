@@ -78,11 +78,14 @@ class Stage:
         were used before are taken again where they serve.
 
         A pair of equations in one angle comes first, for it leaves no choice; then the length of a sliding
-        joint; one equation in one angle; the elbow; last what is linear. Raises TooLong where the budget is
-        spent.
+        joint; one equation in one angle; the elbow, and distances between joints; last what is linear. Raises
+        TooLong where the budget is spent.
         """
         candidates = _Candidates(self, known, used, budget)
-        kinds = (candidates.pair, candidates.reach, candidates.one, candidates.elbow, candidates.slide)
+        kinds = (
+            candidates.pair, candidates.reach, candidates.one, candidates.elbow, candidates.across,
+            candidates.slide,
+        )  # fmt: skip
         return next((found for seek in kinds if (found := seek()) is not None), None)
 
     def rows(self, known: Knowledge, form: Form) -> list[TrigEquation]:
@@ -197,6 +200,24 @@ class _Candidates:
             for chosen in subproblems.subsets(parts):
                 self.budget.spend(sum(len(part.unknown.numerator) ** 2 for part in chosen))
                 yield chosen, unknown
+
+    def across(self) -> Elbow | None:
+        position = [one for one in self.stage.equations if one.equation.is_position]
+        groups = [list(group) for _, group in groupby(position, key=lambda one: one.equation.between)]
+        found = [
+            here for form, _ in self.rows for group in groups if len(group) == 3
+            if (here := self._across(form, group)) and self._counts(here.row)
+        ]  # fmt: skip
+        return min(found, key=self._size, default=None)
+
+    def _across(self, form: Form, group: Sequence[Difference]) -> Elbow | None:
+        unknown = self.known.unknown_generators(form)
+        sides = [
+            (one.equation, self._within(one.equation.left, form), self._within(one.equation.right, form))
+            for one in group
+        ]
+        self.budget.spend(sum(len(side.numerator) ** 2 for _, left, right in sides for side in (left, right)))
+        return subproblems.across(form, sides, unknown)
 
     # -- displacements ----------------------------------------------------------------------------
 

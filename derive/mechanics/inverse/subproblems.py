@@ -86,11 +86,14 @@ class TwoEquations:
 @dataclass(frozen=True, slots=True)
 class Elbow:
     """The law of cosines: the sum of the squares of the known sides is a cos q + b sin q + constant. `row`
-    holds a, b, and the negative of the constant alone, without the squares."""
+    holds a, b, and the negative of the constant alone, without the squares. The known sides may hold other
+    unknowns that leave the sum of their squares, which is `across` then: the distance between two points on
+    either side of the joints in which they are."""
 
     unknown: Form
     coordinates: tuple[Coordinate, ...]
     row: TrigEquation
+    across: Scalar | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -178,6 +181,25 @@ def elbow(angle: Form, coordinates: tuple[Coordinate, ...], unknown: frozenset[s
         return None
     row = trig_equation(total, angle, coordinates[0].equation)
     return Elbow(angle, coordinates, row) if row else None
+
+
+def across(
+    angle: Form, group: Sequence[tuple[Equation, Scalar, Scalar]], unknown: frozenset[str]
+) -> Elbow | None:
+    """From the two sides of each of three coordinates, of which the left holds the angle and the right others
+    that are `unknown`, but not its sum of squares once what it has of known terms is on the left."""
+    own = {f"cos({angle})", f"sin({angle})"}
+    coordinates = []
+    for equation, left, right in group:
+        if set(left.generators()) & (unknown - own) or set(right.generators()) & own:
+            return None
+        constant = split(equation, -right, unknown).known
+        coordinates.append(Coordinate(equation, right - constant, left - constant))
+    square = reduce(add, (each.known * each.known for each in coordinates))
+    if not square or set(square.generators()) & unknown:
+        return None
+    row = trig_equation(_sum_of_squares(tuple(coordinates)), angle, coordinates[0].equation)
+    return Elbow(angle, tuple(coordinates), row, square) if row else None
 
 
 def reach(name: str, coordinates: tuple[Coordinate, ...], unknown: frozenset[str]) -> Reach | None:

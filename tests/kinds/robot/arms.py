@@ -225,6 +225,30 @@ ARMS = {
          ("theta4*", "0", "a4", "0"), ("theta5*", "0", "a5", "90 deg"), ("theta6*", "d6", "0", "0")),
         "pose", 8,
     ),
+    "shoulder, two axes after it meet": Arm(
+        (("theta1*", "0", "0", "90 deg"), ("theta2*", "0", "0", "-90 deg"),
+         ("theta3*", "0.42", "0.1", "90 deg"), ("theta4*", "0.2", "0", "90 deg"),
+         ("theta5*", "0.3", "0.2", "90 deg"), ("theta6*", "0.1", "0.1", "0")),
+        "pose", 8,
+    ),
+    "wrist, two axes before it meet": Arm(
+        (("theta1*", "d1", "a1", "90 deg"), ("theta2*", "d2", "0", "90 deg"),
+         ("theta3*", "d3", "a3", "90 deg"), ("theta4*", "d4", "0", "90 deg"),
+         ("theta5*", "0", "0", "-90 deg"), ("theta6*", "0", "0", "0")),
+        "pose", 8,
+    ),
+    "UR from its other end": Arm(
+        (("theta1*", "0.3", "0", "90 deg"), ("theta2*", "0.1", "0.1", "90 deg"),
+         ("theta3*", "0.1", "0.4", "0"), ("theta4*", "0.2", "0.3", "0"),
+         ("theta5*", "0.1", "0.1", "90 deg"), ("theta6*", "0.1", "0", "0")),
+        "pose", 8,
+    ),
+    "three parallel axes at the end": Arm(
+        (("theta1*", "0.3", "0", "90 deg"), ("theta2*", "0.2", "0.1", "90 deg"),
+         ("theta3*", "0.15", "0.25", "90 deg"), ("theta4*", "0.1", "0.4", "0"),
+         ("theta5*", "0.2", "0.3", "0"), ("theta6*", "0.1", "0", "0")),
+        "pose", 8,
+    ),
     "Panda, its last joint fixed": Arm(
         (("theta1*", "d1", "0", "0"), ("theta2*", "0", "0", "-90 deg"), ("theta3*", "d3", "0", "90 deg"),
          ("theta4*", "0", "a4", "90 deg"), ("theta5*", "d5", "-a4", "-90 deg"),

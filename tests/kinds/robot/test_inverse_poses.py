@@ -16,7 +16,7 @@ from tests.kinds.robot.arms import ARMS, Arm
 
 HOME = ("3R", "spherical", "SCARA", "wrist", "Stanford", "PUMA 560", "elbow arm", "arm of five joints",
         "UR5", "parallelogram", "parallelogram with a wrist", "palletiser", "spherical shoulder",
-        "Panda, its last joint fixed")  # fmt: skip
+        "Panda, its last joint fixed", "UR from its other end", "wrist, two axes before it meet")  # fmt: skip
 QUARTERS = (0.0, math.pi / 2, -math.pi / 2, math.pi)
 
 

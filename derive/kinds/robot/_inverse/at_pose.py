@@ -66,9 +66,10 @@ class InNumbers:
         match self.planned.subproblem:
             case OneEquation(_, row):
                 a, b, c = self._numbers(row, known)
-            case Elbow(_, coordinates, row):
+            case Elbow(_, _, row) as elbow:
                 a, b, c = self._numbers(row, known, 2)
-                c += sum((scalar_number(each.known, known) / self.size) ** 2 for each in coordinates)
+                squares = [elbow.across] if elbow.across else [c.known * c.known for c in elbow.coordinates]
+                c += sum(scalar_number(each, known) / self.size**2 for each in squares)
             case _:
                 return None
         square = a * a + b * b

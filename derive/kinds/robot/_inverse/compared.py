@@ -37,23 +37,38 @@ class Poses:
     def _one(self, between: Between, equations: list[Equation]) -> Compared:
         position = all(e.is_position for e in equations) and between.last is None
         base = between.first == self.base and between.last is None
-        end = self.last if between.last is None else str(between.last)
+        end = self._frame(between.last)
         return Compared(
             axes=tuple("xyz"[e.row] for e in equations) if position else (),
             entries=() if position else tuple(f"({e.row + 1}, {e.col + 1})" for e in equations),
             frame=None if base else between.first,
             centre=("shoulder" if self.shoulder else "wrist") if self.stage == "arm" else None,
             product=None if position else self._product(between),
-            equals=None if base or position else Symbol(f"{self.letter}_{end}^{between.first}"),
+            equals=None if base or position else Symbol(f"{self.letter}_{end}^{self._frame(between.first)}"),
         )
 
     def _product(self, between: Between) -> Expr:
+        if between.reversed:
+            return self._reversed(between)
         factors: list[Expr] = [self.wanted]
         if between.first != self.base:
             factors.insert(0, self._inverse(Symbol(f"{self.letter}_{between.first}^{self.base}")))
         if between.last is not None:
             factors.append(self._inverse(Symbol(f"{self.letter}_{self.last}^{between.last}")))
         return Product(tuple(factors)) if len(factors) > 1 else factors[0]
+
+    def _reversed(self, between: Between) -> Expr:
+        """(T_e^j) T^-1 T_i^0."""
+        factors = [self._inverse(self.wanted)]
+        if between.first is not None:
+            factors.insert(0, Symbol(f"{self.letter}_{self.last}^{between.first}"))
+        if between.last != self.base:
+            factors.append(Symbol(f"{self.letter}_{between.last}^{self.base}"))
+        return Product(tuple(factors)) if len(factors) > 1 else factors[0]
+
+    def _frame(self, number: int | None) -> str:
+        """The index of a frame, None that of the end-effector."""
+        return self.last if number is None else str(number)
 
     def _inverse(self, of: Symbol) -> Expr:
         return transpose(of) if self.letter == "R" else Call("inverse", (of,))

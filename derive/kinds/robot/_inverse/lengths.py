@@ -48,7 +48,10 @@ from derive.mechanics.inverse.subproblems import Coordinate, Elbow, Reach, Slide
 def elbow(solving: Solving, found: Elbow) -> None:
     """The sum of squares in one angle, which is then one equation in it."""
     readable, q = solving.problem.readable, solving.progress.angle(found.unknown)
-    squares = [square(side) for side in _known_sides(solving, found.coordinates)]
+    if found.across:
+        squares = list(terms_of(_as_they_stand(solving, found.coordinates, found.across)))
+    else:
+        squares = [square(side) for side in _known_sides(solving, found.coordinates)]
     row, common = _reduced(found.row)
     rest = terms_of(readable(-row.c))
     cosine, sine = (readable(each * common) for each in (row.a, row.b))
@@ -114,6 +117,13 @@ def _known_sides(solving: Solving, coordinates: Iterable[Coordinate]) -> list[Ex
         known.append(solving.short(value))
         solving.equation(known[-1], solving.problem.readable(unknown))
     return known
+
+
+def _as_they_stand(solving: Solving, coordinates: Iterable[Coordinate], square: Scalar) -> Expr:
+    """The sum of the squares of the known sides, after the equations as they are."""
+    for each in coordinates:
+        solving.equation(*(solving.problem.readable(side) for side in (each.unknown, each.known)))
+    return solving.problem.readable(square)
 
 
 def _doubtful(rest: Expr) -> Relation | None:

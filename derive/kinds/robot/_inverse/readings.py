@@ -50,6 +50,11 @@ class Reading:
         told = solved.equations or tuple((step.chain[0], step.chain[1]) for step in solved.facts.solved)
         failed = [[float(arrays(left, at) - arrays(right, at)) for at in moved] for left, right in told]
         missed = [element for each in solved.compared for element in self._missed(each, solved, moved)]
+        if solved.facts.squares:  # a coordinate among those squared may not move with the unknown
+            still = [sum(map(_is_still, each)) for each in (failed, missed)]
+            yield still[0] == still[1] < len(failed)
+            failed = [one for one in failed if not _is_still(one)]
+            missed = [one for one in missed if not _is_still(one)]
         yield from (any(_alike(one, other) for other in missed) for one in failed)
         yield from (any(_alike(one, other) for one in failed) for other in missed)
 
@@ -118,6 +123,11 @@ class Reading:
             return np.eye(4)
         oracle = self.target.oracle
         return oracle.tool(at) if frame == TOOL else oracle.poses(at)[int(frame)]
+
+
+def _is_still(gaps: Sequence[float]) -> bool:
+    """Whether it is not off at all."""
+    return max(map(abs, gaps)) < NONE
 
 
 def _alike(one: Sequence[float], other: Sequence[float]) -> bool:
