@@ -335,7 +335,9 @@ class Derivation:
     `files` are texts written beside the page, by file name: scripts to run. `matrices` names the results
     that are matrices even where they have one column only (J of one joint), and no vectors. `alone` are
     those that could be compared with no line. `units` are the SI units of names on the page, "N m"; their
-    numbers are printed with them. `meant` are those of results, where the author typed units at all.
+    numbers are printed with them. `meant` are those of results, where the author typed units at all. Results
+    may hold names of others, as long rates those of the joints that are results too: `in_turn` says what
+    these come to.
     """
 
     kind: str
@@ -352,6 +354,7 @@ class Derivation:
     alone: tuple[str, ...] = ()
     units: Mapping[Expr | Phrase, str] = field(default_factory=dict)
     meant: Mapping[str, str] = field(default_factory=dict)
+    in_turn: Mapping[str, Expr] = field(default_factory=dict)
 
     def told(self, shape: type[F]) -> F:
         """The facts, of the shape that the kind of this derivation declares. Raises TypeError for another."""

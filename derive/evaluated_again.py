@@ -208,7 +208,8 @@ def evaluated_again(
 
     `branches` says whether those of the answer are formulas that were evaluated one by one.
     """
-    again, values = Again(point, list(_unknowns(answer))), dict(answer.evaluated)
+    again = Again({**answer.in_turn, **point}, list(_unknowns(answer)))
+    values = dict(answer.evaluated)
     for name, found in answer.evaluated.items():
         if name in answer.results and (branches or not _has_branches(found)):
             text = plain(answer.results[name], speech, name in answer.matrices)

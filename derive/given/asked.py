@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra.formulas.with_units import measured, unit_of
 from derive.derivation import Phrase
 from derive.expression import ONE, ZERO, Expr, Matrix, Symbol, number
+from derive.given import path
 from derive.given.datum import Datum, names, valued, vector
+from derive.kinds.problem import Problem
+from derive.mechanics.paths import Path
 
 if TYPE_CHECKING:
     from derive.control.controllers import Controller
@@ -24,7 +28,9 @@ def data(options: Any, at: Mapping[str, Expr]) -> Iterator[Datum]:
     """Each option that was given, and the point."""
     for key in type(options).model_fields:
         value = getattr(options, key)
-        if (
+        if isinstance(value, Path):
+            yield from (replace(datum, room="path") for datum in path.data(value, Problem("path", value)))
+        elif (
             key in options.model_fields_set & SAID.keys()
             and value is not None
             and (datum := SAID[key](value, options))

@@ -21,7 +21,8 @@ class Datum:
     `items`.
 
     A text says it where it has all its names and numbers and, of each entry of `words`, one of the
-    alternatives that stand between bars: "revolute|hinge". Names that are `ours` it need not have.
+    alternatives that stand between bars: "revolute|hinge". Names that are `ours` it need not have. Its
+    words are those of the subject in `room`, where that is not the subject of the problem.
     """
 
     said: Phrase
@@ -30,6 +31,7 @@ class Datum:
     items: tuple[Phrase, ...] = ()
     words: tuple[str, ...] = ()
     ours: frozenset[str] = frozenset()
+    room: str = ""
 
     def trees(self) -> Iterator[Expr]:
         """The mathematics in it, but for the headings of its table; a count is a number too."""

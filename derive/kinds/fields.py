@@ -60,6 +60,28 @@ class OptionsModel(BaseModel):
     )
 
 
+@dataclass(frozen=True, slots=True)
+class Described:
+    """The annotation of an option that an author describes as the subject of a problem, whose name is that of
+    the option: what stands there is read as such, and this sees the record that was made of it."""
+
+    record: type[Any]
+
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        return core_schema.is_instance_schema(self.record)
+
+    def __get_pydantic_json_schema__(self, schema: CoreSchema, handler: Any) -> dict[str, Any]:
+        return {"type": "object"}
+
+
+def described(options: type[OptionsModel]) -> tuple[str, ...]:
+    """The names of such options, which are those of the subjects."""
+    fields = options.model_fields.items()
+    return tuple(
+        name for name, field in fields if any(isinstance(each, Described) for each in field.metadata)
+    )
+
+
 class NoOptions(OptionsModel):
     """None."""
 

@@ -7,6 +7,7 @@ from typing import Literal, TypeAlias
 
 from derive.expression import Expr, Matrix
 from derive.mechanics.motion import Axis
+from derive.mechanics.robot import Robot
 
 Place: TypeAlias = tuple[Expr, ...]  # two coordinates or three
 
@@ -86,3 +87,36 @@ class Path:
     def defines(self) -> frozenset[str]:
         """The name of the parameter, which the answer uses as its author does."""
         return frozenset({self.shape.parameter}) if isinstance(self.shape, Curve) else frozenset()
+
+
+@dataclass(frozen=True, slots=True)
+class Carried:
+    """A path along which the end-effector of an arm is carried: the names of both belong to one sheet."""
+
+    path: Path
+    arm: Robot
+
+    @property
+    def shape(self) -> Shape:
+        """That of the path."""
+        return self.path.shape
+
+    @property
+    def timing(self) -> Timing | None:
+        """That of the path."""
+        return self.path.timing
+
+    @property
+    def along(self) -> bool:
+        """As of the path."""
+        return self.path.along
+
+    @property
+    def variables(self) -> tuple[str, ...]:
+        """The joint variables, in order."""
+        return self.arm.variables
+
+    @property
+    def defines(self) -> frozenset[str]:
+        """The parameter of the path."""
+        return self.path.defines

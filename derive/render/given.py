@@ -52,7 +52,7 @@ class Telling:
 
     def datum(self, datum: Datum) -> str:
         """A sentence, and what it leads to."""
-        speech = self.speech()
+        speech = self.speech(datum.room or self.subject)
         parts = [speech.say(datum.said)]
         if datum.items:
             parts.append(self.skin.items(map(speech.say, datum.items)))
@@ -62,9 +62,9 @@ class Telling:
             parts.append(self.table(datum.table))
         return "\n".join(parts)
 
-    def speech(self) -> Speech:
+    def speech(self, subject: str) -> Speech:
         """Words in a line of text, or in a cell of a table."""
-        lines = lines_in(SHARED) | lines_in(OWN.format(self.subject))
+        lines = lines_in(SHARED) | lines_in(OWN.format(subject))
         printer = Printer(self.notation)
         strong, em = self.skin.strong, self.skin.em
         return written(lines, printer, self.skin.plain, self.printed, strong=strong, em=em)
@@ -78,7 +78,7 @@ class Telling:
 
     def table(self, table: Table) -> str:
         """A number has the unit that its author gave it, in the heading where a column has one."""
-        speech = self.speech()
+        speech = self.speech(self.subject)
         shown, units = columns_of(table, AS_TYPED)
 
         def cell(entry: Cell, unit: str) -> str:

@@ -17,6 +17,7 @@ SHORT_WORDS = frozenset({"on", "up", "in"})  # of two letters that are no indice
 STEM_AND_INDEX = re.compile(r"([A-Za-z]+)(\d+[xyz]?)")  # theta1, r11, v1x
 LETTER_AND_AXES = re.compile(r"([A-Za-z])([xyz]{1,2}\d*)")  # Ixx, Ixx1, vx
 ANGULAR = re.compile("w[xyz]")  # a row of a Jacobian
+ANGULAR_CHANGE = re.compile("alpha[xyz]")
 SIZE = re.compile(r"(\d+)x(\d+)")  # the zero block 0_3x1
 ACCENTS = {"dot": r"\dot", "ddot": r"\ddot"}
 
@@ -90,6 +91,8 @@ def _split(head: str) -> tuple[str, str]:
     """The stem and the subscript of a name: `L_c`, `theta1`, `Ixx`, `theta1_c`; an angular velocity `wx`."""
     if ANGULAR.fullmatch(head):
         return "omega", head[1]
+    if ANGULAR_CHANGE.fullmatch(head):
+        return "alpha", head[-1]
     stem, _, index = head.partition("_")
     if stem in GREEK:
         return stem, index

@@ -11,6 +11,7 @@ from derive.errors import SheetError, SheetErrors
 from derive.expression import Expr
 from derive.kinds import registry
 from derive.sheet.checked import checked
+from derive.sheet.described import built
 from derive.sheet.faults import MOST, did_you_mean
 from derive.sheet.given import ASKED_KEYS, QUESTION_KEYS, GivenAsked, GivenQuestion
 from derive.sheet.honoured import idle_options
@@ -79,7 +80,8 @@ def _read(
         rest = {key: value for key, value in data.items() if key not in keys}
         if kind and given and "evaluate" in kind.Options.model_fields:
             rest["evaluate"] = given.evaluate  # some kinds need the point itself: poles, a step response
-        options = checked(kind.Options, at, rest, known.names, keys) if kind else None
+        if kind:
+            options = checked(kind.Options, at, built(kind.Options, at, rest, known), known.names, keys)
         faults.extend(idle_options(options, at))
     for name, value in given.evaluate.items() if given and isinstance(given.evaluate, dict) else ():
         if name in known.where and not _same(value, known.where[name]):

@@ -7,6 +7,7 @@ from typing import Any
 from pydantic import TypeAdapter
 
 from derive.kinds import registry as kinds
+from derive.kinds.fields import described
 from derive.sheet.faults import model_schema
 from derive.sheet.given import GivenAsked, GivenProblem, GivenQuestion, GivenSheet
 from derive.sheet.subjects import registry as subjects
@@ -45,6 +46,8 @@ def _asked(
         options = _schema(kinds.load(subject, kind).Options, definitions)
         common = _schema(model, definitions)["properties"]
         own = options.get("properties", {})
+        for name in described(kinds.load(subject, kind).Options):
+            own[name] = _schema(subjects.load(name).Given, definitions)
         both = {key: {"anyOf": [shared[key], own[key]]} for key in shared.keys() & own.keys()}
         properties = {**shared, **common, **own, **both, "find": {"const": kind}}
         required = ["find", *([subject] if shared else ()), *options.get("required", ())]

@@ -6,6 +6,9 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
+from derive.kinds.fields import described
+from derive.kinds.registry import kinds_of
+from derive.kinds.registry import load as kind
 from derive.sheet.checked import checked
 from derive.sheet.faults import MOST, did_you_mean
 from derive.sheet.reader import read
@@ -17,6 +20,10 @@ from derive.sheet.unfilled import unfilled
 def subject_name(at: At, data: dict[str, Any]) -> str:
     """The key under which the subject stands. Raises SheetErrors if there is none, or more than one."""
     found = [name for name in subjects() if name in data]
+    if len(found) == 2:  # one of them beside `find:`, as the path of an arm
+        first, second = found
+        either = _is_option(first, data, second), _is_option(second, data, first)
+        found = {(True, False): [second], (False, True): [first]}.get(either, found)
     if len(found) == 1:
         return found[0]
     if found:
@@ -27,6 +34,14 @@ def subject_name(at: At, data: dict[str, Any]) -> str:
         if (close := did_you_mean(key, subjects())).startswith("did"):
             raise at.error(f"unknown key '{key}'", (key,), close, key=True)
     raise at.error("this problem has no subject", (), hint)
+
+
+def _is_option(name: str, data: dict[str, Any], subject: str) -> bool:
+    """Whether what is asked about the subject has an option of this name."""
+    find = data.get("find")
+    return (
+        isinstance(find, str) and find in kinds_of(subject) and name in described(kind(subject, find).Options)
+    )
 
 
 def subject_place(at: At, name: str) -> At:

@@ -24,8 +24,8 @@ Between: TypeAlias = tuple[sympy.Expr, sympy.Expr] | None
 
 def path(asked: Asked, point: Point) -> Iterator[Test]:
     """Derivatives, the frame by that of the unit tangent, curvature and length; in time at two moments."""
-    s = _parameter(asked)
-    p, between = _place(asked, s, point)
+    s = parameter(asked)
+    p, between = place(asked, s, point)
     v = p.diff(s)
     speed = sympy.sqrt(sum(each**2 for each in v))
     if asked.subject.timing is None:
@@ -96,7 +96,8 @@ def _cross(a: Sequence[Number], b: Sequence[Number]) -> list[Number]:
     return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
-def _parameter(asked: Asked) -> sympy.Symbol:
+def parameter(asked: Asked) -> sympy.Symbol:
+    """The author's own, or a letter that is free."""
     shape: Shape = asked.subject.shape
     if isinstance(shape, Curve):
         return sympy.Symbol(shape.parameter)
@@ -106,7 +107,7 @@ def _parameter(asked: Asked) -> sympy.Symbol:
     return sympy.Symbol(next(letter for letter in LETTERS if letter not in taken))
 
 
-def _place(asked: Asked, s: sympy.Symbol, point: Point) -> tuple[sympy.Matrix, Between]:
+def place(asked: Asked, s: sympy.Symbol, point: Point) -> tuple[sympy.Matrix, Between]:
     """p(s) as a column, and the range of s."""
     shape: Shape = asked.subject.shape
     match shape:

@@ -47,8 +47,8 @@ def abs_of(expr: Expr) -> Call:
     return Call("abs", (expr,))
 
 
-def bent(along: Along) -> Bent:
-    """The derivatives, then the frame."""
+def differentiated(along: Along) -> Bent:
+    """The derivatives by the parameter, without the frame."""
     p, s = along.p, along.s
     first, second = Symbol(f"{p.name}_{s.name}"), Symbol(f"{p.name}_{s.name}{s.name}")
     speed = Symbol(f"sigma_{s.name}")
@@ -57,10 +57,15 @@ def bent(along: Along) -> Bent:
     steady = not work.value(speed).diff(s.name)
     flat = work.matrix(p).shape[0] == 2
     across = Symbol(free(along.work.problem.taken, "c", "w", "d"))
-    found = Bent(work, along, first, second, speed, steady, False, flat, across)
-    work = told(work, E_T, first / speed)
+    return Bent(work, along, first, second, speed, steady, False, flat, across)
+
+
+def bent(along: Along) -> Bent:
+    """The derivatives, then the frame."""
+    found = differentiated(along)
+    work = told(found.work, E_T, found.first / found.speed)
     found = replace(found, work=work)
-    return _steadily(found) if steady else _in_the_plane(found) if flat else _in_space(found)
+    return _steadily(found) if found.steady else _in_the_plane(found) if found.flat else _in_space(found)
 
 
 def _steadily(found: Bent) -> Bent:

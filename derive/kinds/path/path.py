@@ -20,10 +20,11 @@ from derive.kinds.path._meanings import meant
 from derive.kinds.path._motion import Motion, in_motion
 from derive.kinds.path._shapes import along
 from derive.kinds.path._timing import T
+from derive.kinds.path._told import given_names, shape_told
 from derive.kinds.problem import Problem
 from derive.kinds.values_at import Here, values_at
 from derive.kinds.work import Work
-from derive.mechanics.paths import Arc, Curve, Line, Path
+from derive.mechanics.paths import Curve, Path
 
 TIMED = ("p", "v", "a", "curvature", "t", "n", "b", "s", "time")
 CLAIMED = dict.fromkeys(TIMED, "timed")
@@ -140,9 +141,9 @@ def _facts(path: Path, found: Bent, work: Work, way: str) -> Facts:
     ends |= {"start": Relation(along.s, "=", low), "end": Relation(along.s, "=", high)}
     about = {**ends, "speed": found.speed, "sigma": SIGMA}
     return Facts(
-        shape=_shape(path, along.s),
+        shape=shape_told(path, along.s),
         typed=isinstance(path.shape, Curve),
-        given=_named(work, found),
+        given=given_names(work, found.along),
         before=along.lines,
         s=along.s,
         first=found.first,
@@ -160,13 +161,6 @@ def _facts(path: Path, found: Bent, work: Work, way: str) -> Facts:
     )
 
 
-def _named(work: Work, found: Bent) -> tuple[tuple[Expr, Expr], ...]:
-    """What was given by a name that is not its author's; a radius that its start says is told by a line."""
-    told = {step.name for step in work.steps}
-    names = [name for name in found.along.given.values() if name.name not in told]
-    return tuple((name, work[name]) for name in names if work[name] != name)
-
-
 def _page_names(found: Bent) -> dict[str, str]:
     """What the results are called on the page."""
     names = {
@@ -177,19 +171,6 @@ def _page_names(found: Bent) -> dict[str, str]:
         "curvature": KAPPA,
     }
     return {key: name.name for key, name in {**names, "t": E_T, "n": E_N, "b": E_B}.items()}
-
-
-def _shape(path: Path, s: Symbol) -> Phrase:
-    match path.shape:
-        case Line():
-            return Phrase("line-by-length", {"s": s})
-        case Arc(pitch=None):
-            return Phrase("circle-by-length", {"s": s})
-        case Arc():
-            return Phrase("helix-by-angle", {"s": s})
-        case Curve():
-            return Phrase("as-given", {"s": s})
-    raise TypeError(f"no path: {path!r}")
 
 
 def _said(facts: Facts, found: Bent, work: Work) -> tuple[bool, ...]:

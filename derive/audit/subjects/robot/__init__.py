@@ -10,6 +10,7 @@ from collections.abc import Iterator
 
 from derive.audit import orientation
 from derive.audit.subjects.robot import (
+    along_path,
     axes,
     dynamics,
     inverse,
@@ -35,6 +36,7 @@ KINDS = {
     "statics": kinematics.statics,
     "inverse-velocity": rates.inverse_velocity,
     "inverse-acceleration": rates.inverse_acceleration,
+    "joint-motion": along_path.joint_motion,
     "product-of-exponentials": kinematics.product_of_exponentials,
     "space-jacobian": kinematics.space_jacobian,
     "inverse-kinematics": inverse.inverse_kinematics,

@@ -1,0 +1,110 @@
+"""Joints on a path against a published posture and SciPy's roots; and paths that no joints follow."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy
+from scipy.optimize import fsolve
+
+from derive.errors import SheetErrors
+from tests.sheets import pages
+
+T = sympy.Symbol("t")
+SHEET = """
+title: An arm
+problems:
+- robot:
+    links:
+LINKS
+  questions:
+  - find: joint-motion
+    path: PATH
+    MORE
+"""
+THREE = "\n".join(f"    - {{theta: q{k}*, d: 0, a: 0.5, alpha: 0}}" for k in (1, 2, 3))
+TWO = "\n".join(f"    - {{theta: q{k}*, d: 0, a: {a}, alpha: 0}}" for k, a in ((1, 0.5), (2, 0.4)))
+# Siciliano et al., section 3.7.4
+CIRCLE = '"0.25*(1 - cos(pi*t))", "0.25*(2 + sin(pi*t))", "sin(pi*t/24)"'
+AROUND = f"{{function: [{CIRCLE}], parameter: t, range: [0, 4]}}"
+LINE = "{line: {from: [0.2, 0.3], to: [0.5, 0.5]}, timing: {law: cubic, time: 2}}"
+LONG = np.sqrt(0.13)
+STRAIGHT = "{line: {from: [0.2, 0.3], to: [0.5, 0.5]}, timing: {law: LAW}}"
+
+
+def question(links: str, path: str, more: str, folder: Path) -> dict[str, Any]:
+    sheet = folder / "arm.yaml"
+    text = SHEET.replace("LINKS", links).replace("PATH", path).replace("MORE", more)
+    sheet.write_text(text, encoding="utf-8")
+    (page,) = pages(sheet, folder / "out", "json")
+    found: dict[str, Any] = json.loads(page.read_text())["problems"][0]["questions"][0]
+    return found
+
+
+def joints(texts: dict[str, list[str]]) -> Any:
+    """q, its rates and accelerations (3 by n) as functions of the time alone."""
+    trees = [[sympy.sympify(text, locals={"t": T}) for text in texts[key]] for key in ("q", "qdot", "qddot")]
+    assert {name for row in trees for tree in row for name in tree.free_symbols} <= {T}
+    return sympy.lambdify(T, trees, "numpy")
+
+
+def tip(q: Any, lengths: Any) -> Any:
+    """Where a planar arm ends, and at which angle."""
+    sums = np.cumsum(q)
+    return np.array([np.dot(lengths, np.cos(sums)), np.dot(lengths, np.sin(sums)), sums[-1]])
+
+
+def test_the_published_posture_and_the_roots_of_scipy(tmp_path: Path) -> None:
+    more = "start: {q1: pi, q2: -pi/2, q3: -pi/2}"
+    at = joints(question(THREE, AROUND, more, tmp_path)["results"])
+    assert np.allclose(at(0.0)[0], [np.pi, -np.pi / 2, -np.pi / 2])
+    q, h = np.array(at(0.0)[0]), 1e-4
+    for t in np.linspace(0, 4, 81)[1:-1]:
+        wanted = [0.25 * (1 - np.cos(np.pi * t)), 0.25 * (2 + np.sin(np.pi * t)), np.sin(np.pi * t / 24)]
+        q = fsolve(lambda each, to=wanted: tip(each, [0.5] * 3) - to, q, xtol=1e-11)
+        ours, before, after = (np.array(at(t + k * h), dtype=float) for k in (0, -1, 1))
+        assert np.allclose(np.exp(1j * ours[0]), np.exp(1j * q))
+        assert np.allclose(ours[1], np.angle(np.exp(1j * (after[0] - before[0]))) / (2 * h), atol=1e-5)
+        assert np.allclose(ours[2], (after[1] - before[1]) / (2 * h), atol=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("law", "speed"),
+    [
+        ("cubic, time: 2", lambda t: 6 * t / 4 - 6 * t**2 / 8),
+        ("quintic, time: 2", lambda t: 30 * t**2 / 8 - 60 * t**3 / 16 + 30 * t**4 / 32),
+        ("trapezoidal, time: 2, v_max: 0.25", lambda t: 0.25 / LONG * min(t / (2 - LONG / 0.25), 1)),
+    ],
+)  # fmt: skip
+def test_rates_give_the_velocity_of_each_law(law: str, speed: Any, tmp_path: Path) -> None:
+    found = question(TWO, STRAIGHT.replace("LAW", law), "evaluate: {t: 0.4}", tmp_path)
+    q, rates, _ = (np.array(found["evaluated"][key]) for key in ("q", "qdot", "qddot"))
+    h = 1e-6
+    moved = (tip(q + h * rates, [0.5, 0.4]) - tip(q - h * rates, [0.5, 0.4])) / (2 * h)
+    assert np.allclose(moved[:2], np.array([0.3, 0.2]) * speed(0.4), atol=1e-4)
+    assert q[1] > 0  # the first of the solutions
+
+
+@pytest.mark.parametrize(
+    ("path", "more", "said"),
+    [
+        ("{line: {from: [0.2, 0.3], to: [0.5, 0.5]}}", "", "not given: add timing"),
+        (LINE.replace("0.5, 0.5", "0.9, 0.5"), "", "out of reach of the arm at t ="),
+        (LINE.replace("0.2, 0.3", "0.9, 0"), "", "singular on the path at t = 0"),
+        (LINE, "start: {q1: 0}", "start gives no value to q2"),
+        (LINE, "start: {q1: 0, q2: 1, q3: 1}", "'q3' under start is no joint variable"),
+        (LINE, "evaluate: {t: 3}", "the motion lasts from t = 0 s to 2 s"),
+        ("{line: {from: [0, 0, 0], to: [1, 1, 1]}, timing: {law: cubic, time: 2}}", "", "has 3 coordinates"),
+        ("{line: {from: [0, 0], to: [0, 0]}, timing: {law: cubic, time: 2}}", "", "ends where it starts"),
+        ("{circle: {center: [0, 0]}}", "", "how large it is"),
+        ("[1, 2]", "", "line:"),
+    ],
+)  # fmt: skip
+def test_what_no_joints_follow_is_refused(path: str, more: str, said: str, tmp_path: Path) -> None:
+    with pytest.raises(SheetErrors) as caught:
+        question(TWO, path, more, tmp_path)
+    assert any(said in error.message + error.hint for error in caught.value.errors), caught.value.errors
