@@ -18,7 +18,7 @@ from derive.mechanics.oracle import made
 
 POSE = re.compile(r"([TRo])_(\d+)\^(\d+)")
 AXIS = re.compile(r"([xyz])_(\d+)")
-COORDINATES = re.compile(r"([vpV])\^(\d+)")
+COORDINATES = re.compile(r"([A-Za-z]\w*)\^(\d+)")
 InFrame = Callable[[int, Point], Any]  # the coordinates of a quantity in a frame
 
 
@@ -38,6 +38,8 @@ def frames_told(
     def meant(at: Point) -> Names:
         found: dict[Expr, Any] = {}
         for name in used:
+            if isinstance(name, Symbol) and name.name in at:  # the author's own
+                continue
             if isinstance(name, Symbol) and (value := _named(name.name, frames, quantity, at)) is not None:
                 found[name] = value
             if isinstance(name, Indexed) and name.base == "S" and isinstance(name.lower[0], Symbol):

@@ -93,6 +93,7 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
     work = frames_told(work, frames, printed, there, lambda at: {NO_BLOCK: numbers(NOTHING, at)})
     if not (len(path.up) == 1 and not path.down and is_given(path.up[0])):
         work = replace(work, uses=(problem.ask("transform", source=source, target=options.target),))
+    result = f"{_usual(options)}^{options.target}"
     facts = Facts(
         free=options.vector is not None,
         twist=options.twist is not None,
@@ -102,12 +103,13 @@ def derive(frames: Frames, options: Options, problem: Problem) -> Derivation:
         origin=None if options.vector else o,
         together=options.point is not None and _is_zero(work.entries(o)),
         skew=Indexed("S", (o,)) if options.twist else None,
+        page_names={result: name.name},
     )
     shifted = any(o in walk(tree) for tree in work.steps[-1].chain)
     twist = work.matrix(name).shape == (6, 1)
     work = work.law("said", ((facts.free or facts.together) != shifted, facts.twist == twist))
-    units = _units(options, name, Symbol(f"{name.name[0]}^{source}"))
-    return work.answer("change-of-frame", {name.name: work.final(name)}, facts, units=units)
+    units = _units(options, name, Symbol(f"{name.name.partition('^')[0]}^{source}"))
+    return work.answer("change-of-frame", {result: work.final(name)}, facts, units=units)
 
 
 def _units(options: Options, *names: Symbol) -> dict[Expr | Phrase, str]:
@@ -122,7 +124,7 @@ def _board(
     work: Work, options: Options, source: int, given: Matrix, R: Symbol, o: Symbol
 ) -> tuple[Work, Symbol]:
     """The vector rotated, the point rotated and shifted, or the twist moved; and its name there."""
-    letter = "V" if options.twist else "v" if options.vector else "p"
+    letter = _letter(options, work.problem, given)
     name, before = Symbol(f"{letter}^{options.target}"), Symbol(f"{letter}^{source}")
     work = work.knowing({before: given})
     if options.twist:
@@ -135,6 +137,22 @@ def _board(
     plain = together and all(isinstance(part, Symbol) for (part,) in given.rows)
     value = _row_by_row(work.matrix(R), given) if plain else None
     return work.line(name, *formulas, value=value, rule="change-of-frame").closed(name), name
+
+
+def _letter(options: Options, problem: Problem, given: Matrix) -> str:
+    """That of the components where they share one, as u_x, u_y and u_z do."""
+    names = [part.name for (part,) in given.rows if isinstance(part, Symbol)]
+    stems = {name.removesuffix(f"_{axis}") for name, axis in zip(names, "xyz", strict=False)}
+    own = stems.pop() if len(names) == len(given.rows) == 3 and len(stems) == 1 else ""
+    usual = _usual(options)
+    clash = own in (*names, "o") or any(
+        f"{own}^{k}" in problem.taken for k in (options.source, options.target)
+    )
+    return usual if clash else own or usual
+
+
+def _usual(options: Options) -> str:
+    return "V" if options.twist else "v" if options.vector else "p"
 
 
 def _is_zero(entries: tuple[Expr, ...]) -> bool:

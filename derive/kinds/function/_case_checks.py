@@ -15,7 +15,7 @@ from derive.kinds.problem import Problem
 
 SAID = {  # what is said, by what is said of
     frozenset(("equation",)): ("squares", "last"), frozenset(("left",)): ("eliminate",),
-    frozenset(("equation", "variable")): ("last-of",), frozenset(("variable",)): ("square",),
+    frozenset(("equation", "variable")): ("last-of", "last-too"), frozenset(("variable",)): ("square",),
     frozenset(("chain", "variable")): ("square-so",), frozenset(("chain",)): ("so", "that-is"),
     frozenset(("equation", "chain", "variable")): ("square-follows",),
     frozenset(("equation", "chain")): ("follows",),

@@ -38,7 +38,7 @@ def told(case: Case, problem: Problem, order: Sequence[str]) -> tuple[CaseTold, 
 def _told(case: Case, problem: Problem, order: Sequence[str], label: tuple[int, ...]) -> Iterator[CaseTold]:
     given = None if case.given is None else _equal(vanishing(case.given, problem))
     moves = (_move(move, problem, None if k else given) for k, move in enumerate(case.moves))
-    told_moves = tuple(each for each in moves if each is not None)
+    told_moves = tuple(_in_turn([each for each in moves if each is not None]))
     split = tuple(_equal(vanishing(part, problem)) for part in case.split)
     leaves = Phrase("this-leaves" if label or case.moves else "the-equations-leave") if split else None
     points = tuple(_point(solution, problem, order) for solution in case.solutions)
@@ -96,6 +96,13 @@ def _move(move: Move, problem: Problem, given: Relation | None) -> Phrase | None
     if own:
         return None if known else Phrase("so", chain)
     return Phrase("that-is", chain) if known else Phrase("follows", equation | chain)
+
+
+def _in_turn(moves: Sequence[Phrase]) -> Iterator[Phrase]:
+    """What one equation after the other leaves, told as going on where it does."""
+    for before, each in zip((None, *moves), moves, strict=False):
+        goes_on = before is not None and before.key == each.key == "last-of"
+        yield Phrase("last-too", each.about) if goes_on else each
 
 
 def _pure(equation: Scalar, name: str, problem: Problem) -> Equation | None:

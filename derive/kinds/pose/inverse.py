@@ -18,7 +18,7 @@ from derive.kinds.problem import Problem
 from derive.kinds.work import Work
 from derive.mechanics.poses import inverse_pose, position_part, rotation_part
 
-R, P, NO_ROW = symbols("R p 0")  # the last are three zeros side by side
+R, O, NO_ROW = symbols("R o 0")  # the last are three zeros side by side
 POSE = re.compile(r"T_(\d+)\^(\d+)")
 SUBJECTS = ("motion", "frames", "robot")
 CLAIMS = ("inverse", "in-numbers", "as-told")
@@ -31,13 +31,13 @@ class Facts(PageFacts):
 
 
 def derive(subject: Any, options: Options, problem: Problem) -> Derivation:
-    """T^-1 (4 by 4): R^T and -R^T p (Spong et al., eq. 2.67; Siciliano et al., eq. 2.45)."""
+    """T^-1 (4 by 4): R^T and -R^T o (Spong et al., eq. 2.67; Siciliano et al., eq. 2.45)."""
     given = given_pose(options, problem, rotation_only=False)
-    known = {given.name: given.T, R: rotation_part(given.T), P: position_part(given.T)}
+    known = {given.name: given.T, R: rotation_part(given.T), O: position_part(given.T)}
     work = Work(problem, uses=given.uses).knowing({NO_ROW: Matrix(((ZERO, ZERO, ZERO),))})
     work = work.knowing({name: problem.readable_matrix(value) for name, value in known.items()})
     turned, inverse = transpose(R), Call("inverse", (given.name,))
-    blocks = Matrix(((turned, -multiply(turned, P)), (NO_ROW, ONE)))
+    blocks = Matrix(((turned, -multiply(turned, O)), (NO_ROW, ONE)))
     back_name = _back(given.name)
     names = (inverse,) if back_name is None else (back_name, inverse)
     value = inverse_pose(given.T)
@@ -64,7 +64,7 @@ def _meant(given: Given, back: Symbol | None, at: Point) -> Names:
     import numpy as np
 
     T = given.oracle(at)
-    names: Names = {given.name: T, R: T[:3, :3], P: T[:3, 3:], NO_ROW: np.zeros((1, 3))}
+    names: Names = {given.name: T, R: T[:3, :3], O: T[:3, 3:], NO_ROW: np.zeros((1, 3))}
     return names if back is None else {**names, back: _inverted(T)}
 
 
