@@ -12,14 +12,14 @@ from fractions import Fraction
 from math import degrees, inf
 from typing import TypeAlias
 
-from derive.algebra.formulas.dimensions import dimension_of_formula
+from derive.algebra.formulas.dimensions import Unlike, dimension_of_formula
 from derive.algebra.formulas.quantities import rational
 from derive.algebra.formulas.units import dimension_of, unit_of
 from derive.algebra.numbers.floats import number
 from derive.algebra.rationals import significant_digits
 from derive.algebra.readable.terms import Style
 from derive.derivation import Phrase
-from derive.errors import NotDerivable
+from derive.errors import NotAsWritten, NotDerivable
 from derive.expression import (
     ONE,
     PI,
@@ -42,6 +42,7 @@ from derive.expression import (
     walk,
 )
 from derive.render.common_factor import factored, is_factored
+from derive.render.measures import hold_as_said
 
 SPARE = 2  # digits more than a sheet asks for, before an exact number is rounded
 LONG = 10**7  # a fraction with more is rounded where no decimals were typed either
@@ -62,9 +63,14 @@ class Values:
     digits: int = 3
 
     def shown(self, chain: Chain) -> Chain:
-        """The chain with what it ends in as it is said."""
+        """The chain with what it ends in as it is said, in what its name measures."""
         if len(chain) < 2:
             return chain
+        said = self._said(chain)
+        hold_as_said(chain, said, self.units)
+        return said
+
+    def _said(self, chain: Chain) -> Chain:
         unit = self._unit(chain)
         *before, last = map(self._plain, chain)
         whole = last if unit else factored(last)
@@ -224,6 +230,8 @@ class Values:
             if free_symbols(part) and not isinstance(part, Matrix):
                 try:
                     return unit_of(dimension_of_formula(part, known))
+                except Unlike as error:
+                    raise NotAsWritten(f"{part!r}: {error}") from error
                 except NotDerivable:
                     continue
         return None
