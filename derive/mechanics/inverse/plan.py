@@ -28,8 +28,9 @@ from derive.mechanics.inverse.paul import (
     position_equations,
     reversed_equations,
 )
+from derive.mechanics.inverse.pieper import quartic
 from derive.mechanics.inverse.search import Stage
-from derive.mechanics.inverse.subproblems import SubProblem, equations_of
+from derive.mechanics.inverse.subproblems import Quartic, SubProblem, equations_of
 from derive.mechanics.inverse.wrist import Spherical, spherical_shoulder, spherical_wrist
 from derive.mechanics.poses import inverse_pose, rotation_part
 
@@ -79,6 +80,12 @@ class Plan:
     stopped: bool = False
 
     @property
+    def quartic(self) -> tuple[int, Quartic] | None:
+        """The sub-problem that a polynomial solves, where there is one, and its place."""
+        found = ((k, each.subproblem) for k, each in enumerate(self.steps))
+        return next(((k, each) for k, each in found if isinstance(each, Quartic)), None)
+
+    @property
     def complete(self) -> bool:
         """Whether every joint variable is found."""
         return self.knowledge.complete and not self.stopped
@@ -99,9 +106,9 @@ class Search:
         plans: list[Plan] = []
         for joint in self._meeting():
             plans.append(self._decoupled(joint))
-            if plans[-1].complete:
+            if plans[-1].complete and not plans[-1].quartic:
                 return plans[-1]
-        return plans[0] if plans else self._whole()
+        return next((each for each in plans if each.complete), plans[0]) if plans else self._whole()
 
     def _meeting(self) -> Iterator[Spherical]:
         """Three joints that make the orientation whatever the others do."""
@@ -145,10 +152,12 @@ class Search:
             while not known.complete:
                 used = {equation.place for each in steps for equation in equations_of(each.subproblem)}
                 found = stage.next(known, self.budget, used)
-                if found is None:
+                solved = (found,) if found else quartic(stage, known, self.free_name("u"))
+                if solved is None:
                     return Plan(tuple(steps), known, left=tuple(stage.left(known)))
-                steps.append(Planned(stage, known, found))
-                known = known.after(found.unknown)
+                for each in solved:
+                    steps.append(Planned(stage, known, each))
+                    known = known.after(each.unknown)
         except TooLong:
             return Plan(tuple(steps), known, left=tuple(stage.left(known)), stopped=True)
         return Plan(tuple(steps), known)

@@ -8,7 +8,7 @@ and Sastry, section 3.3); and what is linear in a displacement.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import reduce
 from itertools import combinations
@@ -84,6 +84,33 @@ class TwoEquations:
 
 
 @dataclass(frozen=True, slots=True)
+class Joined(TwoEquations):
+    """Two equations that hold another angle too, and were joined to find that."""
+
+
+TrigPolynomial: TypeAlias = Mapping[tuple[int, int], Scalar]  # by powers of cosine and sine
+
+
+@dataclass(frozen=True, slots=True)
+class Quartic:
+    """A distance, from `coordinates`, and a `height` as a c + b s = c_1 (`distance`) and -b c + a s = c_2
+    (`turned`) in another angle: their squares hold the unknown alone, as a polynomial in its cosine and sine
+    (`trig`), and with the tangent of its half, `root`, as a product of `factors`, each by its coefficients
+    with the highest power first."""
+
+    unknown: Form
+    second: Form
+    first: str
+    coordinates: tuple[Coordinate, ...]
+    height: Equation
+    distance: TrigEquation
+    turned: TrigEquation
+    trig: TrigPolynomial
+    root: str
+    factors: tuple[tuple[Scalar, ...], ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Elbow:
     """The law of cosines: the sum of the squares of the known sides is a cos q + b sin q + constant. `row`
     holds a, b, and the negative of the constant alone, without the squares. The known sides may hold other
@@ -117,7 +144,7 @@ class Slide:
     equation: Equation
 
 
-SubProblem: TypeAlias = OneEquation | TwoEquations | Elbow | Reach | Slide
+SubProblem: TypeAlias = OneEquation | TwoEquations | Elbow | Reach | Slide | Quartic
 
 
 def equations_of(found: SubProblem) -> tuple[Equation, ...]:
@@ -125,8 +152,13 @@ def equations_of(found: SubProblem) -> tuple[Equation, ...]:
     match found:
         case OneEquation(_, row):
             return (row.equation,)
+        case Joined():
+            return ()
         case TwoEquations(_, first, second):
             return first.equation, second.equation
+        case Quartic():
+            parts = tuple(each.equation for each in found.coordinates)
+            return parts if found.height in parts else (*parts, found.height)
         case Slide():
             return (found.equation,)
         case Elbow() | Reach():

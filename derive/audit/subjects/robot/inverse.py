@@ -12,6 +12,7 @@ from itertools import product
 from typing import TypeAlias
 
 import mpmath
+import sympy
 
 from derive.audit.asked import Asked, Beyond, Holds, Test
 from derive.audit.linear import is_zero
@@ -21,6 +22,7 @@ from derive.audit.subjects.robot.series import values
 from derive.audit.text import Json, Unreadable
 
 Values: TypeAlias = dict[str, Number]
+DEGREE = 4  # of Pieper's polynomial
 PLACES = 3  # configurations at each point
 NEAR = mpmath.mpf(10) ** -25
 ROUNDED_STEP = mpmath.mpf(10) ** -6  # of floats, where a formula turns on a square root
@@ -47,9 +49,11 @@ def inverse_kinematics(asked: Asked, point: Point) -> Iterator[Test]:
 def _branches(asked: Asked, here: Point) -> Iterator[Test]:
     arm = Arm(asked, here, 1)
     target, q = goal(asked, arm), {name: here[name] for name in arm.robot.variables}
-    known = here.where(**target)
     found = False
-    for k, branch in enumerate(asked.objects("solutions"), 1):
+    places = with_roots(asked, here.where(**target))
+    if "quartic" in asked.results:
+        yield Holds("quartic", bool(places), "it has a real root where the arm stands")
+    for known, (k, branch) in product(places, enumerate(asked.objects("solutions"), 1)):
         name = f"solutions[{k}]"
         there = branch_values(asked, branch, known, q)
         if there is None:
@@ -72,7 +76,10 @@ def in_numbers(asked: Asked, point: Point) -> Iterator[Test]:
     the formulas' is left out; where letters are left the formulas are compared."""
     here = asked.here
     q = {name: here[name] for name in asked.subject.variables}
-    formulas = [branch_values(asked, branch, here, q) for branch in asked.objects("solutions")]
+    formulas = [
+        branch_values(asked, branch, place, q)
+        for place, branch in product(with_roots(asked, here), asked.objects("solutions"))
+    ]
     branches = asked.objects("evaluated solutions")
     tolds = [
         branch_values(asked, branch, here, q) if branch.get("real", True) else None for branch in branches
@@ -114,6 +121,25 @@ def in_numbers(asked: Asked, point: Point) -> Iterator[Test]:
             yield Holds("evaluated solutions", not real, "none is real there")
     elif not tried:
         yield Beyond("evaluated solutions", "none is tried there")
+
+
+def with_roots(asked: Asked, known: Point) -> list[Point]:
+    """The point with each real root of the polynomial that the solutions rest on; itself without one."""
+    if "quartic" not in asked.results:
+        return [known]
+    polynomial = asked.result("quartic")
+    branch = asked.objects("solutions")[0]
+    angles = [asked.read(branch[name]) for name in asked.subject.variables]
+    (root,) = {each.args[0] for angle in angles for each in angle.atoms(sympy.atan)}
+    tried = range(-DEGREE // 2, DEGREE // 2 + 1)
+    there = [floating(known.where(**{root.name: sympy.Integer(each)}).at(polynomial)) for each in tried]
+    powers = mpmath.matrix([[mpmath.mpf(each) ** n for n in range(DEGREE, -1, -1)] for each in tried])
+    coefficients = list(mpmath.lu_solve(powers, mpmath.matrix(there)))
+    half_turn = is_zero(coefficients[0], max(map(abs, coefficients)))
+    found = mpmath.polyroots(coefficients[half_turn:], maxsteps=200, extraprec=200)
+    real = [each.real for each in found if is_zero(each.imag, max(1, abs(each.real)))]
+    real += [mpmath.inf] if half_turn else []
+    return [known.where(**{root.name: each}) for each in real]
 
 
 def _is_inside(asked: Asked, here: Point, name: str, value: Number) -> bool:

@@ -20,7 +20,15 @@ from derive.kinds.robot._inverse.branches import Solutions
 from derive.kinds.robot._inverse.subproblem import Definition, Solved, Taken
 from derive.kinds.robot._inverse.target import Values
 from derive.mechanics.inverse.plan import Planned
-from derive.mechanics.inverse.subproblems import Elbow, OneEquation, Reach, Slide, TrigEquation, TwoEquations
+from derive.mechanics.inverse.subproblems import (
+    Elbow,
+    OneEquation,
+    Quartic,
+    Reach,
+    Slide,
+    TrigEquation,
+    TwoEquations,
+)
 
 USABLE = 1e-4  # of a determinant or a coefficient: above, other equations determine an angle
 MEETING = 1e-9  # of a^2 + b^2 - c^2 against a^2 + b^2: below, the two solutions are one
@@ -58,7 +66,7 @@ class InNumbers:
                 return _length(self._numbers(row, known, 2)) < small
             case Slide(_, slope):
                 return abs(scalar_number(slope, known)) < small
-            case Reach():
+            case Reach() | Quartic():
                 return False
 
     def met(self, known: Values, meeting: float) -> float | None:

@@ -24,6 +24,7 @@ class Choices:
     chosen: Sequence[Taken]
     postures: Sequence[Posture]
     free_name: Callable[[str], str]
+    root: str = ""  # of a polynomial, that is one more name in the solutions
 
     @cached_property
     def signs(self) -> tuple[Mapping[int, int], ...]:
@@ -78,14 +79,16 @@ class Choices:
     @property
     def count(self) -> Phrase:
         """How many solutions there are, and why."""
+        about: dict[str, Said] = {"root": Symbol(self.root)} if self.root else {}
+        each = "-each" if self.root else ""
         if not self.two:
-            return Phrase("unique")
+            return Phrase(f"unique{each}", about)
         if len(self.two) == 1:
             one, other = (self._either(k) for k in (0, 1))
-            return Phrase("two-solutions", {"one": one, "other": other})
+            return Phrase(f"two-solutions{each}", {**about, "one": one, "other": other})
         heads = tuple(each.head for each in self.two)
         product = Relation(Product((number(2),) * len(self.two)), "=", number(len(self.chosen)))
-        about: dict[str, Said] = {"chosen": heads, "product": product}
+        about |= {"chosen": heads, "product": product}
         if not self.names:
             return Phrase("together", about)
         names = tuple(Relation(name, "=", condition) for condition, name in self.names.items())
@@ -111,7 +114,7 @@ class Choices:
 
     def _conditions(self, k: int) -> tuple[Condition, ...]:
         named = tuple(each.said(k) for each in self.postures)
-        return named or tuple(c.when for c in self.chosen[k].values() if c.when)
+        return named or tuple(c.when for c in self.chosen[k].values() if c.when and c.sign)
 
 
 def signs_of(two: Sequence[Solved], chosen: Sequence[Taken]) -> tuple[Mapping[int, int], ...]:

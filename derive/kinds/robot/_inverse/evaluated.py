@@ -52,13 +52,20 @@ class Numbers:
 class Evaluated:
     """What the JSON says under `evaluated`, and what the words say of it; `numbers` where no
     letter is left, and then of each entry its `branches`, from 0, and how far they are `off` the place at
-    most."""
+    most; its `parts`, where a polynomial is solved first."""
 
     values: Mapping[str, Any]
     place: AtPlace = NOWHERE
     numbers: Numbers | None = None
     branches: tuple[tuple[int, ...], ...] = ()
     off: float | None = None
+    parts: tuple[Evaluated, ...] | None = None
+    said: tuple[Phrase, ...] = ()  # of that polynomial
+
+    @property
+    def each(self) -> tuple[Evaluated, ...]:
+        """For every root of a polynomial its own; itself where there is none."""
+        return (self,) if self.parts is None else self.parts
 
     @property
     def remark(self) -> Phrase | None:
@@ -81,15 +88,16 @@ def evaluated(
     place: Place | None,
     problem: Problem,
     in_numbers: Callable[[dict[str, float]], Evaluated],
+    found: frozenset[str] = frozenset(),
 ) -> Evaluated:
-    """The branches at a place by the values of all names, or in the letters that have none. Empty without a
-    place."""
+    """The branches at a place by the values of all names, or in the letters that have none; those that are
+    `found` in numbers are none. Empty without a place."""
     if place is None:
         return Evaluated({})
     point = dict(point_of(dict(place), problem.where))
     formulas = [branch.short or branch.values for branch in branches]
     rest_on = frozenset[str]().union(*(free_symbols(tree) for each in formulas for tree in each.values()))
-    if rest_on - point.keys() - formulas[0].keys():
+    if rest_on - found - point.keys() - formulas[0].keys():
         return Evaluated({"solutions": [_in_letters(each, dict(place), problem) for each in branches]})
     return in_numbers(point)
 
@@ -100,7 +108,7 @@ def by_plan(
     """By the formulas of the sub-problems, and by other equations where these fail. Raises NotDerivable where
     what is typed as a rotation is none."""
     asked = point
-    point, rounding = _with_rotation(asked)
+    point, rounding = with_rotation(asked)
     size = target.size(point)
     typed = _last_digit({name: value for name, value in place if name in target.goal.names}) / size
     in_numbers = tuple(InNumbers(planned, size) for planned in plan.steps)
@@ -160,7 +168,7 @@ def _last_digit(place: Mapping[str, Expr]) -> float:
     return 0.5 * 10.0**-most if most >= FEWEST_PLACES else 0.0
 
 
-def _with_rotation(point: dict[str, float]) -> tuple[dict[str, float], float]:
+def with_rotation(point: dict[str, float]) -> tuple[dict[str, float], float]:
     """The point with the rotation that is nearest to the one typed, and how far that is from one."""
     import numpy as np
 

@@ -27,6 +27,23 @@ class Compared(Record):
     equals: Symbol | None
 
 
+class Polynomial(Record):
+    """Of an equation of the fourth degree: its `root`, the `height` that does not change with the `first`
+    joint and does with the `second`, and its steps by their rules."""
+
+    root: Symbol
+    height: Expr
+    first: Symbol
+    second: Expr
+    split: tuple[Step, ...]
+    joined: tuple[Step, ...]
+    half: tuple[Step, ...]
+    quartic: tuple[Step, ...]
+    aside: tuple[Step, ...]
+    expanded: tuple[Step, ...]
+    squared: tuple[Step, ...]
+
+
 class Method(Record):
     """How a sub-problem is solved, by `name`, and on what conditions.
 
@@ -47,6 +64,7 @@ class Method(Record):
     by_name: bool = False
     by_length: bool = False
     positive: bool = False
+    quartic: Polynomial | None = None
 
     @property
     def signs(self) -> tuple[Relation, ...]:

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
 READ = 2  # poses at which is looked where equations are read, and at a singular wrist
 SAME = 1e-7  # of the sides of a line, relative to their size
+CHOICES = ("choice", "squared")  # one of which holds
 TURNS = 0.3  # by which joints are moved to find what stays
 
 
@@ -72,7 +73,7 @@ class Lines:
         meaning = {**known, **self._poses(known)}
         for solved in self.worked.solved:
             turns = solved.unknown not in self.target.slides
-            lines = [step for step in solved.steps if step.rule != "choice"]
+            lines = [step for step in solved.steps if step.rule not in CHOICES]
             yield from (equal(step.chain, known, step.rule == "difference") for step in lines)
             yield equal(line_of(solved, taken).chain, known, turns)
         given = {name: value for name, value in meaning.items() if name not in self.target.joints}

@@ -21,6 +21,7 @@ from derive.kinds.robot._inverse.placed import Placed
 from derive.kinds.robot._inverse.postures import Postures
 from derive.kinds.robot._inverse.ranges import Ranges
 from derive.kinds.robot._inverse.refused import no_closed_form, refuse_at_once, refuse_self_motion
+from derive.kinds.robot._inverse.roots import Roots
 from derive.kinds.robot._inverse.sampled import sample_points
 from derive.kinds.robot._inverse.seen import Seen
 from derive.kinds.robot._inverse.stages import Stages
@@ -53,26 +54,35 @@ def derive(chain: Chain, given: Given, place: Place | None, problem: Problem) ->
         raise NotDerivable(no_closed_form(plan, goal, problem))
     worked = Stages(problem, chain, goal, plan, unused).worked()
     solutions = Solutions(worked.items, chain.variables, frozenset(plan.knowledge.slides), problem, unused)
-    trial = _tried(solutions, target, points, partial(sample_points, chain, goal, problem))
+    roots = Roots.of(plan, worked, solutions, target)
+    named = roots.named if roots else tuple
+    trial = _tried(
+        solutions, target, named(points), lambda count: named(sample_points(chain, goal, problem, count))
+    )
     if trial.partial:
         solutions = replace(solutions, reached=trial.reached)
     two = worked.two_valued
     postures = Postures(worked, trial, signs_of(two, solutions.chosen)).found()
-    choices = Choices(two, solutions.chosen, postures, unused)
+    choices = Choices(two, solutions.chosen, postures, unused, roots.found.root if roots else "")
     results: dict[str, Result] = {"solutions": solutions.branches}
     if solutions.order:
         results["order"] = solutions.order
-    values = evaluated(
-        solutions.branches, place, problem, lambda point: by_plan(solutions, plan, target, place or (), point)
-    )
+    in_numbers = partial(by_plan, solutions, plan, target, place or ())
+    if roots:
+        in_numbers = partial(roots.each, in_numbers=in_numbers)
+    values = evaluated(solutions.branches, place, problem, in_numbers, roots.names if roots else frozenset())
     ranges = Ranges.of(problem, place)
     values = ranges.judged(values)
     work = Work(problem, known=worked.definitions, uses=(problem.ask("forward-kinematics"),))
     work = work.showing(*worked.steps).linked(but=worked.conditional).claim(*trial.claims())
     work = work.claim(as_printed(trial, solutions.branches, solutions.order))
     work = work.claim(*Lines(trial, worked, solutions.chosen).claims())
-    placed = Placed(target, solutions.branches, solutions.order, values, solutions.at_home)
-    work = work.claim(*placed.claims(place, problem))
+    for part in values.each:
+        placed = Placed(target, solutions.branches, solutions.order, part, solutions.at_home)
+        work = work.claim(*placed.claims(place, problem))
+    if roots:
+        results["quartic"] = roots.polynomial
+        work = work.claim(*roots.claims(points, values))
     work = work.claim(*Seen(worked, trial, choices).claims())
     work = work.claim(*ranges.claims(values))
     facts = Told(worked, solutions, choices).facts(trial.partial, values, in_degrees(problem, place))

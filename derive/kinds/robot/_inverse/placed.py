@@ -57,7 +57,8 @@ class Placed:
         """Of each entry whether it is what it says, and of each branch whether an entry has it; at the place
         that is given."""
         yield from (close(at.typed[name], value) for name, value in given.items() if name in at.typed)
-        yield from (abs(at.point[name] - value) <= ROUNDED for name, value in at.typed.items())
+        near = ((at.point[name], value) for name, value in at.typed.items())
+        yield from (one == other or abs(one - other) <= ROUNDED for one, other in near)
         real = [each for each in self._entries if each.get("real", True)]
         place = self.found.place
         yield from self._is_labelled(at)

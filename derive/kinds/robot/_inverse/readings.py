@@ -40,8 +40,10 @@ class Reading:
         """Whether each equation is read somewhere, and every element told is read by an equation."""
         turning = [name for name in self.target.joints if name not in self.target.slides]
         if again := solved.facts.again:
-            yield any(each.compared == solved.compared for each in before)
+            yield not solved.compared or any(each.compared == solved.compared for each in before)
             yield again.about["known"] == before[-1].facts.called
+        if not solved.compared:  # made of equations before, which are read there
+            return
         rates = course(solved, before, turning)
         moved = [
             {**self.known, **{name: self.known[name] + by * rate for name, rate in rates.items()}}

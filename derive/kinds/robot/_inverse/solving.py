@@ -16,10 +16,23 @@ from derive.kinds.robot._inverse.facts import Compared, Method, SolvedFacts
 from derive.kinds.robot._inverse.progress import Progress
 from derive.kinds.robot._inverse.signs import all_negative, begins_negative, opposite
 from derive.kinds.robot._inverse.subproblem import Choice, Definition, Solved
-from derive.mechanics.inverse.subproblems import Reach, SubProblem, equations_of
+from derive.mechanics.inverse.subproblems import Joined, Reach, SubProblem, equations_of
 from derive.mechanics.poses import rotation_part
 
 ORDER = ("name", "equation", "squares", "aside", "solved", "choice")  # of steps on the page
+BY_ROOT = (
+    "equation",
+    "squares",
+    "name",
+    "split",
+    "joined",
+    "half",
+    "quartic",
+    "aside",
+    "expanded",
+    "squared",
+    "choice",
+)
 BY_LENGTH = ("equation", "solved", "name", "choice")  # where the names are other elements
 
 TWO = {  # by the rule, and whether other elements give the size of the other function
@@ -89,7 +102,7 @@ class Solving:
             sum_is = named or (told[0] if len(unknown.parts) > 1 else head)
             left = progress.left_of(unknown, sum_is)
         compared = self.poses.compared(equations_of(self.found))
-        read = self._by("equation") or (self._by("solved") and not self._by("squares"))
+        read = self.by("equation") or (self.by("solved") and not self.by("squares"))
         again = self._again(compared) if read else None
         side = choices[0].signed if method.name in ("zero", "general") else None
         facts = SolvedFacts(
@@ -105,17 +118,17 @@ class Solving:
             negative=opposite(side) if side and all_negative(side) else None,
             orientation=progress.goal.R is not None and None in progress.goal.p,
             sides=self._sides() if method.name in ("direction", "difference") else (),
-            names=self._by("name"),
-            equations=self._by("equation"),
-            squares=self._by("squares"),
-            aside=self._by("aside"),
-            solved=self._by("solved"),
-            choices=self._by("choice"),
+            names=self.by("name"),
+            equations=self.by("equation"),
+            squares=self.by("squares"),
+            aside=self.by("aside"),
+            solved=self.by("solved"),
+            choices=self.by("choice"),
             left=left,
         )
         number = len(progress.solved)
-        order = BY_LENGTH if method.by_length else ORDER
-        steps = (*(step for rule in order for step in self._by(rule)), *left)
+        order = BY_ROOT if method.quartic else BY_LENGTH if method.by_length else ORDER
+        steps = (*(step for rule in order for step in self.by(rule)), *left)
         solved = Solved(
             number, unknown, head, tuple(choices), steps, facts, self.poses.stage, trig or {},
             tuple(self.equations), compared, named,
@@ -140,14 +153,16 @@ class Solving:
 
     def _sides(self) -> tuple[Expr, ...]:
         """The known sides of the equations, where those stand above."""
-        return () if self._by("equation") else tuple(sorted((left for left, _ in self.equations), key=text))
+        return () if self.by("equation") else tuple(sorted((left for left, _ in self.equations), key=text))
 
     def _again(self, compared: tuple[Compared, ...]) -> Phrase | None:
         """That the same equations were read before, where something has become known since."""
         before = self.progress.solved
-        if not any(each.compared == compared for each in before):
+        joined = isinstance(self.found, Joined)
+        if not joined and not any(each.compared == compared for each in before):
             return None
-        return Phrase("same-equations", {"known": before[-1].facts.called})
+        key = "joined-equations" if joined else "same-equations"
+        return Phrase(key, {"known": before[-1].facts.called})
 
     def _open(self, method: Method, unknown: Expr) -> Phrase | None:
         """Where the rule says nothing of the unknown."""
@@ -166,5 +181,6 @@ class Solving:
         known += rotation_part(T).entries if goal.R is not None or goal.angle else ()
         return not any(each.diff(unknown.name).substitute({slide.name: Scalar.of(0)}) for each in known)
 
-    def _by(self, rule: str) -> tuple[Step, ...]:
+    def by(self, rule: str) -> tuple[Step, ...]:
+        """Its steps by a rule."""
         return tuple(step for step in self.steps if step.rule == rule)

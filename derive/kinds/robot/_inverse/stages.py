@@ -11,7 +11,7 @@ from derive.derivation import Step
 from derive.expression import Matrix, Symbol, column, multiply, transpose
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import TOOL
-from derive.kinds.robot._inverse import lengths, one_equation, two_equations
+from derive.kinds.robot._inverse import lengths, one_equation, quartic, two_equations
 from derive.kinds.robot._inverse.compared import Poses
 from derive.kinds.robot._inverse.progress import Progress
 from derive.kinds.robot._inverse.solving import Solving
@@ -20,7 +20,7 @@ from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.plan import Decoupling, Plan
 from derive.mechanics.inverse.search import Stage
-from derive.mechanics.inverse.subproblems import Elbow, OneEquation, Reach, Slide, TwoEquations
+from derive.mechanics.inverse.subproblems import Elbow, OneEquation, Quartic, Reach, Slide, TwoEquations
 from derive.mechanics.poses import homogeneous, inverse_pose, rotation_part
 
 
@@ -137,3 +137,5 @@ def write(solving: Solving, stage: Stage) -> None:
             lengths.reach(solving, found)
         case Slide() as found:
             lengths.slide(solving, found)
+        case Quartic() as found:
+            quartic.write(solving, found)

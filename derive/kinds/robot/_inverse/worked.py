@@ -16,6 +16,8 @@ from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.plan import Plan
 from derive.mechanics.poses import position_part
 
+PROVED = ("equation", "squares", "solved", "split", "joined")
+
 
 @dataclass(frozen=True, slots=True)
 class Orientation:
@@ -161,7 +163,7 @@ class Worked:
     def conditional(self) -> list[str]:
         """The steps that hold in some configurations only, or are told beside the others; each of the rest
         holds with the forward kinematics put in for what is given."""
-        return [step.name for step in self.steps if step.rule not in ("equation", "squares", "solved")]
+        return [step.name for step in self.steps if step.rule not in PROVED]
 
 
 def _names(solved: Solved) -> set[str]:
