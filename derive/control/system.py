@@ -21,7 +21,7 @@ class System:
     """Equations linear in their signals; `disturbance` is zero in the transfer function.
 
     `motor` says in words' terms which motor it is ("armature", "angle"), empty for any other. `delays` are
-    those in whose place the equations have fractions.
+    those in whose place the equations have fractions, and `units` those of signals that have one.
     """
 
     equations: tuple[Equation, ...]
@@ -30,6 +30,7 @@ class System:
     disturbance: Symbol | None = None
     motor: tuple[str, ...] = ()
     delays: tuple[Delay, ...] = ()
+    units: tuple[tuple[str, str], ...] = ()
 
     @property
     def names(self) -> frozenset[str]:
@@ -43,6 +44,10 @@ class System:
         sides = (side for equation in self.equations for side in (equation.left, equation.right))
         symbols = (node.name for side in sides for node in walk(side) if isinstance(node, Symbol))
         return tuple(dict.fromkeys(symbols))
+
+    def unit(self, signal: Symbol) -> str:
+        """That of a signal, "" where none is given."""
+        return dict(self.units).get(signal.name, "")
 
     @property
     def defines(self) -> frozenset[str]:

@@ -141,6 +141,18 @@ def dimension_of(unit: str) -> Dimension:
     return compound(parts).dimension
 
 
+def coherent(unit: str) -> bool:
+    """Whether a quantity in this unit has the same number in SI."""
+    if unit in _PRINTED:
+        return True
+    above, *below = unit.split("/")
+    try:
+        parts = [*_parts(above, 1), *(part for each in below for part in _parts(each, -1))]
+        return all(UNITS[name].size == 1 and not UNITS[name].degrees for name, _ in parts)
+    except (KeyError, ValueError):
+        return False
+
+
 def _parts(text: str, sign: int) -> Iterator[tuple[str, int]]:
     for each in text.split():
         name, _, exponent = each.partition("^")

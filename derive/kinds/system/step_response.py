@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+from derive.algebra.formulas.with_units import measured
 from derive.algebra.readable.form import readable
 from derive.control.rational import Rational
 from derive.control.response import StepResponse, step_response
 from derive.control.roots import roots
 from derive.control.system import System
-from derive.derivation import Derivation, Phrase, Plot, Result, Step
+from derive.derivation import Derivation, Phrase, Plot, Result, Said, Step
 from derive.errors import NotDerivable
-from derive.expression import Expr, Number, Relation, Symbol, number
+from derive.expression import Expr, Measured, Number, Relation, Symbol, number
 from derive.figures.responses import stepped
 from derive.kinds.fields import Evaluation, OptionsModel
 from derive.kinds.problem import Problem
@@ -102,7 +103,8 @@ def _steps(answer: Answer, name: Symbol) -> Iterator[Step]:
     if answer.final is not None:
         middle = _at_zero(answer)
         worked = () if _same(middle, answer.final) else (middle,)
-        yield Step("steady_state", (_last(answer), *worked, answer.final), "final-value")
+        final = measured(answer.final, answer.plant.system.unit(output))
+        yield Step("steady_state", (_last(answer), *worked, final), "final-value")
 
 
 def _same(fraction: Expr, value: Expr) -> bool:
@@ -144,18 +146,23 @@ def _results(response: StepResponse, final: Expr | None) -> dict[str, Result]:
 
 def _plot(answer: Answer, options: Options) -> Plot:
     output, source = answer.plant.system.output, answer.plant.system.input
-    unit = next((UNITS[word] for word in answer.plant.system.motor if word in UNITS), "")
+    motor = (UNITS[word] for word in answer.plant.system.motor if word in UNITS)
+    unit = answer.plant.system.unit(output) or next(motor, "")
     caption = Phrase("drawn-loop" if options.controller else "drawn", {"output": output, "input": source})
     return stepped(answer.response, output, unit, caption)
 
 
 def _facts(answer: Answer, options: Options) -> Facts:
     response, start = answer.response, Relation(Symbol("t"), "=", number(0))
-    jump = Phrase("input-jumps", {"input": answer.plant.system.input, "start": start})
+    system = answer.plant.system
+    jumping = system.output if options.controller else system.input
+    about: dict[str, Said] = {"start": start, "height": _one(system.unit(jumping))}
     found = verdict(answer.numeric.den)
     returns = found == "stable" and response.steady_state == 0
     return Facts(
-        jump=Phrase("reference-jumps", {"start": start}) if options.controller else jump,
+        jump=Phrase("reference-jumps", about)
+        if options.controller
+        else Phrase("input-jumps", about | {"input": system.input}),
         step=1 / S,
         point=point_chains(options.evaluate, answer.plant.problem.where),
         poles=roots_told(roots(answer.numeric.den)),
@@ -165,6 +172,11 @@ def _facts(answer: Answer, options: Options) -> Facts:
         hidden=Phrase("hidden-growth") if answer.verdict == "unstable" != found else None,
         numbers=(),
     )
+
+
+def _one(unit: str) -> Said:
+    """The height of a unit step."""
+    return Measured(number(1), unit) if unit else 1
 
 
 def _course(answer: Answer, found: str) -> Phrase:

@@ -7,6 +7,7 @@ from typing import Annotated
 
 from pydantic import Field
 
+from derive.algebra.formulas.units import coherent
 from derive.algebra.infix import text
 from derive.control.delays import Function, delay_of, found_in, replaced, transcendental
 from derive.control.system import Equation, System
@@ -17,8 +18,9 @@ from derive.sheet.faults import did_you_mean, formula_fault
 from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known
 
-# A disturbance is zero where it is not asked about; fractions for delays stand in the equations already.
-HARMLESS = frozenset({"disturbance", "delay"})
+# A disturbance is zero where it is not asked about; fractions for delays stand in the equations already;
+# units stand where numbers do.
+HARMLESS = frozenset({"disturbance", "delay", "units"})
 
 
 class Approximation(OptionsModel):
@@ -29,13 +31,14 @@ class Approximation(OptionsModel):
 
 class Given(OptionsModel):
     """The equations, and which of their signals drives, is observed, disturbs; `delay` says what takes the
-    place of a delay."""
+    place of a delay, and `units` in which SI unit a signal is, as `{x: m, f: N}`."""
 
     equations: Annotated[list[EquationField], Field(min_length=1, max_length=100)]
     input: Name
     output: Name
     disturbance: Name | None = None
     delay: Approximation | None = None
+    units: dict[Name, str] = Field(default_factory=dict)
 
 
 def build(given: Given, at: At, known: Known) -> System:
@@ -44,12 +47,17 @@ def build(given: Given, at: At, known: Known) -> System:
     sides = [side for equation in given.equations for side in (equation.left, equation.right)]
     delays = found_in(Matrix((tuple(sides),)), given.delay.pade) if given.delay else ()
     equations = tuple(Equation(replaced(e.left, delays), replaced(e.right, delays)) for e in given.equations)
-    faults = Faults([*_signal_faults(given, at), *_function_faults(equations, given, at)])
+    faults = Faults(
+        [*_signal_faults(given, at), *_function_faults(equations, given, at), *_unit_faults(given, at)]
+    )
     if given.delay and not delays:
         faults.append(at.fault("no equation holds a delay", ("delay",), "write one as exp(-T*s)"))
     faults.settle()
+    units = tuple(given.units.items())
     disturbance = Symbol(given.disturbance) if given.disturbance else None
-    return System(equations, Symbol(given.input), Symbol(given.output), disturbance, delays=delays)
+    return System(
+        equations, Symbol(given.input), Symbol(given.output), disturbance, delays=delays, units=units
+    )
 
 
 def _signal_faults(given: Given, at: At) -> Iterator[SheetError]:
@@ -61,6 +69,21 @@ def _signal_faults(given: Given, at: At) -> Iterator[SheetError]:
             yield at.fault(f"{signal} is in none of the equations", (role,), did_you_mean(signal, names))
     if given.input == given.output:
         yield at.fault("input and output are the same signal", ("output",))
+
+
+def _unit_faults(given: Given, at: At) -> Iterator[SheetError]:
+    """Of what is no signal, and of what is no unit in which SI is coherent: the coefficients are in SI."""
+    signals = [name for name in (given.input, given.output, given.disturbance) if name]
+    for name, unit in given.units.items():
+        if name not in signals:
+            yield at.fault(
+                f"{name} is no signal that has a unit here",
+                ("units", name),
+                did_you_mean(name, signals),
+                key=True,
+            )
+        elif not coherent(unit):
+            yield at.fault(f"'{unit}' is no unit of SI", ("units", name), "write one as N, m/s or rad")
 
 
 # -- functions of s -----------------------------------------------------------------------------------

@@ -371,3 +371,35 @@ def test_the_inertia_at_the_hand_of_many_joints(rows: tuple[str, ...]) -> None:
     J, D = np.array(number_rows(found["J"], at)), Oracle(robot, {}).inertia_matrix(at)
     expected = np.linalg.inv(J @ np.linalg.inv(D) @ J.T)
     assert np.allclose(solution_at(found["Lambda"], at), expected, rtol=1e-8)
+
+
+def page(robot: str, kind: str, tmp_path: Path) -> str:
+    """The page of one question about an arm."""
+    sheet = tmp_path / "sheet.yaml"
+    sheet.write_text(f"title: x\nproblems:\n- find: {kind}\n  robot:{robot}", encoding="utf-8")
+    return render(assemble(load_sheet(sheet)), "md")
+
+
+SPHERICAL = """
+    gravity: [0, 0, -g]
+    links:
+    - {theta: theta1*, d: 0, a: 0, alpha: 90 deg, mass: m1, com: [0, 0, 0], inertia: [0, I1, 0]}
+    - {theta: theta2*, d: 0, a: 0, alpha: 90 deg, mass: m2, com: [0, 0, 0], inertia: [I2, OTHER, 0]}
+    - {theta: 0, d: d3*, a: 0, alpha: 0, mass: m3, com: [0, 0, 0], inertia: point}
+"""
+
+
+@pytest.mark.parametrize(
+    ("other", "told"), [("I2", r"\Theta_2 = \Theta_3"), ("3*I2", r"\Theta_3 = 3 \Theta_2"), ("I3", "")]
+)
+def test_parameters_that_the_bodies_make_equal_are_told(other: str, told: str, tmp_path: Path) -> None:
+    said = page(SPHERICAL.replace("OTHER", other), "regressor", tmp_path)
+    assert ("The bodies given here have" in said) == bool(told)
+    assert told in said
+
+
+def test_one_thing_is_not_told_in_the_plural(tmp_path: Path) -> None:
+    said = page(PENDULUM.replace("MORE", ""), "dynamics", tmp_path)
+    assert "The center of mass has the Jacobian" in said
+    assert "one link adds" in said.lower()
+    assert "the potential energy is" in said
