@@ -1,4 +1,4 @@
-"""Inertia matrices without their arms, against published terms, and Lagrange's equations by SymPy."""
+"""Matrices without their arms, against published terms and determinants, SymPy and NumPy."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 import sympy
 
@@ -101,4 +102,59 @@ def test_whether_it_is_positive_definite(value: str, said: str, tmp_path: Path) 
 def test_what_is_no_inertia_matrix(value: str, variables: str, said: str, tmp_path: Path) -> None:
     with pytest.raises(SheetErrors) as fault:
         asked("christoffel", value, variables, tmp_path)
+    assert said in str(fault.value.errors[0])
+
+
+REACH, FALL = "(a2*cos(q2) + a3*cos(q2 + q3))", "(a2*sin(q2) + a3*sin(q2 + q3))"
+ELBOW = f"""[[-sin(q1)*{REACH}, -cos(q1)*{FALL}, -a3*cos(q1)*sin(q2 + q3)],
+            [cos(q1)*{REACH}, -sin(q1)*{FALL}, -a3*sin(q1)*sin(q2 + q3)], [0, {REACH}, a3*cos(q2 + q3)]]"""
+UPPER = "[[sin(q1), 1, 1, 1], [0, sin(q2), 1, 1], [0, 0, sin(q3), 1], [0, 0, 0, sin(q4)]]"
+
+
+def test_an_arm_with_an_elbow_loses_rank_here(tmp_path: Path) -> None:
+    """Siciliano et al., section 3.3.2: det J = -a_2 a_3 s_3 (a_2 c_2 + a_3 c_23)."""
+    found = asked("singularities", ELBOW.replace("\n", " "), "[q1, q2, q3]", tmp_path)
+    published = sympy.sympify("-a2*a3*sin(q3)*(a2*cos(q2) + a3*cos(q2 + q3))")
+    assert sympy.expand(sympy.sympify(found["det"]) - published, trig=True) == 0
+    assert found["complete"] is True
+    assert [each["rank"] for each in found["solutions"]] == [2, 2, 2, 2, 1]
+
+
+@pytest.mark.parametrize(
+    ("value", "variables", "count"),
+    [
+        ("[[cos(q1), -sin(q1)], [sin(q1), cos(q1)]]", "[q1]", 0),
+        ("[[-q2*sin(q1), cos(q1)], [q2*cos(q1), sin(q1)]]", "[q1, q2]", 1),
+        ("[[1, cos(q2) + 25, cos(q2)], [0, sin(q2), sin(q2)]]", "[q2]", 2),
+        (UPPER, "[q1, q2, q3, q4]", None),
+    ],
+)
+def test_sets_of_a_matrix_have_the_ranks_that_are_told(
+    value: str, variables: str, count: int | None, tmp_path: Path
+) -> None:
+    """By NumPy, in configurations of each set that is told by its values."""
+    found = asked("singularities", value, variables, tmp_path)
+    assert count is None or len(found["solutions"]) == count
+    J = sympy.Matrix(sympy.sympify(value))
+    for each in found["solutions"]:
+        names = [name for name in variables.strip("[]").split(", ") if name in each]
+        if names:
+            there = J.subs({name: sympy.sympify(each[name]) for name in names})
+            some = np.array(there.subs(dict.fromkeys(there.free_symbols, 0.7)), dtype=float)
+            assert np.linalg.matrix_rank(some, tol=1e-9) == each["rank"]
+
+
+@pytest.mark.parametrize(
+    ("value", "variables", "said"),
+    [
+        ("[[1, 2], [3, 4]]", "[]", "list the names that vary"),
+        ("[[q1, 2*q1], [q2, 2*q2]]", "[q1, q2]", "never has full rank"),
+        ("[[1/q1, q2], [1, q1]]", "[q1, q2]", "below a fraction"),
+        ("[[exp(q1), q2], [1, q1]]", "[q1, q2]", "in another function"),
+        ("[[cos(q1), q2], [1, q1]]", "[q1, q2]", "q1 stands both"),
+    ],
+)
+def test_singular_sets_that_are_not_sought(value: str, variables: str, said: str, tmp_path: Path) -> None:
+    with pytest.raises(SheetErrors) as fault:
+        asked("singularities", value, variables, tmp_path)
     assert said in str(fault.value.errors[0])

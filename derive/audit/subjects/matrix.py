@@ -10,6 +10,7 @@ from derive.audit.given_inertia import christoffel, properties
 from derive.audit.linear import Rows
 from derive.audit.points import Point
 from derive.audit.redundant import rates
+from derive.audit.singular_sets import singular_sets
 from derive.audit.spaces import spaces
 from derive.mechanics.matrices import GivenMatrix
 
@@ -30,8 +31,19 @@ def redundancy(asked: Asked, point: Point) -> Iterator[Test]:
     yield from rates(asked, J, there, names, joints, _rows(asked, second.matrix, there) if second else [])
 
 
+def singularities(asked: Asked, point: Point) -> Iterator[Test]:
+    """Where the matrix loses rank."""
+    yield from singular_sets(asked, point, lambda at: _rows(asked, asked.subject.value.rows, at))
+
+
 def _rows(asked: Asked, rows: Any, there: Point) -> Rows:
     return [[there.at(asked.formula(entry)) for entry in row] for row in rows]
 
 
-KINDS = {"rank": rank, "redundancy": redundancy, "christoffel": christoffel, "properties": properties}
+KINDS = {
+    "rank": rank,
+    "redundancy": redundancy,
+    "singularities": singularities,
+    "christoffel": christoffel,
+    "properties": properties,
+}

@@ -26,7 +26,6 @@ class Facts(PageFacts):
 
     D: Symbol
     constant: bool
-    long: bool
     others: Phrase | None
 
 
@@ -54,7 +53,6 @@ def derive(given: GivenMatrix, options: Options, problem: Problem) -> Derivation
     facts = Facts(
         D=found.name,
         constant=not long and not told,
-        long=long,
         others=_others(found.name, long, len(symbols), vanish, len(told)),
     )
     return work.answer("christoffel", results, facts)

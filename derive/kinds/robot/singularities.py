@@ -12,18 +12,21 @@ from derive.figures.singular_poses import drawn
 from derive.kinds.fields import OptionsModel
 from derive.kinds.problem import Problem
 from derive.kinds.robot._point import PointOn
+from derive.kinds.robot._singular.by_poses import center_seen, of_arm
 from derive.kinds.robot._singular.checks import Checked
 from derive.kinds.robot._singular.facts import Facts as Facts
 from derive.kinds.robot._singular.facts import facts_of
+from derive.kinds.robot._singular.graded import graded
 from derive.kinds.robot._singular.lengths import at_special_lengths, lengths_told
+from derive.kinds.robot._singular.minors import Way
 from derive.kinds.robot._singular.saying import branches
-from derive.kinds.robot._singular.sets import Analysed, analysed
-from derive.kinds.robot._singular.ways import Way, by_determinant, by_minors, by_wrist
+from derive.kinds.robot._singular.sets import Analysed
+from derive.kinds.robot._singular.ways import by_determinant, by_minors, by_wrist
 from derive.kinds.robot._velocity.task import RowName, Task, task_of
 from derive.mechanics.coupling import out_of_proportion
 from derive.mechanics.robot import Robot
 from derive.mechanics.seen import easiest
-from derive.mechanics.strata import Strata, searching
+from derive.mechanics.strata import searching
 from derive.mechanics.wrist import wrist_of
 
 CLAIMED = {"det": "determinant-seen", "solutions": "full-rank"}
@@ -48,15 +51,16 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     _refuse_out_of_proportion(task)
     way = _way(task, options)
     sets = _analysed(task, way)
-    lengths = lengths_told(task, sets)
+    J = of_arm(task, way)
+    lengths = lengths_told(J, problem.assumptions, sets)
     solutions, facts = branches(problem, sets, way.point), facts_of(problem, way, sets, lengths)
     results: dict[str, Result] = {
         "det": problem.final(way.det),
         "solutions": solutions,
         "complete": way.complete,
     }
-    work = way.work.claim(*Checked(task, way, sets, solutions, facts.sets).claims())
-    work = work.claim(*at_special_lengths(task, sets, lengths))
+    work = way.work.claim(*Checked(J, way, sets, solutions, facts.sets).claims())
+    work = work.claim(*center_seen(task, way, J), *at_special_lengths(J, sets, lengths))
     return work.answer("singularities", results, facts, plots=_drawn(task, sets))
 
 
@@ -84,17 +88,7 @@ def _refuse_out_of_proportion(task: Task) -> None:
 def _analysed(task: Task, way: Way) -> tuple[Analysed, ...]:
     """Every set with its rank, those inside others last."""
     J = easiest(task.found, task.whole, task.rows, task.point.position)
-    search = Strata(J, searching(task.found, task.problem.readable))
-    found = search.below([place for part in way.parts for place in part.sets], min(J.shape))
-    inner = [
-        each for each in found if any(search.inclusion.strictly(each.locus, other.locus) for other in found)
-    ]
-    outer = [each for each in found if each not in inner]
-    made = []
-    for each in (*outer, *inner):
-        block = next((part.block for part in way.parts if each.locus in part.sets), way.parts[0].block)
-        made.append(analysed(task.problem, block, each, each in inner))
-    return tuple(each for each in made if each is not None)
+    return graded(task.problem, way, J, searching(task.found, task.problem.readable))
 
 
 def _way(task: Task, options: Options) -> Way:

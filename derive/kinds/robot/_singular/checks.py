@@ -1,9 +1,9 @@
-"""That singular sets are what is said of them, in numbers: the Jacobian and its determinant by the poses, the
-rank on each set, what the arm looks like there, and that a search finds no other."""
+"""That singular sets are what is said of them, in numbers: the matrix and its determinant by another route,
+the rank on each set, what the arm looks like there, and that a search finds no other."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from itertools import combinations
@@ -13,13 +13,13 @@ from derive.algebra.infix import text
 from derive.algebra.numbers import floats as numeric
 from derive.algebra.numbers.arrays import arrays
 from derive.algebra.numbers.compiled import compiled
+from derive.algebra.numbers.floats import Point
 from derive.derivation import Branch, Claim, Phrase, Step
 from derive.errors import NotDerivable
 from derive.expression import Expr, Symbol
 from derive.kinds.checks import close, random_points, route
-from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._singular.facts import CaseTold, SetTold
-from derive.kinds.robot._singular.postures import Postures
+from derive.kinds.robot._singular.minors import Way
 from derive.kinds.robot._singular.search import (
     SMALL,
     Values,
@@ -31,46 +31,59 @@ from derive.kinds.robot._singular.search import (
     zeros_along,
 )
 from derive.kinds.robot._singular.sets import Analysed, Block, Case
-from derive.kinds.robot._singular.ways import Way
-from derive.kinds.robot._velocity.task import Task
-from derive.mechanics.task import ROWS
+from derive.mechanics.zeros import Zero
 
 DIFFERENCES = 1e-6
 POINTS, TRIES = 3, 60
 IN_A_SET = 1, 36  # lines along which lower ranks are sought, and places on each
-WRIST = 3  # joints
 SETS = ("on-the-set", "inside-larger-sets")
+
+
+@dataclass(frozen=True)
+class InNumbers:
+    """A matrix of joint variables in numbers, by a route that knows nothing of its sets: `symbols` are all
+    names it depends on, `completed` adds what a sheet says of others; `slides` are the variables that are
+    lengths; `whole` and `block` give it and a part of it, `posture` whether an arm looks as it is said."""
+
+    variables: tuple[str, ...]
+    slides: tuple[str, ...]
+    symbols: frozenset[str]
+    completed: Callable[[Point], Point]
+    whole: Callable[[Values], Any]
+    block: Callable[[Block, Values], Any]
+    posture: Callable[[Block, Phrase, Values], bool]
+    small: float = SMALL  # a singular value that may be zero, relative to the largest
+
+    @property
+    def points(self) -> Iterator[Values]:
+        return (dict(self.completed(at)) for at in random_points(self.symbols, TRIES))
+
+    def places(self, zeros: Sequence[Zero]) -> list[Values]:
+        """Some points of a set."""
+        return list(placed({zero.variable: zero.value for zero in zeros}, self.points, POINTS))
 
 
 @dataclass(frozen=True)
 class Checked:
     """A Jacobian with its singular sets (`sets`, and the same as results and as told in words)."""
 
-    task: Task
+    J: InNumbers
     way: Way
     sets: Sequence[Analysed]
     solutions: Sequence[Branch]
     told: Sequence[SetTold]
 
-    @property
-    def points(self) -> Iterator[Values]:
-        oracle = oracle_of(self.task.problem)
-        return (dict(oracle.at(at)) for at in random_points(self.task.symbols, TRIES))
-
     def claims(self) -> Iterator[Claim]:
         """About the lines, the sets, and what is said of each."""
-        some = [at for _, at in zip(range(POINTS), self.points, strict=False)]
+        some = [at for _, at in zip(range(POINTS), self.J.points, strict=False)]
         yield route("jacobian-seen", (self._seen(part.block, at) for part in self.way.parts for at in some))
         yield route("determinant-seen", (each for at in some for each in self._determined(at)))
-        if self.way.name == "wrist":
-            yield route("center-seen", (each for at in some for each in self._centered(at)))
-        full = min(self.task.J.shape)
-        yield route("full-rank", (rank_at(self.task.numbers(at)) == full for at in some))
+        yield route("full-rank", (rank_at(J := self.J.whole(at)) == min(J.shape) for at in some))
         for branch, each, case in self._listed():
             yield from self._of_branch(branch, each, case)
             if case is not None and case.J is not None:
                 names = ", ".join(zero.variable for zero in case.zeros)
-                yield route("spaces", _spaces(self.task, each, case), names=names)
+                yield route("spaces", _spaces(self.J, each, case), names=names)
         if said := [*self._words()]:
             yield route("looks-in-words", said)
         if spaces := [*self._spaces_told()]:
@@ -89,32 +102,22 @@ class Checked:
     def _seen(self, block: Block, at: Values) -> bool:
         """The Jacobian as it is printed, seen from its frame."""
         printed = numeric.numbers(self.way.work[Symbol(block.name)], at)
-        return close(printed, block_numbers(self.task, block, at), DIFFERENCES)
+        return close(printed, self.J.block(block, at), DIFFERENCES)
 
     def _determined(self, at: Values) -> Iterator[bool]:
         """det J, or that of the smaller of J J^T and J^T J, and what its line says without other names."""
         import numpy as np
 
-        J = self.task.numbers(at)
+        J = self.J.whole(at)
         m, n = J.shape
         gram = J if m == n else J @ J.T if m < n else J.T @ J
         det = float(np.linalg.det(gram))
         yield close(numeric.number(self.way.det, at), det, DIFFERENCES)
-        blocks = {part.block.name: block_numbers(self.task, part.block, at) for part in self.way.parts}
+        blocks = {part.block.name: self.J.block(part.block, at) for part in self.way.parts}
+        whole = {"J": J} if len(blocks) > 1 else {}
         for expr in self._line("det").chain:
             with suppress(KeyError, NotDerivable):
-                yield close(arrays(expr, {**at, "J": J, **blocks}), det, DIFFERENCES)
-
-    def _centered(self, at: Values) -> Iterator[bool]:
-        """The center of the wrist as it is printed: the origin of the frame in its name, which the last three
-        joints do not move."""
-        oracle, line = oracle_of(self.task.problem), self._line("center")
-        name, known = text(line.chain[0]), oracle.at(at)
-        p, poses = arrays(line.result, known)[:, 0], oracle.poses(known)
-        yield close(p, poses[int(name.removeprefix("o_"))][:3, 3], DIFFERENCES)
-        T, last = poses[-1], len(poses) - 1
-        J = oracle.jacobian(known, last, T[:3, :3].T @ (p - T[:3, 3]))
-        yield close(J[:3, -WRIST:], 0 * J[:3, -WRIST:], DIFFERENCES)
+                yield close(arrays(expr, {**at, **whole, **blocks}), det, DIFFERENCES)
 
     def _line(self, name: str) -> Step:
         return next(step for step in self.way.work.steps if step.name == name)
@@ -122,18 +125,18 @@ class Checked:
     def _of_branch(self, branch: Branch, each: Analysed, case: Case | None) -> Iterator[Claim]:
         """The rank there, and what is said of it; of a set that is told by equations without values, the
         search says it."""
-        there = list(placed(branch.values, self.points)) if case else _sampled(each)
+        there = list(placed(branch.values, self.J.points)) if case else self._sampled(each)
         if not there and case is None:
             return
         names = ", ".join(branch.values) or ", ".join(map(text, each.equations))
         exact, rank = "rank" in branch.facts, branch.facts.get("rank", branch.facts.get("rank_at_most"))
-        ranks = [rank_at(self.task.numbers(here)) for here in there]
+        ranks = [rank_at(self.J.whole(here)) for here in there]
         yield route("rank", (r == rank if exact else r <= rank for r in ranks), rank=rank, names=names)
-        yield route("on-it", (inside(branch, here, self._slides) for here in there), names=names)
-        seen = self._postures(each.block)
+        yield route("on-it", (inside(branch, here, self.J.slides) for here in there), names=names)
         looks = [when for when in branch.when if isinstance(when, Phrase) and when.key not in SETS]
         if looks:
-            yield route("looks", (seen.true(look, here) for look in looks for here in there), names=names)
+            seen = (self.J.posture(each.block, look, here) for look in looks for here in there)
+            yield route("looks", seen, names=names)
 
     @property
     def _cases(self) -> Iterator[tuple[Block, CaseTold, Values]]:
@@ -142,20 +145,19 @@ class Checked:
         for each, told in zip(outer, self.told, strict=True):
             for case in told.cases:
                 values = {name.name: value for name, value in case.places if isinstance(name, Symbol)}
-                yield from ((each.block, case, here) for here in placed(values, self.points))
+                yield from ((each.block, case, here) for here in placed(values, self.J.points))
 
     def _words(self) -> Iterator[bool]:
         """What is said of each case in words."""
         for block, case, here in self._cases:
-            seen = self._postures(block)
-            yield from (seen.true(look, here) for look in case.looks)
+            yield from (self.J.posture(block, look, here) for look in case.looks)
 
     def _spaces_told(self) -> Iterator[bool]:
         """The matrices of each case as they are printed."""
         import numpy as np
 
         for block, case, here in self._cases:
-            J = block_numbers(self.task, block, here)
+            J = self.J.block(block, here)
             size = SMALL * max(1.0, float(np.abs(J).max()))
             told = (
                 [arrays(chain[-1], here) for chain in each]
@@ -170,21 +172,11 @@ class Checked:
             yield from (abs(each) <= size for each in sums)
             yield from (rank_at(np.hstack([J, R])) == rank_at(R) == case.rank for R in spanned)
 
-    def _postures(self, block: Block) -> Postures:
-        hand = tuple(i for i, _ in self.task.found.moving)[-3:] if self.way.name == "wrist" else ()
-        return Postures(self.task, block.seeing.rows, hand)
-
-    @property
-    def _slides(self) -> list[str]:
-        found = self.task.found
-        return [joint.variable for _, joint in found.moving if joint.type == "prismatic"]
-
     def _found(self, at: Values) -> Iterator[bool]:
         """Whether every configuration that a search finds is singular and lies in a set that is told."""
-        J, full = self.task, min(self.task.J.shape)
-        for here in zeros_along(compiled(self.way.det), at, J.found.variables, self._slides):
-            told = any(inside(branch, here, self._slides) for branch in self.solutions)
-            yield told and rank_at(J.numbers(here)) < full
+        for here in zeros_along(compiled(self.way.det), at, self.J.variables, self.J.slides):
+            told = any(inside(branch, here, self.J.slides) for branch in self.solutions)
+            yield told and rank_at(J := self.J.whole(here)) < min(J.shape)
 
     def _inner(self, branches: Sequence[Branch], at: Values) -> Iterator[bool]:
         """What a search finds in the sets, and where two of them cross if all is decided of each."""
@@ -197,7 +189,7 @@ class Checked:
             both = {**one.values, **other.values}
             crossing = put(both, at) if len(both) == len(one.values) + len(other.values) > 1 else None
             if crossing is not None and one.values and other.values:
-                yield from self._lower(both, rank_at(self.task.numbers(crossing)), at)
+                yield from self._lower(both, rank_at(self.J.whole(crossing)), at)
 
     def _lower(self, own: Mapping[str, Expr], rank: int, at: Values) -> Iterator[bool]:
         """Whether each configuration with these values in which the rank is less, as a search along a line
@@ -205,27 +197,34 @@ class Checked:
 
         def height(there: Values) -> float:
             here = put(own, there)
-            return 1.0 if here is None else float(singular_values(self.task.numbers(here))[rank - 1]) ** 2
+            return 1.0 if here is None else float(singular_values(self.J.whole(here))[rank - 1]) ** 2
 
-        free = [name for name in self.task.found.variables if name not in own]
-        for there in zeros_along(height, at, free, self._slides, *IN_A_SET) if rank and free else ():
+        free = [name for name in self.J.variables if name not in own]
+        for there in zeros_along(height, at, free, self.J.slides, *IN_A_SET) if rank and free else ():
             if (here := put(own, there)) is not None:
-                lower = rank_at(self.task.numbers(here))
-                around = [each for each in self.solutions if inside(each, here, self._slides)]
+                J = self.J.whole(here)
+                if not self._falls(J, rank):
+                    continue
+                lower = rank_at(J)
+                around = [each for each in self.solutions if inside(each, here, self.J.slides)]
                 yield lower in [each.facts.get("rank", each.facts.get("rank_at_most")) for each in around]
 
+    def _falls(self, J: Any, rank: int) -> bool:
+        """Whether the rank is less as surely as can be seen: near a zero that is touched it may look so."""
+        values = singular_values(J)
+        return bool(values[rank - 1] <= self.J.small * max(1.0, values[0]))
 
-def _sampled(each: Analysed) -> list[Values]:
-    """Some places of a set that is told by its equations."""
-    return [here for zeros in each.places for here in each.block.seeing.places(zeros)]
+    def _sampled(self, each: Analysed) -> list[Values]:
+        """Some places of a set that is told by its equations."""
+        return [here for zeros in each.places for here in self.J.places(zeros)]
 
 
-def _spaces(task: Task, each: Analysed, case: Case) -> Iterator[bool]:
+def _spaces(numbers: InNumbers, each: Analysed, case: Case) -> Iterator[bool]:
     """J x = 0 and u J = 0 of the block in numbers, and its rank."""
     import numpy as np
 
-    for here in each.block.seeing.places(case.zeros):
-        J = block_numbers(task, each.block, here)
+    for here in numbers.places(case.zeros):
+        J = numbers.block(each.block, here)
         size = max(1.0, float(np.abs(J).max()))
         yield rank_at(J) == case.rank
         for vectors, matrix in ((case.null, J), (case.lost, J.T)):
@@ -233,27 +232,3 @@ def _spaces(task: Task, each: Analysed, case: Case) -> Iterator[bool]:
                 v = np.array(numeric.matrix_numbers(vector, here))
                 longest = max(1.0, float(np.abs(v).max()))
                 yield bool(np.abs(matrix @ v).max() <= SMALL * size * longest)
-
-
-def block_numbers(task: Task, block: Block, here: Values) -> Any:
-    """The block by differences of the poses: its rows and columns of the Jacobian of its own point, turned
-    into its own frame."""
-    import numpy as np
-
-    oracle = oracle_of(task.problem)
-    known = oracle.at(here)
-    columns = [task.found.variables.index(name) for name in block.variables]
-    if block.frame == 0:
-        return task.numbers(here)[:, columns]
-    poses = oracle.poses(known)
-    if block.name in ("J_11", "J_22"):
-        p = np.array([row[0] for row in numeric.matrix_numbers(block.seeing.point, known)])
-        T = poses[-1]
-        J = oracle.jacobian(known, len(poses) - 1, T[:3, :3].T @ (p - T[:3, 3]))
-    elif block.J.shape == (len(ROWS), len(ROWS)):
-        J = oracle.jacobian(known, len(poses) - 1, (0.0, 0.0, 0.0))
-    else:
-        J = oracle.jacobian(known, task.point.frame, task.point.offset)
-    R = poses[block.frame][:3, :3]
-    turned = np.vstack([R.T @ J[:3], R.T @ J[3:]])
-    return turned[[ROWS.index(row) for row in block.rows]][:, columns]

@@ -13,9 +13,9 @@ from derive.expression import ZERO, Expr, Product, Symbol, add, free_symbols, mu
 from derive.kinds.problem import Problem
 from derive.kinds.robot._degrees import in_degrees
 from derive.kinds.robot._determinants import mostly_negative
+from derive.kinds.robot._singular.minors import Way
 from derive.kinds.robot._singular.saying import clauses
 from derive.kinds.robot._singular.sets import Analysed, Case, rooted, written
-from derive.kinds.robot._singular.ways import Way
 from derive.names import free
 
 Chain: TypeAlias = tuple[Expr, ...]
@@ -117,7 +117,7 @@ def _taken(way: Way) -> Phrase | None:
         return None
     if way.name != "minors":
         return Phrase("its-determinant")
-    J, wide = Symbol(block.name), len(block.rows) < len(block.variables)
+    J, wide = Symbol(block.name), block.J.shape[0] < block.J.shape[1]
     gram = Product((J, transpose(J)) if wide else (transpose(J), J))
     return Phrase("more-columns" if wide else "more-rows", {"gram": gram})
 

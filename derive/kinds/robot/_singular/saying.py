@@ -89,10 +89,10 @@ def _look(look: Look, point: Phrase, block: Block) -> Phrase:
 def _where(look: Look, block: Block) -> str:
     """Of the joints that move the point, the first is the shoulder's; the last three are a wrist where they
     are not all parallel."""
-    rows = block.seeing.rows
+    rows = block.seen.rows
     if look.kind in ("axis", "plane"):
         return "shoulder" if look.joints[0] == rows[0] else ""
-    wrist = look.joints == (rows[-1] - 2, rows[-1]) and block.seeing.has_wrist
+    wrist = look.joints == (rows[-1] - 2, rows[-1]) and block.seen.has_wrist
     return "wrist" if wrist and look.kind in ("coincide", "parallel") else ""
 
 

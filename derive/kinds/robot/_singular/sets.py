@@ -31,14 +31,27 @@ MOST_CHECKED = 4  # choices at which a rank is looked at in numbers
 @dataclass(frozen=True, slots=True)
 class Block:
     """A part of the Jacobian that decides on its own: its name, its value (m by n), the joint variables of
-    its columns, the row names of its velocities, the frame they are seen in (0: base), and the point."""
+    its columns, the row names of its velocities, the frame they are seen in (0: base), and the point; nothing
+    of these last two where the matrix is given and its arm is not."""
 
     name: str
     J: ScalarMatrix
     variables: tuple[str, ...]
     rows: tuple[str, ...]
-    frame: int
-    seeing: Seeing
+    frame: int = 0
+    seeing: Seeing | None = None
+
+    @property
+    def all_variables(self) -> tuple[str, ...]:
+        """Those of the whole arm."""
+        return self.seeing.chain.variables if self.seeing else self.variables
+
+    @property
+    def seen(self) -> Seeing:
+        """The arm. Raises TypeError where none is known."""
+        if self.seeing is None:
+            raise TypeError("no arm has this matrix")
+        return self.seeing
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +99,7 @@ def analysed(problem: Problem, block: Block, found: Stratum, inner: bool) -> Ana
     """A set with its choices of values; None where it turns out that none is real. Where two solutions of an
     equation differ only in a direction, the Jacobian of the first."""
     place = found.locus
-    variables = block.seeing.chain.variables
+    variables = block.all_variables
     values = values_of(place, variables, problem.readable)
     if not values and place.fixed and not place.left:
         return None
@@ -118,7 +131,7 @@ def _positive(tree: Expr) -> Expr:
 
 def _case(block: Block, zeros: tuple[Zero, ...], shown: bool) -> Case:
     values = tuple((Symbol(zero.variable), zero.value) for zero in zeros)
-    return Case(values, zeros, block.seeing.looks(zeros) if shown else ())
+    return Case(values, zeros, block.seeing.looks(zeros) if shown and block.seeing else ())
 
 
 def _with_spaces(block: Block, case: Case) -> Case:
