@@ -24,6 +24,7 @@ SPOKEN = re.compile(rf'#[a-z]+\("[^"]*", {DOLLAR}')  # what is not seen of a for
 BY_ITSELF = 200  # letters and signs: more than two lines
 UNIT = r"(?:rad|deg|mm|cm|kg|Nm|Hz|[mNsVWJgKA])(?![A-Za-z])[23²³]?"
 MEASURE = re.compile(rf"(?<={DOLLAR}\);) {UNIT}(?:(?: |\\?/)\(?{UNIT}\)?)*")  # behind a formula
+TYPED = re.compile(rf"(?<=\d)(?:°| {UNIT})(?:\\?/{UNIT})+")  # in an author's text, 25°/s
 WORD_JOINER = "\u2060"  # where no line ends
 HELD = 14.0  # em, up to which a formula does not break in a line of text
 FRAME = 2.4  # em that a frame takes from a line
@@ -65,12 +66,18 @@ def laid_out(page: str) -> str:
     mathematics that is still in TeX."""
     if "$" in page:
         raise PageFailed(f"a formula is still in TeX: {page[page.index('$') :][:80]}")
-    return LEAD_IN.sub(_led, MEASURE.sub(_tied, page)).replace(BLOCK, "").replace(DOLLAR, "$")
+    tied = TYPED.sub(_unbroken, MEASURE.sub(_tied, page))
+    return LEAD_IN.sub(_led, tied).replace(BLOCK, "").replace(DOLLAR, "$")
 
 
 def _tied(found: re.Match[str]) -> str:
     """A unit in one piece with its number."""
-    return found[0].replace(" ", "~").replace("/", f"/{WORD_JOINER}")
+    return _unbroken(found).replace(" ", "~")
+
+
+def _unbroken(found: re.Match[str]) -> str:
+    """A quotient of units in one piece."""
+    return found[0].replace("/", f"/{WORD_JOINER}")
 
 
 def _led(found: re.Match[str]) -> str:
