@@ -23,15 +23,21 @@ def data(sensor: Encoder | PulseWidth, problem: Problem) -> Iterator[Datum]:
         return
     disc = sensor.disc
     if isinstance(disc, Incremental):
-        yield Datum(Phrase("incremental", {"lines": disc.lines}), words=("incremental",))
+        known = (
+            Phrase("incremental", {"lines": disc.lines}) if disc.lines != ZERO else Phrase("incremental-disc")
+        )
+        yield Datum(known, words=("incremental",))
         yield Datum(
             Phrase("one-edge") if disc.edges == ONE else Phrase("edges", {"edges": disc.edges}),
             words=("edge",),
         )
     else:
-        yield Datum(Phrase("absolute", {"bits": disc.bits}), words=("absolute",))
+        known = Phrase("absolute", {"bits": disc.bits}) if disc.bits != ZERO else Phrase("absolute-disc")
+        yield Datum(known, words=("absolute",))
+        if disc.turn_bits != ZERO:
+            yield Datum(Phrase("turn-bits", {"bits": disc.turn_bits}), words=("turn|revolution",))
     if sensor.gear is not None:
-        yield Datum(Phrase("gear", {"gear": sensor.gear}), words=("gear",))
+        yield Datum(Phrase("gear", {"gear": sensor.gear}), words=("gear|times as fast",))
 
 
 UNITS = {"high": "V", "low": "V", "mean": "V", "frequency": "Hz"}

@@ -10,7 +10,8 @@ from derive.mechanics.gearing import Stage
 
 @dataclass(frozen=True, slots=True)
 class Incremental:
-    """A disc with `lines`, of which `edges` are counted each (1, 2, or 4 with two tracks)."""
+    """A disc with `lines` (zero where their number is asked), of which `edges` are counted each (1, 2, or 4
+    with two tracks)."""
 
     lines: Expr
     edges: Expr
@@ -18,9 +19,11 @@ class Incremental:
 
 @dataclass(frozen=True, slots=True)
 class Absolute:
-    """A disc that reads out its angle in `bits`."""
+    """A disc that reads out its angle in `bits` (zero where their number is asked); `turn_bits` more count
+    its turns."""
 
     bits: Expr
+    turn_bits: Expr = ZERO
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 import sympy
+from sympy.combinatorics.graycode import bin_to_gray, gray_to_bin
 
 from derive.audit.algebra import solution
 from derive.audit.asked import Asked, Same, Test
@@ -23,6 +24,46 @@ def resolution(asked: Asked, point: Point) -> Iterator[Test]:
     yield Same("resolution", point.at(TURN / counts / gear))
     if asked.subject.gear is not None:
         yield Same("resolution_motor", point.at(TURN / counts))
+
+
+def multi_turn(asked: Asked, point: Point) -> Iterator[Test]:
+    """As many turns, each with its counts, as a second disk behind a gear tells."""
+    bits, turn_bits = asked.formula(asked.subject.disc.bits), asked.formula(asked.subject.disc.turn_bits)
+    turns = sympy.Integer(2) ** turn_bits
+    yield Same("turns", point.at(turns))
+    yield Same("bits", point.at(sympy.log(turns * 2**bits) / sympy.log(2)))
+    yield Same("counts", point.at(turns * _counts(asked)))
+    yield Same("range_motor", point.at(turns * TURN))
+    if asked.subject.gear is not None:
+        yield Same("range", point.at(turns * TURN / _gear(asked)))
+
+
+def gray_code(asked: Asked, point: Point) -> Iterator[Test]:
+    """SymPy's own Gray code, and the angle at that place."""
+    bits = int(asked.formula(asked.subject.disc.bits))
+    told = asked.options.code
+    position = asked.options.position if told is None else int(gray_to_bin(told), 2)
+    binary = format(position, f"0{bits}b")
+    yield Same("position", point.number(position))
+    yield Same("binary", [point.number(int(digit)) for digit in binary])
+    yield Same("gray", [point.number(int(digit)) for digit in bin_to_gray(binary)])
+    yield Same("angle", point.at(position * TURN / _counts(asked) / _gear(asked)))
+
+
+def encoder_size(asked: Asked, point: Point) -> Iterator[Test]:
+    """By logarithms, rounded up."""
+    gear, options = _gear(asked), asked.options
+    if options.resolution is not None:
+        counts = TURN / gear / asked.formula(options.resolution)
+        disc = asked.subject.disc
+        if isinstance(disc, Incremental):
+            each = _edges_of_a_line(int(asked.formula(disc.edges)))
+            yield Same("lines", point.number(int(sympy.ceiling(counts / each))))
+        else:
+            yield Same("bits", point.number(max(1, int(sympy.ceiling(sympy.log(counts, 2))))))
+    if options.range is not None:
+        turns = gear * asked.formula(options.range) / TURN
+        yield Same("turn_bits", point.number(max(1, int(sympy.ceiling(sympy.log(turns, 2))))))
 
 
 def speed(asked: Asked, point: Point) -> Iterator[Test]:
@@ -75,4 +116,11 @@ def _edges_of_a_line(counted: int) -> int:
     return {1: up, 2: each[0], 4: sum(each)}[counted]
 
 
-KINDS = {"resolution": resolution, "speed": speed, "mean-voltage": mean_voltage}
+KINDS = {
+    "multi-turn": multi_turn,
+    "gray-code": gray_code,
+    "encoder-size": encoder_size,
+    "resolution": resolution,
+    "speed": speed,
+    "mean-voltage": mean_voltage,
+}

@@ -14,7 +14,7 @@ DELTA_M, DELTA, OMEGA = symbols("Delta_m Delta omega")
 TURN = 2 * PI
 # An angle is said in degrees, a speed in degrees per second.
 UNITS: Mapping[Expr | Phrase, str] = {
-    **dict.fromkeys(symbols("N k N_l b G n"), ""),
+    **dict.fromkeys(symbols("N k N_l b b_t G n N_t n_t"), ""),
     **dict.fromkeys((DELTA_M, DELTA), "deg"),
     Symbol("T"): "s",
     OMEGA: "deg/s",

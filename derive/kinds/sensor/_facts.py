@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from derive.derivation import PageFacts
-from derive.expression import Expr, Symbol
+from derive.expression import Expr, Relation, Symbol
 
 
 class ResolutionFacts(PageFacts):
@@ -26,3 +26,9 @@ class VoltageFacts(PageFacts):
     high: Expr
     low: Expr | None  # zero
     duty: Expr
+
+
+class SizeFacts(PageFacts):
+    given: tuple[tuple[Expr, Expr], ...]
+    gear: Symbol | None
+    found: tuple[tuple[str, Relation], ...]  # the line of each size, and between which it lies

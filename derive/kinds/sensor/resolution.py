@@ -16,7 +16,8 @@ from derive.kinds.sensor._facts import ResolutionFacts as Facts
 from derive.kinds.sensor._resolution_checks import as_given, edge_by_edge, whole_turn
 from derive.mechanics.sensing import Encoder, Incremental
 
-NEEDS = ("encoder",)
+NEEDS = ("encoder", "size")
+USES = frozenset({"lines", "bits", "turn_bits"})
 DRAWN = (1, 2, 4)  # edges of a line
 
 

@@ -17,7 +17,8 @@ from derive.kinds.sensor._facts import SpeedFacts as Facts
 from derive.kinds.sensor._speed_checks import as_given, turning_claims
 from derive.mechanics.sensing import Encoder
 
-NEEDS = ("encoder",)
+NEEDS = ("encoder", "size")
+USES = frozenset({"lines", "bits", "turn_bits"})
 CLAIMS = ("edge-by-edge|turned-so-far", "as-given")
 
 

@@ -18,6 +18,7 @@ from derive.sheet.faults import NO_FORM
 from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known
 
+SHARED = frozenset({"lines", "bits", "turn_bits"})
 HARMLESS = frozenset({"edges", "gear", "low", "duty", "mean", "frequency"})
 MAX_BITS = 64
 FORMS = (
@@ -45,19 +46,20 @@ Share: TypeAlias = Annotated[
 
 
 class GivenIncremental(OptionsModel):
-    """Lines a turn, and how many edges of each are counted."""
+    """Lines a turn (left out where they are asked), and how many edges of each are counted."""
 
     encoder: Literal["incremental"]
-    lines: Formula
+    lines: Formula | None = None
     edges: Formula = ONE
     gear: Formula | None = None
 
 
 class GivenAbsolute(OptionsModel):
-    """Bits a turn."""
+    """Bits a turn (left out where they are asked); of an encoder of several turns `turn_bits` count these."""
 
     encoder: Literal["absolute"]
-    bits: Formula
+    bits: Formula | None = None
+    turn_bits: Formula | None = None
     gear: Formula | None = None
 
 
@@ -92,22 +94,32 @@ def build(given: Given, at: At, known: Known) -> Encoder | PulseWidth:
     if isinstance(given, GivenPwm):
         return PulseWidth(given.pwm, given.low, given.duty, given.mean, given.frequency)
     if isinstance(given, GivenIncremental):
-        return Encoder(Incremental(given.lines, given.edges), given.gear)
-    return Encoder(Absolute(given.bits), given.gear)
+        return Encoder(Incremental(given.lines or ZERO, given.edges), given.gear)
+    return Encoder(Absolute(given.bits or ZERO, given.turn_bits or ZERO), given.gear)
 
 
 def missing(subject: Encoder | PulseWidth, need: str, at: At) -> list[SheetError]:
-    """The fault where a kind needs an "encoder" or a "voltage" and this is the other."""
-    wanted = Encoder if need == "encoder" else PulseWidth
-    if isinstance(subject, wanted):
-        return []
-    what = {"encoder": "this is no encoder", "voltage": "this is no switched voltage"}[need]
-    return [at.fault(what, (), FORMS)]
+    """The fault where a kind needs an "encoder", a "voltage", or of an encoder its "size", its "turn_bits" or
+    that it is "absolute", and this has them not."""
+    if isinstance(subject, PulseWidth) or need == "voltage":
+        right = isinstance(subject, PulseWidth) and need == "voltage"
+        what = "this is no switched voltage" if need == "voltage" else "this is no encoder"
+        return [] if right else [at.fault(what, (), FORMS)]
+    disc = subject.disc
+    absolute = isinstance(disc, Absolute)
+    if need in ("absolute", "turn_bits") and not absolute:
+        return [at.fault("this is no absolute encoder", (), "write {encoder: absolute, bits: 12}")]
+    if need == "turn_bits" and isinstance(disc, Absolute) and disc.turn_bits == ZERO:
+        return [at.fault("'turn_bits' is missing", (), "add turn_bits: 12, which count the turns", key=True)]
+    if need == "size" and ZERO in ((disc.bits,) if isinstance(disc, Absolute) else (disc.lines,)):
+        name = "bits" if absolute else "lines"
+        return [at.fault(f"'{name}' is missing", (), f"add {name}: {12 if absolute else 500}", key=True)]
+    return []
 
 
 def _disc_faults(given: GivenIncremental | GivenAbsolute, at: At) -> Iterator[SheetError]:
-    sizes = {"lines": 1, "edges": 1, "bits": 1, "gear": 0}
-    for name in ("lines", "edges", "bits", "gear"):
+    sizes = {"lines": 1, "edges": 1, "bits": 1, "turn_bits": 1, "gear": 0}
+    for name in sizes:
         value = rational(getattr(given, name, None) or ONE)
         if value is None:
             continue
@@ -119,8 +131,8 @@ def _disc_faults(given: GivenIncremental | GivenAbsolute, at: At) -> Iterator[Sh
             yield at.fault(
                 "a line has 1, 2 or 4 edges to count", ("edges",), "4 with two tracks a quarter apart"
             )
-        elif name == "bits" and value > MAX_BITS:
-            yield at.fault(f"no encoder has {value} bits", ("bits",), f"at most {MAX_BITS}")
+        elif name in ("bits", "turn_bits") and value > MAX_BITS:
+            yield at.fault(f"no encoder has {value} bits", (name,), f"at most {MAX_BITS}")
 
 
 def _pwm_faults(given: GivenPwm, at: At) -> Iterator[SheetError]:
