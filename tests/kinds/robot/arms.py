@@ -237,6 +237,12 @@ ARMS = {
          ("theta5*", "0", "0", "-90 deg"), ("theta6*", "0", "0", "0")),
         "pose", 8,
     ),
+    "wrist, the first two axes meet": Arm(
+        (("theta1*", "0.3", "0", "90 deg"), ("theta2*", "0.2", "0.4", "90 deg"),
+         ("theta3*", "0.1", "0.1", "90 deg"), ("theta4*", "0.4", "0", "90 deg"),
+         ("theta5*", "0", "0", "-90 deg"), ("theta6*", "0.1", "0", "0")),
+        "pose", 8,
+    ),
     "UR from its other end": Arm(
         (("theta1*", "0.3", "0", "90 deg"), ("theta2*", "0.1", "0.1", "90 deg"),
          ("theta3*", "0.1", "0.4", "0"), ("theta4*", "0.2", "0.3", "0"),

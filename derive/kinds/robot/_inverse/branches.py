@@ -38,7 +38,7 @@ from derive.kinds.robot._inverse.subproblem import (
 )
 from derive.mechanics.inverse.known import determined
 
-LARGEST = 1200  # names, numbers and operations in a value; above that it stays in terms of earlier joints
+LARGEST = 200  # names, numbers and operations in a value; above that it stays in terms of earlier joints
 READABLE = 130  # likewise in a value that is printed with everything put in
 
 

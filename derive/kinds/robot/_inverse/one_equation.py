@@ -187,8 +187,9 @@ def _general(x: Expr, y: Expr, c: Expr, by_sines: bool) -> tuple[Expr, Expr]:
     whole = isinstance(squares, Number)
     root = sqrt(squares - square(c) if whole else total((square(x), square(y), -square(c))))
     if by_sines:
-        join = add if is_negative(c) else subtract
-        plus, less = (join(direction(y, x), atan2(unsigned(c), signed(sign, root))) for sign in SIGNS)
+        bare = unsigned(c)
+        join = subtract if bare == c else add
+        plus, less = (join(direction(y, x), atan2(bare, signed(sign, root))) for sign in SIGNS)
     else:
         plus, less = (direction(y, x) + signed(sign, atan2(root, c)) for sign in SIGNS)
     return plus, less
