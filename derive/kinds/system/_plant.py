@@ -172,11 +172,14 @@ def point_chains(point: Place | None, where: Mapping[str, Expr]) -> tuple[tuple[
     return tuple((Symbol(name), value) for name, value in (*where.items(), *(point or ())))
 
 
+INSIDE_SAID = {"armature": "inside-armature", "field": "inside-field"}
+
+
 def inside_motor(system: System) -> Phrase | None:
     """What the signals of a motor are between its voltage and its load."""
     for control in system.motor:
         if control in INSIDE:
             current, torque, *induced, load = INSIDE[control]
             about: dict[str, Said] = {"current": current, "torque": torque, "load": load}
-            return Phrase(f"inside-{control}", about | dict(zip(("induced",), induced, strict=False)))
+            return Phrase(INSIDE_SAID[control], about | dict(zip(("induced",), induced, strict=False)))
     return None
