@@ -31,7 +31,7 @@ NO_WORDS = re.compile(  # programs, mathematics, paths and titles
 )
 WORD = re.compile(r"(?<![A-Za-z])[A-Za-z]{3,}")
 MATHEMATICS = {
-    *["sin", "cos", "tan", "sqrt", "exp", "log", "det", "deg", "Abs", "qdot", "dot", "ddot"],
+    *["sin", "cos", "tan", "sqrt", "exp", "log", "det", "deg", "rad", "Abs", "qdot", "dot", "ddot"],
     *LETTER_NAMES.split(),
 }
 

@@ -67,11 +67,13 @@ class Letters:
 
     @cached_property
     def joints(self) -> Mapping[str, str]:
-        """The angle an index stands for: theta1 or q1, else the only Greek letter of that index."""
+        """The angle an index stands for: theta1 or q1, else the only Greek letter of that index. Delta_12 is
+        a minor and no angle."""
         found: dict[str, list[str]] = {}
         for name in self.known:
             match = _INDEXED.fullmatch(squeeze(name))
-            if match and (match[1] in _STEMS or match[1] in GREEK_NAMES):
+            minor = match and match[1][0].isupper() and len(match[2]) > 1
+            if match and not minor and (match[1] in _STEMS or match[1] in GREEK_NAMES):
                 found.setdefault(match[2], []).append(name)
         chosen = {index: _angle(names) for index, names in found.items()}
         return {index: name for index, name in chosen.items() if name}

@@ -11,12 +11,13 @@ from derive.kinds.fields import Described, Evaluation, OptionsModel, Place, read
 from derive.kinds.problem import Problem
 from derive.kinds.robot._carried.closed import in_closed_form
 from derive.kinds.robot._carried.facts import Facts as Facts
+from derive.kinds.robot._carried.integrated import by_rates
 from derive.kinds.robot._carried.setting import setting_of
 from derive.kinds.robot._units import of_joints, together
 from derive.mechanics.paths import Path
 from derive.mechanics.robot import Robot
 
-CLAIMED = dict.fromkeys(("q", "qdot", "qddot"), "followed")
+CLAIMED = dict.fromkeys(("t", "q", "qdot", "qddot"), "followed")
 measures = together(of_joints("q"), of_joints("qdot", power=1), of_joints("qddot", power=2))
 Start = Annotated[Place, PlainValidator(read_point), WithJsonSchema({"type": "object"})]
 
@@ -24,24 +25,27 @@ Start = Annotated[Place, PlainValidator(read_point), WithJsonSchema({"type": "ob
 class Options(OptionsModel):
     """`path`: as the subject of this name, with a `timing` or as functions of the time t: two coordinates,
     two and the angle of the last link, or three; `start`: joint variables near those of the solution that
-    is wanted, the first one if left out."""
+    is wanted, the first one if left out, or from which the rates are integrated; `evaluate`: the time t, and
+    values of symbols."""
 
     path: Annotated[Path, Described(Path)]
-    method: Literal["inverse-kinematics"] = "inverse-kinematics"
+    method: Literal["inverse-kinematics", "inverse-velocity"] = "inverse-kinematics"
     start: Start = ()
     evaluate: Evaluation = None
 
 
 def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:
     """The keys of what is claimed; of a law of time that too."""
-    return ("differences", "followed", *(("timed",) if options.path.timing else ()))
+    listed = ("integrated", "as-tabled") if options.method == "inverse-velocity" else ()
+    return ("differences", "followed", *listed, *(("timed",) if options.path.timing else ()))
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """q(t) by a branch of the inverse kinematics, its rates J^-1 v and accelerations J^-1 (a - J_dot qdot)
-    (Siciliano et al., sections 3.5, 3.6 and 4.3).
+    (Siciliano et al., sections 3.5, 3.6 and 4.3); or its rates J^+ v integrated in numbers (section 3.5).
 
     Raises NotDerivable where the path has no timing, leaves the reach of the arm, or passes a singular
     configuration.
     """
-    return in_closed_form(setting_of(problem, options.path, options.start, options.evaluate))
+    given = setting_of(problem, options.path, options.start, options.evaluate)
+    return by_rates(given) if options.method == "inverse-velocity" else in_closed_form(given)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy
+from scipy.integrate import solve_ivp
 from scipy.optimize import fsolve
 
 from derive.errors import SheetErrors
@@ -89,6 +90,29 @@ def test_rates_give_the_velocity_of_each_law(law: str, speed: Any, tmp_path: Pat
     assert q[1] > 0  # the first of the solutions
 
 
+def test_least_rates_integrated_by_scipy(tmp_path: Path) -> None:
+    more = "start: {q1: pi, q2: -pi/2, q3: -pi/2}\n    method: inverse-velocity"
+    around = AROUND.replace(', "sin(pi*t/24)"', "")
+    found = {
+        key: np.array(each) for key, each in question(THREE, around, more, tmp_path)["evaluated"].items()
+    }
+
+    def rates(t: float, q: Any) -> Any:
+        sums = np.cumsum(q)
+        J = [[-0.5 * np.sin(sums[k:]).sum(), 0.5 * np.cos(sums[k:]).sum()] for k in range(3)]
+        v = 0.25 * np.pi * np.array([np.sin(np.pi * t), np.cos(np.pi * t)])
+        return np.linalg.lstsq(np.array(J).T, v, rcond=None)[0]
+
+    start = [np.pi, -np.pi / 2, -np.pi / 2]
+    theirs = solve_ivp(rates, (0, 4), start, "DOP853", found["t"], rtol=1e-11, atol=1e-12)
+    assert np.allclose(found["q"], theirs.y.T, atol=1e-6)
+    assert np.allclose(found["qdot"], [rates(*each) for each in zip(found["t"], found["q"], strict=True)])
+    h = 1e-5
+    for t, q, rate, rise in zip(*(found[key] for key in ("t", "q", "qdot", "qddot")), strict=True):
+        ends = (rates(t + k * h, q + k * h * rate) for k in (1, -1))
+        assert np.allclose(rise, np.subtract(*ends) / (2 * h), atol=1e-4)
+
+
 @pytest.mark.parametrize(
     ("path", "more", "said"),
     [
@@ -102,6 +126,10 @@ def test_rates_give_the_velocity_of_each_law(law: str, speed: Any, tmp_path: Pat
         ("{line: {from: [0, 0], to: [0, 0]}, timing: {law: cubic, time: 2}}", "", "ends where it starts"),
         ("{circle: {center: [0, 0]}}", "", "how large it is"),
         ("[1, 2]", "", "line:"),
+        (LINE, "method: inverse-velocity", "add start"),
+        (LINE, "method: inverse-velocity\n    start: {q1: 0, q2: 90 deg}", "from where the path begins"),
+        (AROUND, "method: inverse-velocity\n    start: {q1: 0, q2: 90 deg}", "2 joints cannot follow 3"),
+        (LINE.replace("0.5, 0.5", "0.5, l"), "method: inverse-velocity", "no value is known for l"),
     ],
 )  # fmt: skip
 def test_what_no_joints_follow_is_refused(path: str, more: str, said: str, tmp_path: Path) -> None:

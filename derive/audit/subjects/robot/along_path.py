@@ -15,18 +15,23 @@ from derive.audit.laws import law
 from derive.audit.points import ROUNDED, Number, Point, Value, agree, shown
 from derive.audit.subjects.path import parameter, place
 from derive.audit.subjects.robot.arm import Arm
-from derive.audit.subjects.robot.rates import along
+from derive.audit.subjects.robot.rates import along, nearest
 from derive.audit.subjects.robot.series import Array, values
 from derive.audit.subjects.robot.task import Task
 
 SHARES = (mpmath.mpf(13) / 100, mpmath.mpf(45) / 100, mpmath.mpf(9) / 10)  # of the whole time
-TRIES = 40
+TRIES, TABLED = 40, 6
+INTEGRATED = mpmath.mpf(10) ** -6
 ORDERS = ("q", "qdot", "qddot")
 
 
 def joint_motion(asked: Asked, point: Point) -> Iterator[Test]:
     """q, its rates and its accelerations as they are written, put back into the arm at moments, at a point
-    where it reaches the path. Raises ZeroDivisionError where none of those tried is one."""
+    where it reaches the path; of a table at some of its times. Raises ZeroDivisionError where no point that
+    was tried is one."""
+    if "t" in asked.results:
+        yield from _listed_rows(asked)
+        return
     for k in range(TRIES):
         here = Point(1000 * k + point.seed, False, point.angles, point.assumptions)
         with suppress(ZeroDivisionError):
@@ -39,20 +44,23 @@ def _at(asked: Asked, point: Point) -> Iterator[Test]:
     if asked.evaluated:
         yield from _in_numbers(asked)
     for now, *wanted in _moments(replace(asked, subject=asked.options.path), point):
-        arm = _arm(asked, now)
-        task = Task(arm)
-        linear = tuple(row for row in task.moving if row[0] == "v")
-        rows = linear if len(linear) == len(wanted[0]) else (*linear, task.moving[-1])
-        J = task.rows(rows)
-        qdot, qddot = (_of(arm, end) for end in ("dot", "ddot"))
-        theirs = (values(J) @ qdot, values(J) @ qddot + along(J, qdot) @ qdot)
-        yield Holds("q", _same(_seen(arm, rows), wanted[0]), f"the path is at {shown(wanted[0])}")
-        for name, ours, its in zip(ORDERS[1:], theirs, wanted[1:], strict=True):
-            yield Holds(name, _same(list(ours), its), f"the path has {shown(its)}")
+        yield from _moves(_arm(asked, now), wanted, ROUNDED)
 
 
-def _moments(asked: Asked, point: Point) -> Iterator[tuple[Any, ...]]:
-    """Points with a time, and place, velocity and acceleration of the path then."""
+def _moves(arm: Arm, wanted: Sequence[Any], near: mpmath.mpf) -> Iterator[Test]:
+    """Whether the arm is at the place that is wanted, with its velocity and acceleration."""
+    task = Task(arm)
+    linear = tuple(row for row in task.moving if row[0] == "v")
+    rows = linear if len(linear) == len(wanted[0]) else (*linear, task.moving[-1])
+    J = task.rows(rows)
+    qdot, qddot = (_of(arm, end) for end in ("dot", "ddot"))
+    moved = _seen(arm, rows), list(values(J) @ qdot), list(values(J) @ qddot + along(J, qdot) @ qdot)
+    for name, ours, its in zip(ORDERS, moved, wanted, strict=True):
+        yield Holds(name, _same(ours, its, near), f"the path has {shown(its)}")
+
+
+def _moments(asked: Asked, point: Point, times: Sequence[Any] = ()) -> Iterator[tuple[Any, ...]]:
+    """Points with a time, some of the whole where none are given, and how the path goes and turns then."""
     s = parameter(asked)
     p, between = place(asked, s, point)
     v = p.diff(s)
@@ -61,8 +69,8 @@ def _moments(asked: Asked, point: Point) -> Iterator[tuple[Any, ...]]:
     if asked.subject.timing is not None:
         speed = sympy.sqrt(sum(each**2 for each in v))
         moved = law(asked, point, low, high, point.at(speed) if asked.subject.along else mpmath.mpf(1))
-    for share in SHARES:
-        time = moved.whole * share if moved else low + (high - low) * share
+    begin, whole = (0, moved.whole) if moved else (low, high - low)
+    for time in times or [begin + whole * share for share in SHARES]:
         at, rate, change = moved.at(time) if moved else (time, mpmath.mpf(1), mpmath.mpf(0))
         there = point.where(**{s.name: at})
         first, second = there.vector(list(v)), there.vector(list(v.diff(s)))
@@ -108,6 +116,25 @@ def _listed(value: Value) -> Sequence[Any]:
     return value if isinstance(value, Sequence) else ()
 
 
+def _listed_rows(asked: Asked) -> Iterator[Test]:
+    """Rows of the table: on the path, with the least rates that give its velocity."""
+    times, *rows = (asked.result(name) for name in ("t", *ORDERS))
+    some = range(0, len(times), max(1, len(times) // TABLED))
+    there = replace(asked, subject=asked.options.path)
+    found = _moments(there, asked.here, [times[k] for k in some])
+    for k, (now, *wanted) in zip(some, found, strict=True):
+        names = (f"{each}{end}" for end in ("", "_dot", "_ddot") for each in asked.subject.variables)
+        listed = dict(zip(names, (value for row in rows for value in row[k]), strict=True))
+        arm = Arm(asked, now.where(**listed))
+        yield from _moves(arm, wanted, INTEGRATED)
+        task = Task(arm)
+        J = task.rows_in(tuple(row for row in task.moving if row[0] == "v")[: len(wanted[1])])
+        if len(J) == len(wanted[1]):
+            least = nearest(J, [[each] for each in wanted[1]])
+            yield Holds("qdot", _same(list(_of(arm, "dot")), least, INTEGRATED), "others are less")
+    yield Holds("t", list(times) == sorted(times), "the times do not rise")
+
+
 def _real(value: Any) -> Any:
     if isinstance(value, mpmath.mpc):
         raise ZeroDivisionError
@@ -132,5 +159,5 @@ def _seen(arm: Arm, rows: Sequence[str]) -> list[Number]:
     return found
 
 
-def _same(ours: Sequence[Number], theirs: Sequence[Number]) -> bool:
-    return all(agree(a, b, 1, ROUNDED) for a, b in zip(ours, theirs, strict=True))
+def _same(ours: Sequence[Number], theirs: Sequence[Number], near: mpmath.mpf = ROUNDED) -> bool:
+    return all(agree(a, b, 1, near) for a, b in zip(ours, theirs, strict=True))

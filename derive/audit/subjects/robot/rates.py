@@ -78,7 +78,7 @@ def inverse_velocity(asked: Asked, point: Point) -> Iterator[Test]:
     names, J = _wanted(asked, arm)
     if "J" in asked.results:
         yield Same("J", J)
-    yield Same("qdot", _nearest(J, [[point[name]] for name in names]))
+    yield Same("qdot", nearest(J, [[point[name]] for name in names]))
 
 
 def inverse_acceleration(asked: Asked, point: Point) -> Iterator[Test]:
@@ -91,7 +91,7 @@ def inverse_acceleration(asked: Asked, point: Point) -> Iterator[Test]:
     else:
         bias = list(along(Task(arm).rows(names), rates(arm)) @ rates(arm))
         wanted = [point[RISES[name]] for name in names]
-    yield Same("qddot", _nearest(J, [[a - h] for a, h in zip(wanted, bias, strict=True)]))
+    yield Same("qddot", nearest(J, [[a - h] for a, h in zip(wanted, bias, strict=True)]))
 
 
 def _wanted(asked: Asked, arm: Arm) -> tuple[tuple[str, ...], Rows]:
@@ -111,7 +111,7 @@ def _bend(arm: Arm, function: sympy.Expr) -> Number:
     return sum(terms, arm.point.number(0))
 
 
-def _nearest(J: Rows, v: Rows) -> list[Number]:
+def nearest(J: Rows, v: Rows) -> list[Number]:
     """J^-1 v, or J^+ v."""
     m, n = len(J), len(J[0])
     if m == n:

@@ -44,13 +44,7 @@ def carries(where: Coordinates, driven: Driven, joints: Joints, point: Point) ->
 
 def on_path(where: Coordinates, driven: Driven, t: float, q: Any, point: Point) -> bool:
     """Whether the arm in numbers is where the path is."""
-    import numpy as np
-
-    robot: Robot = where.problem.subject
-    there = {**point, **dict(zip(robot.variables, map(float, q), strict=True))}
-    gap = where.seen(there) - driven.place(t)
-    if where.rows[-1][0] == "w":
-        gap[-1] = np.remainder(gap[-1] + np.pi, 2 * np.pi) - np.pi
+    gap = where.gap(driven, t, q, point)
     return close(gap, 0 * gap, SURE)
 
 

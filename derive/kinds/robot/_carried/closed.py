@@ -16,6 +16,7 @@ from derive.kinds.path._timing import T
 from derive.kinds.robot._carried.checks import carries, rows_follow
 from derive.kinds.robot._carried.facts import Facts
 from derive.kinds.robot._carried.followed import MANY, Followed, entries, followed
+from derive.kinds.robot._carried.rates import SINGULAR
 from derive.kinds.robot._carried.sampled import Sampled, moments, rows_of
 from derive.kinds.robot._carried.setting import Setting
 from derive.kinds.robot._units import of_variables
@@ -136,19 +137,15 @@ def _over_time(given: Setting, branch: Followed) -> Sampled:
         except ValueError:
             raise NotDerivable(f"the path is out of reach of the arm at t = {t:.3g} s", "path") from None
         except (ZeroDivisionError, OverflowError):
-            raise NotDerivable(_singular(t), "path") from None
+            raise NotDerivable(SINGULAR.format(f"{t:.3g}"), "path") from None
         if max(abs(at[name]) for name in names[1]) * float(times[-1] - times[0]) > STEEP:
-            raise NotDerivable(_singular(t), "path")
+            raise NotDerivable(SINGULAR.format(f"{t:.3g}"), "path")
         found.append([[at[name] for name in row] for row in names])
     q, qdot, qddot = (np.array([row[order] for row in found]) for order in range(3))
     for k, link in enumerate(link for link in given.problem.subject.links if link.variable):
         if link.joint == "revolute":
             q[:, k] = np.unwrap(q[:, k])
     return Sampled(given.problem.subject, times, (q, qdot, qddot))
-
-
-def _singular(t: float) -> str:
-    return f"the arm is singular on the path at t = {t:.3g} s: no joint rates follow it there"
 
 
 def _chosen(given: Setting, branches: Sequence[Followed]) -> Phrase:

@@ -6,8 +6,10 @@ from dataclasses import dataclass
 from math import atan2
 from typing import TYPE_CHECKING, Any
 
+from derive.algebra.numbers.floats import Point
 from derive.errors import NotDerivable
 from derive.expression import Symbol
+from derive.kinds.path._moving import Driven
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import chain_of, oracle_of
 from derive.kinds.robot._velocity.task import task_of
@@ -46,6 +48,17 @@ class Coordinates:
 
         T = oracle_of(self.problem).tool(at)
         return np.array([self._one(T, row) for row in self.rows])
+
+    def gap(self, driven: Driven, t: float, q: Any, point: Point) -> NDArray[Any]:
+        """How far the arm is from the path, an angle without whole turns."""
+        import numpy as np
+
+        variables = self.problem.subject.variables
+        there = {**point, **dict(zip(variables, map(float, q), strict=True))}
+        found: NDArray[Any] = self.seen(there) - driven.place(t)
+        if self.rows[-1][0] == "w":
+            found[-1] = np.remainder(found[-1] + np.pi, 2 * np.pi) - np.pi
+        return found
 
     def _one(self, T: NDArray[Any], row: str) -> float:
         axis = ROWS.index(row)

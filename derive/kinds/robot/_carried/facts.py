@@ -2,19 +2,28 @@
 
 from __future__ import annotations
 
-from derive.derivation import Condition, PageFacts, Phrase, Table
-from derive.expression import Symbol
+from derive.derivation import Condition, PageFacts, Phrase, Record, Table
+from derive.expression import Expr, Symbol
 from derive.kinds.path._moving import Way
 
 
+class Integrated(Record):
+    """How the rates were integrated: from where, with which step."""
+
+    start: Phrase
+    least: Phrase | None  # where more joints move than are needed
+    step: Expr
+
+
 class Facts(PageFacts):
-    """The path; the coordinates and the branch; what is found over time."""
+    """The path; the coordinates and the branch, or how the rates were integrated; what is found over time."""
 
     way: Way
     place: Symbol
-    coordinates: tuple[Symbol, ...]
-    chosen: Phrase
-    when: tuple[Condition, ...]
-    joints: tuple[str, ...]  # steps
+    coordinates: tuple[Symbol, ...] = ()
+    chosen: Phrase | None = None
+    when: tuple[Condition, ...] = ()
+    joints: tuple[str, ...] = ()  # steps
+    integrated: Integrated | None = None
     table: Table | None = None
     drawn: bool = False
