@@ -11,6 +11,7 @@ from typing import Any
 from derive.derivation import Claim, Derivation, Drawing
 from derive.errors import NotDerivable, SheetError, SheetErrors
 from derive.evaluate import strange_names, with_numbers
+from derive.expression import ZERO
 from derive.figures.held import Misdrawn
 from derive.figures.wish import Wish
 from derive.giving import with_given
@@ -156,7 +157,8 @@ def _undrawn(sheet: Sheet) -> Sheet:
 
 
 def _told_apart(pages: Sequence[ProblemPage]) -> Iterator[ProblemPage]:
-    """The pages, where no cosine is called as a Christoffel symbol of the sheet is: c_123."""
+    """The pages, where no cosine is called as a Christoffel symbol of the sheet is that does not vanish:
+    c_123."""
     answers = (question.derivation for page in pages for question in page.questions if question.derivation)
     symbols = meant_indices(
         name for answer in answers for name in _results(answer) if CHRISTOFFEL.match(name)
@@ -166,8 +168,8 @@ def _told_apart(pages: Sequence[ProblemPage]) -> Iterator[ProblemPage]:
 
 
 def _results(answer: Derivation) -> Iterator[str]:
-    """The names of what was found, and of what it rests on."""
-    yield from answer.results
+    """The names of what was found and is not zero, and of what it rests on."""
+    yield from (name for name, value in answer.results.items() if value != ZERO)
     for used in answer.uses:
         yield from _results(used)
 

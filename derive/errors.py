@@ -6,6 +6,11 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 
+def how_many(count: int, one: str, more: str = "") -> str:
+    """1 entry, 2 entries."""
+    return f"{count} {one if count == 1 else more or one + 's'}"
+
+
 @dataclass(frozen=True, slots=True)
 class Place:
     """A spot in a sheet. Lines and columns count from 1; `text` is the whole line."""

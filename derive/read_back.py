@@ -212,12 +212,13 @@ def _names_entries(naming: Naming, notation: Notation) -> bool:
 
 
 def _place(name: Expr, last: int) -> tuple[int, int]:
-    """The row and the column that a name says, from 1; 0, 0 for one that says none."""
+    """The row and the column that a name says, from 1; of a column the row alone; 0, 0 for one that says
+    none."""
     index = name.name.rpartition("_")[2] if isinstance(name, Symbol) else ""
     if index in AXES:
         return AXES.index(index) + 1, last
     row, comma, column = index.partition(",")
-    numbers = (row, column) if comma else (index[:1], index[1:])
+    numbers = (row, column) if comma else (index[:1], index[1:] or ("1" if last == 1 else ""))
     return (int(numbers[0]), int(numbers[1])) if all(map(str.isdigit, numbers)) else (0, 0)
 
 

@@ -26,11 +26,12 @@ from derive.expression import (
 SHORT = 5  # digits of a decimal number that is put in
 
 
-def closing(step: Step, result: Expr) -> Step:
-    """The step ended by its result with every name replaced, where that says anything new."""
+def closing(step: Step, result: Expr, spare: bool = False) -> Step:
+    """The step ended by its result with every name replaced, where that says anything new; it may be left out
+    too where it is `spare`."""
     if step.chain and step.result == result:
         return step
-    return replace(step, chain=(*step.chain, result))
+    return replace(step, chain=(*step.chain, result), spare=(*step.spare, result) if spare else step.spare)
 
 
 def distinct(chain: Iterable[Expr]) -> tuple[Expr, ...]:

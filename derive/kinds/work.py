@@ -207,13 +207,15 @@ class Work:
         step = Step(name, distinct((symbol, formula, *(() if plain else (filled,)), answer)), rule)
         return replace(self, steps=(*self.steps, step), known={**self.known, symbol: answer})
 
-    def closed(self, *names: str | Expr) -> Work:
+    def closed(self, *names: str | Expr, spare: bool = False) -> Work:
         """The lines of these names ended by their values with the names of `where` replaced; lines after them
-        start from there."""
+        start from there. These are left out where they are too long and `spare`."""
         heads = {self.symbol(name) if isinstance(name, str) else name for name in names}
         lines = {step.chain[0]: step.result for step in self.steps if step.chain}
         ends = {head: self.problem.final({**lines, **self.known}[head]) for head in heads}
-        steps = (closing(s, ends[s.chain[0]]) if s.chain and s.chain[0] in ends else s for s in self.steps)
+        steps = (
+            closing(s, ends[s.chain[0]], spare) if s.chain and s.chain[0] in ends else s for s in self.steps
+        )
         values = {name: value for name, value in self.values.items() if name not in ends}
         known = {name: ends.get(name, value) for name, value in self.known.items()}
         return replace(self, steps=tuple(steps), known=known, values=values)

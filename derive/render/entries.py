@@ -15,6 +15,7 @@ from derive.render.width import width
 NAMED_BEYOND = LINE / 0.8  # em; what is a little too wide is better scaled
 LONG = 8.0  # em from which an entry gets a name
 ROWS = ("vx", "vy", "vz", "wx", "wy", "wz")  # of a Jacobian
+VECTOR = (2, 3)  # rows of a column that is a vector of the plane or of space
 PLAIN = (ZERO, ONE, MINUS_ONE)
 
 Chain = tuple[Expr, ...]
@@ -69,7 +70,8 @@ def _of_entries(name: Expr, matrix: Matrix, printer: Printer) -> Names:
     ):
         for j, value in enumerate(row):
             if width(printer.write(value)) >= LONG:
-                names[i, j] = known.setdefault(value, entry_symbol(letter, number, j + 1))
+                place = (number,) if len(matrix.rows) in VECTOR and len(row) == 1 else (number, j + 1)
+                names[i, j] = known.setdefault(value, entry_symbol(letter, *place))
     return names
 
 

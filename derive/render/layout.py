@@ -22,6 +22,7 @@ INDENT, HANGING = r"&\quad ", 1.0  # of a sum that goes on in the next line, and
 SIGN_SPACE = 0.44  # em around a sign between terms, more than around one in front
 DEEPEST = 3  # brackets a break may stand inside
 OPENING, CLOSING = ("{", r"\left", r"\begin"), ("}", r"\right", r"\end")
+MANY = 5  # breaks between the rows of a column from which others stand beside it
 WORTH_PACKING = 0.7  # rows per equation above which a plain list reads better
 
 
@@ -110,17 +111,41 @@ def _aligned(chain: Chain) -> str:
 
 
 def _broken(chains: tuple[Chain, ...], room: float) -> Display:
-    """Every chain on lines of its own, all aligned at the first equal sign."""
+    """Every chain on lines of its own, columns side by side; all lines aligned at the first equal sign."""
     head = max(chain[0].width if len(chain) > 1 else 0.0 for chain in chains)
     lines: list[str] = []
     widest = 0.0
-    for chain in chains:
-        for line in _chain_lines(chain, room - head):
-            lines.append(line)
-            widest = max(widest, head + width(line.partition("&")[2]))
+    for row in _beside(chains, room - head):
+        first, *others = row
+        found = _chain_lines(first, room - head)
+        found[-1:] = [r" \qquad ".join((found[-1], *map(one_line, others)))]
+        lines += found
+        widest = max(widest, *(head + width(line.partition("&")[2]) for line in found))
     if len(lines) == 1:
         return Display((one_line(chains[0]),), widest > room)
     return Display(tuple(lines), widest > room)
+
+
+def _beside(chains: tuple[Chain, ...], room: float) -> list[list[Chain]]:
+    """The chains in rows: one each, and as many columns one after the other as have room."""
+    rows: list[list[Chain]] = []
+    used = 0.0
+    for chain in chains:
+        needed = GAP + width(one_line(chain))
+        if rows and _is_column(chain) and _is_column(rows[-1][-1]) and used + needed <= room:
+            rows[-1].append(chain)
+            used += needed
+        else:
+            rows.append([chain])
+            used = needed - GAP - chain[0].width
+    return rows
+
+
+def _is_column(chain: Chain) -> bool:
+    """Whether it says what a column of some rows is, which takes as much of the page as a list: of many rows
+    by a formula too."""
+    breaks = chain[-1].latex.count(r"\\")
+    return breaks >= MANY or (breaks >= 2 and len(chain) == 2)
 
 
 def _chain_lines(chain: Chain, room: float) -> list[str]:

@@ -267,7 +267,8 @@ def in_unit(tree: Expr, unit: str) -> Expr:
 
 def _measured(tree: Expr, unit: str | None, angle: bool) -> Expr:
     """With its unit; an angle in degrees has its own, and is divided by the rest."""
-    if tree == ZERO:
+    entries = {entry for row in tree.rows for entry in row} if isinstance(tree, Matrix) else {tree}
+    if entries == {ZERO}:
         return tree
     return in_unit(tree, (unit or "").removeprefix("deg").removeprefix("rad" if angle else ""))
 

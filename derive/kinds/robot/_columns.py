@@ -100,14 +100,16 @@ def _by_columns(work: Work, J: ScalarMatrix, name: Symbol, columns: tuple[Block,
     turns there are no blocks to tell, but the columns themselves."""
     if all(angular == ZERO for _, angular in columns):
         return work.line(name, value=J, rule=rule or "jacobian-columns")
-    if len(columns) <= MOST_BLOCKS:
+    still = [column == (ZERO, ZERO) for column in columns]
+    if still.count(False) <= MOST_BLOCKS:
         block = Matrix(tuple(zip(*columns, strict=True)))
         return work.line(name, block, value=J, rule=rule or "jacobian-columns")
     written = work.problem.readable_matrix(J)
-    names = tuple(Symbol(f"{name.name}_{k}") for k in range(1, len(columns) + 1))
+    names = tuple(ZERO if none else Symbol(f"{name.name}_{k}") for k, none in enumerate(still, 1))
     for k, (linear, angular) in enumerate(columns):
-        formula = (Matrix(((linear,), (angular,))),) if linear != ZERO else ()
-        work = work.line(names[k], *formula, value=J.columns(k), rule="jacobian-column")
+        if not still[k]:
+            column = Matrix(((linear,), (angular,)))
+            work = work.line(names[k], column, value=J.columns(k), rule="jacobian-column")
     return work.line(name, Matrix((names,)), value=written, rule=rule or "jacobian", spare=(written,))
 
 

@@ -85,7 +85,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     if kinds.coupled or kinds.turning:
         work = work.showing(turning_law(problem.taken))
     work = jacobian_lines(work, found, point.moving, J, point.name)
-    written, work = work.matrix(J), work.closed(J)
+    asked = any(kind == "jacobian" for kind, _ in problem.questions)
+    written, work = work.matrix(J), work.closed(J, spare=not asked)
     linear, angular = _moves_and_turns(found, point, value)
     work = work.law("linear", linear).law("angular", angular)
     oracle = oracle_of(problem)

@@ -11,7 +11,7 @@ from pydantic import Field, PlainValidator, WithJsonSchema
 from derive.algebra.numbers.floats import matrix_numbers, scalar_number
 from derive.algebra.numbers.floats import number as value_of
 from derive.derivation import Derivation, PageFacts, Phrase, Result, Said, Step, Table
-from derive.errors import NotDerivable
+from derive.errors import NotDerivable, how_many
 from derive.expression import (
     Approximate,
     Expr,
@@ -217,7 +217,8 @@ def _task(options: Options, problem: Problem) -> Task:
     if rows is None:
         wanted = " or ".join(str(len(each)) for each in choices)
         raise NotDerivable(
-            f"a target of {size} coordinates, but the end-effector has {wanted} to be given", "target"
+            f"a target of {how_many(size, 'coordinate')}, but the end-effector has {wanted} to be given",
+            "target",
         )
     return task_of(problem, rows)
 

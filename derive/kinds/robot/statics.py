@@ -12,7 +12,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.numbers import floats as numeric
 from derive.derivation import Derivation, PageFacts, Phrase
-from derive.errors import NotDerivable
+from derive.errors import NotDerivable, how_many
 from derive.expression import ZERO, Expr, Symbol, column, free_symbols, symbols, transpose
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.kinds.problem import Problem
@@ -70,8 +70,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     rows = _rows(options, problem)
     force = options.force or tuple(_symbol(row, problem) for row in rows)
     if len(force) != len(rows):
-        which = f"the {len(rows)} rows {', '.join(rows)}"
-        raise NotDerivable(f"{len(force)} components of the force for {which}; give one for each")
+        given, asked = how_many(len(force), "component"), how_many(len(rows), "row")
+        which = f"the {asked} {', '.join(rows)}"
+        raise NotDerivable(f"{given} of the force for {which}; give one for each")
     task, work = task_of(problem, rows, options.point), Work(problem)
     wrench = Wrench(problem, task.point, dict(zip(task.rows, force, strict=True)), options.frame == "tool")
     exerted: tuple[Expr, ...] = force

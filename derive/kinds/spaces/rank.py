@@ -19,7 +19,7 @@ from derive.algebra.scalar import Scalar
 from derive.algebra.signs import sign_of
 from derive.algebra.solving.factors import primitive
 from derive.derivation import Derivation, PageFacts, Result
-from derive.errors import NotDerivable
+from derive.errors import NotDerivable, how_many
 from derive.expression import (
     ZERO,
     Expr,
@@ -225,7 +225,8 @@ def _unsigned(tree: Expr) -> Expr:
 def _require_each_row(found: LinearMap, given: tuple[Expr, ...] | None, key: str) -> None:
     """Raises NotDerivable where a vector does not fit."""
     if given is not None and len(given) != found.J.shape[0]:
-        raise NotDerivable(f"{len(given)} components for {found.J.shape[0]} rows; give one for each", key)
+        both = f"{how_many(len(given), 'component')} for {how_many(found.J.shape[0], 'row')}"
+        raise NotDerivable(f"{both}; give one for each", key)
 
 
 def _judged(

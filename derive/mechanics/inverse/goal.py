@@ -11,7 +11,7 @@ from typing import Any
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import trig_of
 from derive.algebra.scalar import Scalar
-from derive.errors import NotDerivable
+from derive.errors import NotDerivable, how_many
 from derive.mechanics.poses import position_part, rotation_part
 
 AXES = "xyz"
@@ -88,9 +88,10 @@ def of_coordinates(T: ScalarMatrix, given: Sequence[str], variables: Sequence[st
 def _misfit(given: Sequence[str], varying: Sequence[int]) -> str:
     moved = ", ".join(AXES[axis] for axis in varying) or "none of x, y, z"
     wanted = {1: "one coordinate", 2: "two coordinates"}.get(len(varying), "three coordinates")
+    few = f"{how_many(len(given), 'coordinate')} {'is' if len(given) == 1 else 'are'} given"
     return (
-        f"{len(given)} coordinates are given ({', '.join(given)}), but the position of this end-effector has "
-        f"{wanted} that change ({moved}); give a name for each of them"
+        f"{few} ({', '.join(given)}), but the position of this end-effector has {wanted} "
+        f"that change ({moved}); give a name for each of them"
     )
 
 

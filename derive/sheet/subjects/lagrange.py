@@ -9,7 +9,7 @@ from pydantic import Discriminator, Field, Tag
 
 from derive.algebra.function import Constraint
 from derive.control.system import Equation
-from derive.errors import SheetError
+from derive.errors import SheetError, how_many
 from derive.expression import ZERO, Expr, Symbol, add, free_symbols, multiply, number
 from derive.kinds.fields import (
     TREES,
@@ -126,7 +126,7 @@ def _coordinate_faults(given: Given, at: At, known: Known) -> Iterator[SheetErro
 def _body_faults(given: Given, at: At, known: Known) -> Iterator[SheetError]:
     sizes = [len(body.position) for body in given.bodies]
     if given.gravity is not None and sizes and len(given.gravity) != sizes[0]:
-        message = f"gravity has {len(given.gravity)} components, the positions {sizes[0]}"
+        message = f"gravity has {how_many(len(given.gravity), 'component')}, the positions {sizes[0]}"
         yield at.fault(message, ("gravity",), "give both in the same frame")
     if given.gravity is not None and not sizes:
         yield at.fault("gravity acts on bodies, and there are none", ("gravity",), "put it into potential:")

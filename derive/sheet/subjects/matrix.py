@@ -7,7 +7,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from derive.errors import SheetError
+from derive.errors import SheetError, how_many
 from derive.expression import Matrix, free_symbols
 from derive.kinds.fields import Name, OptionsModel, Quantity
 from derive.mechanics.matrices import GivenMatrix
@@ -36,7 +36,7 @@ def _row_faults(given: Given, at: At) -> Iterator[SheetError]:
     width = len(given.value[0])
     for k, row in enumerate(given.value[1:], 1):
         if len(row) != width:
-            fault = f"this row has {len(row)} entries, the first {width}"
+            fault = f"this row has {how_many(len(row), 'entry', 'entries')}, the first {width}"
             yield at.fault(fault, ("value", k), "give every row as many entries")
 
 

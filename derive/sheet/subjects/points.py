@@ -6,6 +6,7 @@ from typing import Annotated, TypeAlias
 
 from pydantic import Field
 
+from derive.errors import how_many
 from derive.expression import Expr
 from derive.kinds.fields import OptionsModel, Quantity
 from derive.mechanics.fitting import PointPairs
@@ -27,7 +28,7 @@ def build(given: Given, at: At, known: Known) -> PointPairs:
     """The pairs of a problem. Raises SheetErrors: unequal counts, or not two or three coordinates each."""
     faults = Faults()
     if len(given.source) != len(given.target):
-        message = f"{len(given.source)} points in from:, but {len(given.target)} in to:"
+        message = f"{how_many(len(given.source), 'point')} in from:, but {len(given.target)} in to:"
         faults.append(at.fault(message, ("to",), "give each point its partner, in the same order"))
     size = len(given.source[0])
     for key, points in (("from", given.source), ("to", given.target)):
@@ -39,8 +40,8 @@ def build(given: Given, at: At, known: Known) -> PointPairs:
                 message = f"a point of {len(point)} coordinates among points of {size}"
                 faults.append(at.fault(message, (key, index), "give every point as many coordinates"))
     if not faults and len(given.source) < size:
-        hint = f"give at least {size} points"
-        faults.append(at.fault(f"{len(given.source)} points do not fix a frame", ("from",), hint))
+        few = "one point does" if len(given.source) == 1 else f"{len(given.source)} points do"
+        faults.append(at.fault(f"{few} not fix a frame", ("from",), f"give at least {size} points"))
     faults.settle()
     return PointPairs(_frozen(given.source), _frozen(given.target))
 

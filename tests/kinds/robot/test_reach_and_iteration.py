@@ -85,7 +85,7 @@ def test_newton_finds_the_closed_form(tmp_path) -> None:
             "target: [1, 1]\n  start: {theta1: 0, theta2: 1, theta9: 0}",
             "'theta9' under start is no joint variable",
         ),
-        ("target: [1]\n  start: {theta1: 0, theta2: 1}", "a target of 1 coordinates"),
+        ("target: [1]\n  start: {theta1: 0, theta2: 1}", "a target of 1 coordinate"),
         ("target: [x, 1]\n  start: {theta1: 0, theta2: 1}", "no value is known for x"),
     ],
 )

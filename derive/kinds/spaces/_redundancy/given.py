@@ -13,7 +13,7 @@ from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal, normal_matrix
 from derive.algebra.numbers.floats import Point, number, scalar_number
 from derive.algebra.scalar import Scalar
-from derive.errors import NotDerivable
+from derive.errors import NotDerivable, how_many
 from derive.expression import ZERO, Expr, Matrix, column, free_symbols
 from derive.kinds.fields import Evaluation, OptionsModel, Place, Quantity
 from derive.kinds.problem import Problem
@@ -170,11 +170,11 @@ def given(subject: Robot | GivenMatrix, options: Options, problem: Problem) -> G
     found = linear_map(subject, options.model_copy(update={"evaluate": place or None}), problem)
     m, n = found.J.shape
     _require_what_is_needed(options)
-    _require_length(options.velocity, m, "velocity", "rows")
+    _require_length(options.velocity, m, "velocity", "row")
     for key in ("weights", "limits"):
-        _require_length(getattr(options, key), n, key, "joints")
+        _require_length(getattr(options, key), n, key, "joint")
     if isinstance(options.gradient, tuple):
-        _require_length(options.gradient, n, "gradient", "joints")
+        _require_length(options.gradient, n, "gradient", "joint")
     if options.velocity is not None and wanted & values.keys():
         raise NotDerivable("a velocity is given twice, by `velocity` and under evaluate", "velocity")
     velocity = options.velocity or tuple(values.get(each.name, each) for each in found.velocities)
@@ -190,9 +190,12 @@ def _require_what_is_needed(options: Options) -> None:
         raise NotDerivable(f"`second` is not used by the method {options.method}", "second")
 
 
-def _require_length(typed: tuple[Expr, ...] | None, size: int, key: str, what: str) -> None:
+def _require_length(
+    typed: tuple[Expr, ...] | None, size: int, key: str, what: str, further: str = ""
+) -> None:
     if typed is not None and len(typed) != size:
-        raise NotDerivable(f"{len(typed)} entries for {size} {what}; give one for each", key)
+        given = how_many(len(typed), "entry", "entries")
+        raise NotDerivable(f"{given} for {how_many(size, what)}{further}; give one for each", key)
 
 
 def _second(
@@ -214,5 +217,5 @@ def _second(
         raise NotDerivable("the second task needs rows, functions or a matrix", "second")
     found = linear_map(subject, asked, problem)
     rate = second.rate or (ZERO,) * found.J.shape[0]
-    _require_length(rate, found.J.shape[0], "second", "rows of the second task")
+    _require_length(rate, found.J.shape[0], "second", "row", " of the second task")
     return found, column(rate)
