@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Literal
 
 from derive.algebra.numbers import floats as numeric
-from derive.derivation import Claim, Derivation, PageFacts, Phrase, Plot, Record, Step
+from derive.derivation import Claim, Derivation, Phrase, Plot, Step
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Call, Expr, Relation, Symbol, between, walk
+from derive.expression import ZERO, Call, Expr, Symbol, between, walk
 from derive.figures.typical import completed, typical
 from derive.figures.workspaces import Sizes, cross_section, from_above
 from derive.kinds.chains import closing, distinct
@@ -19,6 +20,9 @@ from derive.kinds.robot._lengths import unit_of_lengths
 from derive.kinds.robot._point import PointOn, Tracked, tracked
 from derive.kinds.robot._reach import drawn, sampled
 from derive.kinds.robot._reach.checks import Reached
+from derive.kinds.robot._reach.every_way import dexterous
+from derive.kinds.robot._reach.facts import Facts as Facts
+from derive.kinds.robot._reach.facts import Limits
 from derive.kinds.robot._reach.limited import Limited, Shape, ranges_of
 from derive.kinds.robot._reach.regions import (
     Region,
@@ -38,6 +42,7 @@ from derive.kinds.robot._reach.told import (
     region_told,
     shape_orientations,
 )
+from derive.kinds.robot._reach.turning_about import TurningAbout
 from derive.kinds.robot._units import of_variables, together
 from derive.kinds.values_at import point_of
 from derive.kinds.work import Work
@@ -48,42 +53,30 @@ from derive.names import free
 
 NOTHING, NEARLY = 1e-9, 1e-3  # of a hole, and of the corners of a circle
 EXAMPLE = 0.6  # of the first link: a second one of which nothing is known, so that a hole is seen
-CLAIMS = ("largest-distance|inside", "smallest-distance|filled", "lines", "link-lengths|touching", "called")
+CLAIMED = {"r_min": "orientations", "rings": "orientations"}
+CLAIMED_OF_REGION = (
+    "largest-distance|inside",
+    "smallest-distance|filled",
+    "lines",
+    "link-lengths|touching",
+    "called",
+)
 measures = together(of_variables, r_min="m", r_max="m", area="m^2", volume="m^3")
-
-
 SIZES = {"area": "its-area", "volume": "its-volume"}
 
 
 class Options(OptionsModel):
-    """`point`: whose positions, the end-effector's if left out; `evaluate`: lengths, to draw it."""
+    """`kind`: positions that are reached with one orientation at least, or with every one; `point`: whose
+    positions, the end-effector's if left out; `evaluate`: lengths, to draw it."""
 
+    kind: Literal["reachable", "dexterous"] = "reachable"
     point: PointOn | None = None
     evaluate: Evaluation = None
 
 
-class Limits(Record):
-    """Of an arm with slides or limits: the distances that have an end, and the size."""
-
-    distances: tuple[str, ...]
-    measure: str
-    size: Phrase | None
-    rise: Phrase | None  # above the plane square to the first axis
-    borders: Phrase | None
-
-
-class Facts(PageFacts):
-    arm: Phrase
-    shoulder: tuple[Expr, Expr] | None  # where distances from it count
-    description: Phrase
-    within: Relation | None  # which distances, in a plane
-    closed: Phrase | None  # for which lengths there is no hole
-    nearer: Phrase | None  # than is reached
-    kinds: Phrase  # of a workspace
-    orientations: Phrase
-    plots: tuple[str, ...]
-    limits: Phrase  # of the joints
-    limited: Limits | None = None
+def claims_of(robot: Robot, options: Options) -> tuple[str, ...]:
+    """Of the distances, or of the orientations."""
+    return ("orientations",) if options.kind == "dexterous" else CLAIMED_OF_REGION
 
 
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
@@ -95,6 +88,8 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     found = chain_of(problem)
     point = tracked(problem, found, options.point)
     refuse_coupled(found, point)
+    if options.kind == "dexterous":
+        return dexterous(TurningAbout(problem, found, point), options.point, options.evaluate)
     shape = _limited(problem, found, point)
     if shape:
         return _within(problem, found, point, shape, options)
@@ -111,10 +106,9 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     facts = _facts(problem, region, point, inner, plots)
     reached = Reached(problem, found, point, region, {1: r_max, -1: r_min})
     work = work.claim(*reached.claims(steps, region.smallest[-1] == ZERO, inner))
-    work = work.claim(
-        reached.is_called(facts.description), *_as_drawn(plots, (r_max, r_min), problem, options)
-    )
-    results = {"r_min": r_min, "r_max": r_max, "description": facts.description}
+    called = region_told(region, region.smallest[-1] == ZERO)
+    work = work.claim(reached.is_called(called), *_as_drawn(plots, (r_max, r_min), problem, options))
+    results = {"r_min": r_min, "r_max": r_max, "description": called}
     return work.answer("workspace", results, facts, plots=plots)
 
 

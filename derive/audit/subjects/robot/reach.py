@@ -4,6 +4,7 @@ largest and its smallest value where its slopes vanish. Newton's method finds su
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import product
 
 import mpmath
 import numpy as np
@@ -11,11 +12,13 @@ import numpy as np
 from derive.audit.asked import Asked, Beyond, Holds, Test
 from derive.audit.points import Irrational, Number, Point, floating, shown
 from derive.audit.subjects.robot.arm import Arm, entries
+from derive.audit.subjects.robot.dexterous import dexterous
 from derive.audit.subjects.robot.limits import within
 from derive.audit.subjects.robot.series import Array, Series, values
 from derive.audit.subjects.robot.task import Task
 
 STARTS = 16
+MOST_STRAIGHT, NEARBY = 4, mpmath.mpf("0.05")  # joints; rad
 STEPS = 25
 NEAR = mpmath.mpf(10) ** -12
 DIGITS = 25
@@ -26,6 +29,10 @@ def workspace(asked: Asked, point: Point) -> Iterator[Test]:
     if point.exact:
         raise Irrational
     said = str(asked.results["description"])
+    if asked.options.kind == "dexterous":
+        yield from dexterous(asked, Point(point.seed, False, point.angles, _positive(asked)))
+        if "r_max" not in asked.results or "rings" in asked.results or "radius" in said:
+            return
     if asked.subject.ranges or "r_min" not in asked.results or "r_max" not in asked.results:
         yield from within(asked, Point(point.seed, False, point.angles, _positive(asked)))
         return
@@ -37,8 +44,8 @@ def workspace(asked: Asked, point: Point) -> Iterator[Test]:
         return
     found: list[Number] = []
     with mpmath.workdps(DIGITS):
-        for k in range(STARTS):
-            found += _still(asked, _moved(asked, lengths, k), about_a_point)
+        for start in _starts(asked, lengths):
+            found += _still(asked, start, about_a_point)
     sizes = [mpmath.sqrt(max(0, square)) for square in found]
     near = mpmath.sqrt(NEAR) * max(1, r_max)
     for name, told, extreme in (("r_max", r_max, max(sizes)), ("r_min", r_min, min(sizes))):
@@ -65,6 +72,15 @@ def _positive(asked: Asked) -> dict[str, str]:
         for symbol in asked.result(name).free_symbols
     }
     return {**dict.fromkeys(names, "positive"), **asked.assumptions}
+
+
+def _starts(asked: Asked, lengths: Point) -> Iterator[Point]:
+    """Configurations anywhere, and near those with joints at half turns, where links may be in line."""
+    yield from (_moved(asked, lengths, k) for k in range(STARTS))
+    names = asked.subject.variables
+    for turns in product((0, 1), repeat=len(names) - 1) if 1 < len(names) <= MOST_STRAIGHT else ():
+        angles = [mpmath.pi * turn + NEARBY for turn in turns]
+        yield lengths.where(**dict(zip(names[1:], angles, strict=True)))
 
 
 def _moved(asked: Asked, lengths: Point, k: int) -> Point:

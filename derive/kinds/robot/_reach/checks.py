@@ -127,11 +127,11 @@ class Reached:
         def distance(here: Values) -> float:
             return counted(self._place(here))
 
-        search = _scan if torus and sign > 0 else _search
+        by = _scan if torus and sign > 0 else search
         starts = [{**at, **{name: at[name] + 1.3 * k for name in names}} for k in range(STARTS)]
-        best = max((search(distance, start, names, sign) for start in starts), key=lambda each: sign * each)
+        best = max((by(distance, start, names, sign) for start in starts), key=lambda each: sign * each)
         beyond = sign * (best - bound)
-        near = TOUCHING if bound < SMALL * size else NEAR
+        near = TOUCHING if bound < TOUCHING * size else NEAR
         return -near * size < beyond < SMALL * size
 
     def _place(self, here: Values) -> Array:
@@ -190,7 +190,7 @@ def _same(chain: Sequence[Expr], at: Values) -> bool:
     return all(close(each, first, SMALL) for each in others)
 
 
-def _search(distance: Callable[[Values], float], at: Values, names: list[str], sign: int) -> float:
+def search(distance: Callable[[Values], float], at: Values, names: list[str], sign: int) -> float:
     """The square of the distance is a + b cos q + c sin q in each joint: its extreme in closed form."""
     here = dict(at)
     for _ in range(SWEEPS):

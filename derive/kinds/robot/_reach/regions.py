@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from derive.algebra.matrix import ScalarMatrix
 from derive.algebra.normal import normal
 from derive.algebra.scalar import Scalar
+from derive.algebra.signs import sign_of
 from derive.derivation import Record
 from derive.errors import NotDerivable
-from derive.expression import ZERO, Call, Expr, Symbol, add, number, sqrt
+from derive.expression import ZERO, Call, Expr, Symbol, add, sqrt
 from derive.kinds.problem import Problem
 from derive.kinds.robot._point import Tracked
 from derive.mechanics.chain import Chain
@@ -127,12 +128,18 @@ def _holes(problem: Problem, holes: tuple[Expr, ...]) -> tuple[Expr, ...]:
 
 
 def _largest(problem: Problem, holes: tuple[Expr, ...]) -> Expr:
-    """max(0, ...) where all are numbers."""
-    values = [normal(hole).constant for hole in holes]
-    if any(value is None for value in values):
-        return Call("max", (ZERO, *(hole for hole in holes if hole != ZERO)))
-    best = max((value for value in values if value is not None), default=None)
-    return problem.readable(Scalar.of(best)) if best is not None and best > 0 else number(0)
+    """max(0, ...), what is certainly not positive left out; a value where that is known."""
+    values = {hole: normal(hole) for hole in holes}
+    signs = {hole: sign_of(value, value.letters()) for hole, value in values.items()}
+    numbers = [value.constant for value in values.values() if value.constant is not None]
+    best = max(numbers, default=None)
+    left = tuple(hole for hole, value in values.items() if signs[hole] is None and value.constant is None)
+    if best is not None and best > 0 and not left:
+        return problem.readable(Scalar.of(best))
+    positive = tuple(hole for hole in values if signs[hole] == 1)
+    if not left and len(positive) <= 1:
+        return positive[0] if positive else ZERO
+    return Call("max", (ZERO, *positive, *left))
 
 
 def _overreach(problem: Problem, lengths: tuple[Scalar, ...]) -> tuple[Expr, ...]:

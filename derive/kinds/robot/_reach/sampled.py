@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 Values = dict[str, float]
 Limits = tuple[float, float]
 TRIES, POINTS = 200, 2
-EACH = {1: 2001, 2: 301, 3: 61}  # values of a joint, by their number
+EACH = {1: 2001, 2: 301, 3: 61, 4: 21, 5: 11, 6: 7, 7: 5}  # values of a joint, by their number
 CELLS = {1: 40, 2: 24, 3: 9}  # of the bounding box in each direction, by its dimensions
 THROWN = 200_000  # places at random in the bounding box
 FAR = 12.0  # where a slide has no end

@@ -1,0 +1,85 @@
+"""The dexterous workspace: the positions that are reached with every orientation."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+from derive.derivation import Derivation, Phrase, Result
+from derive.errors import NotDerivable
+from derive.expression import Matrix, Symbol
+from derive.kinds.checks import route
+from derive.kinds.fields import Place
+from derive.kinds.robot._point import PointOn
+from derive.kinds.robot._reach.dexterous import described, rings
+from derive.kinds.robot._reach.facts import Dexterous, Facts
+from derive.kinds.robot._reach.regions import region_of
+from derive.kinds.robot._reach.turning_about import TurningAbout
+from derive.kinds.work import Work
+from derive.names import free
+
+NEVER = {  # no position has every orientation
+    **dict.fromkeys(("two-orientations", "no-wrist", "no-joint-left", "never-turned"), "empty"),
+    "the-base-alone": "the-base",
+    "two-orientations-or-the-base": "empty-or-the-base",
+}
+
+
+def dexterous(arm: TurningAbout, point: PointOn | None, at: Place | None) -> Derivation:
+    """The positions with every orientation, from what is reached at all. Raises NotDerivable where joints
+    have ranges that matter for it."""
+    problem = arm.problem
+    reached = problem.ask("workspace", point=point, evaluate=at)
+    told = reached.told(Facts)
+    work, key = Work(problem, uses=(reached,)), told.orientations.key
+    if key == "last-link-within" and told.limited is None:
+        return _by_last_link(work, arm, told)
+    same = key in ("both-the-same", "both-the-same-by-one")
+    if not same and key not in NEVER:
+        raise NotDerivable("the dexterous workspace of this arm is not derived yet", "kind")
+    enough = 1 if _in_a_plane(told) else 3
+    freedoms = (arm.freedom(at) for at in arm.points)
+    work = work.claim(route("orientations", (same == (each >= enough) for each in freedoms)))
+    where = told.description if same and told.description else Phrase(NEVER.get(key, "empty"))
+    results: dict[str, Result] = {name: value for name, value in reached.results.items() if same} | {
+        "description": where
+    }
+    whole = Phrase("all-of-it", {"whole": where}) if same else where
+    facts = _facts(told, Dexterous(borders=(), measure=False, where=whole))
+    return work.answer("workspace", results, facts)
+
+
+def _by_last_link(work: Work, arm: TurningAbout, told: Facts) -> Derivation:
+    """The rings of an arm in a plane with three links or more."""
+    problem = work.problem
+    found = rings(problem, region_of(problem, arm.found, arm.point))
+    empty, far = found.pieces == (), Symbol(free(problem.taken, "rho_max"))
+    results: dict[str, Result] = {"description": described(found)}
+    if not empty:
+        work = work.line(far, *found.far, value=found.r_max, rule="dexterous", label="r_max")
+        results = {"r_max": found.r_max} | results
+    if found.pieces:
+        results = {"r_min": found.pieces[0][0], "rings": Matrix(found.pieces)} | results
+    borders = len(found.pieces or ()) > 1
+    if borders:
+        work = work.line(found.inner, found.low, label="rho_1").line(found.outer, found.high, label="rho_2")
+    if found.pieces and any(low != high for low, high in found.pieces):
+        A = Symbol(free(problem.taken, "A", "A_w"))
+        work = work.line(A, found.area(), label="area")
+        results["area"] = work[A]
+    work = work.claim(route("orientations", arm.rings(found)))
+    where = Dexterous(
+        borders=("rho_1", "rho_2") if borders else (), measure="area" in results, where=described(found)
+    )
+    names = {"r_max": far} if "r_max" in results else {}
+    return work.answer("workspace", results, _facts(told, where, names))
+
+
+def _in_a_plane(told: Facts) -> bool:
+    return told.kinds.key == "kinds-in-a-plane"
+
+
+def _facts(told: Facts, where: Dexterous, names: Mapping[str, Symbol] = MappingProxyType({})) -> Facts:
+    """With the reason that was found with the whole workspace."""
+    kinds = Phrase("dexterous-in-a-plane" if _in_a_plane(told) else "dexterous")
+    return Facts(kinds=kinds, orientations=told.orientations, dexterous=where, page_names=names)

@@ -1,0 +1,96 @@
+"""How an end-effector turns about a point that it holds, in numbers: by differences of poses, and by a search
+over the joints before the last link."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from derive.algebra.numbers import floats as numeric
+from derive.expression import Approximate
+from derive.kinds.checks import random_points
+from derive.kinds.problem import Problem
+from derive.kinds.robot._chain import oracle_of
+from derive.kinds.robot._point import Tracked
+from derive.kinds.robot._reach.checks import search
+from derive.kinds.robot._reach.dexterous import Rings, holds, near_an_end, samples
+from derive.kinds.robot._seen import apart, axis_seen
+from derive.mechanics.chain import Chain
+from derive.mechanics.reach import moving_joints
+
+POINTS, COUNT = 3, 60
+SMALL, NEAR = 1e-5, 2e-2
+Values = dict[str, float]
+
+
+@dataclass(frozen=True)
+class TurningAbout:
+    """An arm and the point that it holds."""
+
+    problem: Problem
+    found: Chain
+    point: Tracked
+
+    @property
+    def points(self) -> Iterator[Values]:
+        oracle = oracle_of(self.problem)
+        return (dict(oracle.at(at)) for at in random_points(self.problem.symbols, POINTS))
+
+    def freedom(self, at: Values) -> int:
+        """In how many independent ways it turns while the point stays."""
+        import numpy as np
+
+        oracle = oracle_of(self.problem)
+        J = oracle.jacobian(oracle.at(at), self.point.frame, self.point.offset)
+        _, sizes, rows = np.linalg.svd(J[:3])
+        still = rows[int((sizes > SMALL * max(1.0, *sizes)).sum()) :].T
+        turns = J[3:] @ still
+        return int(np.linalg.matrix_rank(turns, tol=SMALL)) if turns.size else 0
+
+    def rings(self, told: Rings) -> Iterator[bool]:
+        """Whether a distance lies in the rings just where the last link starts within reach of the others,
+        whichever way it points."""
+        for at in self.points:
+            near, far, last = self._others(at)
+            pieces = [
+                (numeric.number(low, at), numeric.number(high, at)) for low, high in self._told(told, at)
+            ]
+            size = far + last
+            for r in samples(size, COUNT):
+                if not near_an_end(pieces, r, NEAR * size):
+                    yield holds(pieces, r) == (r + last <= far and abs(r - last) >= near)
+
+    def _told(self, told: Rings, at: Values) -> list[tuple[Any, Any]]:
+        """The rings at these lengths; where they depend on the lengths, by the borders that are told."""
+        if told.pieces is not None:
+            return list(told.pieces)
+        low, high, far = (numeric.number(tree, at) for tree in (told.low, told.high, told.r_max))
+        inside = [(0.0, min(low, far))] if min(low, far) >= 0 else []
+        outside = [(max(high, 0.0), far)] if high <= far else []
+        return [(Approximate(a), Approximate(b)) for a, b in (*inside, *outside)]
+
+    def _others(self, at: Values) -> tuple[float, float, float]:
+        """The smallest and the largest distance of the last axis from the first, and the length of the last
+        link."""
+        rows = moving_joints(self.found, self.point.position, self.point.last)
+        turning = [i for i in rows if self.found.joint(i).type == "revolute"]
+        names = [self.found.joint(i).variable for i in turning[:-1]]
+
+        def distance(here: Values) -> float:
+            (z, o), (_, p) = (axis_seen(self.problem, self.found, i, here) for i in (turning[0], turning[-1]))
+            return apart(z, p - o)
+
+        starts = [{**at, **{name: at[name] + 1.3 * k for name in names}} for k in range(3)]
+        near = min(search(distance, start, names, -1) for start in starts)
+        far = max(search(distance, start, names, 1) for start in starts)
+        z, o = axis_seen(self.problem, self.found, turning[-1], at)
+        return near, far, apart(z, self._place(at) - o)
+
+    def _place(self, here: Values) -> Any:
+        import numpy as np
+
+        oracle, point = oracle_of(self.problem), self.point
+        beyond = point.frame > len(self.problem.subject.links)
+        T = oracle.tool(here) if beyond else oracle.poses(here)[point.frame]
+        return np.array(T[:3, :3] @ [numeric.number(x, here) for x in point.offset] + T[:3, 3])
