@@ -6,10 +6,12 @@ cycloid has a sine for its acceleration, and how fast a motion is comes from dif
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import cache
 from math import factorial, inf, perm, tau
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
+from derive.errors import NotAsWritten
 from derive.mechanics.course import Course, Piece
 
 if TYPE_CHECKING:
@@ -20,6 +22,7 @@ CONDITIONS = {"cubic": 2, "quintic": 3}  # at each end
 FINE = 4001  # shares of the time at which a motion is looked at
 HALVINGS = 60
 TERMS = 31  # of the series of a sine over one turn
+NEARLY = 1e-5  # of a motion, between its curve and the samples
 
 
 @cache
@@ -102,4 +105,14 @@ def course(law: Law, d: float, time: float, start: float = 0.0) -> Course:
             share[k] = -((-1) ** (k // 2)) * tau ** (k - 1) / factorial(k)
     found = [d * c / time**k for k, c in enumerate(share)]
     found[0] += start
-    return (Piece(0.0, time, tuple(found)),)
+    drawn = Piece(0.0, time, tuple(found))
+    if any(abs(drawn.at(time * share) - start - d * q) > NEARLY * abs(d) for share, q in _looked_at(law)):
+        raise NotAsWritten(f"the curve of the {law} law is another one")
+    return (drawn,)
+
+
+def _looked_at(law: Law) -> Iterator[tuple[float, float]]:
+    """Some shares of the time, with the place there."""
+    whole = places(law)
+    for k in range(0, FINE, (FINE - 1) // 8):
+        yield k / (FINE - 1), float(whole[k])

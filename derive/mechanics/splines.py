@@ -45,6 +45,23 @@ def solved_in_floats(
     return found
 
 
+def acceleration_jumps(
+    times: Sequence[float], places: Sequence[float], velocities: Sequence[float]
+) -> list[float]:
+    """By how much the acceleration changes at each point, where the pieces have these velocities at their
+    ends; before the first and after the last there is none."""
+    import numpy
+
+    jumps = [0.0] * len(times)
+    for k in range(len(times) - 1):
+        h = times[k + 1] - times[k]
+        ends = [_weights(tau, order) for tau in (0.0, h) for order in (0, 1)]
+        cubic = numpy.linalg.solve(ends, [places[k], velocities[k], places[k + 1], velocities[k + 1]])
+        jumps[k] += float(cubic @ _weights(0.0, 2))
+        jumps[k + 1] -= float(cubic @ _weights(h, 2))
+    return jumps
+
+
 def _weights(tau: float, order: int) -> list[float]:
     """What multiplies c_0, ..., c_3 in a derivative at tau."""
     return [

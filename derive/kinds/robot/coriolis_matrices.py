@@ -8,6 +8,7 @@ from itertools import combinations, combinations_with_replacement, product
 from derive.algebra.normal import normal_matrix
 from derive.derivation import Derivation, PageFacts, Phrase, Record
 from derive.expression import ZERO, Derivative, Expr, Matrix, Symbol, add, column, multiply, number, squared
+from derive.kinds.checks import random_points, route
 from derive.kinds.fields import NoOptions as Options
 from derive.kinds.problem import Problem
 from derive.kinds.robot._by_index import EVERY, Meaning, by_index
@@ -22,10 +23,11 @@ from derive.mechanics.robot import Robot
 from derive.names import entry_symbol, require_free
 
 NEEDS = ("bodies",)
-CLAIMS = ("makes-v", "names", "rates-alone")
+CLAIMS = ("makes-v", "names", "rates-alone", "derivatives-vanish")
 measures = of_joints("v", effort=True)
 
 
+SAME = 1e-12  # of inertia matrices in numbers
 HALF, TWO = number("1/2"), number(2)
 C, B, V = Symbol("C"), Symbol("B"), Symbol("v")
 
@@ -78,13 +80,15 @@ def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     others = sum(ijk not in shown for ijk in values)
     made = _whole(arm, results["C"], results.get("B")) - work[V]
     work = arm.agrees(work.law("makes-v", not work.value_matrix(made)), "v", work[V])
+    derivatives = _derivatives(work, arm)
+    work = work.claim(route("derivatives-vanish", _is_told(derivatives, arm)))
     entries = {_b(*ijk).name: value for ijk, value in sorted(b.items())}
     work = by_index(work, {**results, **entries, "v": work[V]}, MEANINGS)
     return work.answer(
         "coriolis-matrices",
         {**results, **entries, "v": work[V]},
         Facts(
-            derivatives=_derivatives(work, arm),
+            derivatives=derivatives,
             others=Phrase("others-vanish") if shown and others else None,
             one=n == 1,
         ),
@@ -104,6 +108,17 @@ def _each(arm: Heavy) -> Iterator[tuple[int, int]]:
     """(joint, how many there are)."""
     n = len(arm.oracle.robot.variables)
     return ((i, n) for i in range(n))
+
+
+def _is_told(derivatives: Phrase, arm: Arm) -> Iterator[bool]:
+    """Whether the inertia matrix is called constant exactly where it is: in numbers, at rest here and with
+    the joints elsewhere."""
+    for at in random_points(arm.still, 2):
+        elsewhere = {**at, **{name: 2.2 - at[name] for name in arm.variables}}
+        here, there = (arm.rigid.inertia_matrix(each) for each in (at, elsewhere))
+        yield derivatives.key == "long-sums" or (abs(here - there).max() < SAME) == (
+            derivatives.key == "none-changes"
+        )
 
 
 def _entries(work: Work, arm: Arm) -> Work:
