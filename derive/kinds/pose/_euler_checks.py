@@ -160,6 +160,7 @@ def _answers(work: Work, compared: Comparison, solutions: tuple[Branch, ...], fa
     for branch in solutions:
         needed = frozenset().union(*map(free_symbols, branch.values.values()))
         if euler.outer[2] in needed and not (given.numeric or not compared.regular):
+            work = work.claim(_where_it_says(branch, euler.outer[1]))
             continue
 
         def back(at: Point, branch: Branch = branch) -> list[Any]:
@@ -172,6 +173,13 @@ def _answers(work: Work, compared: Comparison, solutions: tuple[Branch, ...], fa
 
         work = work.agrees("orientation-again", given.problem.symbols, back, there, when=branch.when)
     return work
+
+
+def _where_it_says(branch: Branch, middle: str) -> Claim:
+    """Whether the middle angle of a singular case is that of its condition; the others are put back with its
+    formulas, as every rotation is another one there."""
+    angle = {middle: number(branch.values[middle], {})}
+    return route("orientation-again", [not _gap(each, angle) for each in branch.when], when=branch.when)
 
 
 def _gap(condition: Condition, angles: Point) -> float:

@@ -54,7 +54,8 @@ def proofs(
         figures = _read_off(results, response)
         yield route("figures", (False,) if figures is None else agree(seen, figures))
     else:
-        yield route("no-figures", (results[name] == NONE for name in FIGURES if name != "steady_state"))
+        none = (results[name] == NONE for name in FIGURES if name != "steady_state")
+        yield route("no-figures", (not _settles(num, den, sizes), *none))
 
 
 def seen_of(transfer: Expr, polynomials: Sequence[Sequence[float]]) -> Seen:
@@ -62,6 +63,12 @@ def seen_of(transfer: Expr, polynomials: Sequence[Sequence[float]]) -> Seen:
     found = poles.roots_of(polynomials[1])
     swing, growth = (max((0.0, *map(part, found))) for part in (lambda z: abs(z.imag), lambda z: z.real))
     return Seen(lambda s: value_over(transfer, s), swing, _sizes(polynomials[1])[0], growth)
+
+
+def _settles(num: Sequence[float], den: Sequence[float], sizes: Sequence[float]) -> bool:
+    """Whether it comes to rest away from zero: all poles are well left of the imaginary axis."""
+    left = all(root.real < -CLOSE * sizes[-1] for root in poles.roots_of(den))
+    return left and bool(num) and num[-1] != 0
 
 
 def _sizes(den: Sequence[float]) -> list[float]:
