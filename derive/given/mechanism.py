@@ -6,7 +6,9 @@ from collections.abc import Iterator
 
 from derive.derivation import Phrase, Said
 from derive.given.datum import Datum
+from derive.given.linkages import of_linkage
 from derive.kinds.problem import Problem
+from derive.mechanics.linkages import FourBar, SliderCrank
 from derive.mechanics.mobility import LETTERS, Joints, Mechanism
 
 SORTS = {
@@ -18,8 +20,11 @@ SPACES = {"planar": "plane|planar|linkage", "spatial": "space|spatial", "spheric
 IN_QUESTIONS = True
 
 
-def data(mechanism: Mechanism, problem: Problem) -> Iterator[Datum]:
+def data(mechanism: Mechanism | FourBar | SliderCrank, problem: Problem) -> Iterator[Datum]:
     """Its parts."""
+    if not isinstance(mechanism, Mechanism):
+        yield from of_linkage(mechanism)
+        return
     about: dict[str, Said] = {"space": Phrase(mechanism.space)}
     if mechanism.legs:
         for chain, count in mechanism.legs:

@@ -53,7 +53,7 @@ FUNCTIONS: dict[str, Callable[..., float]] = {
     "sin": math.sin,
     "tan": math.tan,
     "sqrt": _real("sqrt", math.sqrt),
-    "atan2": math.atan2,
+    "atan2": lambda y, x: math.atan2(y + 0.0, x + 0.0),  # there is one zero, and the angle of -1 is pi
     "acos": _real("acos", math.acos),
     "asin": _real("asin", math.asin),
     "atan": math.atan,

@@ -17,6 +17,7 @@ C, DOF, SIZE, N, C_I, F_I = symbols("C dof lambda n c_i f_i")
 MOVING_LOOPS = (4, 5, 6)  # revolute joints of single loops that move although the formula says they do not
 OTHERS: dict[Space, tuple[Space, ...]] = {"spatial": ("planar", "spherical"), "planar": (), "spherical": ()}
 
+NEEDS = ("parts",)
 CLAIMS = (
     "constraints-of-a-joint", "as-written", "random-instance|random-joints", "as-said", "without-idle",
 )  # fmt: skip

@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Annotated, Literal, TypeAlias
 
-from pydantic import Field
+from pydantic import Discriminator, Field, Tag
 
+from derive.algebra.formulas.quantities import rational
 from derive.errors import SheetError
-from derive.kinds.fields import OptionsModel
+from derive.expression import ZERO
+from derive.kinds.fields import Angle, Length, OptionsModel
+from derive.mechanics.linkages import INPUT, FourBar, SliderCrank
 from derive.mechanics.mobility import (
     FREEDOMS,
     LAMBDA,
@@ -23,8 +26,11 @@ from derive.mechanics.mobility import (
 from derive.sheet.source import At, Faults
 from derive.sheet.subjects.registry import Known
 
-HARMLESS = frozenset({"bodies", "joints", "legs", "rods"})
+LINKAGES = frozenset({"four-bar", "slider-crank"})
+HARMLESS = frozenset({"bodies", "joints", "legs", "rods"}) | LINKAGES
 Count: TypeAlias = Annotated[int, Field(ge=1, le=1000)]
+COUNTED = "write {space: planar, bodies: 4, joints: [{revolute: 4}]}"
+MEASURED = "write {four-bar: {...}} or {slider-crank: {crank: r, rod: l}}"
 AS_WRITTEN = "write {revolute: 4}, four revolute joints, or {constraints: 4, count: 2}"
 
 
@@ -56,7 +62,34 @@ class GivenLegs(OptionsModel):
     count: Count
 
 
-class Given(OptionsModel):
+class GivenFourBar(OptionsModel):
+    """The lengths of the bars, and the angle of the crank (theta_2)."""
+
+    crank: Length
+    coupler: Length
+    rocker: Length
+    ground: Length
+    angle: Angle = INPUT
+
+
+class GivenSliderCrank(OptionsModel):
+    """The lengths of the crank and of the rod, the height at which the slider runs past the pivot of the
+    crank, and the angle of the crank (theta_2)."""
+
+    crank: Length
+    rod: Length
+    offset: Length = ZERO
+    angle: Angle = INPUT
+
+
+class GivenLinkage(OptionsModel):
+    """A linkage by the lengths of its bars."""
+
+    four_bar: GivenFourBar | None = Field(None, alias="four-bar")
+    slider_crank: GivenSliderCrank | None = Field(None, alias="slider-crank")
+
+
+class GivenParts(OptionsModel):
     """`bodies` counts the frame; `rods` are those held by two spherical joints only."""
 
     space: Literal["planar", "spatial", "spherical"]
@@ -66,8 +99,21 @@ class Given(OptionsModel):
     rods: Annotated[int, Field(ge=0, le=1000)] = 0
 
 
-def build(given: Given, at: At, known: Known) -> Mechanism:
-    """The mechanism. Raises SheetErrors: joints of no sort, or that its space does not have; loose bodies."""
+def _form(value: object) -> str:
+    keys = value.keys() if isinstance(value, dict) else ()
+    return "=linkage" if any(name in keys for name in ("four-bar", "slider-crank")) else "=parts"
+
+
+Given: TypeAlias = Annotated[
+    Annotated[GivenLinkage, Tag("=linkage")] | Annotated[GivenParts, Tag("=parts")], Discriminator(_form)
+]
+
+
+def build(given: Given, at: At, known: Known) -> Mechanism | FourBar | SliderCrank:
+    """The mechanism. Raises SheetErrors: joints of no sort, or that its space does not have; loose bodies;
+    bars without a length."""
+    if isinstance(given, GivenLinkage):
+        return _linkage(given, at)
     Faults(_leg_faults(given, at) if given.legs else _joint_faults(given, at)).settle()
     if given.legs:
         return _parallel(given.space, given.legs)
@@ -75,6 +121,36 @@ def build(given: Given, at: At, known: Known) -> Mechanism:
     found = Mechanism(given.space, given.bodies or 0, joints, given.rods)
     Faults(_impossible(found, at)).settle()
     return found
+
+
+def missing(subject: Mechanism | FourBar | SliderCrank, need: str, at: At) -> list[SheetError]:
+    """The fault where a kind needs the "lengths" of bars, or "parts" to be counted, and these are others."""
+    if isinstance(subject, Mechanism) == (need == "parts"):
+        return []
+    if need == "parts":
+        return [at.fault("bodies and joints are counted here", (), COUNTED)]
+    return [at.fault("the lengths of the bars are missing", (), MEASURED)]
+
+
+def _linkage(given: GivenLinkage, at: At) -> FourBar | SliderCrank:
+    Faults(_length_faults(given, at)).settle()
+    if given.four_bar is not None:
+        four = given.four_bar
+        return FourBar(four.crank, four.coupler, four.rocker, four.ground, four.angle)
+    slider = given.slider_crank
+    if slider is None:
+        raise ValueError("a linkage is one of those")
+    return SliderCrank(slider.crank, slider.rod, slider.offset, slider.angle)
+
+
+def _length_faults(given: GivenLinkage, at: At) -> Iterator[SheetError]:
+    if given.four_bar is not None and given.slider_crank is not None:
+        yield at.fault("two linkages in one problem", (), "give one of them")
+    for key, bars in (("four-bar", given.four_bar), ("slider-crank", given.slider_crank)):
+        for name in ("crank", "coupler", "rocker", "ground", "rod"):
+            length = rational(value) if (value := getattr(bars, name, None)) is not None else None
+            if length is not None and length <= 0:
+                yield at.fault(f"the length of the {name} must be positive", (key, name))
 
 
 def _parallel(space: Space, legs: list[GivenLegs]) -> Mechanism:
@@ -93,7 +169,7 @@ def _joints(given: GivenJoints, space: Space) -> Joints:
     return Joints(sort, getattr(given, sort), LAMBDA[space] - FREEDOMS[sort], given.joining)
 
 
-def _joint_faults(given: Given, at: At) -> Iterator[SheetError]:
+def _joint_faults(given: GivenParts, at: At) -> Iterator[SheetError]:
     for key in ("bodies", "joints"):
         if getattr(given, key) is None:
             yield at.fault(
@@ -116,7 +192,7 @@ def _joint_faults(given: Given, at: At) -> Iterator[SheetError]:
             )
 
 
-def _leg_faults(given: Given, at: At) -> Iterator[SheetError]:
+def _leg_faults(given: GivenParts, at: At) -> Iterator[SheetError]:
     for key in ("bodies", "joints", "rods"):
         if key in given.model_fields_set:
             yield at.fault(

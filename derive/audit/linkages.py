@@ -1,0 +1,139 @@
+"""Linkages whose bars are laid end to end: each assembly closes, and its rates are those of the loop."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import mpmath
+import sympy
+
+from derive.audit.algebra import solution
+from derive.audit.asked import Asked, Beyond, Holds, Same, Test
+from derive.audit.points import Number, Point
+from derive.expression import free_symbols
+from derive.mechanics.linkages import FourBar
+
+TRIES = 300
+CLOSE, ROUGH = mpmath.mpf(10) ** -25, mpmath.mpf(10) ** -9  # of sure numbers, and of floats
+THIRD, FOURTH = sympy.symbols("theta_3 theta_4")
+
+
+def position(asked: Asked, point: Point) -> Iterator[Test]:
+    """The loop closes in both assemblies, which differ."""
+    yield from _assemblies(asked, point, ())
+
+
+def velocity(asked: Asked, point: Point) -> Iterator[Test]:
+    """The rates by SymPy's derivatives of the gap, and those of each assembly."""
+    gap, names, crank = _gap(asked), _unknown(asked), _angle(asked)
+    rates = [sympy.Symbol(f"_{name}_rate") for name in names]
+    driving = sympy.Symbol(f"{crank}_dot")
+    flow = [
+        sympy.diff(side, crank) * driving
+        + sum(sympy.diff(side, name) * rate for name, rate in zip(names, rates, strict=True))
+        for side in gap
+    ]
+    angle = asked.formula(asked.subject.angle)
+    found = [each.subs(crank, angle) for each in solution(flow, rates)]
+    for name, each in zip(names, found, strict=True):
+        yield Same(f"{name}_dot", point.at(each))
+    yield from _assemblies(asked, point, tuple(zip(names, found, strict=True)))
+
+
+def _assemblies(
+    asked: Asked, point: Point, rates: tuple[tuple[sympy.Symbol, sympy.Expr], ...]
+) -> Iterator[Test]:
+    there = _place(asked, point)
+    found = [_in_turn(asked, each, there) for each in asked.objects("solutions")]
+    yield Holds("solutions", all(_closes(asked, each, CLOSE) for each in found), "the loop is open")
+    last = _unknown(asked)[-1].name
+    apart = abs(mpmath.expj(found[0][last]) - mpmath.expj(found[1][last])) > ROUGH
+    yield Holds("solutions", len(found) == 2 and bool(apart), "the assemblies are one")
+    for each in found:
+        for name, rate in rates:
+            gap = abs(each.at(rate) - each[f"{name}_dot"])
+            same = bool(gap < CLOSE * (1 + abs(each.at(rate))))
+            yield Holds("solutions", same, f"the rate of {name} differs")
+    if asked.evaluated:
+        for told in asked.objects("evaluated solutions"):
+            if any(isinstance(value, str) for name, value in told.items() if name != "when"):
+                yield Beyond("evaluated solutions", "symbols are left")
+            elif told.get("real", True):
+                told = {name: _float(value) for name, value in told.items() if name != "when"}
+                here = asked.here.where(**told)
+                yield Holds("evaluated solutions", _closes(asked, here, ROUGH), "the loop is open")
+
+
+def _place(asked: Asked, point: Point) -> Point:
+    """Where bars can be joined."""
+    sizes = [getattr(asked.subject, name) for name in type(asked.subject).__dataclass_fields__]
+    positive = dict.fromkeys(frozenset().union(*map(free_symbols, sizes)), "positive")
+    for k in range(TRIES):
+        there = Point(point.seed * TRIES + k, False, (), {**positive, **asked.assumptions})
+        values = [_in_turn(asked, each, there) for each in asked.objects("solutions")]
+        if all(mpmath.im(each[name.name]) == 0 for each in values for name in _unknown(asked)):
+            return there
+    raise NotImplementedError("no position was found in which the bars can be joined")
+
+
+def _in_turn(asked: Asked, branch: Mapping[str, Any], there: Point) -> Point:
+    """The point with the names of a branch, each by those before it; a root of less than nothing is complex,
+    and what is made of it is no place."""
+    for name, told in branch.items():
+        if name != "when":
+            value = _value(there, asked.read(told))
+            there = there.where(**{name: value})
+    return there
+
+
+def _value(there: Point, expr: sympy.Expr) -> Number:
+    try:
+        return there.at(expr)
+    except (TypeError, ValueError, ZeroDivisionError):
+        return mpmath.mpc(0, 1)
+
+
+def _float(value: Any) -> mpmath.mpf:
+    return mpmath.mpf(float(value))
+
+
+def _closes(asked: Asked, there: Point, near: mpmath.mpf) -> bool:
+    size = 1 + sum(abs(there.at(asked.formula(getattr(asked.subject, name)))) for name in ("crank",))
+    angle = asked.formula(asked.subject.angle)
+    gap = [side.subs(_angle(asked), angle) for side in _gap(asked)]
+    return all(abs(there.at(side)) < near * size for side in gap)
+
+
+def _gap(asked: Asked) -> list[sympy.Expr]:
+    """Along x and y, between the ends of the bars laid out from both sides."""
+    linkage, crank = asked.subject, _angle(asked)
+    end = _bar(asked.formula(linkage.crank), crank)
+    if isinstance(linkage, FourBar):
+        there = _sum(end, _bar(asked.formula(linkage.coupler), THIRD))
+        ground = [asked.formula(linkage.ground), sympy.Integer(0)]
+        back = _sum(ground, _bar(asked.formula(linkage.rocker), FOURTH))
+    else:
+        there = _sum(end, _bar(asked.formula(linkage.rod), THIRD))
+        back = [_unknown(asked)[-1], asked.formula(linkage.offset)]
+    return [one - other for one, other in zip(there, back, strict=True)]
+
+
+def _angle(asked: Asked) -> sympy.Symbol:
+    angle = asked.formula(asked.subject.angle)
+    return angle if angle.is_Symbol else sympy.Symbol("theta_2")
+
+
+def _unknown(asked: Asked) -> list[sympy.Symbol]:
+    if isinstance(asked.subject, FourBar):
+        return [THIRD, FOURTH]
+    names = asked.objects("solutions")[0]
+    return [THIRD, sympy.Symbol("s" if "s" in names else "s_p")]
+
+
+def _bar(length: sympy.Expr, angle: sympy.Expr) -> list[sympy.Expr]:
+    return [length * sympy.cos(angle), length * sympy.sin(angle)]
+
+
+def _sum(one: list[sympy.Expr], other: list[sympy.Expr]) -> list[sympy.Expr]:
+    return [a + b for a, b in zip(one, other, strict=True)]

@@ -1,0 +1,27 @@
+"""What is given of a linkage: the lengths of its bars, and where its pivots lie."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from derive.algebra.formulas.with_units import measured
+from derive.derivation import Phrase
+from derive.expression import ZERO
+from derive.given.datum import Datum
+from derive.mechanics.linkages import FourBar, SliderCrank
+
+
+def of_linkage(linkage: FourBar | SliderCrank) -> Iterator[Datum]:
+    """Its bars, and the angle of its crank."""
+    if isinstance(linkage, FourBar):
+        names, key = ["crank", "coupler", "rocker", "ground"], "four-bar"
+        words: tuple[str, ...] = ("four-bar|four bar|quadrilateral", "coupler")
+    else:
+        names, key = ["crank", "rod"], "slider-crank"
+        words = ("slider", "rod|coupler")
+    yield Datum(Phrase(key, {name: measured(getattr(linkage, name)) for name in names}), words=words)
+    if isinstance(linkage, SliderCrank) and linkage.offset != ZERO:
+        yield Datum(
+            Phrase("offset", {"offset": measured(linkage.offset)}), words=("offset|height|below|above",)
+        )
+    yield Datum(Phrase("crank-angle", {"angle": linkage.angle}), words=("angle",))

@@ -1,0 +1,54 @@
+"""The position of a four-bar linkage or a slider-crank for an angle of its crank, each way to assemble it."""
+
+from __future__ import annotations
+
+from derive.derivation import Derivation, PageFacts, Phrase
+from derive.expression import Expr, Symbol
+from derive.kinds.checks import route
+from derive.kinds.fields import NoOptions as Options
+from derive.kinds.mechanism import _four_bar, _slider_crank
+from derive.kinds.mechanism._loop import units_of
+from derive.kinds.mechanism._position_checks import closes, every_way, places
+from derive.kinds.problem import Problem
+from derive.kinds.work import Work
+from derive.mechanics.linkages import FourBar, SliderCrank
+
+NEEDS = ("lengths",)
+CLAIMS = ("closes", "every-way")
+CLAIMED = {"solutions": "closes"}
+
+
+class Facts(PageFacts):
+    given: tuple[tuple[Expr, Expr], ...]
+    end: tuple[Symbol, Symbol]  # coordinates of the end of the crank
+    rod: Symbol  # the bar that joins the crank to what it moves
+    rocker: tuple[Symbol, Symbol] | None  # its length and the ground
+    lines: tuple[str, ...]  # of the working
+    offset: Expr | None  # of a slider
+    unknown: tuple[Symbol, ...]  # coordinates that are sought
+    sides: tuple[Phrase, Phrase]  # on which the assemblies are
+
+
+def derive(linkage: FourBar | SliderCrank, options: Options, problem: Problem) -> Derivation:
+    """Two circles, or a circle and a line, meet in two points (Norton, Design of Machinery, chapter 4).
+
+    Raises NotDerivable where bars of these lengths cannot be joined.
+    """
+    recipe = _four_bar.closed(linkage, Work(problem)) if isinstance(linkage, FourBar) else (
+        _slider_crank.closed(linkage, Work(problem))
+    )  # fmt: skip
+    work, names = recipe.work, recipe.names
+    given = work.typed
+    branches = tuple(each.branch(problem, dict(given)) for each in recipe.assemblies)
+    there = places(linkage, recipe)
+    work = work.claim(route("closes", closes(linkage, recipe, branches, there)))
+    work = work.claim(route("every-way", every_way(linkage, recipe, there)))
+    four = isinstance(linkage, FourBar)
+    first, second = (each.side for each in recipe.assemblies)
+    facts = Facts(
+        given=given, end=(names["x"], names["y"]), rod=names["b"],
+        rocker=(names["c"], names["d"]) if four else None, offset=names.get("e"),
+        lines=tuple(names[name].name for name in ("E", "k", "w") if name in names),
+        unknown=recipe.assemblies[0].unknown, sides=(first, second), angle_results=("theta_3", "theta_4"),
+    )  # fmt: skip
+    return work.answer("position", {"solutions": branches}, facts, units=units_of(problem, recipe.s))

@@ -1,0 +1,94 @@
+"""Four-bar linkages and slider-cranks against Norton's examples and against SciPy's roots of the loop."""
+
+from __future__ import annotations
+
+from math import cos, degrees, radians, sin
+from pathlib import Path
+from typing import Any
+
+import pytest
+from scipy.optimize import fsolve
+
+from derive.build import derive_all
+from derive.errors import SheetErrors
+from derive.sheet.load import load_sheet
+
+FOUR = "{four-bar: {crank: 40, coupler: 120, rocker: 80, ground: 100}}"
+SLIDER = "{slider-crank: {crank: 40, rod: 120, offset: -20}}"
+
+
+def solved(tmp_path: Path, mechanism: str, find: str, evaluate: str = "") -> list[dict[str, Any]]:
+    """The solutions at a point."""
+    sheet = tmp_path / "sheet.yaml"
+    lines = ["title: x", "problems:", f"- mechanism: {mechanism}", f"  find: {find}"]
+    sheet.write_text("\n".join([*lines, f"  evaluate: {evaluate or 'true'}"]) + "\n", encoding="utf-8")
+    (document,) = derive_all([load_sheet(sheet)], True, lambda _: None)
+    ((_, question),) = document.questions()
+    assert question.derivation
+    assert all(claim.holds for claim in question.derivation.claims)
+    found: list[dict[str, Any]] = question.derivation.evaluated["solutions"]
+    return found
+
+
+def test_nortons_four_bar(tmp_path: Path) -> None:
+    crossed, opened = solved(tmp_path, FOUR, "velocity", "{theta_2: 40 deg, theta_2_dot: 25}")
+    assert [degrees(opened[name]) for name in ("theta_3", "theta_4")] == pytest.approx(
+        [20.298, 57.325], abs=2e-3
+    )
+    assert [degrees(crossed[name]) for name in ("theta_3", "theta_4")] == pytest.approx(
+        [-60.98, -98.01], abs=2e-2
+    )
+    assert [opened[name] for name in ("theta_3_dot", "theta_4_dot")] == pytest.approx(
+        [-4.121, 6.998], abs=1e-3
+    )
+
+
+def test_nortons_slider_crank(tmp_path: Path) -> None:
+    # Norton's angle of the rod is that from the slider to the crank, 152.91 degrees.
+    out, inner = solved(tmp_path, SLIDER, "position", "{theta_2: 60 deg}")
+    assert (degrees(out["theta_3"]) + 180, out["s"]) == pytest.approx((152.91, 126.84), abs=1e-2)
+    assert (degrees(inner["theta_3"]) + 180, inner["s"]) == pytest.approx((27.09, -86.84), abs=1e-2)
+
+
+@pytest.mark.parametrize("angle", [-170, -35, 0, 90, 144])
+@pytest.mark.parametrize("bars", [(1, 2.5, 2, 3), (2, 2, 2, 2.5), (3, 1.5, 2.5, 1)])
+def test_the_loop_by_scipy(tmp_path: Path, angle: float, bars: tuple[float, ...]) -> None:
+    a, b, c, d = bars
+    given = f"{{four-bar: {{crank: {a}, coupler: {b}, rocker: {c}, ground: {d}}}}}"
+    theta = radians(angle)
+
+    def gap(unknown: Any) -> list[float]:
+        third, fourth = unknown
+        return [
+            a * cos(theta) + b * cos(third) - d - c * cos(fourth),
+            a * sin(theta) + b * sin(third) - c * sin(fourth),
+        ]
+
+    for each in solved(tmp_path, given, "position", f"{{theta_2: {angle} deg}}"):
+        if each.get("real", True):
+            here = [each["theta_3"], each["theta_4"]]
+            assert fsolve(gap, [value + 0.01 for value in here]) == pytest.approx(here, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "find", "message"),
+    [
+        ("{four-bar: {crank: 1, coupler: 1, rocker: 1, ground: 9}}", "position", "can be joined"),
+        ("{four-bar: {crank: 0, coupler: 1, rocker: 1, ground: 2}}", "position", "must be positive"),
+        ("{four-bar: {crank: -1, coupler: 1, rocker: 1, ground: 2}}", "velocity", "must be positive"),
+        ("{four-bar: {crank: 1, coupler: 1, rocker: 1}}", "position", "missing"),
+        ("{slider-crank: {crank: 1, rod: 2, offset: 4}}", "position", "can be joined"),
+        ("{slider-crank: {crank: 1, rod: 2, angle: 3 m}}", "position", "an angle"),
+        ("{slider-crank: {crank: a, rod: b}, four-bar: {}}", "position", ""),
+        ("{slider-crank: {crank: a, rod: b}}", "mobility", "bodies and joints are counted"),
+        (
+            "{space: planar, bodies: 4, joints: [{revolute: 4}]}",
+            "position",
+            "lengths of the bars are missing",
+        ),
+    ],
+)
+def test_what_cannot_be_joined(tmp_path: Path, mechanism: str, find: str, message: str) -> None:
+    with pytest.raises(SheetErrors) as caught:
+        solved(tmp_path, mechanism, find, "{}")
+    assert any(message in each.message for each in caught.value.errors)
