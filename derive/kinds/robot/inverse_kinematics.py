@@ -34,9 +34,11 @@ class Options(OptionsModel):
 def derive(robot: Robot, options: Options, problem: Problem) -> Derivation:
     """By named sub-problems, each chosen by the form of the equations (Paul; Craig, chapter 4; Siciliano et
     al., section 2.12); the two links of a planar arm by their triangle."""
-    if options.free:
-        return held.derive(problem, options.free, options.given, options.evaluate)
     chain, given = chain_of(problem), options.given
+    if psi := open_chain.swung_by(chain, given, options.free, problem):
+        return open_chain.derive(chain, given, options.evaluate, problem, psi)
+    if options.free:
+        return held.derive(problem, options.free, given, options.evaluate)
     arm = two_link(chain)
     if arm is not None and isinstance(given, tuple) and len(given) == 2:
         return triangle.derive(arm, chain, given, options.evaluate, problem)

@@ -18,6 +18,7 @@ from derive.algebra.solving.factors import TooLong
 from derive.expression import Symbol
 from derive.mechanics.budget import Budget
 from derive.mechanics.chain import Chain
+from derive.mechanics.inverse.arm_angle import ArmAngle
 from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.known import Knowledge, singles
 from derive.mechanics.inverse.paul import (
@@ -30,7 +31,7 @@ from derive.mechanics.inverse.paul import (
 )
 from derive.mechanics.inverse.pieper import quartic
 from derive.mechanics.inverse.search import Stage
-from derive.mechanics.inverse.subproblems import Quartic, SubProblem, equations_of
+from derive.mechanics.inverse.subproblems import Elbow, Quartic, SubProblem, equations_of
 from derive.mechanics.inverse.wrist import Spherical, spherical_shoulder, spherical_wrist
 from derive.mechanics.poses import inverse_pose, rotation_part
 
@@ -69,7 +70,8 @@ class Plan:
     """The sub-problems in order; `left` are equations nobody could solve, empty where all joints are known.
 
     `conditions` hold no joint variable: only poses that fulfil them can be reached at all. `stopped` says
-    that the budget of the search was spent.
+    that the budget of the search was spent. The shoulder of an arm with seven joints is solved by its arm
+    `angle`.
     """
 
     steps: tuple[Planned, ...]
@@ -78,6 +80,7 @@ class Plan:
     left: tuple[Equation, ...] = ()
     conditions: tuple[Equation, ...] = ()
     stopped: bool = False
+    angle: ArmAngle | None = None
 
     @property
     def quartic(self) -> tuple[int, Quartic] | None:
@@ -109,6 +112,32 @@ class Search:
             if plans[-1].complete and not plans[-1].quartic:
                 return plans[-1]
         return next((each for each in plans if each.complete), plans[0]) if plans else self._whole()
+
+    def by_arm_angle(self, arm: ArmAngle) -> Plan:
+        """The elbow, the shoulder by the arm angle, then the wrist."""
+        decoupling = self._decoupling(arm.wrist)
+        stage = self._arm(decoupling)
+        before = Knowledge.of(self.chain, stage.joints)
+        bent = stage.next(before, self.budget)
+        if not isinstance(bent, Elbow) or not before.after(bent.unknown).knows_joint(arm.elbow):
+            return Plan((), before, decoupling, tuple(stage.left(before)), angle=arm)
+        shoulder, hand = self._follow(self._shoulder(arm)), self._follow(self._hand(decoupling))
+        steps = (Planned(stage, before, bent), *shoulder.steps, *hand.steps)
+        known = Knowledge.of(self.chain, self.chain.variables)
+        for planned in steps:
+            known = known.after(planned.subproblem.unknown)
+        left, stopped = (*shoulder.left, *hand.left), shoulder.stopped or hand.stopped
+        return Plan(steps, known, decoupling, left, stopped=stopped, angle=arm)
+
+    def _shoulder(self, arm: ArmAngle) -> Stage:
+        """The joints of the shoulder, by the rotation that the arm angle asks of it."""
+        frames = Frames.of(self.chain, singles(self.chain), 0, arm.shoulder.frame)
+        names = list(map(Scalar.symbol, arm.turn))
+        R = ScalarMatrix.of([names[k : k + 3] for k in (0, 3, 6)])
+        points = [{**point, **arm.at(self.chain, point)} for point in self.points]
+        named = arm.named()
+        at = tuple({**p, **{name: scalar_number(v, p) for name, v in named.items()}} for p in points)
+        return Stage.of(pose_equations(frames, R, None), arm.joints, at)
 
     def _meeting(self) -> Iterator[Spherical]:
         """Three joints that make the orientation whatever the others do."""

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from fractions import Fraction
 
+import numpy as np
 import pytest
 
 from derive.errors import NotDerivable
@@ -23,6 +25,12 @@ IIWA = Arm(
     (("theta1*", "0.36", "0", "-90 deg"), ("theta2*", "0", "0", "90 deg"), ("theta3*", "0.42", "0", "90 deg"),
      ("theta4*", "0", "0", "-90 deg"), ("theta5*", "0.4", "0", "-90 deg"), ("theta6*", "0", "0", "90 deg"),
      ("theta7*", "0.126", "0", "0")),
+    "pose", 8,
+)  # fmt: skip
+WAM = Arm(
+    (("theta1*", "0", "0", "-90 deg"), ("theta2*", "0", "0", "90 deg"),
+     ("theta3*", "0.55", "0.045", "-90 deg"), ("theta4*", "0", "-0.045", "90 deg"),
+     ("theta5*", "0.3", "0", "-90 deg"), ("theta6*", "0", "0", "90 deg"), ("theta7*", "0.06", "0", "0")),
     "pose", 8,
 )  # fmt: skip
 RAIL = Arm(
@@ -55,6 +63,33 @@ def test_every_solution_reaches_the_pose(arm: Arm, free: str) -> None:
         max(abs(math.remainder(each[name] - at[name], 2 * math.pi)) for name in arm.joints)
         for each in reached
     ]
+    assert min(home) < 1e-7
+
+
+def angle_of(arm: Arm, at: Mapping[str, float], shoulder: float) -> float:
+    """How far the axis of the fourth joint is turned about the line between the centres from level."""
+    frames = [replace(arm, rows=arm.rows[:n]).pose(at) for n in (3, 5)]
+    line, axis = frames[1][:3, 3] - (0, 0, shoulder), frames[0][:3, 2]
+    level = np.cross((0, 0, 1), line) / np.hypot(*line[:2])
+    return math.atan2(np.cross(level, axis) @ line / np.linalg.norm(line), level @ axis)
+
+
+@pytest.mark.parametrize(("arm", "shoulder", "name"), [(IIWA, 0.36, "psi"), (WAM, 0.0, "phi")])
+def test_seven_joints_by_the_arm_angle(arm: Arm, shoulder: float, name: str) -> None:
+    at = {joint: 0.3 + 0.41 * k * (-1) ** k for k, joint in enumerate(arm.joints)}
+    psi = angle_of(arm, at, shoulder)
+    asked = place(arm, {**at, name: psi}, name)
+    free = () if name == "psi" else (name,)
+    found = arm.problem().ask("inverse-kinematics", given="pose", free=free, evaluate=asked)
+    assert all(claim.holds for claim in found.claims)
+    assert len(found.results["solutions"]) == arm.solutions
+    wanted = arm.known(arm.pose(at))
+    home = []
+    for each in found.evaluated["solutions"]:
+        assert arm.known(arm.pose(each)) == pytest.approx(wanted, abs=1e-8)
+        assert math.remainder(angle_of(arm, each, shoulder) - psi, 2 * math.pi) == pytest.approx(0, abs=1e-8)
+        home.append(max(abs(math.remainder(each[joint] - at[joint], 2 * math.pi)) for joint in arm.joints))
+    assert len(home) == 8
     assert min(home) < 1e-7
 
 

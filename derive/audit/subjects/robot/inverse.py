@@ -18,6 +18,7 @@ from derive.audit.asked import Asked, Beyond, Holds, Test
 from derive.audit.linear import is_zero
 from derive.audit.points import Irrational, Number, Point, agree, floating, shown
 from derive.audit.subjects.robot.arm import Arm, entries, numbers
+from derive.audit.subjects.robot.arm_angle import JOINTS, arm_angle
 from derive.audit.subjects.robot.series import values
 from derive.audit.text import Json, Unreadable
 
@@ -201,7 +202,9 @@ def goal(asked: Asked, arm: Arm) -> Values:
     given, T = asked.options.given, values(arm.end)
     if isinstance(given, str):
         found = {f"r{i + 1}{j + 1}": T[i, j] for i, j in product(range(3), repeat=2)}
-        return found if given == "orientation" else {**found, **dict(zip("xyz", T[:3, 3], strict=True))}
+        if given == "orientation":
+            return found
+        return {**found, **dict(zip("xyz", T[:3, 3], strict=True)), **_swing(asked, arm)}
     moving = [
         axis for axis, row in enumerate(numbers(arm.linear(arm.end[:3, 3]))) if not all(map(is_zero, row))
     ]
@@ -222,6 +225,14 @@ def goal(asked: Asked, arm: Arm) -> Values:
         column = next(j for j in range(3) if is_zero(T[spins[0], j]))
         found[given[-1]] = mpmath.atan2(T[second, column], T[first, column])
     return found
+
+
+def _swing(asked: Asked, arm: Arm) -> Values:
+    """The arm angle of seven joints, none of which is chosen."""
+    robot, free = asked.subject, asked.options.free
+    if len(robot.variables) != JOINTS or set(free) & set(robot.variables):
+        return {}
+    return {free[0] if free else "psi": arm_angle(arm)}
 
 
 def reaches(asked: Asked, reached: Values, target: Values, near: mpmath.mpf = NEAR) -> bool:

@@ -16,13 +16,13 @@ class Poses:
     """How the poses of a stage are called: T, or R where only orientations are compared; `base` is the frame
     in which `wanted` is known, None the end-effector's, `last` the index of the frame it leads to. The
     stage of the arm brings the centre of a spherical wrist or `shoulder` to its place, that of the hand
-    turns the end-effector."""
+    turns the end-effector, that of the shoulder turns by the arm angle."""
 
     letter: str
     base: int | None
     last: str
     wanted: Symbol
-    stage: Literal["whole", "arm", "hand"] = "whole"
+    stage: Literal["whole", "arm", "shoulder", "hand"] = "whole"
     shoulder: bool = False
 
     def compared(self, equations: Iterable[Equation]) -> tuple[Compared, ...]:

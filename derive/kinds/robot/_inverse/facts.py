@@ -125,6 +125,27 @@ class Wrist(Record):
     singular: tuple[SingularWrist, ...]
 
 
+class ByAngle(Record):
+    """Of a shoulder that is turned by the arm angle: what is said of the two `centres` and of the `turn`, the
+    `line` between them, its `directions` in the base and in `frame`, which follows the shoulder (`bent`), the
+    frame on it seen from either, what the shoulder has to make in which `elements`, what it makes, and its
+    sub-problems."""
+
+    centres: Phrase
+    turn: Phrase
+    line: Step
+    directions: tuple[Step, ...]
+    frame: int
+    bent: Step
+    before: Step
+    after: Step
+    wanted: Step
+    elements: tuple[Step, ...]
+    whole: bool  # whether these are all
+    made: Step
+    solved: tuple[SolvedFacts, ...]
+
+
 class ElbowTold(Record):
     """One of the two ways to bend it."""
 
@@ -179,6 +200,7 @@ class Facts(PageFacts):
     known: Phrase | None = None
     conditions: tuple[tuple[Expr, ...], ...] = ()
     arm: tuple[SolvedFacts, ...] = ()
+    by_angle: ByAngle | None = None
     wrist: Wrist | None = None
     count: Phrase | None = None
     tree: Table | None = None

@@ -28,6 +28,8 @@ TREES = get_args(Expr)
 
 def read(typed: Any, info: ValidationInfo) -> tuple[str, ...]:
     """One name or several. Raises FormulaError."""
+    if typed == ():
+        return ()
     names = tuple(map(read_name, typed if isinstance(typed, list | tuple) else [typed]))
     if not names or len(set(names)) < len(names):
         raise FormulaError("names of joint variables are wanted here, each once", hint="write [theta7]")

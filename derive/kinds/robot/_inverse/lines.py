@@ -17,7 +17,9 @@ from derive.kinds.robot._inverse.checks import Tried
 from derive.kinds.robot._inverse.readings import Reading
 from derive.kinds.robot._inverse.subproblem import Solved, Taken, course, defined
 from derive.kinds.robot._inverse.target import Target, Values
+from derive.kinds.robot._inverse.turned import Turned
 from derive.kinds.robot._inverse.worked import Worked
+from derive.kinds.robot._seen import axis_seen
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -81,6 +83,11 @@ class Lines:
         yield from (equal(step.chain, meaning, False) for step in (*self.worked.centre, *self.worked.turn))
         yield from (equal(step.chain, known, False) for step in self.worked.elements)
         yield from (equal(pair, known, False) for pair in self.worked.conditions)
+        if turned := self.worked.by_angle:
+            yield from (equal(step.chain, meaning, False) for step in (*turned.steps, turned.made))
+            yield from (equal(step.chain, known, False) for step in self.worked.told_of(turned.angle.turn))
+            still = {**known, turned.angle.psi: 0.0}
+            yield close(arrays(turned.before.chain[1], still)[2, 1], 0.0, SAME)  # the axis of the elbow
         if self.worked.at_end:
             end = self.target.oracle.tool(known)[:3, 3:]
             yield close(self._centre(known), 0 * end if self.worked.shoulder else end, SAME)
@@ -115,7 +122,19 @@ class Lines:
                 found |= {"p_s": seen, turn.before.name: R.T @ T[:3, :3], turn.name.name: R}
             else:
                 found |= {"p_w": point, turn.before.name: R, turn.name.name: R.T @ T[:3, :3]}
-        return found
+        return found | (self._swung(at, self.worked.by_angle) if self.worked.by_angle else {})
+
+    def _swung(self, at: Values, turned: Turned) -> dict[str, Array]:
+        """The line between the centres, and the frame on it in the base and after the shoulder."""
+        import numpy as np
+
+        angle, problem, chain = turned.angle, self.worked.problem, self.worked.chain
+        line = self._centre(at) - self._centre(at, angle.joints)
+        row = next(i for i, joint in chain.moving if joint.variable == angle.elbow)
+        z, y = line[:, 0] / np.linalg.norm(line), axis_seen(problem, chain, row, at)[0]
+        U = np.column_stack([np.cross(y, z), y, z])
+        R = self.target.oracle.poses(at)[angle.shoulder.frame][:3, :3]
+        return dict(zip(turned.names, (line, U, R.T @ U, R), strict=True))
 
     @property
     def _inside(self) -> int:
@@ -126,12 +145,12 @@ class Lines:
         of, seen_from = turn.before.name.removeprefix("R_").split("^")
         return int(seen_from if self.worked.shoulder else of)
 
-    def _centre(self, at: Values) -> Array:
+    def _centre(self, at: Values, joints: Sequence[str] = ()) -> Array:
         """The point (3 by 1, in the base) that none of the three joints of a wrist or shoulder moves."""
         import numpy as np
 
         tool, rows, shifts = self.target.oracle.tool, [], []
-        for name in self.worked.spherical:
+        for name in joints or self.worked.spherical:
             D = tool({**at, name: at[name] + TURNS}) @ np.linalg.inv(tool(at))
             rows.append(D[:3, :3] - np.eye(3))
             shifts.append(-D[:3, 3])

@@ -15,7 +15,7 @@ from derive.kinds.robot._inverse.branches import Solutions
 from derive.kinds.robot._inverse.checks import Tried, as_printed
 from derive.kinds.robot._inverse.choices import Choices, signs_of
 from derive.kinds.robot._inverse.evaluated import by_plan, evaluated, in_degrees
-from derive.kinds.robot._inverse.given import Given, goal_of
+from derive.kinds.robot._inverse.given import Given, goal_of, refuse_namesakes
 from derive.kinds.robot._inverse.lines import Lines
 from derive.kinds.robot._inverse.placed import Placed
 from derive.kinds.robot._inverse.postures import Postures
@@ -31,23 +31,34 @@ from derive.kinds.robot._rows.by_rows import by_rows
 from derive.kinds.work import Work
 from derive.mechanics.budget import Budget
 from derive.mechanics.chain import Chain
+from derive.mechanics.inverse.arm_angle import ArmAngle, arm_angle
+from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.plan import Search
 from derive.mechanics.inverse.search import MOST_TERMS
 from derive.names import free
 
 POINTS, MOST_POINTS = 5, 40
+DIGITS = "0123456789"
 
 
-def derive(chain: Chain, given: Given, place: Place | None, problem: Problem) -> Derivation:
-    """The plan, worked and tried; for screws without one, that of the rows found for them. Raises
-    NotDerivable where there is none, with what is left to solve."""
+def derive(
+    chain: Chain, given: Given, place: Place | None, problem: Problem, psi: str | None = None
+) -> Derivation:
+    """The plan, worked and tried; for screws without one, that of the rows found for them. Seven joints by
+    the arm angle, which may have a name. Raises NotDerivable where there is no plan, with what is left to
+    solve."""
     goal = goal_of(given, chain, problem)
-    refuse_at_once(chain, goal)
+    unused = partial(free, problem.taken | set(goal.names) | ({psi} if psi else set()))
+    arm = arm_angle(chain, goal, psi or unused("psi"), unused)
     target = Target.of(problem, chain, goal)
-    points = sample_points(chain, goal, problem, POINTS)
-    refuse_self_motion(target, points)
-    unused = partial(free, problem.taken | set(goal.names))
-    plan = Search(chain, goal, points[:2], unused, Budget(MOST_TERMS)).plan()
+    draw = partial(_points, chain, goal, problem, arm)
+    if arm is None:
+        refuse_at_once(chain, goal)
+    points = draw(POINTS)
+    if arm is None:
+        refuse_self_motion(target, points)
+    search = Search(chain, goal, points[:2], unused, Budget(MOST_TERMS))
+    plan = search.by_arm_angle(arm) if arm else search.plan()
     if not plan.complete and problem.subject.by_screws:
         return by_rows("inverse-kinematics", problem, given=given, evaluate=place)
     if not plan.complete:
@@ -56,9 +67,7 @@ def derive(chain: Chain, given: Given, place: Place | None, problem: Problem) ->
     solutions = Solutions(worked.items, chain.variables, frozenset(plan.knowledge.slides), problem, unused)
     roots = Roots.of(plan, worked, solutions, target)
     named = roots.named if roots else tuple
-    trial = _tried(
-        solutions, target, named(points), lambda count: named(sample_points(chain, goal, problem, count))
-    )
+    trial = _tried(solutions, target, named(points), lambda count: named(draw(count)))
     if trial.partial:
         solutions = replace(solutions, reached=trial.reached)
     two = worked.two_valued
@@ -88,6 +97,27 @@ def derive(chain: Chain, given: Given, place: Place | None, problem: Problem) ->
     facts = Told(worked, solutions, choices).facts(trial.partial, values, in_degrees(problem, place))
     facts = replace(facts, feasible=ranges.said)
     return work.answer("inverse-kinematics", results, facts, evaluated=values.values)
+
+
+def swung_by(chain: Chain, given: Given, free: tuple[str, ...], problem: Problem) -> str | None:
+    """What the author calls the arm angle: the one name under `free`, where that is not called like a joint
+    and the arm has such an angle. Raises NotDerivable where it stands for something else."""
+    stems = {name.rstrip(DIGITS) for name in chain.variables}
+    if len(free) != 1 or free[0].rstrip(DIGITS) in stems:
+        return None
+    goal = goal_of(given, chain, problem)
+    if arm_angle(chain, goal, free[0], str) is None:
+        return None
+    refuse_namesakes(free, problem.taken | set(goal.names))
+    return free[0]
+
+
+def _points(
+    chain: Chain, goal: Goal, problem: Problem, arm: ArmAngle | None, count: int
+) -> tuple[dict[str, float], ...]:
+    """Poses that the arm reaches, with the arm angle it has there."""
+    found = sample_points(chain, goal, problem, count)
+    return tuple({**each, arm.psi: arm.at(chain, each)[arm.psi]} for each in found) if arm else found
 
 
 def _tried(

@@ -82,7 +82,8 @@ class Postures:
 
     def found(self) -> tuple[Posture, ...]:
         """In the order of the sub-problems."""
-        if self.worked.chain.coupling or self.worked.shoulder or next(self.tried.solved, None) is None:
+        other = self.worked.chain.coupling or self.worked.shoulder or self.worked.by_angle
+        if other or next(self.tried.solved, None) is None:
             return ()
         each = (self._of(solved) for solved in self.worked.solved if solved.two_valued)
         return tuple({posture.part: posture for posture in each if posture}.values())

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from derive.algebra.numbers.arrays import arrays
-from derive.expression import free_symbols
+from derive.expression import Symbol, free_symbols
 from derive.kinds.robot._chain import TOOL
 from derive.kinds.robot._inverse.facts import Compared
 from derive.kinds.robot._inverse.subproblem import Solved, course
@@ -66,7 +66,7 @@ class Reading:
             gaps = [self._off(told, at) for at in moved]
             yield from ([gap["xyz".index(axis)] for gap in gaps] for axis in told.axes)
             return
-        there = [self._differs(told, solved.stage == "hand", at) for at in moved]
+        there = [self._differs(told, solved.stage, at) for at in moved]
         for entry in told.entries:
             i, j = (int(n) - 1 for n in entry.strip("()").split(", "))
             yield [T[i, j] for T in there]
@@ -89,7 +89,7 @@ class Reading:
         here, there = (self._pose(inside, each) for each in (at, self.known))
         return np.array(R.T @ ((there - here) @ centre)[:3])
 
-    def _differs(self, told: Compared, hand: bool, at: Values) -> Array:
+    def _differs(self, told: Compared, stage: str, at: Values) -> Array:
         """The product that is known less what it is said to equal, by itself the pose of the end-effector."""
         assert told.product is not None
         meaning: dict[str, Any] = {**at, **self.given}
@@ -98,6 +98,10 @@ class Reading:
         known: Array = arrays(told.product, meaning)
         if told.equals is not None:
             return known - self._named(told.equals.name, at)
+        hand = stage == "hand"
+        if stage == "shoulder":
+            assert isinstance(told.product, Symbol)
+            return known - self._named(told.product.name, at)
         if hand and self.shoulder:
             T = self._pose(str(self.inside), at)
         else:

@@ -15,8 +15,10 @@ from derive.kinds.robot._inverse import lengths, one_equation, quartic, two_equa
 from derive.kinds.robot._inverse.compared import Poses
 from derive.kinds.robot._inverse.progress import Progress
 from derive.kinds.robot._inverse.solving import Solving
+from derive.kinds.robot._inverse.turned import Turned, turned
 from derive.kinds.robot._inverse.worked import Orientation, Worked
 from derive.mechanics.chain import Chain
+from derive.mechanics.inverse.arm_angle import ArmAngle
 from derive.mechanics.inverse.goal import Goal
 from derive.mechanics.inverse.plan import Decoupling, Plan
 from derive.mechanics.inverse.search import Stage
@@ -41,11 +43,17 @@ class Stages:
         decoupling = self.plan.decoupling
         centre = (self._centre(progress, decoupling),) if decoupling and decoupling.centre else ()
         orientation: Orientation | None = None
+        shoulder: Turned | None = None
+        angle = self.plan.angle
         for planned in self.plan.steps:
+            by_angle = angle is not None and planned.stage.joints == angle.joints
+            if by_angle and angle and decoupling and shoulder is None:
+                shoulder = turned(progress, self.chain, decoupling, angle)
             hand = decoupling is not None and planned.stage.joints == decoupling.joints
             if hand and decoupling and orientation is None:
                 orientation = self._orientation(progress, decoupling)
-            write(Solving(progress, self._poses(hand), planned.subproblem), planned.stage)
+            poses = self._shoulder(angle) if by_angle and angle else self._poses(hand)
+            write(Solving(progress, poses, planned.subproblem), planned.stage)
         return Worked(
             self.problem,
             self.chain,
@@ -56,6 +64,7 @@ class Stages:
             centre,
             orientation,
             self._last,
+            shoulder,
         )
 
     def _pose(self) -> tuple[Step, ...]:
@@ -91,6 +100,11 @@ class Stages:
             return Poses("T", 0, self._last, Symbol("p"))
         letter = "T" if goal.whole_position else "R"
         return Poses(letter, 0, self._last, self._end(letter))
+
+    def _shoulder(self, angle: ArmAngle) -> Poses:
+        """Those of a shoulder that is turned by the arm angle."""
+        frame = angle.shoulder.frame
+        return Poses("R", 0, str(frame), Symbol(f"R_{frame}^0"), "shoulder")
 
     def _centre(self, progress: Progress, decoupling: Decoupling) -> Step:
         """p_w = p + R (centre in the end-effector's frame), p_s = R^T ((centre in the base) - p)."""

@@ -10,7 +10,7 @@ from derive.expression import Expr, Matrix, Number, Symbol
 from derive.kinds.robot._inverse.branches import Solutions
 from derive.kinds.robot._inverse.choices import Choices
 from derive.kinds.robot._inverse.evaluated import Evaluated
-from derive.kinds.robot._inverse.facts import Facts, SolvedFacts, Wrist
+from derive.kinds.robot._inverse.facts import ByAngle, Facts, SolvedFacts, Wrist
 from derive.kinds.robot._inverse.postures import explained
 from derive.kinds.robot._inverse.subproblem import Solved
 from derive.kinds.robot._inverse.worked import Worked
@@ -36,6 +36,7 @@ class Told:
             known=self._known(),
             conditions=worked.conditions,
             arm=tuple(each.facts for each in worked.arm),
+            by_angle=self._by_angle(),
             wrist=self._wrist(),
             count=self.choices.count,
             tree=self.choices.table,
@@ -69,8 +70,11 @@ class Told:
         key = "axes-meet-at-the-end" if worked.at_end else "axes-meet"
         before = Phrase(self._of("rest-to-make"), {"before": worked.orientation.before})
         joints = tuple(map(Symbol, worked.spherical))
+        meeting = Phrase(self._of(key), {"joints": joints}) if worked.arm else None
+        if worked.by_angle:
+            meeting = Phrase("wrist-alone", {"joints": joints})
         return Wrist(
-            meeting=Phrase(self._of(key), {"joints": joints}) if worked.arm else None,
+            meeting=meeting,
             centre=worked.centre,
             before=(before if worked.orientation.wanted else Phrase("not-turned")) if worked.arm else None,
             wanted=worked.orientation.wanted,
@@ -83,6 +87,29 @@ class Told:
             made=worked.orientation.made,
             solved=tuple(map(self._in_wrist, worked.hand)),
             singular=worked.singular,
+        )
+
+    def _by_angle(self) -> ByAngle | None:
+        found = self.worked.by_angle
+        if found is None:
+            return None
+        angle = found.angle
+        elbow, shoulder = Symbol(angle.elbow), tuple(map(Symbol, angle.joints))
+        elements = self.worked.told_of(angle.turn)
+        return ByAngle(
+            centres=Phrase("shoulder-alone", {"joints": shoulder, "elbow": elbow}),
+            turn=Phrase("arm-angle", {"psi": Symbol(angle.psi), "elbow": elbow}),
+            line=found.line,
+            directions=found.directions,
+            frame=angle.shoulder.frame,
+            bent=found.bent,
+            before=found.before,
+            after=found.after,
+            wanted=found.wanted,
+            elements=elements,
+            whole=len(elements) == ELEMENTS,
+            made=found.made,
+            solved=tuple(each.facts for each in self.worked.swung),
         )
 
     def _of(self, key: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -10,6 +11,7 @@ from derive.expression import Expr, Matrix, Symbol, atan2, free_symbols
 from derive.kinds.problem import Problem
 from derive.kinds.robot._inverse.facts import SingularWrist
 from derive.kinds.robot._inverse.subproblem import Definition, Item, Solved
+from derive.kinds.robot._inverse.turned import Turned
 from derive.kinds.robot._inverse.wrist import singular
 from derive.mechanics.chain import Chain
 from derive.mechanics.inverse.goal import Goal
@@ -37,7 +39,8 @@ class Orientation:
 class Worked:
     """`all_items` are the definitions and solved sub-problems; `pose` and `centre` the steps about what is
     given and where the centre of the wrist is, before the arm is solved; `orientation` comes before the
-    wrist. `last` is the index of the end-effector's frame."""
+    wrist. `last` is the index of the end-effector's frame. A `by_angle` comes before the shoulder of an arm
+    with seven joints."""
 
     problem: Problem
     chain: Chain
@@ -48,6 +51,7 @@ class Worked:
     centre: tuple[Step, ...]
     orientation: Orientation | None
     last: str
+    by_angle: Turned | None = None
 
     @cached_property
     def items(self) -> tuple[Item, ...]:
@@ -70,8 +74,13 @@ class Worked:
 
     @property
     def arm(self) -> list[Solved]:
-        """The sub-problems of all joints but those of a spherical wrist."""
-        return [each for each in self.solved if each.stage != "hand"]
+        """The sub-problems of all joints but those of a spherical wrist, and of a shoulder that is turned."""
+        return [each for each in self.solved if each.stage not in ("hand", "shoulder")]
+
+    @property
+    def swung(self) -> list[Solved]:
+        """The sub-problems of a shoulder that is turned by the arm angle."""
+        return [each for each in self.solved if each.stage == "shoulder"]
 
     @property
     def hand(self) -> list[Solved]:
@@ -92,9 +101,14 @@ class Worked:
     @cached_property
     def steps(self) -> tuple[Step, ...]:
         """In the order of the page."""
-        arm, hand = ([step for each in solved for step in each.steps] for solved in (self.arm, self.hand))
+        arm, swung, hand = (
+            [step for each in solved for step in each.steps] for solved in (self.arm, self.swung, self.hand)
+        )
         singular_steps = (case.step for case in self.singular)
-        return (*self.pose, *self.centre, *arm, *self.turn, *hand, *singular_steps)
+        turned: tuple[Step, ...] = ()
+        if found := self.by_angle:
+            turned = (*found.steps, *self.told_of(found.angle.turn), found.made)
+        return (*self.pose, *self.centre, *arm, *turned, *swung, *self.turn, *hand, *singular_steps)
 
     @property
     def turn(self) -> tuple[Step, ...]:
@@ -138,7 +152,10 @@ class Worked:
     @cached_property
     def elements(self) -> tuple[Step, ...]:
         """The elements of the wrist's orientation that are used."""
-        names = self.plan.decoupling.turn if self.plan.decoupling else {}
+        return self.told_of(self.plan.decoupling.turn if self.plan.decoupling else {})
+
+    def told_of(self, names: Container[str]) -> tuple[Step, ...]:
+        """What those of these names stand for that are used."""
         return tuple(
             Step(item.name.name, (item.name, item.value), "name")
             for item in self.items
@@ -157,6 +174,9 @@ class Worked:
             cosine, sine = (self.problem.readable(T[k, place]) for k in (first, second))
             found[Symbol(self.goal.angle)] = atan2(sine, cosine)
         found |= {item.name: item.value for item in self.items if isinstance(item, Definition)}
+        if self.plan.angle:
+            sides = self.plan.angle.swing(self.chain)
+            found[Symbol(self.plan.angle.psi)] = atan2(*map(self.problem.readable, sides))
         return found | {each.named: each.head for each in self.solved if each.named}
 
     @property
