@@ -99,6 +99,16 @@ class SoFar:
         used = (self._answers(each) for each in _used(here) if each.kind == kind)
         return self._reference(k for found in used for k in found)
 
+    def same_working(self, here: Derivation) -> Derivation | None:
+        """What was told in this problem in the lines of this derivation, which differs in its numbers."""
+        told = (each.of for _, each in self._of_the_problem() if each.of.kind == here.kind)
+        others = (each for each in told if each.results is not here.results)
+        return next((each for each in others if _lines(each) == _lines(here)), None)
+
+    def answers_of(self, derivation: Derivation) -> list[str | None]:
+        """References to all answers of a derivation, in their order."""
+        return [self._reference([k]) for k in sorted(self._answers(derivation))]
+
     def answer_of(self, derivation: Derivation) -> str | None:
         """A reference to the answer that a derivation ends in."""
         return self._reference(self._answers(derivation))
@@ -136,6 +146,10 @@ class SoFar:
         whole = CITED.sub(lambda found: f"({number[int(found[1])]})", SHOWN.sub(shown, page))
         figures = {key: str(count) for count, key in enumerate(dict.fromkeys(PICTURED.findall(whole)), 1)}
         return PICTURED.sub(lambda found: figures[found[1]], whole)
+
+
+def _lines(derivation: Derivation) -> Chains:
+    return tuple(step.chain for step in derivation.all_steps())
 
 
 def _used(derivation: Derivation) -> Iterator[Derivation]:

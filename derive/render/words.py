@@ -167,7 +167,7 @@ class Telling:
             "listing": self.listing, "path": self.path, "math": self.math, "formula": self.formula,
             "say": self.say, "each": self.each, "cut": self.cut, "whole": self.whole, "fits": self.fits,
             "place": self.place, "again": self.again, "conditions": self.conditions,
-            "cited": self.cited, "found": self.found,
+            "cited": self.cited, "found": self.found, "worked": self.worked,
         }  # fmt: skip
 
     def steps(self, *rules: str) -> list[Step]:
@@ -202,6 +202,16 @@ class Telling:
     def found(self, *kinds: str) -> str:
         """The same for the answers of these kinds, on which this one rests."""
         return self._references(self.so_far.answer(kind, self.d) for kind in kinds)
+
+    def worked(self) -> str:
+        """ " (2) and (3)", the answers of an earlier question of this problem, worked in the very lines
+        of this one; what both know need not be said again. "" where there is none."""
+        before = self.so_far.same_working(self.d)
+        if before is None or self.level == "answers":
+            return ""
+        self.tell(*self.d.steps)
+        self.said.extend(fact for _, fact in sayable(before))
+        return _numbers(self.so_far.answers_of(before))
 
     def _references(self, found: Iterator[str | None]) -> str:
         """None where the page has answers alone: what they rest on is not on it."""

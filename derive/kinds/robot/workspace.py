@@ -154,7 +154,7 @@ def _within(problem: Problem, found: Chain, point: Tracked, shape: Shape, option
         within=None,
         closed=None,
         nearer=None if shape.side == ZERO else Phrase("not-nearer", {"side": shape.side}),
-        kinds=Phrase("kinds-in-a-plane" if planar else "kinds"),
+        kinds=_kinds(planar, shape.lift is not None),
         orientations=shape_orientations(
             shape, spare, bool(turning) and turns_freely(found, turning, loose, planar), planar
         ),
@@ -173,6 +173,11 @@ def _within(problem: Problem, found: Chain, point: Tracked, shape: Shape, option
     return work.answer(
         "workspace", {**told, "description": shape.description}, facts, plots=plots, units=units
     )
+
+
+def _kinds(planar: bool, lifted: bool) -> Phrase:
+    """What the primary and the secondary workspace are, of an arm in a plane that a slide may lift too."""
+    return Phrase("kinds" if not planar else "kinds-about-an-axis" if lifted else "kinds-in-a-plane")
 
 
 def _is_no_form(tree: Expr) -> bool:
@@ -212,7 +217,7 @@ def _facts(
         within=between(R_MIN, R, R_MAX) if planar and len(region.lengths) > 1 else None,
         closed=closed_where(region),
         nearer=None if region.side == ZERO else Phrase("not-nearer", {"side": region.side}),
-        kinds=Phrase("kinds-in-a-plane" if planar else "kinds"),
+        kinds=_kinds(planar, region.slides),
         orientations=orientations_told(region, closed, spare, free, inner),
         plots=tuple(plot.name for plot in plots),
         limits=Phrase("without-limits"),

@@ -76,7 +76,7 @@ def _by_last_link(work: Work, arm: TurningAbout, told: Facts) -> Derivation:
 
 
 def _in_a_plane(told: Facts) -> bool:
-    return told.kinds.key == "kinds-in-a-plane"
+    return told.kinds.key in ("kinds-in-a-plane", "kinds-about-an-axis")
 
 
 def _facts(told: Facts, where: Dexterous, names: Mapping[str, Symbol] = MappingProxyType({})) -> Facts:

@@ -33,11 +33,13 @@ Limits = Mapping[str, tuple[Expr, Expr]]
 ENDLESS = {"rectangle": "endless-rectangle", "box": "endless-box"}
 BORDERS = {"both": "borders-both", "folded": "borders-folded", "stretched": "borders-stretched"}
 CARRIED = {  # on a rail, what carries the point, and whether that stands aside
+    (True, "link", False): "rail-link",
     (True, "links", False): "rail-links",
     (True, "slide", False): "rail-slide",
     (True, "slide", True): "rail-slide-aside",
     (True, "slide-and-links", False): "rail-slide-and-links",
     (True, "slide-and-links", True): "rail-slide-and-links-aside",
+    (False, "link", False): "turning-links",
     (False, "links", False): "turning-links",
     (False, "slide", False): "turning-slide",
     (False, "slide", True): "turning-slide-aside",
@@ -284,7 +286,8 @@ class Limited:
             self._typed(each.aside) for each in arm.stretches if each.stride is not None and each.aside
         )
         about["asides"] = asides
-        carried = "links" if not slides else "slide-and-links" if links else "slide"
+        single = not slides and len(arm.stretches) == 1
+        carried = "link" if single else "links" if not slides else "slide-and-links" if links else "slide"
         return Phrase(CARRIED[bool(arm.rail), carried, bool(asides)], about)
 
     def _called(self, distance: Span, turn: tuple[Expr, Expr] | None, rail: Span | None) -> str:
