@@ -10,8 +10,9 @@ from derive.expression import Expr, Matrix, Symbol
 from derive.kinds.meanings import told as in_numbers
 from derive.kinds.problem import Problem
 from derive.kinds.spaces._redundancy.board import Board, in_functions, typed_decimals
+from derive.kinds.spaces._redundancy.found import Found, Told, begun
 from derive.kinds.spaces._redundancy.given import Given, Options, given
-from derive.kinds.spaces._redundancy.methods import METHODS, Found, Told, begun
+from derive.kinds.spaces._redundancy.methods import METHODS
 from derive.kinds.spaces._redundancy.saturation import Limited, within_limits
 from derive.kinds.values_at import Here, values_at
 from derive.kinds.work import Work

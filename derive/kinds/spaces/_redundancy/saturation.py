@@ -12,10 +12,11 @@ from derive.derivation import Record
 from derive.errors import NotDerivable
 from derive.expression import Call, Expr, Relation, Symbol, add, multiply, negate
 from derive.kinds.spaces._redundancy.board import Board, Seen, names_of
+from derive.kinds.spaces._redundancy.by_numpy import np_column
+from derive.kinds.spaces._redundancy.found import PLUS, RATES, Found, Told, V
 from derive.kinds.spaces._redundancy.given import Given
 from derive.kinds.spaces._redundancy.inverses import pinv, pseudo_inverse, value_of_inverse
 from derive.kinds.spaces._redundancy.limits import Round, by_numpy, saturated
-from derive.kinds.spaces._redundancy.methods import PLUS, RATES, Found, Told, V, np_column
 from derive.names import free
 
 
