@@ -79,7 +79,7 @@ def _measures(name: Expr, said: Expr, units: Mapping[Expr | Phrase, str]) -> boo
             for part, entry in zip(_entries(name), _entries(whole), strict=True)
         )
     wanted, value = units.get(name), said.value if isinstance(said, Measured) else said
-    if not wanted or value == ZERO or free_symbols(value):
+    if not wanted or free_symbols(value) or all(entry == ZERO for entry in _entries(value)):
         return True
     return comparable(dimension_of(wanted), dimension_of(_unit(said)))
 
