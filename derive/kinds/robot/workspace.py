@@ -23,7 +23,8 @@ from derive.kinds.robot._reach.checks import Reached
 from derive.kinds.robot._reach.every_way import dexterous
 from derive.kinds.robot._reach.facts import Facts as Facts
 from derive.kinds.robot._reach.facts import Limits
-from derive.kinds.robot._reach.limited import Limited, Shape, ranges_of
+from derive.kinds.robot._reach.limited import shape_within
+from derive.kinds.robot._reach.ranged import ranges_of
 from derive.kinds.robot._reach.regions import (
     Region,
     Secondary,
@@ -32,6 +33,7 @@ from derive.kinds.robot._reach.regions import (
     region_of,
     secondary,
 )
+from derive.kinds.robot._reach.shapes import Shape
 from derive.kinds.robot._reach.told import (
     R_MAX,
     R_MIN,
@@ -121,7 +123,7 @@ def _limited(problem: Problem, found: Chain, point: Tracked) -> Shape | None:
         planar_arm(found, point.position, point.last) or swung_arm(found, point.position, point.last)
     ):
         return None
-    shape = Limited(problem, found, point).shape()
+    shape = shape_within(problem, found, point)
     if shape is None and ranged:
         raise NotDerivable("the workspace within ranges of the joints of this arm is not derived yet")
     return shape

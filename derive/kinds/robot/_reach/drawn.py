@@ -16,8 +16,8 @@ from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._lengths import unit_of_lengths
 from derive.kinds.robot._point import Tracked
-from derive.kinds.robot._reach.limited import Shape
 from derive.kinds.robot._reach.sampled import Sampled
+from derive.kinds.robot._reach.shapes import Shape
 from derive.kinds.robot._reach.spans import Span
 from derive.kinds.values_at import point_of
 from derive.mechanics.chain import Chain

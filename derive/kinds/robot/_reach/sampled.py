@@ -17,7 +17,8 @@ from derive.kinds.checks import close, random_points, route
 from derive.kinds.problem import Problem
 from derive.kinds.robot._chain import oracle_of
 from derive.kinds.robot._point import Tracked
-from derive.kinds.robot._reach.limited import R_MAX, R_MIN, Shape
+from derive.kinds.robot._reach.ranged import R_MAX, R_MIN
+from derive.kinds.robot._reach.shapes import Shape
 from derive.kinds.robot._reach.spans import Span
 from derive.kinds.robot._seen import axis_seen, motion
 from derive.mechanics.chain import Chain

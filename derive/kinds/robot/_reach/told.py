@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from derive.derivation import Phrase, Said
 from derive.expression import ZERO, Call, Relation, Symbol
-from derive.kinds.robot._reach.limited import Shape
 from derive.kinds.robot._reach.regions import Region, Secondary
+from derive.kinds.robot._reach.shapes import Shape
 
 R_MIN, R, R_MAX = Symbol("r_min"), Symbol("r"), Symbol("r_max")
 
