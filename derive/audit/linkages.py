@@ -41,6 +41,44 @@ def velocity(asked: Asked, point: Point) -> Iterator[Test]:
     yield from _assemblies(asked, point, tuple(zip(names, found, strict=True)))
 
 
+def singularities(asked: Asked, point: Point) -> Iterator[Test]:
+    """At each angle of the crank two bars lie in line, or the rod is upright."""
+    if not asked.objects("solutions"):
+        yield Beyond("solutions", "there are none")
+    there = point if not point.exact else point.in_digits()
+    for each in asked.objects("solutions"):
+        (angle,) = (asked.read(told) for name, told in each.items() if name != "when")
+        yield Holds("solutions", _lie_in_line(asked, there, angle, CLOSE), "no bars lie in line there")
+    for each in asked.objects("evaluated solutions") if asked.evaluated else ():
+        (told,) = (told for name, told in each.items() if name not in ("when", "real"))
+        if isinstance(told, str):
+            yield Beyond("evaluated solutions", "symbols are left")
+        else:
+            angle = sympy.Float(told, 17)
+            yield Holds("evaluated solutions", _lie_in_line(asked, asked.here, angle, ROUGH), "no bars do")
+
+
+def _lie_in_line(asked: Asked, there: Point, angle: sympy.Expr, near: mpmath.mpf) -> bool:
+    """Whether one of the distances between joints is what it is where bars lie in line."""
+    linkage = asked.subject
+    c, s = sympy.cos(angle), sympy.sin(angle)
+    crank = asked.formula(linkage.crank)
+    if isinstance(linkage, FourBar):
+        coupler, rocker, ground = (
+            asked.formula(getattr(linkage, name)) for name in ("coupler", "rocker", "ground")
+        )
+        apart = (crank * c - ground) ** 2 + (crank * s) ** 2
+        gaps = [apart - (coupler + rocker) ** 2, apart - (coupler - rocker) ** 2]
+        for end in (crank + coupler, crank - coupler):
+            gaps.append((end * c - ground) ** 2 + (end * s) ** 2 - rocker**2)
+    else:
+        rod, height = asked.formula(linkage.rod), asked.formula(linkage.offset)
+        gaps = [crank * s - height - rod, crank * s - height + rod]
+        gaps += [(crank + rod) * s - height, (crank - rod) * s - height]
+    size = 1 + abs(there.at(crank)) ** 2
+    return bool(min(abs(there.at(gap)) for gap in gaps) < near * size)
+
+
 def _assemblies(
     asked: Asked, point: Point, rates: tuple[tuple[sympy.Symbol, sympy.Expr], ...]
 ) -> Iterator[Test]:

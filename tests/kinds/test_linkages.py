@@ -6,6 +6,7 @@ from math import cos, degrees, radians, sin
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from scipy.optimize import fsolve
 
@@ -68,6 +69,24 @@ def test_the_loop_by_scipy(tmp_path: Path, angle: float, bars: tuple[float, ...]
         if each.get("real", True):
             here = [each["theta_3"], each["theta_4"]]
             assert fsolve(gap, [value + 0.01 for value in here]) == pytest.approx(here, abs=1e-6)
+
+
+@pytest.mark.parametrize("bars", [(1, 2.5, 2, 3), (2, 2, 2, 2.5), (3, 1.6, 2.5, 1), (2, 2, 3, 2.1)])
+def test_the_crank_ends_where_bars_lie_in_line(tmp_path: Path, bars: tuple[float, ...]) -> None:
+    """A scan of all its angles: the linkage begins or ends to be one at the places that were found."""
+    a, b, c, d = bars
+    given = f"{{four-bar: {{crank: {a}, coupler: {b}, rocker: {c}, ground: {d}}}}}"
+    found = solved(tmp_path, given, "singularities")
+    t = np.linspace(-np.pi, np.pi, 5000)
+    reach = np.abs(a * np.exp(1j * t) - d)
+    able = (abs(b - c) <= reach) & (reach <= b + c)
+    ends = t[:-1][np.diff(able.astype(int)) != 0]
+    toggles = [each["theta_2"] for each in found if each["when"][0].key.startswith("toggle")]
+    assert sorted(toggles) == pytest.approx(sorted(ends), abs=2e-3)
+    for each in found:
+        if each["when"][0].key.startswith("limit"):
+            bars_in_line = [abs(abs((a + s * b) * np.exp(1j * each["theta_2"]) - d) - c) for s in (1, -1)]
+            assert min(bars_in_line) < 1e-9
 
 
 @pytest.mark.parametrize(

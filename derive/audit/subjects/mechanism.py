@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import sympy
 
 from derive.audit.asked import Asked, Same, Test
-from derive.audit.linkages import position, velocity
+from derive.audit.linkages import position, singularities, velocity
 from derive.audit.points import Point
 from derive.mechanics.mobility import Mechanism
 
@@ -74,4 +74,4 @@ def _rank(motions: list[tuple[tuple[int, ...], tuple[int, ...]]]) -> int:
     return int(sympy.Matrix([[*omega, *v] for omega, v in motions]).rank())
 
 
-KINDS = {"mobility": mobility, "position": position, "velocity": velocity}
+KINDS = {"mobility": mobility, "position": position, "velocity": velocity, "singularities": singularities}

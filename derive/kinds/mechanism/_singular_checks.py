@@ -1,0 +1,85 @@
+"""Singular positions of a linkage, looked for all around: where distances between joints are sums of bars."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from math import tau
+
+from derive.algebra.numbers.floats import Point
+from derive.algebra.numbers.floats import number as at
+from derive.derivation import Branch, Phrase
+from derive.errors import NotReal
+from derive.expression import free_symbols, replace
+from derive.kinds.checks import close, random_points
+from derive.kinds.mechanism._loop_oracle import tip, zeros
+from derive.kinds.mechanism._position_checks import SIZES
+from derive.kinds.work import Work
+from derive.mechanics.linkages import FourBar, SliderCrank
+
+POINTS, NEAR = 4, 1e-6
+TOUCHING = 1e-3  # of a cosine: where it is this near to one, two places meet and no sign changes
+
+
+def gaps(linkage: FourBar | SliderCrank, sizes: Sequence[float]) -> dict[str, Callable[[float], float]]:
+    """What vanishes at an angle of the crank where bars lie in line, or a rod stands upright, by its key."""
+    if isinstance(linkage, FourBar):
+        crank, coupler, rocker, ground = sizes
+        return {
+            "toggle-stretched": lambda t: abs(tip(crank, t) - ground) - (coupler + rocker),
+            "toggle-folded": lambda t: abs(tip(crank, t) - ground) - abs(coupler - rocker),
+            "limit-stretched": lambda t: abs(tip(crank + coupler, t) - ground) - rocker,
+            "limit-folded": lambda t: abs(tip(crank - coupler, t) - ground) - rocker,
+        }
+    crank, rod, offset = sizes
+    return {
+        "upright-above": lambda t: tip(crank, t).imag - offset - rod,
+        "upright-below": lambda t: tip(crank, t).imag - offset + rod,
+        "rod-stretched": lambda t: tip(crank + rod, t).imag - offset,
+        "rod-folded": lambda t: tip(crank - rod, t).imag - offset,
+    }
+
+
+def all_found(linkage: FourBar | SliderCrank, work: Work, branches: tuple[Branch, ...]) -> Iterator[bool]:
+    """At every size of the bars the angles that were found, where they are real, are those at which there is
+    such a position; each is told of the right bars, and the lines hold there."""
+    problem = work.problem
+    names = [name for name in SIZES[type(linkage)] if name != "angle"]
+    trees = [problem.final(getattr(linkage, name)) for name in names]
+    for point in random_points(frozenset().union(*map(free_symbols, trees)), POINTS):
+        seen = gaps(linkage, [at(tree, point) for tree in trees])
+        found: dict[str, list[float]] = {}
+        for step in work.steps:
+            found[step.name] = []
+        for branch in branches:
+            found[_key(branch)].extend(_real(branch, point))
+        for key, angles in found.items():
+            yield all(abs(seen[key](angle)) < NEAR for angle in angles)
+            there = zeros(seen[key], 0, tau)
+            apart = {round(abs(tip(1, a) - tip(1, b)), 3) for a in angles for b in angles} - {0.0}
+            if not angles or apart:
+                yield len(there) == len(angles)
+                yield all(min(abs(tip(1, a) - tip(1, b)) for b in there) < NEAR for a in angles)
+        yield from _lines(work, found, point)
+
+
+def _lines(work: Work, found: Mapping[str, list[float]], point: Point) -> Iterator[bool]:
+    """The cosine or the sine at each angle, in each way of writing it."""
+    for step in work.steps:
+        for angle in found.get(step.name, []):
+            head, *formulas = step.chain
+            (name,) = free_symbols(head)
+            values = [work.problem.final(replace(each, work.definitions)) for each in formulas]
+            yield all(close(at(each, point), at(head, {name: angle})) for each in values)
+
+
+def _key(branch: Branch) -> str:
+    (when,) = branch.when
+    return when.key if isinstance(when, Phrase) else ""
+
+
+def _real(branch: Branch, point: Point) -> Iterator[float]:
+    for tree in branch.values.values():
+        try:
+            yield at(tree, point)
+        except (NotReal, ValueError):
+            return

@@ -1,0 +1,118 @@
+"""Where a four-bar linkage or a slider-crank is singular: the positions in which its bars lie in line."""
+
+from __future__ import annotations
+
+from derive.algebra.formulas.quantities import rational
+from derive.algebra.normal import normal
+from derive.derivation import Branch, Derivation, PageFacts, Phrase, Step
+from derive.expression import (
+    PI,
+    ZERO,
+    Call,
+    Expr,
+    Product,
+    Symbol,
+    cos,
+    negate,
+    number,
+    sin,
+    subtract,
+)
+from derive.kinds.checks import route
+from derive.kinds.fields import NoOptions as Options
+from derive.kinds.mechanism import _four_bar as _four_bar_names
+from derive.kinds.mechanism import _slider_crank as _slider_crank_names
+from derive.kinds.mechanism._loop import loop_of
+from derive.kinds.mechanism._singular_checks import all_found
+from derive.kinds.problem import Problem
+from derive.kinds.work import Work
+from derive.mechanics.linkages import FourBar, SliderCrank
+
+NEEDS = ("lengths",)
+CLAIMS = ("all-around",)
+TWO = number(2)
+CLAIMED = {"solutions": "all-around"}
+
+
+Place = tuple[Phrase, str, Phrase | None]  # how bars lie, the step that says where, and that it is nowhere
+
+
+class Facts(PageFacts):
+    det: tuple[Expr, ...]
+    factors: tuple[Expr, Expr]  # of the determinant, and of the rate of what is moved
+    unbounded: tuple[Place, ...]
+    at_rest: tuple[Place, ...]
+    last: Symbol  # the rate of what is moved
+    four: bool
+    angle: Symbol
+
+
+def derive(linkage: FourBar | SliderCrank, options: Options, problem: Problem) -> Derivation:
+    """sin(theta_3 - theta_4) = 0 and sin(theta_2 - theta_3) = 0 (Gosselin and Angeles, Singularity analysis
+    of closed-loop kinematic chains; toggle and limit positions of Norton, Design of Machinery, section 3.3).
+
+    Raises NotDerivable where bars of these lengths cannot be joined.
+    """
+    rates = problem.ask("velocity")
+    work, loop = loop_of(linkage, Work(problem, uses=(rates,)))
+    theta, (third, last) = loop.angle, loop.unknown
+    four = isinstance(linkage, FourBar)
+    rows = _four_bar(linkage, work) if isinstance(linkage, FourBar) else _slider_crank(linkage, work)
+    head = cos(theta) if four else sin(theta)
+    branches, places = list[Branch](), list[Place]()
+    for key, formula in rows:
+        value = work.shown(formula)
+        links = (head, formula) if value == formula else (head, formula, value)
+        work = work.showing(Step(key, links, "in-numbers"))
+        angles = _angles(problem.final(value), four)
+        places.append((Phrase(key), key, None if angles else Phrase("nowhere")))
+        branches += [Branch({theta.name: each}, (Phrase(key),)) for each in angles]
+    results = {"solutions": tuple(branches)}
+    work = work.claim(route("all-around", all_found(linkage, work, results["solutions"])))
+    facts = Facts(
+        det=rates.step("det").chain,
+        factors=(sin(subtract(third, last)) if four else cos(third), sin(subtract(theta, third))),
+        unbounded=tuple(places[:2]), at_rest=tuple(places[2:]), last=Symbol(f"{last.name}_dot"),
+        four=four, angle=theta, angle_results=(theta.name,), in_degrees=True,
+    )  # fmt: skip
+    return work.answer("singularities", results, facts)
+
+
+def _angles(value: Expr, four: bool) -> tuple[Expr, ...]:
+    """All that have this cosine, or this sine: none of a number beyond 1."""
+    size = rational(value)
+    if size is not None and abs(size) > 1:
+        return ()
+    angle = Call("acos" if four else "asin", (value,))
+    if size is not None and abs(size) == 1:
+        return (angle,)
+    if four:
+        return angle, negate(angle)
+    return angle, subtract(negate(PI) if size is not None and size < 0 else PI, angle)
+
+
+def _four_bar(linkage: FourBar, work: Work) -> list[tuple[str, Expr]]:
+    """The cosine of the angle of the crank in each."""
+    work, names = _four_bar_names.lengths(linkage, work)
+    crank, coupler, rocker, ground = (names[name] for name in ("a", "b", "c", "d"))
+    rows = list[tuple[str, Expr]]()
+    for key, reach in (("toggle-stretched", coupler + rocker), ("toggle-folded", coupler - rocker)):
+        rows.append((key, (ground**2 + crank**2 - reach**2) / (2 * ground * crank)))
+    for key, reach in (("limit-stretched", crank + coupler), ("limit-folded", crank - coupler)):
+        if normal(reach, work.definitions):
+            rows.append((key, (ground**2 + reach**2 - rocker**2) / Product((TWO, ground, reach))))
+    return rows
+
+
+def _slider_crank(linkage: SliderCrank, work: Work) -> list[tuple[str, Expr]]:
+    """The sine of the angle of the crank in each."""
+    work, names = _slider_crank_names.lengths(linkage, work)
+    crank, rod, height = names["a"], names["b"], names.get("e", ZERO)
+    rows: list[tuple[str, Expr]] = [
+        ("upright-above", (height + rod if height != ZERO else rod) / crank),
+        ("upright-below", subtract(height, rod) / crank),
+    ]
+    for key, reach in (("rod-stretched", crank + rod), ("rod-folded", subtract(crank, rod))):
+        if normal(reach, work.definitions):
+            rows.append((key, height / reach if height != ZERO else ZERO))
+    return rows
